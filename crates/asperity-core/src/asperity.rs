@@ -1,0 +1,99 @@
+//! One asperity pressed by a flat: what a single-asperity law may depend on.
+
+use crate::error::positive;
+use crate::{ContactError, Interface};
+
+/// One asperity, with every input resolved. Nothing here knows the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asperity {
+    /// E \[Pa\].
+    pub equivalent_modulus: f64,
+    /// G \[Pa\], where it was given.
+    pub equivalent_shear_modulus: Option<f64>,
+    /// ν of the softer body.
+    pub poissons_ratio: f64,
+    /// H of the softer body \[Pa\].
+    pub hardness: f64,
+    /// S_y of the softer body \[Pa\].
+    pub yield_strength: f64,
+    /// S, the maximum contact pressure factor.
+    pub pressure_factor: f64,
+    /// R \[m\].
+    pub radius: f64,
+}
+
+impl Asperity {
+    /// An asperity of this radius \[m\].
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field of the interface, or the radius, that is out of range.
+    pub fn new(interface: &Interface, radius: f64) -> Result<Self, ContactError> {
+        let (hardness, yield_strength, pressure_factor) = interface.check()?;
+        Ok(Self {
+            equivalent_modulus: interface.equivalent_modulus,
+            equivalent_shear_modulus: interface.equivalent_shear_modulus,
+            poissons_ratio: interface.poissons_ratio,
+            hardness,
+            yield_strength,
+            pressure_factor,
+            radius: positive("asperity_radius", radius)?,
+        })
+    }
+
+    /// w_c = (π S H/(2E))² R \[m\], the interference at which yielding begins. \[seen\]
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] unless w_c < R: beyond, the asperity would be flattened
+    /// before it yields, and the laws scaled by w_c mean nothing.
+    pub fn critical_interference(&self) -> Result<f64, ContactError> {
+        let strain = std::f64::consts::PI * self.pressure_factor * self.hardness
+            / (2.0 * self.equivalent_modulus);
+        if strain < 1.0 {
+            Ok(strain * strain * self.radius)
+        } else {
+            let required = "a hardness below 2E/(pi S), so that the critical interference is smaller than the radius,";
+            Err(ContactError::OutOfRange { field: "hardness", value: self.hardness, required })
+        }
+    }
+
+    /// F_c = (2/3) π R w_c S H = (4/3) E √R w_c^(3/2) \[N\], the force at w_c. \[seen\]
+    ///
+    /// # Errors
+    /// Those of [`critical_interference`](Self::critical_interference).
+    pub fn critical_force(&self) -> Result<f64, ContactError> {
+        let area = std::f64::consts::PI * self.radius * self.critical_interference()?;
+        Ok(2.0 / 3.0 * area * self.pressure_factor * self.hardness)
+    }
+
+    /// G \[Pa\].
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] naming who needs it.
+    pub fn shear_modulus(&self, needed_by: &str) -> Result<f64, ContactError> {
+        self.equivalent_shear_modulus.ok_or_else(|| ContactError::Missing {
+            field: "equivalent_shear_modulus",
+            needed_by: needed_by.into(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn critical_force_is_hertz_at_the_critical_interference() {
+        let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.59e-4).unwrap();
+        let w = asperity.critical_interference().unwrap();
+        let hertz = 4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.sqrt() * w.powf(1.5);
+        assert!((asperity.critical_force().unwrap() / hertz - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_hardness_that_never_yields_is_refused_where_it_matters() {
+        let rubber = Asperity::new(&Interface::new(1e6, 0.5, 5e6), 1e-4).unwrap();
+        let message = rubber.critical_interference().unwrap_err().to_string();
+        assert!(message.starts_with("hardness is 5000000.0"), "{message}");
+        assert!(rubber.shear_modulus("Gao").unwrap_err().to_string().contains("Gao needs it"));
+    }
+}

@@ -1,0 +1,249 @@
+//! A scene prepared for many evaluations.
+
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use asperity_quadrature::{Density, Moments, QuadratureError};
+
+use crate::height_integral::HeightIntegral;
+use crate::request::checked_separation;
+use crate::{
+    ContactError, ContactModel, HeightDistribution, Law, Quantity, Regime, Request, Scene,
+    StiffnessKind, Warning,
+};
+
+/// A value that may be too small for a plain number, with a bound on its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Evaluation {
+    /// The value is `scaled` · exp(`ln_scale`), in SI units.
+    pub scaled: f64,
+    /// Logarithm of the scale, ≤ 0 or near it.
+    pub ln_scale: f64,
+    /// The integral of the law's absolute value, scaled alike: larger than the value where parts
+    /// of different sign cancel.
+    pub size: f64,
+    /// Bound on the error relative to `size`.
+    pub error: f64,
+}
+
+impl Evaluation {
+    /// The value; 0 only where it is below the smallest number a double can hold.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.scaled * self.ln_scale.exp()
+    }
+
+    /// The natural logarithm of the absolute value, also where the value itself underflows;
+    /// -∞ where there is no contact at all.
+    #[must_use]
+    pub fn ln_value(&self) -> f64 {
+        self.scaled.abs().ln() + self.ln_scale
+    }
+
+    /// Bound on the error relative to the value: infinite where the value is 0 by cancellation.
+    #[must_use]
+    pub fn relative_error(&self) -> f64 {
+        if self.size == 0.0 { 0.0 } else { self.error * self.size / self.scaled.abs() }
+    }
+}
+
+/// The share of one part of the law in a value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Share {
+    /// Name of the part.
+    pub name: Cow<'static, str>,
+    /// Its regime.
+    pub regime: Regime,
+    /// Its signed integral over the total: shares sum to 1, and negative ones belong to parts
+    /// that a model subtracts (all change sign where the total is negative).
+    pub share: f64,
+}
+
+/// A model applied to a scene: integrals are built when first needed, and shared by all threads.
+#[derive(Debug)]
+pub struct Compiled {
+    model: String,
+    quantities: Vec<Quantity>,
+    channels: Vec<Channel>,
+    height_std: f64,
+    separation_rounding: f64,
+    warnings: Vec<Warning>,
+}
+
+/// The integral of one law.
+#[derive(Debug)]
+struct Channel {
+    quantity: Quantity,
+    law: Law,
+    /// η A_n times the law's value unit.
+    factor: f64,
+    /// Interference unit over σ_z.
+    scale: f64,
+    heights: HeightDistribution,
+    tolerance: f64,
+    total: HeightIntegral,
+    parts: OnceLock<Vec<HeightIntegral>>,
+}
+
+impl Compiled {
+    pub(crate) fn new<M: ContactModel + ?Sized>(
+        model: &M,
+        scene: &Scene,
+        request: &Request,
+    ) -> Result<Self, ContactError> {
+        let asperity = scene.asperity()?;
+        let mut compiled = Self {
+            model: model.name().into(),
+            quantities: request.quantities.clone(),
+            channels: vec![],
+            height_std: scene.surface.asperity_height_std,
+            separation_rounding: request.separation_rounding,
+            warnings: model.warnings(),
+        };
+        for &asked in &request.quantities {
+            let quantity = law_of(asked, model.stiffness());
+            if compiled.channels.iter().any(|c| c.quantity == quantity) {
+                continue;
+            }
+            let law = model.law(&asperity, quantity, request.tolerance)?;
+            compiled.channels.push(Channel::new(quantity, law, scene, request));
+        }
+        Ok(compiled)
+    }
+
+    /// The model's name.
+    #[must_use]
+    pub fn model(&self) -> &str {
+        &self.model
+    }
+
+    /// What the model's options deserve to be warned of.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// The quantities that were asked for.
+    #[must_use]
+    pub fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    /// σ_z \[m\].
+    #[must_use]
+    pub fn asperity_height_std(&self) -> f64 {
+        self.height_std
+    }
+
+    /// A quantity at a separation d/σ_z.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`], [`ContactError::OutOfRange`] for a separation that is not
+    /// a number or outside -1e6 ... 1e9, and [`ContactError::Integral`].
+    pub fn evaluate(&self, quantity: Quantity, separation: f64) -> Result<Evaluation, ContactError> {
+        let channel = self.channel(quantity)?;
+        let s = checked_separation(separation)?;
+        let moments = channel.total.at(s).map_err(failed(quantity, s))?;
+        Ok(self.evaluation(channel, quantity, s, &moments))
+    }
+
+    /// The share of every part of the law in a quantity (in the force, for the tangent).
+    ///
+    /// # Errors
+    /// Those of [`evaluate`](Self::evaluate).
+    pub fn shares(&self, quantity: Quantity, separation: f64) -> Result<Vec<Share>, ContactError> {
+        let channel = self.channel(quantity)?;
+        let s = checked_separation(separation)?;
+        let total = channel.total.at(s).map_err(failed(quantity, s))?;
+        let mut shares = Vec::with_capacity(channel.law.parts.len());
+        for (part, integral) in channel.law.parts.iter().zip(channel.parts()) {
+            let moments = integral.at(s).map_err(failed(quantity, s))?;
+            let value = moments.value * (moments.ln_scale - total.ln_scale).exp();
+            let share = if value == 0.0 { 0.0 } else { value / total.value };
+            shares.push(Share { name: part.name.clone(), regime: part.regime, share });
+        }
+        Ok(shares)
+    }
+
+    /// The law behind a quantity: the force law for the tangent.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`].
+    pub fn law(&self, quantity: Quantity) -> Result<&Law, ContactError> {
+        Ok(&self.channel(quantity)?.law)
+    }
+
+    fn evaluation(
+        &self,
+        channel: &Channel,
+        quantity: Quantity,
+        separation: f64,
+        moments: &Moments,
+    ) -> Evaluation {
+        // Only two channels hold their quantity as the integral itself: the others are slopes.
+        let is_slope = quantity != channel.quantity;
+        let (scaled, size) = if is_slope {
+            (moments.slope / self.height_std, moments.sizes[1] / self.height_std)
+        } else {
+            (moments.value, moments.sizes[0])
+        };
+        let mut error = moments.error;
+        if self.separation_rounding > 0.0 && moments.value != 0.0 {
+            // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more.
+            let steepness = (moments.slope / moments.value).abs() + 1.0;
+            error += self.separation_rounding * separation.abs() * steepness;
+        }
+        let factor = channel.factor;
+        Evaluation { scaled: scaled * factor, ln_scale: moments.ln_scale, size: size * factor, error }
+    }
+
+    fn channel(&self, quantity: Quantity) -> Result<&Channel, ContactError> {
+        let missing = || ContactError::NotRequested { quantity };
+        if !self.quantities.contains(&quantity) {
+            return Err(missing());
+        }
+        let own = self.channels.iter().find(|c| c.quantity == quantity);
+        own.or_else(|| self.channels.iter().find(|c| c.quantity == Quantity::Force)).ok_or_else(missing)
+    }
+}
+
+/// The law a quantity is computed from.
+fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
+    match (quantity, stiffness) {
+        (Quantity::Tangent, _) | (Quantity::Stiffness, StiffnessKind::Tangent) => Quantity::Force,
+        (quantity, _) => quantity,
+    }
+}
+
+fn failed(quantity: Quantity, separation: f64) -> impl Fn(QuadratureError) -> ContactError {
+    move |source| ContactError::Integral { quantity, separation, source }
+}
+
+impl Channel {
+    fn new(quantity: Quantity, law: Law, scene: &Scene, request: &Request) -> Self {
+        let scale = law.interference_unit / scene.surface.asperity_height_std;
+        let tolerance = request.tolerance.relative();
+        let total = HeightIntegral::new(law.density(), scale, &scene.heights, tolerance);
+        Self {
+            quantity,
+            // The integral over t = w/σ_z stands for one over heights in units of σ_z.
+            factor: scene.asperities() * law.value_unit,
+            law,
+            scale,
+            heights: scene.heights.clone(),
+            tolerance,
+            total,
+            parts: OnceLock::new(),
+        }
+    }
+
+    fn parts(&self) -> &[HeightIntegral] {
+        self.parts.get_or_init(|| {
+            let alone = |part: &crate::Part| Density { pieces: vec![part.piece()] };
+            let integral = |part| {
+                HeightIntegral::new(alone(part), self.scale, &self.heights, self.tolerance)
+            };
+            self.law.parts.iter().map(integral).collect()
+        })
+    }
+}

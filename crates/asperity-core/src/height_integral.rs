@@ -1,0 +1,200 @@
+//! I(s) = ∫₀^∞ q(t/c) g(s + t) dt for each kind of heights g: one door for the engine.
+
+use std::sync::{Arc, OnceLock};
+
+use asperity_quadrature::{Density, Discretised, Moments, QuadratureError, ShiftedGaussian, discretise};
+
+use crate::{HeightDistribution, Heights};
+
+/// Densities are followed down to exp(-CUT) of their largest value: 1e-20.
+const CUT: f64 = 46.0;
+/// Rounding of a sum of masses.
+const ROUNDING: f64 = 5e-15;
+
+/// The integral of one density over one kind of heights, for all s.
+#[derive(Debug)]
+pub(crate) enum HeightIntegral {
+    Gaussian(ShiftedGaussian),
+    Exponential(Exponential),
+    Other(Other),
+}
+
+impl HeightIntegral {
+    /// `scale` is c, the interference unit over σ_z.
+    pub(crate) fn new(
+        density: Density,
+        scale: f64,
+        heights: &HeightDistribution,
+        tolerance: f64,
+    ) -> Self {
+        match heights {
+            HeightDistribution::Gaussian => {
+                Self::Gaussian(ShiftedGaussian::new(density, scale, tolerance))
+            }
+            HeightDistribution::Exponential => {
+                Self::Exponential(Exponential { density, scale, tolerance, above: OnceLock::new() })
+            }
+            HeightDistribution::Other(heights) => {
+                Self::Other(Other { density, scale, tolerance, heights: heights.clone() })
+            }
+        }
+    }
+
+    /// I(s) and -dI/ds.
+    pub(crate) fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
+        match self {
+            Self::Gaussian(integral) => integral.at(s),
+            Self::Exponential(integral) => integral.at(s),
+            Self::Other(integral) => integral.at(s),
+        }
+    }
+}
+
+fn sum(masses: &Discretised) -> (f64, f64) {
+    (masses.masses.iter().sum(), masses.masses.iter().map(|m| m.abs()).sum())
+}
+
+fn relative(error: f64, size: f64) -> f64 {
+    (if size > 0.0 { 4.0 * error / size } else { 0.0 }) + ROUNDING
+}
+
+/// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
+#[derive(Debug)]
+pub(crate) struct Exponential {
+    density: Density,
+    scale: f64,
+    tolerance: f64,
+    above: OnceLock<Result<Moments, QuadratureError>>,
+}
+
+impl Exponential {
+    fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
+        if s < 0.0 {
+            return self.integrate(s);
+        }
+        let at_zero = self.above.get_or_init(|| self.integrate(0.0)).as_ref().map_err(Clone::clone)?;
+        Ok(Moments { ln_scale: -s, ..*at_zero })
+    }
+
+    /// s ≤ 0: heights begin at ζ = 0, interferences at -s; moving the surface by ds also moves
+    /// that beginning, so -dI/ds = I - q(-s).
+    fn integrate(&self, s: f64) -> Result<Moments, QuadratureError> {
+        let window = (-s / self.scale, (CUT - s) / self.scale);
+        let edges = [0.02, 0.07, 0.2, 0.45, 0.7].map(|share| (share * CUT - s) / self.scale);
+        let weight = |x: f64| (-(s + x * self.scale)).exp() * self.scale;
+        let masses = discretise(&self.density, window, &edges, &weight, 0.1 * self.tolerance)?;
+        let (value, size) = sum(&masses);
+        let lowest = if s < 0.0 { point(&self.density, -s / self.scale)? } else { 0.0 };
+        Ok(Moments {
+            value,
+            slope: value - lowest,
+            sizes: [size, size + lowest.abs()],
+            ln_scale: 0.0,
+            error: relative(masses.error, size),
+        })
+    }
+}
+
+/// The density at one point.
+fn point(density: &Density, x: f64) -> Result<f64, QuadratureError> {
+    let mut total = 0.0;
+    for piece in density.pieces.iter().filter(|p| p.from <= x && x < p.to) {
+        let mut value = [0.0];
+        piece.sampler.sample(&[x], &mut value)?;
+        total += piece.sign * value[0];
+    }
+    Ok(total)
+}
+
+/// Any other heights: each s is integrated anew, on panels that end at the kinks of the law and
+/// at the breaks of the density.
+#[derive(Debug)]
+pub(crate) struct Other {
+    density: Density,
+    scale: f64,
+    tolerance: f64,
+    heights: Arc<dyn Heights>,
+}
+
+impl Other {
+    fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
+        let Some((low, high, ln_scale)) = self.window(s) else {
+            // No asperity is as high as the flat: there is no contact, and that is exact.
+            let none = Moments { value: 0.0, slope: 0.0, sizes: [0.0; 2], ln_scale: 0.0, error: 0.0 };
+            return Ok(none);
+        };
+        let mut edges: Vec<f64> = self.heights.breaks().to_vec();
+        let width = high - low;
+        edges.extend([0.004, 0.02, 0.06, 0.15, 0.3, 0.5, 0.75].map(|share| low + share * width));
+        edges.sort_by(f64::total_cmp);
+        edges.iter_mut().for_each(|z| *z = (*z - s) / self.scale);
+        let weight = |x: f64| {
+            (self.heights.ln_density(s + x * self.scale) - ln_scale).exp() * self.scale
+        };
+        let window = ((low - s) / self.scale, (high - s) / self.scale);
+        let tolerance = 1e-15_f64.max(0.1 * self.tolerance);
+        let masses = discretise(&self.density, window, &edges, &weight, tolerance)?;
+        let (value, size) = sum(&masses);
+        let (slope, slope_size) = self.slope(s, ln_scale, &masses)?;
+        Ok(Moments {
+            value,
+            slope,
+            sizes: [size, slope_size],
+            ln_scale,
+            error: relative(masses.error, size) + self.heights.error(),
+        })
+    }
+
+    /// -dI/ds = -∫ q g' - Σ (jump of g at z) q(z - s), with the size of its terms.
+    fn slope(
+        &self,
+        s: f64,
+        ln_scale: f64,
+        masses: &Discretised,
+    ) -> Result<(f64, f64), QuadratureError> {
+        let (mut slope, mut size) = (0.0, 0.0);
+        for (x, mass) in masses.points.iter().zip(&masses.masses) {
+            let term = -mass * self.heights.ln_density_slope(s + x * self.scale);
+            slope += term;
+            size += term.abs();
+        }
+        let (low, high) = self.heights.support();
+        let ends = [low, high].into_iter().chain(self.heights.breaks().iter().copied());
+        for z in ends.filter(|z| z.is_finite() && *z > s) {
+            let side = |z: f64| (self.heights.ln_density(z) - ln_scale).exp();
+            let jump = side(z.next_up()) - side(z.next_down());
+            if jump != 0.0 {
+                let term = -jump * point(&self.density, (z - s) / self.scale)?;
+                slope += term;
+                size += term.abs();
+            }
+        }
+        Ok((slope, size))
+    }
+
+    /// Lowest and highest height that count, and the logarithm of the largest density there.
+    fn window(&self, s: f64) -> Option<(f64, f64, f64)> {
+        let (bottom, top) = self.heights.support();
+        let low = s.max(bottom);
+        if low >= top {
+            return None;
+        }
+        let ln = |z: f64| self.heights.ln_density(z);
+        // Steps that double from a small one find the largest density, and where it has fallen by
+        // exp(-CUT); refinement makes up for their coarseness.
+        let mut peak = f64::NEG_INFINITY;
+        let mut high = low;
+        let mut step = 1e-3 / (1.0 + low.abs());
+        for _ in 0..200 {
+            high = (high + step).min(top);
+            let inside = if high < top { high } else { high.next_down() };
+            peak = peak.max(ln(inside));
+            let fallen = ln(inside) < peak - CUT && high > 1.0;
+            if high >= top || fallen {
+                break;
+            }
+            step = (1.25 * step).min(1.0 + 0.1 * low.abs());
+        }
+        peak.is_finite().then_some((low, high, peak))
+    }
+}

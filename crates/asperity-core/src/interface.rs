@@ -1,0 +1,214 @@
+//! The two bodies, and what the contact feels of them.
+
+use serde::{Deserialize, Serialize};
+
+use crate::ContactError;
+use crate::error::positive;
+
+/// Hardness over yield strength when only one of them is known (Tabor's ratio, as the JG and KE
+/// papers use it). \[seen\]
+pub const HARDNESS_OVER_YIELD: f64 = 2.8;
+
+/// One elastic-plastic body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// Young's modulus \[Pa\], > 0.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio, in (-1, 0.5].
+    pub poissons_ratio: f64,
+    /// Hardness \[Pa\]; 2.8 times the yield strength when not given.
+    #[serde(default)]
+    pub hardness: Option<f64>,
+    /// Yield strength \[Pa\]; the hardness over 2.8 when not given.
+    #[serde(default)]
+    pub yield_strength: Option<f64>,
+}
+
+/// The equivalent properties of two bodies in contact: what the laws use.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Interface {
+    /// E \[Pa\]: 1/E = (1-ν₁²)/E₁ + (1-ν₂²)/E₂.
+    pub equivalent_modulus: f64,
+    /// G \[Pa\]: 1/G = (2-ν₁)/G₁ + (2-ν₂)/G₂ (Mindlin); the Gao and AT models need it.
+    #[serde(default)]
+    pub equivalent_shear_modulus: Option<f64>,
+    /// ν of the softer body, in (-1, 0.5].
+    pub poissons_ratio: f64,
+    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength when not given.
+    #[serde(default)]
+    pub hardness: Option<f64>,
+    /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 when not given.
+    #[serde(default)]
+    pub yield_strength: Option<f64>,
+    /// Maximum contact pressure factor S; 0.454 + 0.41 ν when not given, and never recomputed
+    /// when it is.
+    #[serde(default)]
+    pub pressure_factor: Option<f64>,
+}
+
+fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
+    if value > -1.0 && value <= 0.5 {
+        Ok(value)
+    } else {
+        let required = "a number above -1 and at most 0.5";
+        Err(ContactError::OutOfRange { field: "poissons_ratio", value, required })
+    }
+}
+
+fn hardness_and_yield(
+    hardness: Option<f64>,
+    yield_strength: Option<f64>,
+) -> Result<(f64, f64), ContactError> {
+    let hardness = hardness.map(|h| positive("hardness", h)).transpose()?;
+    let yield_strength = yield_strength.map(|y| positive("yield_strength", y)).transpose()?;
+    match (hardness, yield_strength) {
+        (Some(h), Some(y)) => Ok((h, y)),
+        (Some(h), None) => Ok((h, h / HARDNESS_OVER_YIELD)),
+        (None, Some(y)) => Ok((y * HARDNESS_OVER_YIELD, y)),
+        (None, None) => {
+            let needed_by = "every interface (or yield_strength)".into();
+            Err(ContactError::Missing { field: "hardness", needed_by })
+        }
+    }
+}
+
+impl Body {
+    /// A body with this hardness.
+    #[must_use]
+    pub fn new(youngs_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
+        Self { youngs_modulus, poissons_ratio, hardness: Some(hardness), yield_strength: None }
+    }
+
+    fn check(&self) -> Result<(f64, f64), ContactError> {
+        positive("youngs_modulus", self.youngs_modulus)?;
+        poissons_ratio(self.poissons_ratio)?;
+        hardness_and_yield(self.hardness, self.yield_strength)
+    }
+
+    /// (1-ν²)/E and (2-ν)/G with G = E/(2(1+ν)).
+    fn compliances(&self) -> (f64, f64) {
+        let (e, nu) = (self.youngs_modulus, self.poissons_ratio);
+        ((1.0 - nu * nu) / e, (2.0 - nu) * 2.0 * (1.0 + nu) / e)
+    }
+
+    fn interface(&self, (normal, tangential): (f64, f64)) -> Interface {
+        Interface {
+            equivalent_modulus: 1.0 / normal,
+            equivalent_shear_modulus: Some(1.0 / tangential),
+            poissons_ratio: self.poissons_ratio,
+            hardness: self.hardness,
+            yield_strength: self.yield_strength,
+            pressure_factor: None,
+        }
+    }
+}
+
+impl Interface {
+    /// An interface from its equivalent modulus \[Pa\], and Poisson's ratio and hardness \[Pa\] of
+    /// the softer body; set the public fields for the rest.
+    #[must_use]
+    pub fn new(equivalent_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
+        Self {
+            equivalent_modulus,
+            equivalent_shear_modulus: None,
+            poissons_ratio,
+            hardness: Some(hardness),
+            yield_strength: None,
+            pressure_factor: None,
+        }
+    }
+
+    /// Two deformable bodies. Hardness, yield strength and ν are those of the one with the lower
+    /// hardness.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field, of either body, that is out of range.
+    pub fn between(first: &Body, second: &Body) -> Result<Self, ContactError> {
+        let softer = if first.check()?.0 <= second.check()?.0 { first } else { second };
+        let (a, b) = (first.compliances(), second.compliances());
+        Ok(softer.interface((a.0 + b.0, a.1 + b.1)))
+    }
+
+    /// A deformable body on a rigid one.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn against_rigid(body: &Body) -> Result<Self, ContactError> {
+        body.check()?;
+        Ok(body.interface(body.compliances()))
+    }
+
+    /// Checks every field; returns hardness and yield strength \[Pa\] and the pressure factor.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range or missing.
+    pub fn check(&self) -> Result<(f64, f64, f64), ContactError> {
+        positive("equivalent_modulus", self.equivalent_modulus)?;
+        if let Some(shear) = self.equivalent_shear_modulus {
+            positive("equivalent_shear_modulus", shear)?;
+        }
+        poissons_ratio(self.poissons_ratio)?;
+        let (hardness, yield_strength) = hardness_and_yield(self.hardness, self.yield_strength)?;
+        let factor = match self.pressure_factor {
+            Some(factor) => positive("pressure_factor", factor)?,
+            // Chang, Etsion & Bogy; positive for every ν allowed. [seen]
+            None => 0.454 + 0.41 * self.poissons_ratio,
+        };
+        Ok((hardness, yield_strength, factor))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steel_on_rigid_has_the_moduli_of_figure_10() {
+        let steel = Body {
+            youngs_modulus: 200e9,
+            poissons_ratio: 0.3,
+            hardness: None,
+            yield_strength: Some(400e6),
+        };
+        let interface = Interface::against_rigid(&steel).unwrap();
+        assert!((interface.equivalent_modulus / 219.78e9 - 1.0).abs() < 1e-4);
+        let shear = interface.equivalent_shear_modulus.unwrap();
+        assert!((shear / 45.249e9 - 1.0).abs() < 1e-4);
+        let (hardness, yield_strength, factor) = interface.check().unwrap();
+        assert!((hardness - 1.12e9).abs() < 1.0 && (yield_strength - 400e6).abs() < 1.0);
+        assert!((factor - 0.577).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_softer_body_gives_hardness_and_poissons_ratio() {
+        let (hard, soft) = (Body::new(210e9, 0.28, 7e9), Body::new(70e9, 0.33, 1e9));
+        for interface in [Interface::between(&hard, &soft), Interface::between(&soft, &hard)] {
+            let interface = interface.unwrap();
+            assert_eq!(interface.hardness, Some(1e9));
+            assert_eq!(interface.poissons_ratio, 0.33);
+        }
+    }
+
+    #[test]
+    fn every_bad_field_is_named() {
+        let good = Interface::new(116e9, 0.31, 1.12e9);
+        let bad = [
+            ("equivalent_modulus", Interface { equivalent_modulus: -1.0, ..good }),
+            ("equivalent_modulus", Interface { equivalent_modulus: f64::NAN, ..good }),
+            ("equivalent_shear_modulus", Interface { equivalent_shear_modulus: Some(0.0), ..good }),
+            ("poissons_ratio", Interface { poissons_ratio: 0.51, ..good }),
+            ("poissons_ratio", Interface { poissons_ratio: -1.0, ..good }),
+            ("hardness", Interface { hardness: Some(0.0), ..good }),
+            ("hardness", Interface { hardness: None, ..good }),
+            ("yield_strength", Interface { yield_strength: Some(f64::INFINITY), ..good }),
+            ("pressure_factor", Interface { pressure_factor: Some(0.0), ..good }),
+        ];
+        for (field, interface) in bad {
+            let message = interface.check().unwrap_err().to_string();
+            assert!(message.starts_with(field), "{field}: {message}");
+        }
+        assert!(Interface { poissons_ratio: 0.5, ..good }.check().is_ok());
+    }
+}

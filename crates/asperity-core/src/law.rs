@@ -1,0 +1,267 @@
+//! A law q(w): how one asperity answers an interference w, as a sum of parts.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use asperity_quadrature::{Density, Piece, QuadratureError, Sampler};
+use serde::Serialize;
+
+/// The kind of deformation a part stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Regime {
+    /// Reversible.
+    Elastic,
+    /// Yielding has begun but is contained.
+    ElasticPlastic,
+    /// Yielding has spread over the whole contact.
+    Plastic,
+}
+
+impl fmt::Display for Regime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Elastic => "elastic",
+            Self::ElasticPlastic => "elastic-plastic",
+            Self::Plastic => "plastic",
+        })
+    }
+}
+
+/// One term c (x - o)^p.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Power {
+    /// c.
+    pub coefficient: f64,
+    /// o, not above the beginning of the part.
+    pub origin: f64,
+    /// p ≥ 0.
+    pub exponent: f64,
+}
+
+impl Power {
+    /// c x^p.
+    #[must_use]
+    pub fn new(coefficient: f64, exponent: f64) -> Self {
+        Self { coefficient, origin: 0.0, exponent }
+    }
+
+    /// c (x - o)^p.
+    #[must_use]
+    pub fn from_origin(coefficient: f64, origin: f64, exponent: f64) -> Self {
+        Self { coefficient, origin, exponent }
+    }
+
+    /// The value at x.
+    #[must_use]
+    pub fn value(&self, x: f64) -> f64 {
+        let base = x - self.origin;
+        self.coefficient
+            * match self.exponent {
+                0.0 => 1.0,
+                1.0 => base,
+                1.5 => base * base.sqrt(),
+                p => base.powf(p),
+            }
+    }
+}
+
+/// The formula of a part.
+#[derive(Clone)]
+pub enum Form {
+    /// A sum of powers.
+    Powers(Vec<Power>),
+    /// Any function, sampled many points at a time.
+    Function(Arc<dyn Sampler>),
+}
+
+impl Form {
+    /// A function given point by point.
+    pub fn function(f: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self::Function(Arc::new(move |x: &[f64], out: &mut [f64]| {
+            out.iter_mut().zip(x).for_each(|(out, &x)| *out = f(x));
+            Ok(())
+        }))
+    }
+}
+
+impl<const N: usize> From<[Power; N]> for Form {
+    fn from(powers: [Power; N]) -> Self {
+        Self::Powers(powers.to_vec())
+    }
+}
+
+impl fmt::Debug for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Powers(powers) => f.debug_list().entries(powers).finish(),
+            Self::Function(_) => f.write_str("a function"),
+        }
+    }
+}
+
+impl Sampler for Form {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        match self {
+            Self::Powers(powers) => {
+                for (out, &x) in out.iter_mut().zip(x) {
+                    *out = powers.iter().map(|p| p.value(x)).sum();
+                }
+                Ok(())
+            }
+            Self::Function(sampler) => sampler.sample(x, out),
+        }
+    }
+}
+
+/// One part of a law: one regime, on one range of x.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// Name of the part; the regime's own, unless a law has several parts of one regime.
+    pub name: Cow<'static, str>,
+    /// The regime it belongs to.
+    pub regime: Regime,
+    /// Factor in the sum; negative only where a model subtracts a part.
+    pub sign: f64,
+    /// Where the part holds, in interference units.
+    pub range: Range<f64>,
+    /// Known kinks strictly inside the range. An undeclared one costs time, not accuracy.
+    pub kinks: Vec<f64>,
+    /// The formula, in value units.
+    pub form: Form,
+}
+
+/// How one asperity answers an interference w: q(w) = `value_unit` · Σ sign · part(w/`interference_unit`).
+#[derive(Debug, Clone)]
+pub struct Law {
+    /// The interference of x = 1 \[m\].
+    pub interference_unit: f64,
+    /// What the value 1 stands for: \[N\], \[m²\] or \[N/m\].
+    pub value_unit: f64,
+    /// The parts; ranges may overlap (a lateral model's do).
+    pub parts: Vec<Part>,
+}
+
+impl Law {
+    /// A law without parts, in these units (both positive).
+    #[must_use]
+    pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
+        Self { interference_unit, value_unit, parts: vec![] }
+    }
+
+    /// Adds an elastic part.
+    #[must_use]
+    pub fn elastic(self, range: Range<f64>, form: impl Into<Form>) -> Self {
+        self.with(Regime::Elastic, range, form)
+    }
+
+    /// Adds an elastic-plastic part.
+    #[must_use]
+    pub fn elastic_plastic(self, range: Range<f64>, form: impl Into<Form>) -> Self {
+        self.with(Regime::ElasticPlastic, range, form)
+    }
+
+    /// Adds a plastic part.
+    #[must_use]
+    pub fn plastic(self, range: Range<f64>, form: impl Into<Form>) -> Self {
+        self.with(Regime::Plastic, range, form)
+    }
+
+    fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Form>) -> Self {
+        let before = self.parts.iter().filter(|p| p.regime == regime).count();
+        let name = match before {
+            0 => regime.to_string(),
+            n => format!("{regime} {}", n + 1),
+        };
+        let (kinks, form) = (vec![], form.into());
+        self.parts.push(Part { name: name.into(), regime, sign: 1.0, range, kinks, form });
+        self
+    }
+
+    /// Where the formula changes, in interference units, ascending.
+    #[must_use]
+    pub fn kinks(&self) -> Vec<f64> {
+        self.density().breaks(0.0, f64::INFINITY)
+    }
+
+    /// The value \[N, m² or N/m\] at interference w \[m\]; 0 for w ≤ 0. At a jump, the value above it.
+    ///
+    /// # Errors
+    /// What a part's function refuses.
+    pub fn value(&self, interference: f64) -> Result<f64, QuadratureError> {
+        if interference <= 0.0 {
+            return Ok(0.0);
+        }
+        Ok(self.value_unit * self.shape(interference / self.interference_unit)?)
+    }
+
+    /// The value over the value unit at x = w over the interference unit.
+    pub(crate) fn shape(&self, x: f64) -> Result<f64, QuadratureError> {
+        let mut total = 0.0;
+        for part in self.parts.iter().filter(|p| p.range.contains(&x)) {
+            let mut value = [0.0];
+            part.form.sample(&[x], &mut value)?;
+            total += part.sign * value[0];
+        }
+        Ok(total)
+    }
+
+    /// The whole law as a density of x.
+    #[must_use]
+    pub fn density(&self) -> Density {
+        Density { pieces: self.parts.iter().map(Part::piece).collect() }
+    }
+}
+
+impl Part {
+    /// The part alone, with its sign.
+    pub(crate) fn piece(&self) -> Piece {
+        Piece {
+            from: self.range.start,
+            to: self.range.end,
+            sign: self.sign,
+            kinks: self.kinks.clone(),
+            origin: self.origin(),
+            sampler: Arc::new(self.form.clone()),
+        }
+    }
+
+    /// The one point whose distance the fractional powers are of, if there is one.
+    fn origin(&self) -> Option<f64> {
+        let Form::Powers(powers) = &self.form else { return None };
+        let mut origins = powers.iter().filter(|p| p.exponent.fract() != 0.0).map(|p| p.origin);
+        let first = origins.next().unwrap_or(0.0);
+        origins.all(|o| o == first).then_some(first)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn law() -> Law {
+        Law::in_units(2.0, 10.0)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .elastic_plastic(1.0..6.0, [Power::new(1.0, 0.0), Power::from_origin(2.0, 1.0, 1.27)])
+            .elastic_plastic(6.0..f64::INFINITY, Form::function(|x| 3.0 * x))
+    }
+
+    #[test]
+    fn value_and_kinks_follow_the_parts() {
+        let law = law();
+        assert_eq!(law.kinks(), [1.0, 6.0]);
+        assert_eq!(law.value(-1.0).unwrap(), 0.0);
+        assert!((law.value(0.5).unwrap() - 1.25).abs() < 1e-15);
+        assert!((law.value(4.0).unwrap() - 30.0).abs() < 1e-14);
+        assert_eq!(law.value(20.0).unwrap(), 300.0);
+        assert_eq!(law.parts[2].name, "elastic-plastic 2");
+    }
+
+    #[test]
+    fn the_origin_of_fractional_powers_is_found() {
+        let origins: Vec<_> = law().parts.iter().map(Part::origin).collect();
+        assert_eq!(origins, [Some(0.0), Some(1.0), None]);
+    }
+}

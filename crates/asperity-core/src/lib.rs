@@ -1,0 +1,46 @@
+//! Scenes, laws, heights and the one integral behind every statistical rough-contact model.
+//!
+//! ```text
+//! Q(d) = η A_n ∫₀^∞ q(w) g(d + w) dw
+//! ```
+//!
+//! A [`Law`] q says how one asperity answers an interference w; [`Heights`] g say how the
+//! asperities are spread; a [`Scene`] is what is in contact, a [`Request`] what is asked of it.
+//! A [`ContactModel`] supplies the law and nothing else. Data flows one way:
+//!
+//! ```text
+//! scene + request → model.law(asperity, quantity) → compiled → response
+//! ```
+//!
+//! This crate names no model. SI units everywhere; separations are multiples of σ_z.
+
+mod asperity;
+mod compiled;
+mod error;
+mod height_integral;
+mod heights;
+mod heights_statrs;
+mod interface;
+mod law;
+mod model;
+mod quantity;
+mod request;
+mod response;
+mod scene;
+mod surface;
+mod warning;
+
+pub use asperity::Asperity;
+pub use compiled::{Compiled, Evaluation, Share};
+pub use error::{ContactError, positive};
+pub use heights::{HeightDistribution, Heights};
+pub use heights_statrs::StandardisedHeights;
+pub use interface::{Body, HARDNESS_OVER_YIELD, Interface};
+pub use law::{Form, Law, Part, Power, Regime};
+pub use model::{Claims, ContactModel, Provenance, Source, StiffnessKind};
+pub use quantity::{Quantity, Tolerance};
+pub use request::{Request, linspace};
+pub use response::{Column, Response};
+pub use scene::Scene;
+pub use surface::{ProfileMoments, Surface};
+pub use warning::Warning;

@@ -1,0 +1,54 @@
+//! What is in contact.
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::positive;
+use crate::{Asperity, ContactError, HeightDistribution, Interface, Surface};
+
+/// Two bodies, their equivalent rough surface, and how much of it there is.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// The two bodies.
+    pub interface: Interface,
+    /// The equivalent rough surface.
+    pub surface: Surface,
+    /// A_n \[m²\], > 0.
+    pub nominal_area: f64,
+    /// How the asperity heights are spread; Gaussian unless said.
+    #[serde(default)]
+    pub heights: HeightDistribution,
+}
+
+impl Scene {
+    /// A scene with Gaussian heights.
+    #[must_use]
+    pub fn new(interface: Interface, surface: Surface, nominal_area: f64) -> Self {
+        Self { interface, surface, nominal_area, heights: HeightDistribution::Gaussian }
+    }
+
+    /// Checks every field; returns one asperity of the surface.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field, the value and what was required.
+    pub fn asperity(&self) -> Result<Asperity, ContactError> {
+        self.surface.check()?;
+        positive("nominal_area", self.nominal_area)?;
+        Asperity::new(&self.interface, self.surface.asperity_radius)
+    }
+
+    /// η A_n, the number of asperities.
+    #[must_use]
+    pub fn asperities(&self) -> f64 {
+        self.surface.asperity_density * self.nominal_area
+    }
+
+    /// ψ = √(σ_z/w_c), the plasticity index.
+    ///
+    /// # Errors
+    /// Those of [`asperity`](Self::asperity) and [`Asperity::critical_interference`].
+    pub fn plasticity_index(&self) -> Result<f64, ContactError> {
+        let critical = self.asperity()?.critical_interference()?;
+        Ok((self.surface.asperity_height_std / critical).sqrt())
+    }
+}

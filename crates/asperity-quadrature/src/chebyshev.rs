@@ -1,0 +1,233 @@
+//! A costly function of x > 0, tabulated once as Chebyshev series between its kinks.
+
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use crate::{QuadratureError, Sampler};
+
+/// Coefficients of each series.
+const TERMS: usize = 16;
+/// Cells span a factor 8 each and cover x from 8^-42 to 8^42.
+const CELLS: usize = 84;
+const OCTAVES: i64 = 3;
+/// Bisection ends here.
+const DEEPEST: u32 = 24;
+
+/// The costly function.
+type Function = dyn Fn(f64) -> Result<f64, QuadratureError> + Send + Sync;
+
+/// A function of x > 0 that is smooth in ln x between its kinks, where it may have fractional
+/// powers of the distance. Cells are built when first needed, and shared by all threads.
+pub struct Tabulated {
+    function: Arc<Function>,
+    kinks: Vec<f64>,
+    tolerance: f64,
+    cells: Box<[OnceLock<Result<Vec<Series>, QuadratureError>>]>,
+}
+
+impl fmt::Debug for Tabulated {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Tabulated").field("kinks", &self.kinks).finish_non_exhaustive()
+    }
+}
+
+/// How a cell's x becomes the variable v in [0, 1] of its series.
+#[derive(Debug, Clone, Copy)]
+enum Map {
+    /// v linear in ln x.
+    Log,
+    /// ln(x/low) = width v⁴: powers of the distance to a kink on the left become smooth.
+    Left,
+    /// ln(high/x) = width v⁴: a kink on the right.
+    Right,
+}
+
+#[derive(Debug)]
+struct Series {
+    low: f64,
+    high: f64,
+    map: Map,
+    /// Range of v on which the series lives.
+    range: (f64, f64),
+    /// Ends of the map's own interval.
+    ends: (f64, f64),
+    /// Of f(x)/x.
+    terms: [f64; TERMS],
+}
+
+impl Tabulated {
+    /// Tabulates `function`, whose kinks are listed, to the relative `tolerance` of each cell.
+    #[must_use]
+    pub fn new(function: Arc<Function>, kinks: &[f64], tolerance: f64) -> Self {
+        let mut kinks: Vec<f64> = kinks.iter().copied().filter(|k| k.is_finite() && *k > 0.0).collect();
+        kinks.sort_by(f64::total_cmp);
+        // Kinks closer than this are one: the strip between them carries nothing.
+        kinks.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * *a);
+        let cells = (0..CELLS).map(|_| OnceLock::new()).collect();
+        Self { function, kinks, tolerance, cells }
+    }
+
+    /// The kinks, ascending.
+    #[must_use]
+    pub fn kinks(&self) -> &[f64] {
+        &self.kinks
+    }
+
+    /// The value at x > 0.
+    ///
+    /// # Errors
+    /// What the function refuses; x outside 1e-37 ... 1e37.
+    pub fn value(&self, x: f64) -> Result<f64, QuadratureError> {
+        let octave = (x.to_bits() >> 52) as i64 - 1023;
+        let index = octave.div_euclid(OCTAVES) + CELLS as i64 / 2;
+        let cell = usize::try_from(index).ok().and_then(|i| self.cells.get(i));
+        let Some(cell) = cell.filter(|_| x > 0.0) else {
+            let reason = format!("tabulated from 1e-37 to 1e37, asked at {x:e}");
+            return Err(QuadratureError::Refused { reason });
+        };
+        let series = cell
+            .get_or_init(|| {
+                let low = 2f64.powi((octave.div_euclid(OCTAVES) * OCTAVES) as i32);
+                self.build(low, 8.0 * low)
+            })
+            .as_ref()
+            .map_err(Clone::clone)?;
+        let at = series.partition_point(|s| s.high <= x).min(series.len() - 1);
+        Ok(x * series[at].value(x))
+    }
+
+    fn build(&self, low: f64, high: f64) -> Result<Vec<Series>, QuadratureError> {
+        let is_kink = |x: f64| self.kinks.iter().any(|k| (k - x).abs() <= 1e-13 * x);
+        let inner = self.kinks.iter().copied().filter(|k| *k > low && *k < high);
+        let mut ends: Vec<f64> = std::iter::once(low).chain(inner).chain([high]).collect();
+        ends.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * *a);
+        let mut series = Vec::new();
+        for pair in ends.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            match (is_kink(a), is_kink(b)) {
+                (false, false) => self.fit((a, b), Map::Log, (0.0, 1.0), 0, &mut series)?,
+                (true, false) => self.fit((a, b), Map::Left, (0.0, 1.0), 0, &mut series)?,
+                (false, true) => self.fit((a, b), Map::Right, (0.0, 1.0), 0, &mut series)?,
+                (true, true) => {
+                    let middle = (a * b).sqrt();
+                    self.fit((a, middle), Map::Left, (0.0, 1.0), 0, &mut series)?;
+                    self.fit((middle, b), Map::Right, (0.0, 1.0), 0, &mut series)?;
+                }
+            }
+        }
+        series.sort_by(|a, b| a.low.total_cmp(&b.low));
+        Ok(series)
+    }
+
+    fn fit(
+        &self,
+        ends: (f64, f64),
+        map: Map,
+        range: (f64, f64),
+        depth: u32,
+        found: &mut Vec<Series>,
+    ) -> Result<(), QuadratureError> {
+        let mut samples = [0.0; TERMS];
+        for (k, sample) in samples.iter_mut().enumerate() {
+            let angle = std::f64::consts::PI * (k as f64 + 0.5) / TERMS as f64;
+            let x = map.x(ends, range.0 + (range.1 - range.0) * (0.5 + 0.5 * angle.cos()));
+            *sample = (self.function)(x)? / x;
+        }
+        let terms = coefficients(&samples);
+        let size = terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+        let tail = terms[TERMS - 2..].iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+        if tail <= self.tolerance * size || depth >= DEEPEST {
+            let (x0, x1) = (map.x(ends, range.0), map.x(ends, range.1));
+            found.push(Series { low: x0.min(x1), high: x0.max(x1), map, range, ends, terms });
+            return Ok(());
+        }
+        let middle = 0.5 * (range.0 + range.1);
+        self.fit(ends, map, (range.0, middle), depth + 1, found)?;
+        self.fit(ends, map, (middle, range.1), depth + 1, found)
+    }
+}
+
+impl Sampler for Tabulated {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        for (out, &x) in out.iter_mut().zip(x) {
+            *out = self.value(x)?;
+        }
+        Ok(())
+    }
+}
+
+impl Map {
+    fn x(self, (low, high): (f64, f64), v: f64) -> f64 {
+        let width = (high / low).ln();
+        match self {
+            Self::Log => low * (v * width).exp(),
+            Self::Left => low * (v.powi(4) * width).exp(),
+            Self::Right => high * (-v.powi(4) * width).exp(),
+        }
+    }
+
+    fn v(self, (low, high): (f64, f64), x: f64) -> f64 {
+        let width = (high / low).ln();
+        let v = match self {
+            Self::Log => (x / low).ln() / width,
+            Self::Left => ((x / low).ln() / width).max(0.0).sqrt().sqrt(),
+            Self::Right => ((high / x).ln() / width).max(0.0).sqrt().sqrt(),
+        };
+        v.clamp(0.0, 1.0)
+    }
+}
+
+impl Series {
+    /// Clenshaw's sum.
+    fn value(&self, x: f64) -> f64 {
+        let v = self.map.v(self.ends, x);
+        let y = 2.0 * (v - self.range.0) / (self.range.1 - self.range.0) - 1.0;
+        let (mut now, mut before) = (0.0, 0.0);
+        for term in self.terms[1..].iter().rev() {
+            (now, before) = (2.0 * y * now - before + term, now);
+        }
+        y * now - before + self.terms[0]
+    }
+}
+
+fn coefficients(samples: &[f64; TERMS]) -> [f64; TERMS] {
+    let mut terms = [0.0; TERMS];
+    for (j, term) in terms.iter_mut().enumerate() {
+        let sum: f64 = samples
+            .iter()
+            .enumerate()
+            .map(|(k, s)| {
+                s * (std::f64::consts::PI * j as f64 * (k as f64 + 0.5) / TERMS as f64).cos()
+            })
+            .sum();
+        *term = sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64;
+    }
+    terms
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    #[test]
+    fn follows_a_function_with_fractional_kinks_and_samples_only_where_asked() {
+        let count = Arc::new(AtomicUsize::new(0));
+        let counter = count.clone();
+        let f = |x: f64| {
+            x.powf(1.5) * (1.0 + x.powf(0.525)) + if x > 1.0 { (x - 1.0).powf(2.27) } else { 0.0 }
+        };
+        let counted = move |x: f64| {
+            counter.fetch_add(1, Ordering::Relaxed);
+            Ok(f(x))
+        };
+        let table = Tabulated::new(Arc::new(counted), &[1.0], 1e-14);
+        assert_eq!(count.load(Ordering::Relaxed), 0);
+        for k in 0..500 {
+            let x = 1e-6 * 1.05f64.powi(k);
+            assert!((table.value(x).unwrap() / f(x) - 1.0).abs() < 1e-13, "{x}");
+        }
+        assert!(count.load(Ordering::Relaxed) < 800, "{count:?}");
+        assert!(table.value(0.0).is_err() && table.value(f64::NAN).is_err());
+    }
+}

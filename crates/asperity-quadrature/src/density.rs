@@ -1,0 +1,107 @@
+//! Densities: signed sums of pieces, each smooth between its declared kinks.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::QuadratureError;
+
+/// A function sampled many points at a time.
+pub trait Sampler: Send + Sync {
+    /// Writes the values at `x` (ascending, inside the piece) to `out`, of the same length.
+    ///
+    /// # Errors
+    /// [`QuadratureError::Refused`] with the reason when the function has no value there.
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
+}
+
+impl<F> Sampler for F
+where
+    F: Fn(&[f64], &mut [f64]) -> Result<(), QuadratureError> + Send + Sync,
+{
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        self(x, out)
+    }
+}
+
+/// One piece of a density, on `[from, to)`.
+#[derive(Clone)]
+pub struct Piece {
+    /// Where the piece begins, ≥ 0.
+    pub from: f64,
+    /// Where it ends; may be infinite.
+    pub to: f64,
+    /// Factor of the values in the sum, mostly 1 or -1.
+    pub sign: f64,
+    /// Declared kinks inside the piece. An undeclared one costs time, not accuracy.
+    pub kinks: Vec<f64>,
+    /// The point o from which the piece is a sum of powers (x-o)^p, if it is one: then one panel
+    /// spans any ratio of scales.
+    pub origin: Option<f64>,
+    /// The values.
+    pub sampler: Arc<dyn Sampler>,
+}
+
+impl fmt::Debug for Piece {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Piece")
+            .field("from", &self.from)
+            .field("to", &self.to)
+            .field("sign", &self.sign)
+            .field("kinks", &self.kinks)
+            .field("origin", &self.origin)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A density on [0, ∞): the sum of its pieces.
+#[derive(Debug, Clone, Default)]
+pub struct Density {
+    /// The pieces, in any order; they may overlap.
+    pub pieces: Vec<Piece>,
+}
+
+impl Density {
+    /// The ends and kinks of all pieces strictly inside `(low, high)`, ascending, each once.
+    #[must_use]
+    pub fn breaks(&self, low: f64, high: f64) -> Vec<f64> {
+        let mut breaks: Vec<f64> = self
+            .pieces
+            .iter()
+            .flat_map(|p| [p.from, p.to].into_iter().chain(p.kinks.iter().copied()))
+            .filter(|x| *x > low && *x < high)
+            .collect();
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        breaks
+    }
+
+    /// The pieces that cover all of `[low, high]`, which must not straddle a break.
+    pub(crate) fn active(&self, low: f64, high: f64) -> impl Iterator<Item = &Piece> {
+        self.pieces.iter().filter(move |p| p.from <= low && p.to >= high)
+    }
+
+    /// Adds up the pieces active on `[low, high]` at the points `x`.
+    pub(crate) fn sample(
+        &self,
+        (low, high): (f64, f64),
+        x: &[f64],
+        scratch: &mut [f64],
+        out: &mut [f64],
+    ) -> Result<usize, QuadratureError> {
+        out.fill(0.0);
+        let mut evaluations = 0;
+        for piece in self.active(low, high) {
+            piece.sampler.sample(x, scratch)?;
+            evaluations += x.len();
+            for (total, value) in out.iter_mut().zip(scratch.iter()) {
+                *total += piece.sign * value;
+            }
+        }
+        for (&at, &value) in x.iter().zip(out.iter()) {
+            if !value.is_finite() {
+                return Err(QuadratureError::NotFinite { at, value });
+            }
+        }
+        Ok(evaluations)
+    }
+}

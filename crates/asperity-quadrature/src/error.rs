@@ -1,0 +1,31 @@
+//! What can go wrong in a quadrature.
+
+/// Why an integral could not be given.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QuadratureError {
+    /// The density returned NaN or an infinity.
+    #[error("the density is {value} at {at}: a finite number was required")]
+    NotFinite {
+        /// Where it was sampled.
+        at: f64,
+        /// What it returned.
+        value: f64,
+    },
+    /// The density refused to be sampled.
+    #[error("the density could not be sampled: {reason}")]
+    Refused {
+        /// The density's own words.
+        reason: String,
+    },
+    /// Refinement ended before the tolerance was met.
+    #[error("not converged: relative error {reached:.1e} reached after {evaluations} evaluations, {asked:.1e} was asked")]
+    NotConverged {
+        /// The relative error estimate that was reached.
+        reached: f64,
+        /// The relative tolerance that was asked.
+        asked: f64,
+        /// How often the integrand was evaluated.
+        evaluations: usize,
+    },
+}

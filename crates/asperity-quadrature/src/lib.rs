@@ -1,0 +1,42 @@
+//! Quadrature for densities with kinks: adaptive discretisation, Gauss rules with the density as
+//! their weight, and the classical methods they are measured against.
+//!
+//! The integrals of this workspace are all of one kind,
+//!
+//! ```text
+//! I(s) = ∫₀^∞ q(t/c) φ(s + t) dt,      φ(t) = exp(-t²/2)/√(2π)
+//! ```
+//!
+//! with a density q ≥ 0 that has kinks, jumps and fractional powers, and an entire function φ.
+//! Integrating panel by panel pays for q at every evaluation. Here q goes into the weight:
+//!
+//! 1. [`discretise`] replaces q(t) φ(s + t) by positive point masses, on panels that end at the
+//!    kinks and are refined until a Legendre tail shows that they are resolved;
+//! 2. [`gauss_rule`] compresses hundreds of masses into the few nodes of their Gauss rule;
+//! 3. [`ShiftedGaussian`] does so once for each short range of s, on demand, and then answers the
+//!    value and its derivative from 4 to 16 nodes without a branch or a power.
+//!
+//! This crate knows nothing of contact mechanics, and reads no files.
+
+mod chebyshev;
+mod compress;
+mod density;
+mod discretise;
+mod error;
+mod gaussian;
+mod kronrod;
+mod legendre;
+mod roots;
+mod segment;
+mod tanh_sinh;
+
+pub use chebyshev::Tabulated;
+pub use compress::{GaussRule, gauss_rule};
+pub use density::{Density, Piece, Sampler};
+pub use discretise::{Discretised, discretise};
+pub use error::QuadratureError;
+pub use gaussian::{Moments, ShiftedGaussian};
+pub use kronrod::{Estimate, gauss_kronrod};
+pub use legendre::{Legendre, legendre};
+pub use roots::bracketed_root;
+pub use tanh_sinh::{Point, TanhSinh};
