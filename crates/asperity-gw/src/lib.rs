@@ -1,0 +1,77 @@
+//! GW: every asperity is a Hertzian sphere, and none ever yields.
+//!
+//! # Law
+//! ```text
+//! F = (4/3) E √R w^(3/2),      A = π R w
+//! ```
+//! For Gaussian heights, with t = d/σ_z:
+//! ```text
+//! F = (4/3) η A_n E √R σ_z^(3/2) F_{3/2}(t),      A = π η A_n R σ_z F_1(t)
+//! F_n(t) = (2π)^(-1/2) ∫ₜ^∞ (s-t)^n exp(-s²/2) ds
+//! ```
+//!
+//! # Valid for
+//! Plasticity index ψ below about 0.6; every other model tends to this one as ψ → 0. Hardness and
+//! shear modulus do not enter.
+//!
+//! # Source
+//! Greenwood & Williamson 1966, "Contact of nominally flat surfaces". \[seen\]
+//!
+//! # Example
+//! Exponential heights have a closed form: F = √π η A_n R σ E √(σ/R) exp(-d/σ).
+//! ```
+//! use asperity_core::{ContactModel, HeightDistribution, Interface, Quantity, Request, Scene, Surface};
+//! use asperity_gw::GreenwoodWilliamson;
+//!
+//! let (e, r, eta, sigma, area) = (116e9, 3.6e-4, 1.11e8, 1e-6, 3e-5);
+//! let mut scene = Scene::new(Interface::new(e, 0.31, 1.12e9), Surface::new(r, eta, sigma), area);
+//! scene.heights = HeightDistribution::Exponential;
+//! let answer = GreenwoodWilliamson.solve(&scene, &Request::new([Quantity::Force]).at([2.0]))?;
+//! let closed = std::f64::consts::PI.sqrt() * eta * area * r * sigma * e * (sigma / r).sqrt() * (-2.0f64).exp();
+//! assert!((answer.values(Quantity::Force)?[0] / closed - 1.0).abs() < 1e-14);
+//! # Ok::<(), asperity_core::ContactError>(())
+//! ```
+
+use std::f64::consts::PI;
+
+use asperity_core::{
+    Asperity, ContactError, ContactModel, Law, Power, Provenance, Quantity, Source, Tolerance,
+};
+
+/// The model of Greenwood and Williamson.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct GreenwoodWilliamson;
+
+const SOURCE: Source = Source {
+    authors: "Greenwood & Williamson",
+    year: 1966,
+    title: "Contact of nominally flat surfaces",
+    provenance: Provenance::Seen,
+};
+
+impl ContactModel for GreenwoodWilliamson {
+    fn id(&self) -> &str {
+        "gw"
+    }
+
+    fn name(&self) -> &str {
+        "GW"
+    }
+
+    fn source(&self) -> &Source {
+        &SOURCE
+    }
+
+    fn law(&self, asperity: &Asperity, quantity: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+        // Nothing but the radius sets a scale: x = w/R.
+        let (e, r) = (asperity.equivalent_modulus, asperity.radius);
+        let all = 0.0..f64::INFINITY;
+        match quantity {
+            Quantity::Force => {
+                Ok(Law::in_units(r, 4.0 / 3.0 * e * r * r).elastic(all, [Power::new(1.0, 1.5)]))
+            }
+            Quantity::Area => Ok(Law::in_units(r, PI * r * r).elastic(all, [Power::new(1.0, 1.0)])),
+            _ => Err(self.no_law(quantity)),
+        }
+    }
+}

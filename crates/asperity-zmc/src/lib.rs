@@ -1,0 +1,121 @@
+//! ZMC: pressure and area run smoothly from Hertz to full plasticity over a range of 54.
+//!
+//! # Law
+//! With k = 0.4, w₁ = (3π k H/(4E))² R, w₂ = 54 w₁ and t = (w - w₁)/(w₂ - w₁):
+//! ```text
+//! w < w₁:    F = (4/3) E √R w^(3/2)                                A = π R w
+//! w₁..w₂:    F = [H - H(1-k) ln(w₂/w)/ln(w₂/w₁)] A                 A = π R w (1 - 2t³ + 3t²)
+//! w > w₂:    F = H A                                               A = 2π R w
+//! ```
+//! A is continuously differentiable; F is continuous, with kinks in its slope at w₁ and w₂. In
+//! units of the force k H π R w₁ and the area π R w₁ at w₁, with x = w/w₁: x^(3/2) and x; then
+//! p/(kH) · A; then 2x/k and 2x. \[seen\]
+//!
+//! # Valid for
+//! w₁ < R. Neither S nor w_c enters.
+//!
+//! # Source
+//! Zhao, Maietta & Chang 2000, "An asperity microcontact model incorporating the transition from
+//! elastic deformation to fully plastic flow". \[seen\]
+//!
+//! # Example
+//! ```
+//! use asperity_core::{Asperity, ContactModel, Interface, Quantity, Tolerance};
+//! use asperity_zmc::ZhaoMaiettaChang;
+//!
+//! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
+//! let [force, area] = [Quantity::Force, Quantity::Area]
+//!     .map(|q| ZhaoMaiettaChang.law(&asperity, q, Tolerance::default()).unwrap());
+//! let w = 54.0 * force.interference_unit; // fully plastic from here: mean pressure H
+//! assert!((force.value(w).unwrap() / area.value(w).unwrap() / 1.12e9 - 1.0).abs() < 1e-12);
+//! # Ok::<(), asperity_core::ContactError>(())
+//! ```
+
+use std::f64::consts::PI;
+
+use asperity_core::{
+    Asperity, ContactError, ContactModel, Form, Law, Power, Provenance, Quantity, Source, Tolerance,
+};
+
+/// The model of Zhao, Maietta and Chang.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ZhaoMaiettaChang;
+
+const SOURCE: Source = Source {
+    authors: "Zhao, Maietta & Chang",
+    year: 2000,
+    title: "An asperity microcontact model incorporating the transition from elastic deformation to fully plastic flow",
+    provenance: Provenance::Seen,
+};
+
+/// k: mean pressure over hardness at first yield. \[seen\]
+const YIELD_PRESSURE: f64 = 0.4;
+/// w₂/w₁. \[seen\]
+const FULLY_PLASTIC: f64 = 54.0;
+
+/// A/(π R w₁) between w₁ and w₂.
+fn area(x: f64) -> f64 {
+    let t = (x - 1.0) / (FULLY_PLASTIC - 1.0);
+    x * (1.0 + t * t * (3.0 - 2.0 * t))
+}
+
+/// p/(k H) between w₁ and w₂.
+fn pressure(x: f64) -> f64 {
+    let share = (FULLY_PLASTIC / x).ln() / FULLY_PLASTIC.ln();
+    (1.0 - (1.0 - YIELD_PRESSURE) * share) / YIELD_PRESSURE
+}
+
+/// w₁ \[m\].
+fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
+    let strain =
+        0.75 * PI * YIELD_PRESSURE * asperity.hardness / asperity.equivalent_modulus;
+    if strain < 1.0 {
+        return Ok(strain * strain * asperity.radius);
+    }
+    let required = "a hardness below 4E/(3 pi 0.4), so that yield begins below an interference of one radius,";
+    Err(ContactError::OutOfRange { field: "hardness", value: asperity.hardness, required })
+}
+
+impl ContactModel for ZhaoMaiettaChang {
+    fn id(&self) -> &str {
+        "zmc"
+    }
+
+    fn name(&self) -> &str {
+        "ZMC"
+    }
+
+    fn source(&self) -> &Source {
+        &SOURCE
+    }
+
+    fn law(&self, asperity: &Asperity, quantity: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+        let yield_at = first_yield(asperity)?;
+        let area_unit = PI * asperity.radius * yield_at;
+        let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
+        match quantity {
+            Quantity::Force => {
+                Ok(Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness * area_unit)
+                    .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+                    .elastic_plastic(between, Form::function(|x| pressure(x) * area(x)))
+                    .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)]))
+            }
+            Quantity::Area => Ok(Law::in_units(yield_at, area_unit)
+                .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
+                .elastic_plastic(between, Form::function(area))
+                .plastic(beyond, [Power::new(2.0, 1.0)])),
+            _ => Err(self.no_law(quantity)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn joins_hertz_and_the_plastic_law_without_a_jump() {
+        assert!((area(1.0) - 1.0).abs() < 1e-15 && (pressure(1.0) - 1.0).abs() < 1e-15);
+        assert!((area(54.0) - 108.0).abs() < 1e-12 && (pressure(54.0) - 2.5).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,13 @@
+//! Rough surfaces in contact: nine published models behind one trait.
+
+mod registry;
+
+pub use asperity_af::{AbdoFarhang, FlowPressure};
+pub use asperity_ceb::ChangEtsionBogy;
+pub use asperity_core::*;
+pub use asperity_etsion::EtsionKligermanKadin;
+pub use asperity_gw::GreenwoodWilliamson;
+pub use asperity_jg::{GeometricHardness, JacksonGreen};
+pub use asperity_ke::KogutEtsion;
+pub use asperity_zmc::ZhaoMaiettaChang;
+pub use registry::Model;

@@ -1,0 +1,129 @@
+//! The only place that lists all models.
+
+use std::fmt;
+use std::ops::Deref;
+use std::str::FromStr;
+use std::sync::Arc;
+
+use crate::{
+    AbdoFarhang, ChangEtsionBogy, ContactError, ContactModel, EtsionKligermanKadin,
+    GeometricHardness, GreenwoodWilliamson, JacksonGreen, KogutEtsion, ZhaoMaiettaChang,
+};
+
+/// Any contact model, by value: cheap to clone, shared between threads, read from its name.
+///
+/// ```
+/// use asperity::{ContactModel, Model};
+///
+/// let model: Model = "ke".parse()?;
+/// assert_eq!(model.name(), "KE");
+/// let mistyped = "zcm".parse::<Model>().unwrap_err().to_string();
+/// assert!(mistyped.contains("did you mean \"zmc\"?"));
+/// # Ok::<(), asperity::ContactError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Model(Arc<dyn ContactModel>);
+
+impl Model {
+    /// Wraps a model, of this project or your own.
+    #[must_use]
+    pub fn new(model: impl ContactModel + 'static) -> Self {
+        Self(Arc::new(model))
+    }
+
+    /// Every model of this project with its default options, simplest first.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        let cosine = JacksonGreen { hardness: GeometricHardness::Cosine };
+        vec![
+            Self::new(GreenwoodWilliamson),
+            Self::new(ChangEtsionBogy),
+            Self::new(ZhaoMaiettaChang),
+            Self::new(KogutEtsion),
+            Self::new(EtsionKligermanKadin),
+            Self::new(JacksonGreen::default()),
+            Self::new(cosine),
+            Self::new(AbdoFarhang::default()),
+        ]
+    }
+}
+
+impl Deref for Model {
+    type Target = dyn ContactModel;
+
+    fn deref(&self) -> &Self::Target {
+        &*self.0
+    }
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}
+
+impl FromStr for Model {
+    type Err = ContactError;
+
+    /// Reads a model's id, in any case.
+    fn from_str(name: &str) -> Result<Self, ContactError> {
+        let models = Self::all();
+        let wanted = name.trim().to_lowercase();
+        if let Some(model) = models.iter().find(|m| m.id() == wanted) {
+            return Ok(model.clone());
+        }
+        let distance = |m: &Self| edit_distance(&wanted, m.id());
+        let near = models.iter().min_by_key(|m| distance(m)).filter(|m| distance(m) <= 2);
+        Err(ContactError::UnknownModel {
+            name: name.into(),
+            near: near.map(|m| m.id().into()),
+            known: models.iter().map(|m| m.id()).collect::<Vec<_>>().join(", "),
+        })
+    }
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours between two short words.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    for i in 0..=a.len() {
+        for j in 0..=b.len() {
+            rows[i][j] = if i == 0 || j == 0 {
+                i.max(j)
+            } else {
+                let same = usize::from(a[i - 1] != b[j - 1]);
+                let mut best =
+                    (rows[i - 1][j - 1] + same).min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
+                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                    best = best.min(rows[i - 2][j - 2] + 1);
+                }
+                best
+            };
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_id_reads_back_and_is_unique() {
+        let ids: Vec<String> = Model::all().iter().map(ToString::to_string).collect();
+        for id in &ids {
+            assert_eq!(id.to_uppercase().parse::<Model>().unwrap().id(), id);
+        }
+        let mut unique = ids.clone();
+        unique.sort();
+        unique.dedup();
+        assert_eq!(unique.len(), ids.len());
+    }
+
+    #[test]
+    fn far_names_get_the_list_and_no_guess() {
+        let message = "persson".parse::<Model>().unwrap_err().to_string();
+        assert!(!message.contains("mean") && message.contains("gw, ceb, zmc"), "{message}");
+        assert_eq!(edit_distance("etsoin", "etsion"), 1);
+    }
+}
