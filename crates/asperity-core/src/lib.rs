@@ -14,6 +14,7 @@
 //!
 //! This crate names no model. SI units everywhere; separations are multiples of σ_z.
 
+mod angles;
 mod asperity;
 mod compiled;
 mod error;
@@ -30,6 +31,7 @@ mod scene;
 mod surface;
 mod warning;
 
+pub use angles::{AngleDensity, ObliqueContact, angle_average, angle_average_of_powers};
 pub use asperity::Asperity;
 pub use compiled::{Compiled, Evaluation, Share};
 pub use error::{ContactError, positive};

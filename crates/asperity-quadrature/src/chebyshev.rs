@@ -56,7 +56,8 @@ struct Series {
 }
 
 impl Tabulated {
-    /// Tabulates `function`, whose kinks are listed, to the relative `tolerance` of each cell.
+    /// Tabulates `function`, whose kinks are listed, to `tolerance`, relative to
+    /// its largest f(x)/x between neighbouring kinks or within a factor 8.
     #[must_use]
     pub fn new(function: Arc<Function>, kinks: &[f64], tolerance: f64) -> Self {
         let mut kinks: Vec<f64> = kinks.iter().copied().filter(|k| k.is_finite() && *k > 0.0).collect();
@@ -105,13 +106,13 @@ impl Tabulated {
         for pair in ends.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             match (is_kink(a), is_kink(b)) {
-                (false, false) => self.fit((a, b), Map::Log, (0.0, 1.0), 0, &mut series)?,
-                (true, false) => self.fit((a, b), Map::Left, (0.0, 1.0), 0, &mut series)?,
-                (false, true) => self.fit((a, b), Map::Right, (0.0, 1.0), 0, &mut series)?,
+                (false, false) => self.fit((a, b), Map::Log, (0.0, 1.0), (0, 0.0), &mut series)?,
+                (true, false) => self.fit((a, b), Map::Left, (0.0, 1.0), (0, 0.0), &mut series)?,
+                (false, true) => self.fit((a, b), Map::Right, (0.0, 1.0), (0, 0.0), &mut series)?,
                 (true, true) => {
                     let middle = (a * b).sqrt();
-                    self.fit((a, middle), Map::Left, (0.0, 1.0), 0, &mut series)?;
-                    self.fit((middle, b), Map::Right, (0.0, 1.0), 0, &mut series)?;
+                    self.fit((a, middle), Map::Left, (0.0, 1.0), (0, 0.0), &mut series)?;
+                    self.fit((middle, b), Map::Right, (0.0, 1.0), (0, 0.0), &mut series)?;
                 }
             }
         }
@@ -124,7 +125,7 @@ impl Tabulated {
         ends: (f64, f64),
         map: Map,
         range: (f64, f64),
-        depth: u32,
+        (depth, parents): (u32, f64),
         found: &mut Vec<Series>,
     ) -> Result<(), QuadratureError> {
         let mut samples = [0.0; TERMS];
@@ -134,7 +135,9 @@ impl Tabulated {
             *sample = (self.function)(x)? / x;
         }
         let terms = coefficients(&samples);
-        let size = terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+        // Relative to the whole interval between kinks: where the function starts at zero, its
+        // relative accuracy next to the kink is beyond what x itself can tell.
+        let size = terms.iter().fold(parents, |m: f64, t| m.max(t.abs()));
         let tail = terms[TERMS - 2..].iter().fold(0.0, |m: f64, t| m.max(t.abs()));
         if tail <= self.tolerance * size || depth >= DEEPEST {
             let (x0, x1) = (map.x(ends, range.0), map.x(ends, range.1));
@@ -142,8 +145,8 @@ impl Tabulated {
             return Ok(());
         }
         let middle = 0.5 * (range.0 + range.1);
-        self.fit(ends, map, (range.0, middle), depth + 1, found)?;
-        self.fit(ends, map, (middle, range.1), depth + 1, found)
+        self.fit(ends, map, (range.0, middle), (depth + 1, size), found)?;
+        self.fit(ends, map, (middle, range.1), (depth + 1, size), found)
     }
 }
 

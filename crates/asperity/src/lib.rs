@@ -3,9 +3,11 @@
 mod registry;
 
 pub use asperity_af::{AbdoFarhang, FlowPressure};
+pub use asperity_at::{AminiTehrani, Reading};
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
+pub use asperity_gao::{Displacement, ForceComponent, Gao, LateralOptions, Stick};
 pub use asperity_gw::GreenwoodWilliamson;
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;

@@ -6,8 +6,9 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use crate::{
-    AbdoFarhang, ChangEtsionBogy, ContactError, ContactModel, EtsionKligermanKadin,
-    GeometricHardness, GreenwoodWilliamson, JacksonGreen, KogutEtsion, ZhaoMaiettaChang,
+    AbdoFarhang, AminiTehrani, ChangEtsionBogy, ContactError, ContactModel, EtsionKligermanKadin,
+    Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen, KogutEtsion, Reading,
+    ZhaoMaiettaChang,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name.
@@ -34,6 +35,7 @@ impl Model {
     /// Every model of this project with its default options, simplest first.
     #[must_use]
     pub fn all() -> Vec<Self> {
+        let reading = |reading| AminiTehrani { reading, ..AminiTehrani::default() };
         let cosine = JacksonGreen { hardness: GeometricHardness::Cosine };
         vec![
             Self::new(GreenwoodWilliamson),
@@ -44,6 +46,10 @@ impl Model {
             Self::new(JacksonGreen::default()),
             Self::new(cosine),
             Self::new(AbdoFarhang::default()),
+            Self::new(Gao::default()),
+            Self::new(reading(Reading::Printed)),
+            Self::new(reading(Reading::Additive)),
+            Self::new(reading(Reading::Overlap)),
         ]
     }
 }

@@ -1,0 +1,162 @@
+//! AT: Gao's spread normals combined with AF's embedded plastic asperity, in three readings.
+//!
+//! # Law
+//! With I[f; a, b] the average over heights and angles of [`asperity_gao`], over a ≤ y < b:
+//! ```text
+//! printed    Q = I[Q_e; 0,1] - I[Q_ep1; 1,6] + I[Q_ep2; 6,110] + I[Q_p; 110,∞]
+//! additive   Q = I[Q_e; 0,1] + I[Q_ep1; 1,6] + I[Q_ep2; 6,110] + I[Q_p; 110,∞]
+//! overlap    Q = I[Q_e; 0,6] - I[Q_ep1; 1,6] + I[Q_ep2; 1,110] + I[Q_p; 110,∞]
+//! ```
+//! * ep1 and ep2 share Gao's elastic-plastic N and K_n, and r = √A* - s₀ with s₀ = √(w_c/R), as
+//!   does p; the area of ep1 alone is A*_ep1 = y. For force and stiffness the overlap reading is
+//!   therefore I[Q_e; 0,6] + I[Q_ep2; 6,110] + I[Q_p; 110,∞], and is computed so.
+//! * Areas of ep1, ep2 and p carry the factor R_p/R = 1 - w_c/R, that of e does not.
+//!
+//! **printed** is the paper's equation as it stands: contacts with 1 < y < 6 count negatively, and
+//! force, area or stiffness are negative in a window of the plasticity index. Such values are
+//! returned, with a warning. **additive** is a partition of unity. **overlap** takes AF's idea
+//! literally. Every equation's reading is in the README's ledger of misprints.
+//!
+//! # Valid for
+//! w_c < R; needs the equivalent shear modulus. The stiffness is the paper's average of K_i, not
+//! -dF/dd: ask for the tangent for that.
+//!
+//! # Source
+//! Amini & Tehrani 2020, "A New Combined Model for considering the Plasticity Effects in Contacting
+//! Asperities", Mathematical Problems in Engineering, article 4640204. \[seen; readings derived\]
+//!
+//! # Example
+//! ```
+//! use asperity_at::{AminiTehrani, Reading};
+//! use asperity_core::{ContactModel, Interface, Quantity, Request, Scene, Surface};
+//!
+//! let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+//! interface.equivalent_shear_modulus = Some(41e9);
+//! let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface)?;
+//! let scene = Scene::new(interface, surface, 3e-5);
+//! let asked = Request::new([Quantity::Force]).at([1.0]);
+//! let printed = AminiTehrani::default().solve(&scene, &asked)?;
+//! assert!(printed.values(Quantity::Force)?[0] < 0.0);
+//! assert!(printed.warnings.iter().any(|w| w.to_string().contains("is negative at 1 of")));
+//! let additive = AminiTehrani { reading: Reading::Additive, ..Default::default() };
+//! assert!(additive.solve(&scene, &asked)?.values(Quantity::Force)?[0] > 0.0);
+//! # Ok::<(), asperity_core::ContactError>(())
+//! ```
+
+use std::ops::Range;
+
+use asperity_core::{
+    Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime, Source,
+    StiffnessKind, Tolerance, Warning,
+};
+use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM};
+use serde::{Deserialize, Serialize};
+
+/// How equations (11), (26) and (29) are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reading {
+    /// With the printed minus sign.
+    #[default]
+    Printed,
+    /// With a plus sign.
+    Additive,
+    /// Elastic up to y = 6, less its share from 1 to 6, plus the plastic asperity's from 1 on.
+    Overlap,
+}
+
+/// The model of Amini and Tehrani.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AminiTehrani {
+    /// How the sums are read.
+    pub reading: Reading,
+    /// Angles, displacement, stick and the force's component.
+    pub options: LateralOptions,
+}
+
+const SOURCE: Source = Source {
+    authors: "Amini & Tehrani",
+    year: 2020,
+    title: "A New Combined Model for considering the Plasticity Effects in Contacting Asperities",
+    provenance: Provenance::Seen,
+};
+
+/// Where ep1 ends and ep2 begins, in y. \[seen\]
+const EP1_END: f64 = 6.0;
+
+/// One term of the sum: name, sign, row of the table of pieces, range of y.
+type Term = (&'static str, f64, Regime, Range<f64>);
+
+impl AminiTehrani {
+    fn terms(&self, quantity: Quantity) -> Vec<Term> {
+        let (ep, p) = (Regime::ElasticPlastic, Regime::Plastic);
+        let sign = if self.reading == Reading::Additive { 1.0 } else { -1.0 };
+        let overlap = self.reading == Reading::Overlap;
+        let elastic_end = if overlap { EP1_END } else { ELASTIC_END };
+        let mut terms = vec![("elastic", 1.0, Regime::Elastic, 0.0..elastic_end)];
+        // In the overlap reading ep1 and ep2 cancel from 1 to 6, but for the area.
+        if !overlap || quantity == Quantity::Area {
+            terms.push(("elastic-plastic 1", sign, ep, ELASTIC_END..EP1_END));
+        }
+        let second = if overlap && quantity == Quantity::Area { ELASTIC_END } else { EP1_END };
+        terms.push(("elastic-plastic 2", 1.0, ep, second..PLASTIC_FROM));
+        terms.push(("plastic", 1.0, p, PLASTIC_FROM..f64::INFINITY));
+        terms
+    }
+}
+
+impl ContactModel for AminiTehrani {
+    fn id(&self) -> &str {
+        match self.reading {
+            Reading::Printed => "at",
+            Reading::Additive => "at-additive",
+            Reading::Overlap => "at-overlap",
+        }
+    }
+
+    fn name(&self) -> &str {
+        match self.reading {
+            Reading::Printed => "AT",
+            Reading::Additive => "AT additive",
+            Reading::Overlap => "AT overlap",
+        }
+    }
+
+    fn source(&self) -> &Source {
+        &SOURCE
+    }
+
+    fn law(&self, asperity: &Asperity, quantity: Quantity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        let lateral = Lateral::new(self.options, asperity, self.name())?;
+        let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
+        for (name, sign, regime, range) in self.terms(quantity) {
+            let elastic = regime == Regime::Elastic;
+            let loss = if elastic { 0.0 } else { lateral.radius_loss() };
+            // The area of ep1 is that of the elastic row, A* = y; all else is its own row's.
+            let row = if name == "elastic-plastic 1" && quantity == Quantity::Area {
+                Regime::Elastic
+            } else {
+                regime
+            };
+            let normal: NormalLaw = lateral.normal(row, loss);
+            let mut part = lateral.part(normal, range, quantity, tolerance);
+            let shrunk = quantity == Quantity::Area && !elastic;
+            part.sign = sign * if shrunk { lateral.plastic_radius_ratio() } else { 1.0 };
+            (part.name, part.regime) = (name.into(), regime);
+            law.parts.push(part);
+        }
+        Ok(law)
+    }
+
+    fn stiffness(&self) -> StiffnessKind {
+        StiffnessKind::OwnLaw
+    }
+
+    fn claims(&self) -> Claims {
+        self.options.claims()
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        self.options.warnings(self.name())
+    }
+}

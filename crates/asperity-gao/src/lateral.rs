@@ -1,0 +1,193 @@
+//! What the lateral models share: their options, and the way from a regime to a part of a law.
+
+use std::borrow::Cow;
+use std::f64::consts::PI;
+use std::ops::Range;
+use std::sync::Arc;
+
+use asperity_core::{
+    AngleDensity, Asperity, Claims, ContactError, Law, Part, Quantity, Regime, Tolerance, Warning,
+    angle_average, angle_average_of_powers,
+};
+use serde::{Deserialize, Serialize};
+
+use crate::{NormalLaw, ObliqueSlip, Response};
+
+/// The tangential displacements ζ* and ξ* of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Displacement {
+    /// ζ* = ξ* = λ x: the vertical approach, seen in three channels. \[derived\]
+    #[default]
+    Vertical,
+    /// ζ* = ξ* = 0: no tangential force; K_i keeps its tangential term.
+    None,
+    /// Given, dimensionless, ≥ 0.
+    #[serde(untagged)]
+    Given {
+        /// ζ*.
+        zeta: f64,
+        /// ξ*.
+        xi: f64,
+    },
+}
+
+/// Whether tangential forces are limited by friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stick {
+    /// T ≤ μN in every regime.
+    #[default]
+    Clamped,
+    /// The AT paper's literal text: T = 1.5 r ζ* s |sin θ| without limit, except in the
+    /// elastic-plastic force (its eq. 23).
+    Unlimited,
+}
+
+/// Which force is summed over the contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ForceComponent {
+    /// The size of the contact force, as the paper sums it.
+    #[default]
+    Size,
+    /// Its vertical component, N u + T s.
+    Vertical,
+}
+
+/// Options of Gao and AT alike.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct LateralOptions {
+    /// How contact normals are spread.
+    pub angle_density: AngleDensity,
+    /// The tangential displacements.
+    pub displacement: Displacement,
+    /// Whether tangential forces are limited by friction.
+    pub stick: Stick,
+    /// Which force is summed.
+    pub force: ForceComponent,
+}
+
+impl LateralOptions {
+    fn check(&self) -> Result<(), ContactError> {
+        self.angle_density.check()?;
+        if let Displacement::Given { zeta, xi } = self.displacement {
+            for (field, value) in [("zeta", zeta), ("xi", xi)] {
+                if !(value >= 0.0 && value.is_finite()) {
+                    let required = "a finite number, at least 0,";
+                    return Err(ContactError::OutOfRange { field, value, required });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What a lateral model with these options says of its laws.
+    #[must_use]
+    pub fn claims(&self) -> Claims {
+        Claims { force_monotone: false, hertz_limit: None, angles: true }
+    }
+
+    /// What a user of these options should know.
+    #[must_use]
+    pub fn warnings(&self, model: &str) -> Vec<Warning> {
+        let minimum = self.angle_density.minimum();
+        let warning = Warning::NegativeAngleDensity { model: model.into(), minimum };
+        if minimum < 0.0 { vec![warning] } else { vec![] }
+    }
+}
+
+/// A lateral model's asperity, with all that its parts need.
+#[derive(Debug, Clone, Copy)]
+pub struct Lateral {
+    options: LateralOptions,
+    pressure_factor: f64,
+    area_exponent: f64,
+    shear_ratio: f64,
+    critical: f64,
+    critical_force: f64,
+    radius: f64,
+}
+
+impl Lateral {
+    /// # Errors
+    /// [`ContactError`] naming the option or input that is out of range or missing.
+    pub fn new(options: LateralOptions, asperity: &Asperity, model: &str) -> Result<Self, ContactError> {
+        options.check()?;
+        Ok(Self {
+            options,
+            pressure_factor: asperity.pressure_factor,
+            // The sheet takes S_y = H/2.8 unless it is given, as JG does.
+            area_exponent: asperity_jg::area_exponent(asperity),
+            shear_ratio: 4.0 * asperity.shear_modulus(model)? / asperity.equivalent_modulus,
+            critical: asperity.critical_interference()?,
+            critical_force: asperity.critical_force()?,
+            radius: asperity.radius,
+        })
+    }
+
+    /// s₀ = √(w_c/R), by which the AT paper shortens the contact radius.
+    #[must_use]
+    pub fn radius_loss(&self) -> f64 {
+        (self.critical / self.radius).sqrt()
+    }
+
+    /// R_p/R = 1 - w_c/R.
+    #[must_use]
+    pub fn plastic_radius_ratio(&self) -> f64 {
+        1.0 - self.critical / self.radius
+    }
+
+    /// The normal law of a regime, with this s₀.
+    #[must_use]
+    pub fn normal(&self, regime: Regime, radius_loss: f64) -> NormalLaw {
+        let Self { pressure_factor, area_exponent, .. } = *self;
+        NormalLaw { regime, pressure_factor, area_exponent, radius_loss }
+    }
+
+    /// A law without parts in the units F_c, π R w_c or F_c/w_c; `None` for the tangent.
+    #[must_use]
+    pub fn law_in_units(&self, quantity: Quantity) -> Option<Law> {
+        let unit = match quantity {
+            Quantity::Force => self.critical_force,
+            Quantity::Area => PI * self.radius * self.critical,
+            Quantity::Stiffness => self.critical_force / self.critical,
+            Quantity::Tangent => return None,
+        };
+        Some(Law::in_units(self.critical, unit))
+    }
+
+    /// The angle average of a regime over y in `range`, as a part of the law for `quantity`.
+    #[must_use]
+    pub fn part(&self, normal: NormalLaw, range: Range<f64>, quantity: Quantity, tolerance: Tolerance) -> Part {
+        let LateralOptions { angle_density, displacement, stick, force } = self.options;
+        let closed = |powers| angle_average_of_powers(powers, range.clone(), angle_density);
+        let response = match quantity {
+            Quantity::Force => Some(Response::Force(force)),
+            Quantity::Area => None,
+            Quantity::Stiffness | Quantity::Tangent => Some(Response::Stiffness),
+        };
+        let no_push = displacement == Displacement::None && force == ForceComponent::Size;
+        let (form, kinks) = match response {
+            None => (closed(&normal.area_powers()), vec![range.end]),
+            Some(Response::Force(_)) if no_push => (closed(&normal.load_powers()), vec![range.end]),
+            Some(response) => {
+                let shear_ratio = self.shear_ratio;
+                let slip = ObliqueSlip { normal, shear_ratio, displacement, stick, response };
+                angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
+            }
+        };
+        // Upright contacts leave a regime for good; inclined ones stay on at larger x.
+        let end = if angle_density == AngleDensity::Upright { range.end } else { f64::INFINITY };
+        let inside = |x: &f64| *x > range.start && *x < end;
+        Part {
+            name: Cow::Owned(normal.regime.to_string()),
+            regime: normal.regime,
+            sign: 1.0,
+            kinks: kinks.into_iter().filter(inside).collect(),
+            range: range.start..end,
+            form,
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! A contact pushed along and across its normal: stick, partial slip, gross slip, averaged over
+//! the azimuth θ.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::ops::Range;
+
+use asperity_core::ObliqueContact;
+use asperity_quadrature::{bracketed_root, legendre};
+
+use crate::{Displacement, ForceComponent, NormalLaw, Stick, friction};
+
+/// Nodes on each of the two or three ranges of θ between slip limits.
+const NODES: usize = 20;
+
+/// What is averaged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Response {
+    /// F_i.
+    Force(ForceComponent),
+    /// K_i.
+    Stiffness,
+}
+
+/// One regime of an oblique contact.
+///
+/// ```text
+/// q₁ = min(1, r ζ* s |sin θ|/(μN)),   q₂ = min(1, r ξ* s |cos θ|/(μN)),   s = √(1 - u²)
+/// T_j = μN (1 - (1 - q_j)^1.5)                                  (Cattaneo-Mindlin)
+/// F_i = √(N² + T₁² + T₂²),  or its vertical component  N u + √(T₁² + T₂²) s
+/// K_i = √(K_n² + 2.25 λ² r² [(1-q₁) + (1-q₂)])
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct ObliqueSlip {
+    /// N, A*, K_n and r.
+    pub normal: NormalLaw,
+    /// λ = 4G/E.
+    pub shear_ratio: f64,
+    /// ζ* and ξ*.
+    pub displacement: Displacement,
+    /// Whether T_j is limited by friction.
+    pub stick: Stick,
+    /// What is averaged.
+    pub response: Response,
+}
+
+/// Everything of a contact that does not depend on θ.
+struct Contact {
+    load: f64,
+    limit: f64,
+    normal_stiffness_squared: f64,
+    shear_stiffness_squared: f64,
+    /// r ζ* s and r ξ* s.
+    push: [f64; 2],
+    u: f64,
+    s: f64,
+}
+
+impl ObliqueSlip {
+    fn contact(&self, y: f64, x: f64) -> Contact {
+        let load = self.normal.load(y);
+        let radius = self.normal.radius(y);
+        let kn = if self.response == Response::Stiffness { self.normal.stiffness(y) } else { 0.0 };
+        let across = ((x - y) * (x + y)).sqrt();
+        let s = across / x;
+        let push = match self.displacement {
+            Displacement::Vertical => [self.shear_ratio * across; 2],
+            Displacement::None => [0.0; 2],
+            Displacement::Given { zeta, xi } => [zeta * s, xi * s],
+        };
+        Contact {
+            load,
+            limit: friction(load) * load,
+            normal_stiffness_squared: kn * kn,
+            shear_stiffness_squared: 2.25 * (self.shear_ratio * radius).powi(2),
+            push: push.map(|p| radius * p),
+            u: y / x,
+            s,
+        }
+    }
+
+    /// κ₁ and κ₂: the largest push over the friction limit.
+    fn slip_ratios(&self, y: f64, x: f64) -> [f64; 2] {
+        let contact = self.contact(y, x);
+        contact.push.map(|p| p / contact.limit)
+    }
+
+    fn never_slips(&self) -> bool {
+        self.stick == Stick::Unlimited || self.displacement == Displacement::None
+    }
+
+    /// F_i or K_i for the shares of the push that sin θ and cos θ leave.
+    fn at(&self, c: &Contact, sin: f64, cos: f64) -> f64 {
+        let q = [c.push[0] * sin / c.limit, c.push[1] * cos / c.limit];
+        match self.response {
+            Response::Force(component) => {
+                let [t1, t2] = match self.stick {
+                    Stick::Clamped => q.map(|q| c.limit * cattaneo_mindlin(q.min(1.0))),
+                    Stick::Unlimited => [1.5 * c.push[0] * sin, 1.5 * c.push[1] * cos],
+                };
+                let squares = t1 * t1 + t2 * t2;
+                match component {
+                    ForceComponent::Size => (c.load * c.load + squares).sqrt(),
+                    ForceComponent::Vertical => c.load * c.u + squares.sqrt() * c.s,
+                }
+            }
+            Response::Stiffness => {
+                let stuck = match self.stick {
+                    Stick::Clamped => (1.0 - q[0]).max(0.0) + (1.0 - q[1]).max(0.0),
+                    Stick::Unlimited => 2.0,
+                };
+                (c.normal_stiffness_squared + c.shear_stiffness_squared * stuck).sqrt()
+            }
+        }
+    }
+}
+
+/// 1 - (1-q)^1.5 without cancellation for small q.
+fn cattaneo_mindlin(q: f64) -> f64 {
+    let left = 1.0 - q;
+    q * (3.0 + q * (q - 3.0)) / (1.0 + left * left.sqrt())
+}
+
+/// Azimuths at which one of the two directions begins to slip, inside `(0, end)`, ascending.
+fn slip_limits([sine, cosine]: [f64; 2], end: f64) -> impl Iterator<Item = f64> {
+    let a = (sine > 1.0).then(|| (1.0 / sine).asin());
+    let b = (cosine > 1.0).then(|| (1.0 / cosine).acos());
+    let (first, last) = match (a, b) {
+        (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
+        (a, b) => (a.or(b), None),
+    };
+    first.into_iter().chain(last).filter(move |theta| *theta > 0.0 && *theta < end)
+}
+
+impl ObliqueContact for ObliqueSlip {
+    fn mean(&self, y: f64, x: f64) -> f64 {
+        let contact = self.contact(y, x);
+        let [a, b] = contact.push;
+        if (a == 0.0 && b == 0.0) || (self.stick == Stick::Unlimited && a == b) {
+            // Nothing depends on θ.
+            return self.at(&contact, 0.5f64.sqrt(), 0.5f64.sqrt());
+        }
+        // sin and cos change places at π/4 when both pushes are equal.
+        let end = if a == b { FRAC_PI_4 } else { FRAC_PI_2 };
+        let ratios = contact.push.map(|p| p / contact.limit);
+        let rule = legendre(NODES);
+        let (mut total, mut from) = (0.0, 0.0);
+        let limits = slip_limits(if self.never_slips() { [0.0; 2] } else { ratios }, end);
+        for to in limits.chain([end]) {
+            for (v, w) in rule.nodes.iter().zip(&rule.weights) {
+                // Half powers at both ends become whole ones.
+                let theta = from + (to - from) * v * v * (3.0 - 2.0 * v);
+                let (sin, cos) = theta.sin_cos();
+                total += w * (to - from) * 6.0 * v * (1.0 - v) * self.at(&contact, sin, cos);
+            }
+            from = to;
+        }
+        total / end
+    }
+
+    fn breaks(&self, x: f64, range: &Range<f64>) -> Vec<f64> {
+        if self.never_slips() {
+            return vec![];
+        }
+        // A direction begins to slip somewhere (κ = 1), or the two slip limits cross.
+        let events: [fn([f64; 2]) -> f64; 3] = [
+            |[a, _]| a - 1.0,
+            |[_, b]| b - 1.0,
+            |[a, b]| 1.0 - 1.0 / (a * a) - 1.0 / (b * b),
+        ];
+        let mut breaks = vec![];
+        for event in events {
+            let f = |y: f64| event(self.slip_ratios(y, x)).clamp(-1e300, 1e300);
+            // κ falls with y in every regime, but a wide probe costs little.
+            let probe = |k: usize| {
+                let share = 0.5 - 0.5 * (PI * k as f64 / 8.0).cos();
+                range.start + (range.end - range.start) * share.clamp(1e-15, 1.0 - 1e-15)
+            };
+            for k in 0..8 {
+                breaks.extend(bracketed_root(f, probe(k), probe(k + 1)));
+            }
+        }
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup_by(|a, b| (*a - *b).abs() <= 1e-14 * *a);
+        breaks
+    }
+
+    fn kinks(&self, range: &Range<f64>) -> Vec<f64> {
+        if self.never_slips() {
+            return vec![];
+        }
+        // The events of `breaks` reaching an end of the range: κ² = 1 or 2 (equal pushes) at y.
+        let mut kinks = vec![];
+        for y in [range.start, range.end].into_iter().filter(|y| *y > 0.0 && y.is_finite()) {
+            let limit = friction(self.normal.load(y)) * self.normal.load(y) / self.normal.radius(y);
+            match self.displacement {
+                Displacement::None => {}
+                Displacement::Vertical => {
+                    let across = limit / self.shear_ratio;
+                    kinks.extend([1.0, 2.0].map(|k| (y * y + k * across * across).sqrt()));
+                }
+                Displacement::Given { zeta, xi } => {
+                    let both = 1.0 / (zeta * zeta) + 1.0 / (xi * xi);
+                    for inverse in [1.0 / (zeta * zeta), 1.0 / (xi * xi), both] {
+                        let share = limit * limit * inverse;
+                        kinks.extend((share < 1.0).then(|| y / (1.0 - share).sqrt()));
+                    }
+                }
+            }
+        }
+        kinks
+    }
+}
