@@ -66,6 +66,16 @@ impl AngleDensity {
         }
     }
 
+    /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms in; 0 for upright normals, whose
+    /// density is no function.
+    #[must_use]
+    pub fn printed(&self, phi: f64, theta: f64) -> f64 {
+        let Self::Harmonic { a20, a21, b21 } = *self else { return 0.0 };
+        let (s, u) = phi.sin_cos();
+        // P₂¹ = -3 cos φ sin φ.
+        1.0 + 0.5 * a20 * (3.0 * u * u - 1.0) - 3.0 * u * s * (a21 * theta.cos() + b21 * theta.sin())
+    }
+
     /// c₀ and c₂ of the folded density c₀ + c₂ u²; `None` for upright normals.
     #[must_use]
     pub fn folded(&self) -> Option<(f64, f64)> {

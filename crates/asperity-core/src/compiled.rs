@@ -8,7 +8,7 @@ use asperity_quadrature::{Density, Moments, QuadratureError};
 use crate::height_integral::HeightIntegral;
 use crate::request::checked_separation;
 use crate::{
-    ContactError, ContactModel, HeightDistribution, Law, Quantity, Regime, Request, Scene,
+    Asperity, ContactError, ContactModel, HeightDistribution, Law, Quantity, Regime, Request, Scene,
     StiffnessKind, Warning,
 };
 
@@ -64,6 +64,7 @@ pub struct Share {
 pub struct Compiled {
     model: String,
     quantities: Vec<Quantity>,
+    asperity: Asperity,
     channels: Vec<Channel>,
     height_std: f64,
     separation_rounding: f64,
@@ -95,6 +96,7 @@ impl Compiled {
         let mut compiled = Self {
             model: model.name().into(),
             quantities: request.quantities.clone(),
+            asperity,
             channels: vec![],
             height_std: scene.surface.asperity_height_std,
             separation_rounding: request.separation_rounding,
@@ -106,9 +108,31 @@ impl Compiled {
                 continue;
             }
             let law = model.law(&asperity, quantity, request.tolerance)?;
-            compiled.channels.push(Channel::new(quantity, law, scene, request));
+            compiled.channels.push(Channel::new(quantity, law, scene, request.tolerance.relative()));
         }
         Ok(compiled)
+    }
+
+    /// The same laws on another surface or with other heights: what a law has tabulated is shared,
+    /// so that a sweep over roughness or density builds it once.
+    ///
+    /// # Errors
+    /// [`ContactError::OtherAsperity`] when interface or asperity radius differ, which the law
+    /// depends on, and the errors of [`Scene::asperity`].
+    pub fn on(&self, scene: &Scene) -> Result<Self, ContactError> {
+        if scene.asperity()? != self.asperity {
+            return Err(ContactError::OtherAsperity);
+        }
+        let channels = self.channels.iter().map(|c| Channel::new(c.quantity, c.law.clone(), scene, c.tolerance));
+        Ok(Self {
+            model: self.model.clone(),
+            quantities: self.quantities.clone(),
+            asperity: self.asperity,
+            channels: channels.collect(),
+            height_std: scene.surface.asperity_height_std,
+            separation_rounding: self.separation_rounding,
+            warnings: self.warnings.clone(),
+        })
     }
 
     /// The model's name.
@@ -220,9 +244,8 @@ fn failed(quantity: Quantity, separation: f64) -> impl Fn(QuadratureError) -> Co
 }
 
 impl Channel {
-    fn new(quantity: Quantity, law: Law, scene: &Scene, request: &Request) -> Self {
+    fn new(quantity: Quantity, law: Law, scene: &Scene, tolerance: f64) -> Self {
         let scale = law.interference_unit / scene.surface.asperity_height_std;
-        let tolerance = request.tolerance.relative();
         let total = HeightIntegral::new(law.density(), scale, &scene.heights, tolerance);
         Self {
             quantity,

@@ -40,6 +40,9 @@ pub enum ContactError {
         /// The quantity.
         quantity: Quantity,
     },
+    /// A compiled scene was moved to one with another interface or asperity radius.
+    #[error("the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew")]
+    OtherAsperity,
     /// A name that no model has.
     #[error("model {name:?} is not known{}: the models are {known}", suggestion(.near))]
     UnknownModel {

@@ -1,0 +1,95 @@
+//! What one asperity does, in every model.
+
+use anyhow::Result;
+use asperity::{Law, Model, Quantity, Request};
+
+use super::models::{self, MARKERS, PAPER, curve};
+use crate::draw::{Arrangement, Axis, Figure, Mark, Panel};
+use crate::table::{Field, Table};
+
+const X: &str = "interference_over_critical";
+const COLUMNS: [(&str, &str); 3] = [
+    ("force_over_critical", "force F/F_c"),
+    ("area_over_critical", "area A/A_c"),
+    ("mean_pressure_over_hardness", "mean pressure F/(AH)"),
+];
+
+/// Points of x = w/w_c: a logarithmic grid with, at every jump, the values on both sides and a gap.
+fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
+    let mut points: Vec<f64> = (0..=200).map(|k| 10f64.powf(-1.0 + 4.0 * f64::from(k) / 200.0)).collect();
+    points.retain(|x| !kinks.iter().any(|k| (x / k - 1.0).abs() < 1e-3));
+    points.extend(kinks.iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
+    points.sort_by(f64::total_cmp);
+    let mut grid = vec![];
+    for x in points {
+        if kinks.contains(&x) {
+            grid.push(None);
+        }
+        grid.push(Some(x));
+    }
+    grid
+}
+
+/// Force and area of one asperity of the paper's scene; gaps mark jumps.
+pub fn table() -> Result<Table> {
+    let scene = models::scene(1e-6)?;
+    let asperity = scene.asperity()?;
+    let critical = asperity.critical_interference()?;
+    let force_unit = asperity.critical_force()?;
+    let area_unit = std::f64::consts::PI * asperity.radius * critical;
+    let mut table = Table::new(&["curve", X, COLUMNS[0].0, COLUMNS[1].0, COLUMNS[2].0]);
+    for id in PAPER {
+        let model: Model = id.parse()?;
+        let request = Request::new([Quantity::Force, Quantity::Area]);
+        let compiled = model.compile(&scene, &request)?;
+        let (force, area) = (compiled.law(Quantity::Force)?, compiled.law(Quantity::Area)?);
+        for x in grid(&jumps(&model, force, critical)) {
+            let Some(x) = x else {
+                table.push(&[Field::Word(id), Field::Gap, Field::Gap, Field::Gap, Field::Gap])?;
+                continue;
+            };
+            let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
+            table.push(&[
+                Field::Word(id),
+                Field::Number(x),
+                Field::Number(f / force_unit),
+                Field::Number(a / area_unit),
+                Field::Number(f / a / asperity.hardness),
+            ])?;
+        }
+    }
+    Ok(table)
+}
+
+/// Kinks of a law in x = w/w_c, inside the grid; an angle average is continuous and has no jumps.
+fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
+    if model.claims().angles {
+        return vec![];
+    }
+    let kinks = law.kinks().into_iter().map(|x| x * law.interference_unit / critical);
+    kinks.filter(|x| *x > 0.11 && *x < 900.0).collect()
+}
+
+/// Three panels with log axes.
+pub fn style(_: &str) -> Result<Figure> {
+    let curves = PAPER.iter().map(|id| Ok(curve(id)?.joined())).collect::<Result<Vec<_>>>()?;
+    let panels = COLUMNS.map(|(column, label)| {
+        let x = Axis::new(X, "interference w/w_c").log();
+        let mut panel = Panel::new(x, Axis::new(column, label).log());
+        panel.curves = curves.clone();
+        panel.verticals = [1.0, 6.0, 110.0].map(|at| Mark::new(at, &format!("{at}"))).to_vec();
+        panel
+    });
+    let caption = [
+        "One asperity of the paper's scene (E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58, R = 359 µm), in units of F_c = (2/3)πRw_cSH and A_c = πRw_c. Jumps are those of the published laws: CEB at 1, KE at 1, 6 and 110, Etsion at 170, JG at 1.9 of its own unit. Gao and AT are averaged over the contact angles; AT as printed subtracts a part, and its curves break off where they are negative.",
+        MARKERS,
+    ];
+    Ok(Figure {
+        title: "The laws of one asperity".into(),
+        caption: caption.map(str::to_owned).to_vec(),
+        panels: panels.to_vec(),
+        arrangement: Arrangement::Stacked,
+        shared_legend: true,
+        ..Figure::default()
+    })
+}
