@@ -1,4 +1,12 @@
 //! One binary for all tests that need more than one crate.
+#![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
 
+mod heights;
+mod inputs;
+mod invariants;
+mod parallel;
+mod published;
 mod reference;
 mod scenes;
+mod tangents;
+mod work;

@@ -50,5 +50,8 @@ fn figures(words: Vec<&str>) -> Result<()> {
         println!("all figures are up to date");
         return Ok(());
     }
-    bail!("stale: {}\nrun `cargo xtask figures`, look at the pictures, commit them", stale.join(", "))
+    bail!(
+        "stale: {}\nrun `cargo xtask figures`, look at the pictures, commit them",
+        stale.join(", ")
+    )
 }

@@ -28,7 +28,10 @@ impl Table {
     /// An empty table with these columns.
     #[must_use]
     pub fn new(columns: &[&str]) -> Self {
-        Self { text: columns.join(",") + "\n", columns: columns.len() }
+        Self {
+            text: columns.join(",") + "\n",
+            columns: columns.len(),
+        }
     }
 
     /// Adds a row.
@@ -36,7 +39,12 @@ impl Table {
     /// # Errors
     /// When the number of fields differs from that of the columns, or a number is not finite.
     pub fn push(&mut self, fields: &[Field]) -> Result<()> {
-        ensure!(fields.len() == self.columns, "{} fields in a row of {}", fields.len(), self.columns);
+        ensure!(
+            fields.len() == self.columns,
+            "{} fields in a row of {}",
+            fields.len(),
+            self.columns
+        );
         for (k, field) in fields.iter().enumerate() {
             if k > 0 {
                 self.text.push(',');
@@ -93,10 +101,20 @@ mod tests {
     #[test]
     fn nine_digits_words_and_gaps() {
         let mut table = Table::new(&["curve", "x", "y"]);
-        table.push(&[Field::Word("ke"), Field::Number(1.0 / 3.0), Field::Gap]).unwrap();
-        assert!(table.push(&[Field::Number(f64::NAN), Field::Gap, Field::Gap]).is_err());
+        table
+            .push(&[Field::Word("ke"), Field::Number(1.0 / 3.0), Field::Gap])
+            .unwrap();
+        assert!(
+            table
+                .push(&[Field::Number(f64::NAN), Field::Gap, Field::Gap])
+                .is_err()
+        );
         assert!(table.push(&[Field::Gap]).is_err());
-        assert!(table.into_text().starts_with("curve,x,y\nke,3.33333333e-1,\n"));
+        assert!(
+            table
+                .into_text()
+                .starts_with("curve,x,y\nke,3.33333333e-1,\n")
+        );
     }
 
     #[test]

@@ -59,7 +59,12 @@ impl ContactModel for ChangEtsionBogy {
         &SOURCE
     }
 
-    fn law(&self, asperity: &Asperity, quantity: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
         let beyond = 1.0..f64::INFINITY;
         match quantity {

@@ -31,7 +31,11 @@ pub enum AngleDensity {
 impl Default for AngleDensity {
     /// The AT paper's: a₂₀ = -0.5, a₂₁ = b₂₁ = 1. \[seen\]
     fn default() -> Self {
-        Self::Harmonic { a20: -0.5, a21: 1.0, b21: 1.0 }
+        Self::Harmonic {
+            a20: -0.5,
+            a21: 1.0,
+            b21: 1.0,
+        }
     }
 }
 
@@ -40,14 +44,24 @@ impl AngleDensity {
     /// [`ContactError::OutOfRange`] when the folded density would be negative, or an input is not
     /// finite.
     pub fn check(&self) -> Result<(), ContactError> {
-        let Self::Harmonic { a20, a21, b21 } = *self else { return Ok(()) };
+        let Self::Harmonic { a20, a21, b21 } = *self else {
+            return Ok(());
+        };
         if !(-1.0..=2.0).contains(&a20) {
             let required = "from -1 to 2, or the density is negative,";
-            return Err(ContactError::OutOfRange { field: "a20", value: a20, required });
+            return Err(ContactError::OutOfRange {
+                field: "a20",
+                value: a20,
+                required,
+            });
         }
         for (field, value) in [("a21", a21), ("b21", b21)] {
             if !value.is_finite() {
-                return Err(ContactError::OutOfRange { field, value, required: "a finite number" });
+                return Err(ContactError::OutOfRange {
+                    field,
+                    value,
+                    required: "a finite number",
+                });
             }
         }
         Ok(())
@@ -70,10 +84,13 @@ impl AngleDensity {
     /// density is no function.
     #[must_use]
     pub fn printed(&self, phi: f64, theta: f64) -> f64 {
-        let Self::Harmonic { a20, a21, b21 } = *self else { return 0.0 };
+        let Self::Harmonic { a20, a21, b21 } = *self else {
+            return 0.0;
+        };
         let (s, u) = phi.sin_cos();
         // P₂¹ = -3 cos φ sin φ.
-        1.0 + 0.5 * a20 * (3.0 * u * u - 1.0) - 3.0 * u * s * (a21 * theta.cos() + b21 * theta.sin())
+        1.0 + 0.5 * a20 * (3.0 * u * u - 1.0)
+            - 3.0 * u * s * (a21 * theta.cos() + b21 * theta.sin())
     }
 
     /// c₀ and c₂ of the folded density c₀ + c₂ u²; `None` for upright normals.
@@ -128,7 +145,9 @@ pub fn angle_average(
         let integrand = |y: f64| (c0 + c2 * (y / x) * (y / x)) * contact.mean(y, x);
         let mut total = 0.0;
         for pair in ends.windows(2).filter(|pair| pair[1] > pair[0]) {
-            total += TanhSinh::shared().integrate(pair[0], pair[1], 0.1 * tolerance, |p| integrand(p.x)).value;
+            total += TanhSinh::shared()
+                .integrate(pair[0], pair[1], 0.1 * tolerance, |p| integrand(p.x))
+                .value;
         }
         Ok(total / x)
     };
@@ -142,15 +161,24 @@ pub fn angle_average(
 #[must_use]
 pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: AngleDensity) -> Form {
     let powers = powers.to_vec();
-    let Some((c0, c2)) = density.folded() else { return Form::Powers(powers) };
+    let Some((c0, c2)) = density.folded() else {
+        return Form::Powers(powers);
+    };
     Form::function(move |x| {
         let end = range.end.min(x);
         let mut total = 0.0;
-        for Power { coefficient, origin, exponent } in &powers {
+        for Power {
+            coefficient,
+            origin,
+            exponent,
+        } in &powers
+        {
             // v = y - o, and y² = v² + 2 o v + o².
-            let primitive = |n: f64| power_difference(range.start - origin, end - origin, exponent + n);
+            let primitive =
+                |n: f64| power_difference(range.start - origin, end - origin, exponent + n);
             let c2 = c2 / (x * x);
-            let squares = primitive(3.0) + 2.0 * origin * primitive(2.0) + origin * origin * primitive(1.0);
+            let squares =
+                primitive(3.0) + 2.0 * origin * primitive(2.0) + origin * origin * primitive(1.0);
             total += coefficient * (c0 * primitive(1.0) + c2 * squares);
         }
         total / x
@@ -159,7 +187,11 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
 
 /// (high^n - low^n)/n without cancellation.
 fn power_difference(low: f64, high: f64, n: f64) -> f64 {
-    if low > 0.0 { low.powf(n) * (n * (high / low).ln()).exp_m1() / n } else { high.powf(n) / n }
+    if low > 0.0 {
+        low.powf(n) * (n * (high / low).ln()).exp_m1() / n
+    } else {
+        high.powf(n) / n
+    }
 }
 
 #[cfg(test)]
@@ -176,10 +208,23 @@ mod tests {
     #[test]
     fn the_printed_density_is_negative_as_the_sheet_says() {
         assert!((AngleDensity::default().minimum() + 1.27921).abs() < 1e-5);
-        let limit = AngleDensity::Harmonic { a20: -0.5, a21: 0.37268, b21: 0.37268 };
+        let limit = AngleDensity::Harmonic {
+            a20: -0.5,
+            a21: 0.37268,
+            b21: 0.37268,
+        };
         assert!(limit.minimum().abs() < 1e-5);
         for (a20, ok) in [(-1.0, true), (2.0, true), (-1.01, false), (f64::NAN, false)] {
-            assert_eq!(AngleDensity::Harmonic { a20, a21: 0.0, b21: 0.0 }.check().is_ok(), ok);
+            assert_eq!(
+                AngleDensity::Harmonic {
+                    a20,
+                    a21: 0.0,
+                    b21: 0.0
+                }
+                .check()
+                .is_ok(),
+                ok
+            );
         }
     }
 
@@ -187,7 +232,11 @@ mod tests {
     fn elastic_limits_are_those_of_the_sheet() {
         // Against x^p: 1/3 for Hertz' force, 7/16 for the area. [models.md, section 5]
         for (p, ratio) in [(1.5, 1.0 / 3.0), (1.0, 7.0 / 16.0)] {
-            let form = angle_average_of_powers(&[Power::new(1.0, p)], 0.0..f64::INFINITY, AngleDensity::default());
+            let form = angle_average_of_powers(
+                &[Power::new(1.0, p)],
+                0.0..f64::INFINITY,
+                AngleDensity::default(),
+            );
             for x in [1e-6f64, 1.0, 1e6] {
                 assert!((value(&form, x) / x.powf(p) / ratio - 1.0).abs() < 1e-14);
             }
@@ -209,7 +258,11 @@ mod tests {
 
     #[test]
     fn quadrature_and_closed_form_agree() {
-        let density = AngleDensity::Harmonic { a20: 0.7, a21: 0.0, b21: 0.0 };
+        let density = AngleDensity::Harmonic {
+            a20: 0.7,
+            a21: 0.0,
+            b21: 0.0,
+        };
         let powers = [Power::new(1.0, 0.0), Power::from_origin(1.32, 1.0, 1.27)];
         let closed = angle_average_of_powers(&powers, 1.0..110.0, density);
         let (table, kinks) = angle_average(Arc::new(Frictionless), 1.0..110.0, density, 1e-14);

@@ -8,8 +8,8 @@ use asperity_quadrature::{Density, Moments, QuadratureError};
 use crate::height_integral::HeightIntegral;
 use crate::request::checked_separation;
 use crate::{
-    Asperity, ContactError, ContactModel, HeightDistribution, Law, Quantity, Regime, Request, Scene,
-    StiffnessKind, Warning,
+    Asperity, ContactError, ContactModel, HeightDistribution, Law, Quantity, Regime, Request,
+    Scene, StiffnessKind, Warning,
 };
 
 /// A value that may be too small for a plain number, with a bound on its error.
@@ -43,7 +43,11 @@ impl Evaluation {
     /// Bound on the error relative to the value: infinite where the value is 0 by cancellation.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        if self.size == 0.0 { 0.0 } else { self.error * self.size / self.scaled.abs() }
+        if self.size == 0.0 {
+            0.0
+        } else {
+            self.error * self.size / self.scaled.abs()
+        }
     }
 }
 
@@ -108,7 +112,12 @@ impl Compiled {
                 continue;
             }
             let law = model.law(&asperity, quantity, request.tolerance)?;
-            compiled.channels.push(Channel::new(quantity, law, scene, request.tolerance.relative()));
+            compiled.channels.push(Channel::new(
+                quantity,
+                law,
+                scene,
+                request.tolerance.relative(),
+            ));
         }
         Ok(compiled)
     }
@@ -123,7 +132,10 @@ impl Compiled {
         if scene.asperity()? != self.asperity {
             return Err(ContactError::OtherAsperity);
         }
-        let channels = self.channels.iter().map(|c| Channel::new(c.quantity, c.law.clone(), scene, c.tolerance));
+        let channels = self
+            .channels
+            .iter()
+            .map(|c| Channel::new(c.quantity, c.law.clone(), scene, c.tolerance));
         Ok(Self {
             model: self.model.clone(),
             quantities: self.quantities.clone(),
@@ -164,7 +176,11 @@ impl Compiled {
     /// # Errors
     /// [`ContactError::NotRequested`], [`ContactError::OutOfRange`] for a separation that is not
     /// a number or outside -1e6 ... 1e9, and [`ContactError::Integral`].
-    pub fn evaluate(&self, quantity: Quantity, separation: f64) -> Result<Evaluation, ContactError> {
+    pub fn evaluate(
+        &self,
+        quantity: Quantity,
+        separation: f64,
+    ) -> Result<Evaluation, ContactError> {
         let channel = self.channel(quantity)?;
         let s = checked_separation(separation)?;
         let moments = channel.total.at(s).map_err(failed(quantity, s))?;
@@ -183,8 +199,16 @@ impl Compiled {
         for (part, integral) in channel.law.parts.iter().zip(channel.parts()) {
             let moments = integral.at(s).map_err(failed(quantity, s))?;
             let value = moments.value * (moments.ln_scale - total.ln_scale).exp();
-            let share = if value == 0.0 { 0.0 } else { value / total.value };
-            shares.push(Share { name: part.name.clone(), regime: part.regime, share });
+            let share = if value == 0.0 {
+                0.0
+            } else {
+                value / total.value
+            };
+            shares.push(Share {
+                name: part.name.clone(),
+                regime: part.regime,
+                share,
+            });
         }
         Ok(shares)
     }
@@ -207,7 +231,10 @@ impl Compiled {
         // Only two channels hold their quantity as the integral itself: the others are slopes.
         let is_slope = quantity != channel.quantity;
         let (scaled, size) = if is_slope {
-            (moments.slope / self.height_std, moments.sizes[1] / self.height_std)
+            (
+                moments.slope / self.height_std,
+                moments.sizes[1] / self.height_std,
+            )
         } else {
             (moments.value, moments.sizes[0])
         };
@@ -218,7 +245,12 @@ impl Compiled {
             error += self.separation_rounding * separation.abs() * steepness;
         }
         let factor = channel.factor;
-        Evaluation { scaled: scaled * factor, ln_scale: moments.ln_scale, size: size * factor, error }
+        Evaluation {
+            scaled: scaled * factor,
+            ln_scale: moments.ln_scale,
+            size: size * factor,
+            error,
+        }
     }
 
     fn channel(&self, quantity: Quantity) -> Result<&Channel, ContactError> {
@@ -227,7 +259,8 @@ impl Compiled {
             return Err(missing());
         }
         let own = self.channels.iter().find(|c| c.quantity == quantity);
-        own.or_else(|| self.channels.iter().find(|c| c.quantity == Quantity::Force)).ok_or_else(missing)
+        own.or_else(|| self.channels.iter().find(|c| c.quantity == Quantity::Force))
+            .ok_or_else(missing)
     }
 }
 
@@ -240,7 +273,11 @@ fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
 }
 
 fn failed(quantity: Quantity, separation: f64) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral { quantity, separation, source }
+    move |source| ContactError::Integral {
+        quantity,
+        separation,
+        source,
+    }
 }
 
 impl Channel {
@@ -262,10 +299,11 @@ impl Channel {
 
     fn parts(&self) -> &[HeightIntegral] {
         self.parts.get_or_init(|| {
-            let alone = |part: &crate::Part| Density { pieces: vec![part.piece()] };
-            let integral = |part| {
-                HeightIntegral::new(alone(part), self.scale, &self.heights, self.tolerance)
+            let alone = |part: &crate::Part| Density {
+                pieces: vec![part.piece()],
             };
+            let integral =
+                |part| HeightIntegral::new(alone(part), self.scale, &self.heights, self.tolerance);
             self.law.parts.iter().map(integral).collect()
         })
     }

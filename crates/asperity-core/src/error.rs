@@ -41,7 +41,9 @@ pub enum ContactError {
         quantity: Quantity,
     },
     /// A compiled scene was moved to one with another interface or asperity radius.
-    #[error("the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew")]
+    #[error(
+        "the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew"
+    )]
     OtherAsperity,
     /// A name that no model has.
     #[error("model {name:?} is not known{}: the models are {known}", suggestion(.near))]
@@ -66,7 +68,8 @@ pub enum ContactError {
 }
 
 fn suggestion(near: &Option<String>) -> String {
-    near.as_ref().map_or(String::new(), |near| format!(" (did you mean {near:?}?)"))
+    near.as_ref()
+        .map_or(String::new(), |near| format!(" (did you mean {near:?}?)"))
 }
 
 /// `value` if it is finite and positive.
@@ -77,6 +80,10 @@ pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
-        Err(ContactError::OutOfRange { field, value, required: "a finite number above 0" })
+        Err(ContactError::OutOfRange {
+            field,
+            value,
+            required: "a finite number above 0",
+        })
     }
 }

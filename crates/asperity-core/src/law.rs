@@ -45,13 +45,21 @@ impl Power {
     /// c x^p.
     #[must_use]
     pub fn new(coefficient: f64, exponent: f64) -> Self {
-        Self { coefficient, origin: 0.0, exponent }
+        Self {
+            coefficient,
+            origin: 0.0,
+            exponent,
+        }
     }
 
     /// c (x - o)^p.
     #[must_use]
     pub fn from_origin(coefficient: f64, origin: f64, exponent: f64) -> Self {
-        Self { coefficient, origin, exponent }
+        Self {
+            coefficient,
+            origin,
+            exponent,
+        }
     }
 
     /// The value at x.
@@ -148,7 +156,11 @@ impl Law {
     /// A law without parts, in these units (both positive).
     #[must_use]
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
-        Self { interference_unit, value_unit, parts: vec![] }
+        Self {
+            interference_unit,
+            value_unit,
+            parts: vec![],
+        }
     }
 
     /// Adds an elastic part.
@@ -176,7 +188,14 @@ impl Law {
             n => format!("{regime} {}", n + 1),
         };
         let (kinks, form) = (vec![], form.into());
-        self.parts.push(Part { name: name.into(), regime, sign: 1.0, range, kinks, form });
+        self.parts.push(Part {
+            name: name.into(),
+            regime,
+            sign: 1.0,
+            range,
+            kinks,
+            form,
+        });
         self
     }
 
@@ -211,7 +230,9 @@ impl Law {
     /// The whole law as a density of x.
     #[must_use]
     pub fn density(&self) -> Density {
-        Density { pieces: self.parts.iter().map(Part::piece).collect() }
+        Density {
+            pieces: self.parts.iter().map(Part::piece).collect(),
+        }
     }
 }
 
@@ -230,8 +251,13 @@ impl Part {
 
     /// The one point whose distance the fractional powers are of, if there is one.
     fn origin(&self) -> Option<f64> {
-        let Form::Powers(powers) = &self.form else { return None };
-        let mut origins = powers.iter().filter(|p| p.exponent.fract() != 0.0).map(|p| p.origin);
+        let Form::Powers(powers) = &self.form else {
+            return None;
+        };
+        let mut origins = powers
+            .iter()
+            .filter(|p| p.exponent.fract() != 0.0)
+            .map(|p| p.origin);
         let first = origins.next().unwrap_or(0.0);
         origins.all(|o| o == first).then_some(first)
     }
@@ -244,7 +270,10 @@ mod tests {
     fn law() -> Law {
         Law::in_units(2.0, 10.0)
             .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-            .elastic_plastic(1.0..6.0, [Power::new(1.0, 0.0), Power::from_origin(2.0, 1.0, 1.27)])
+            .elastic_plastic(
+                1.0..6.0,
+                [Power::new(1.0, 0.0), Power::from_origin(2.0, 1.0, 1.27)],
+            )
             .elastic_plastic(6.0..f64::INFINITY, Form::function(|x| 3.0 * x))
     }
 

@@ -29,6 +29,7 @@ mod request;
 mod response;
 mod scene;
 mod surface;
+pub mod testkit;
 mod warning;
 
 pub use angles::{AngleDensity, ObliqueContact, angle_average, angle_average_of_powers};

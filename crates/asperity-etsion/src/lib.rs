@@ -63,7 +63,12 @@ impl ContactModel for EtsionKligermanKadin {
         &SOURCE
     }
 
-    fn law(&self, asperity: &Asperity, quantity: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
         let fit = |c, p| [Power::new(1.0, 0.0), Power::from_origin(c, 1.0, p)];
         let beyond = 170.0..f64::INFINITY;
@@ -82,6 +87,9 @@ impl ContactModel for EtsionKligermanKadin {
 
     fn claims(&self) -> Claims {
         // Whether the step at x = 170 rises or falls depends on S.
-        Claims { force_monotone: false, ..Claims::default() }
+        Claims {
+            force_monotone: false,
+            ..Claims::default()
+        }
     }
 }

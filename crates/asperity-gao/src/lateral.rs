@@ -76,7 +76,11 @@ impl LateralOptions {
             for (field, value) in [("zeta", zeta), ("xi", xi)] {
                 if !(value >= 0.0 && value.is_finite()) {
                     let required = "a finite number, at least 0,";
-                    return Err(ContactError::OutOfRange { field, value, required });
+                    return Err(ContactError::OutOfRange {
+                        field,
+                        value,
+                        required,
+                    });
                 }
             }
         }
@@ -86,14 +90,21 @@ impl LateralOptions {
     /// What a lateral model with these options says of its laws.
     #[must_use]
     pub fn claims(&self) -> Claims {
-        Claims { force_monotone: false, hertz_limit: None, angles: true }
+        Claims {
+            force_monotone: false,
+            hertz_limit: None,
+            angles: true,
+        }
     }
 
     /// What a user of these options should know.
     #[must_use]
     pub fn warnings(&self, model: &str) -> Vec<Warning> {
         let minimum = self.angle_density.minimum();
-        let warning = Warning::NegativeAngleDensity { model: model.into(), minimum };
+        let warning = Warning::NegativeAngleDensity {
+            model: model.into(),
+            minimum,
+        };
         if minimum < 0.0 { vec![warning] } else { vec![] }
     }
 }
@@ -113,7 +124,11 @@ pub struct Lateral {
 impl Lateral {
     /// # Errors
     /// [`ContactError`] naming the option or input that is out of range or missing.
-    pub fn new(options: LateralOptions, asperity: &Asperity, model: &str) -> Result<Self, ContactError> {
+    pub fn new(
+        options: LateralOptions,
+        asperity: &Asperity,
+        model: &str,
+    ) -> Result<Self, ContactError> {
         options.check()?;
         Ok(Self {
             options,
@@ -142,8 +157,17 @@ impl Lateral {
     /// The normal law of a regime, with this s₀.
     #[must_use]
     pub fn normal(&self, regime: Regime, radius_loss: f64) -> NormalLaw {
-        let Self { pressure_factor, area_exponent, .. } = *self;
-        NormalLaw { regime, pressure_factor, area_exponent, radius_loss }
+        let Self {
+            pressure_factor,
+            area_exponent,
+            ..
+        } = *self;
+        NormalLaw {
+            regime,
+            pressure_factor,
+            area_exponent,
+            radius_loss,
+        }
     }
 
     /// A law without parts in the units F_c, π R w_c or F_c/w_c; `None` for the tangent.
@@ -160,8 +184,19 @@ impl Lateral {
 
     /// The angle average of a regime over y in `range`, as a part of the law for `quantity`.
     #[must_use]
-    pub fn part(&self, normal: NormalLaw, range: Range<f64>, quantity: Quantity, tolerance: Tolerance) -> Part {
-        let LateralOptions { angle_density, displacement, stick, force } = self.options;
+    pub fn part(
+        &self,
+        normal: NormalLaw,
+        range: Range<f64>,
+        quantity: Quantity,
+        tolerance: Tolerance,
+    ) -> Part {
+        let LateralOptions {
+            angle_density,
+            displacement,
+            stick,
+            force,
+        } = self.options;
         let closed = |powers| angle_average_of_powers(powers, range.clone(), angle_density);
         let response = match quantity {
             Quantity::Force => Some(Response::Force(force)),
@@ -174,12 +209,27 @@ impl Lateral {
             Some(Response::Force(_)) if no_push => (closed(&normal.load_powers()), vec![range.end]),
             Some(response) => {
                 let shear_ratio = self.shear_ratio;
-                let slip = ObliqueSlip { normal, shear_ratio, displacement, stick, response };
-                angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
+                let slip = ObliqueSlip {
+                    normal,
+                    shear_ratio,
+                    displacement,
+                    stick,
+                    response,
+                };
+                angle_average(
+                    Arc::new(slip),
+                    range.clone(),
+                    angle_density,
+                    tolerance.relative(),
+                )
             }
         };
         // Upright contacts leave a regime for good; inclined ones stay on at larger x.
-        let end = if angle_density == AngleDensity::Upright { range.end } else { f64::INFINITY };
+        let end = if angle_density == AngleDensity::Upright {
+            range.end
+        } else {
+            f64::INFINITY
+        };
         let inside = |x: &f64| *x > range.start && *x < end;
         Part {
             name: Cow::Owned(normal.regime.to_string()),

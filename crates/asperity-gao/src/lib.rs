@@ -43,8 +43,8 @@ mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime,
-    Source, StiffnessKind, Tolerance, Warning,
+    Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime, Source,
+    StiffnessKind, Tolerance, Warning,
 };
 
 pub use lateral::{Displacement, ForceComponent, Lateral, LateralOptions, Stick};
@@ -78,12 +78,20 @@ impl ContactModel for Gao {
         &SOURCE
     }
 
-    fn law(&self, asperity: &Asperity, quantity: Quantity, tolerance: Tolerance) -> Result<Law, ContactError> {
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        tolerance: Tolerance,
+    ) -> Result<Law, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
+        let mut law = lateral
+            .law_in_units(quantity)
+            .ok_or_else(|| self.no_law(quantity))?;
         for regime in [Regime::Elastic, Regime::ElasticPlastic, Regime::Plastic] {
             let normal = lateral.normal(regime, 0.0);
-            law.parts.push(lateral.part(normal, regime_range(regime), quantity, tolerance));
+            law.parts
+                .push(lateral.part(normal, regime_range(regime), quantity, tolerance));
         }
         Ok(law)
     }

@@ -59,7 +59,11 @@ impl ObliqueSlip {
     fn contact(&self, y: f64, x: f64) -> Contact {
         let load = self.normal.load(y);
         let radius = self.normal.radius(y);
-        let kn = if self.response == Response::Stiffness { self.normal.stiffness(y) } else { 0.0 };
+        let kn = if self.response == Response::Stiffness {
+            self.normal.stiffness(y)
+        } else {
+            0.0
+        };
         let across = ((x - y) * (x + y)).sqrt();
         let s = across / x;
         let push = match self.displacement {
@@ -128,7 +132,10 @@ fn slip_limits([sine, cosine]: [f64; 2], end: f64) -> impl Iterator<Item = f64> 
         (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
         (a, b) => (a.or(b), None),
     };
-    first.into_iter().chain(last).filter(move |theta| *theta > 0.0 && *theta < end)
+    first
+        .into_iter()
+        .chain(last)
+        .filter(move |theta| *theta > 0.0 && *theta < end)
 }
 
 impl ObliqueContact for ObliqueSlip {
@@ -190,7 +197,10 @@ impl ObliqueContact for ObliqueSlip {
         }
         // The events of `breaks` reaching an end of the range: κ² = 1 or 2 (equal pushes) at y.
         let mut kinks = vec![];
-        for y in [range.start, range.end].into_iter().filter(|y| *y > 0.0 && y.is_finite()) {
+        for y in [range.start, range.end]
+            .into_iter()
+            .filter(|y| *y > 0.0 && y.is_finite())
+        {
             let limit = friction(self.normal.load(y)) * self.normal.load(y) / self.normal.radius(y);
             match self.displacement {
                 Displacement::None => {}

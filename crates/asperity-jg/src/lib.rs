@@ -98,7 +98,11 @@ fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
     }
     let required = "a yield strength below 2E/(pi C), so that the critical interference is smaller than the radius,";
     let (field, value) = ("yield_strength", asperity.yield_strength);
-    Err(ContactError::OutOfRange { field, value, required })
+    Err(ContactError::OutOfRange {
+        field,
+        value,
+        required,
+    })
 }
 
 impl ContactModel for JacksonGreen {
@@ -120,7 +124,12 @@ impl ContactModel for JacksonGreen {
         &SOURCE
     }
 
-    fn law(&self, asperity: &Asperity, quantity: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Law, ContactError> {
         let (c, strain) = critical(asperity)?;
         let (r, b) = (asperity.radius, area_exponent(asperity));
         let unit = strain * strain * r;
@@ -132,11 +141,16 @@ impl ContactModel for JacksonGreen {
                 let hardness = self.hardness;
                 let mut law = Law::in_units(unit, force_unit)
                     .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(beyond, Form::function(move |x| force(x, c, strain, b, hardness)));
+                    .elastic_plastic(
+                        beyond,
+                        Form::function(move |x| force(x, c, strain, b, hardness)),
+                    );
                 if hardness == GeometricHardness::Cosine {
                     // a = R: the cosine stops falling.
                     let full = (ELASTIC_END.powf(b) / (strain * strain)).powf(1.0 / (1.0 + b));
-                    law.parts[1].kinks.extend((full > ELASTIC_END).then_some(full));
+                    law.parts[1]
+                        .kinks
+                        .extend((full > ELASTIC_END).then_some(full));
                 }
                 Ok(law)
             }
@@ -148,7 +162,10 @@ impl ContactModel for JacksonGreen {
     }
 
     fn claims(&self) -> Claims {
-        Claims { force_monotone: false, ..Claims::default() }
+        Claims {
+            force_monotone: false,
+            ..Claims::default()
+        }
     }
 }
 

@@ -64,7 +64,12 @@ impl ContactModel for KogutEtsion {
         &SOURCE
     }
 
-    fn law(&self, asperity: &Asperity, quantity: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
         let beyond = 110.0..f64::INFINITY;
         match quantity {

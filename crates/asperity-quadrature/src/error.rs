@@ -19,7 +19,9 @@ pub enum QuadratureError {
         reason: String,
     },
     /// Refinement ended before the tolerance was met.
-    #[error("not converged: relative error {reached:.1e} reached after {evaluations} evaluations, {asked:.1e} was asked")]
+    #[error(
+        "not converged: relative error {reached:.1e} reached after {evaluations} evaluations, {asked:.1e} was asked"
+    )]
     NotConverged {
         /// The relative error estimate that was reached.
         reached: f64,

@@ -49,7 +49,13 @@ impl ShiftedGaussian {
     #[must_use]
     pub fn new(density: Density, scale: f64, tolerance: f64) -> Self {
         let segments = (0..NEGATIVE + POSITIVE).map(|_| OnceLock::new()).collect();
-        Self { density, scale, tolerance, segments, evaluations: AtomicUsize::new(0) }
+        Self {
+            density,
+            scale,
+            tolerance,
+            segments,
+            evaluations: AtomicUsize::new(0),
+        }
     }
 
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
@@ -69,8 +75,12 @@ impl ShiftedGaussian {
     /// # Errors
     /// Those of [`crate::discretise`].
     pub fn prepare(&self, low: f64, high: f64) -> Result<(), QuadratureError> {
-        let Some((mut index, _)) = locate(low.max(LOWEST)) else { return Ok(()) };
-        let Some((last, _)) = locate(high.clamp(LOWEST, HIGHEST)) else { return Ok(()) };
+        let Some((mut index, _)) = locate(low.max(LOWEST)) else {
+            return Ok(());
+        };
+        let Some((last, _)) = locate(high.clamp(LOWEST, HIGHEST)) else {
+            return Ok(());
+        };
         while index <= last {
             self.built(index)?;
             index += 1;
@@ -102,7 +112,8 @@ impl ShiftedGaussian {
     fn built(&self, index: usize) -> Result<&Segment, QuadratureError> {
         let cell = self.segments[index].get_or_init(|| {
             let segment = Segment::new(&self.density, self.scale, range(index), self.tolerance)?;
-            self.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
+            self.evaluations
+                .fetch_add(segment.evaluations, Ordering::Relaxed);
             Ok(Box::new(segment))
         });
         cell.as_deref().map_err(Clone::clone)
@@ -111,12 +122,22 @@ impl ShiftedGaussian {
     /// One s outside the ranges that have rules.
     fn directly(&self, s: f64) -> Result<(Sums, f64), QuadratureError> {
         let tolerance = 1e-15_f64.max(0.1 * self.tolerance);
-        let masses =
-            segment::masses(&self.density, self.scale, s, segment::window(s, s), tolerance)?;
-        self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
+        let masses = segment::masses(
+            &self.density,
+            self.scale,
+            s,
+            segment::window(s, s),
+            tolerance,
+        )?;
+        self.evaluations
+            .fetch_add(masses.evaluations, Ordering::Relaxed);
         let sums = segment::sums(&masses.points, &masses.masses, s, s);
         let [size, _] = sums.sizes;
-        let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
+        let error = if size > 0.0 {
+            4.0 * masses.error / size
+        } else {
+            0.0
+        };
         Ok((sums, error + segment::ROUNDING))
     }
 }
@@ -180,8 +201,17 @@ mod tests {
             Ok(())
         };
         let sampler = Arc::new(sampler);
-        let piece = Piece { from: 0.0, to: f64::INFINITY, sign: 1.0, kinks: vec![], origin: Some(0.0), sampler };
-        Density { pieces: vec![piece] }
+        let piece = Piece {
+            from: 0.0,
+            to: f64::INFINITY,
+            sign: 1.0,
+            kinks: vec![],
+            origin: Some(0.0),
+            sampler,
+        };
+        Density {
+            pieces: vec![piece],
+        }
     }
 
     #[test]
@@ -189,7 +219,10 @@ mod tests {
         for k in -640..8000 {
             let s = f64::from(k) * 0.1;
             let (_, (low, high)) = locate(s).unwrap();
-            assert!(low <= s && s <= high && high - low <= 0.26 * (s.abs() + 5.0), "{s} {low} {high}");
+            assert!(
+                low <= s && s <= high && high - low <= 0.26 * (s.abs() + 5.0),
+                "{s} {low} {high}"
+            );
         }
         assert!(locate(HIGHEST).unwrap().0 < NEGATIVE + POSITIVE);
         assert!(locate(-64.5).is_none() && locate(2e9).is_none());

@@ -8,7 +8,7 @@ pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
 pub use asperity_gao::{Displacement, ForceComponent, Gao, LateralOptions, Stick};
-pub use asperity_gw::GreenwoodWilliamson;
+pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;

@@ -159,16 +159,20 @@ fn dressed(svg: &str, title: &str, height: u32) -> Result<String> {
         "<g transform=\"scale({})\">\n",
         1.0 / f64::from(FINE)
     ));
+    let mut size = None;
     for line in body.lines() {
         if line == "</svg>" {
             dressed.push_str("</g>\n");
         }
-        let joined = line.starts_with("<text ");
         if line == "</text>" {
             dressed.truncate(dressed.trim_end().len());
         }
-        dressed.push_str(line);
-        if !joined {
+        match size {
+            Some(size) => dressed.push_str(&text::subscripts(line, size)),
+            None => dressed.push_str(line),
+        }
+        size = text::size(line);
+        if size.is_none() {
             dressed.push('\n');
         }
     }

@@ -49,15 +49,19 @@ pub fn scene(asperity_height_std: f64) -> Result<Scene> {
 
 /// Kucharski's steel on a rigid flat, on an assumed surface.
 pub fn kucharski() -> Result<Scene> {
-    let steel =
-        Body { youngs_modulus: 200e9, poissons_ratio: 0.3, hardness: None, yield_strength: Some(400e6) };
+    let steel = Body {
+        youngs_modulus: 200e9,
+        poissons_ratio: 0.3,
+        hardness: None,
+        yield_strength: Some(400e6),
+    };
     let (radius, std) = (60e-6, 3e-6);
     let surface = Surface::new(radius, ROUGHNESS_PARAMETER / (radius * std), std);
     Ok(Scene::new(Interface::against_rigid(&steel)?, surface, 1e-4))
 }
 
 /// What every caption of the paper's scene says.
-pub const INPUTS: &str = "E = 116 GPa and G = 41 GPa taken as equivalent moduli (inconsistent for equal materials), ν = 0.31, H = 1.12 GPa, S = 0.58, plasticity index 6, Aₙ = 3·10⁻⁵ m². Assumed: β_z = ηRσ_z = 0.04, Gaussian heights, d measured from the mean of the asperity heights.";
+pub const INPUTS: &str = "E\u{a0}=\u{a0}116\u{a0}GPa and G\u{a0}=\u{a0}41\u{a0}GPa taken as equivalent moduli (inconsistent for equal materials), ν\u{a0}=\u{a0}0.31, H\u{a0}=\u{a0}1.12\u{a0}GPa, S\u{a0}=\u{a0}0.58, plasticity index 6, A_n\u{a0}=\u{a0}3·10⁻⁵\u{a0}m². Assumed: β_z\u{a0}=\u{a0}ηRσ_z\u{a0}=\u{a0}0.04, Gaussian heights, d measured from the mean of the asperity heights.";
 
 /// Markers of lines are no data.
 pub const MARKERS: &str = "Markers tell the curves apart; they are not data points.";

@@ -20,8 +20,10 @@ pub fn table() -> Result<Table> {
     let request = Request::new([Quantity::Force]);
     let reference = "gw".parse::<Model>()?.compile(&scene, &request)?;
     let critical = scene.asperity()?.critical_interference()?;
-    let steps: Vec<f64> =
-        linspace(0.3f64.ln(), 30f64.ln(), 201).into_iter().map(f64::exp).collect();
+    let steps: Vec<f64> = linspace(0.3f64.ln(), 30f64.ln(), 201)
+        .into_iter()
+        .map(f64::exp)
+        .collect();
     let curves = MODELS
         .par_iter()
         .map(|id| {
@@ -45,8 +47,12 @@ pub fn table() -> Result<Table> {
         let word = panel_key(separation);
         for (id, rows) in MODELS.iter().zip(&curves) {
             for (_, psi, ratio) in rows.iter().filter(|(s, ..)| *s == separation) {
-                let fields =
-                    [Field::Word(&word), Field::Word(id), Field::Number(*psi), Field::Number(*ratio)];
+                let fields = [
+                    Field::Word(&word),
+                    Field::Word(id),
+                    Field::Number(*psi),
+                    Field::Number(*ratio),
+                ];
                 table.push(&fields)?;
             }
         }
@@ -79,22 +85,25 @@ fn negative_window(csv: &str, separation: f64) -> Result<Option<(f64, f64)>> {
 
 /// A panel for each separation, the negative window shaded.
 pub fn style(csv: &str) -> Result<Figure> {
-    let mut curves = MODELS[3..].iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
+    let mut curves = MODELS[3..]
+        .iter()
+        .map(|id| curve(id))
+        .collect::<Result<Vec<_>>>()?;
     let readings = ["AT as printed", "AT additive", "AT overlap"];
     for (k, (id, label)) in MODELS.iter().zip(readings).enumerate() {
         curves.insert(k, CurveStyle::numbered([8, 0, 1][k], id, label));
     }
     let mut panels = vec![];
     for separation in SEPARATIONS {
-        let x = Axis::new(X, "plasticity index ψ = √(σ_z/w_c)").log();
+        let x = Axis::new(X, "plasticity index ψ").log();
         let mut panel = Panel::new(x, Axis::new(Y, "force over GW's"));
         panel.only = Some(("separation_over_sigma".into(), panel_key(separation)));
-        panel.title = format!("d = {separation} σ_z");
+        panel.title = format!("d = {separation}\u{a0}σ_z");
         panel.curves = curves.clone();
         panel.horizontals = vec![Mark::new(0.0, "")];
         if let Some((from, to)) = negative_window(csv, separation)? {
-            let label = format!("printed F < 0: ψ = {from:.2} to {to:.2}");
-            panel.bands = vec![Band::new(Along::X, from, to, &label)];
+            panel.title += &format!(": AT as printed is negative for ψ = {from:.2} to {to:.2}");
+            panel.bands = vec![Band::new(Along::X, from, to, "")];
         }
         panels.push(panel);
     }

@@ -7,13 +7,15 @@ use super::models::{self, INPUTS, MARKERS};
 use crate::draw::{Arrangement, Axis, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
 
-const READINGS: [(&str, &str); 2] =
-    [("at", "as printed: shares are signed"), ("at-additive", "additive reading")];
+const READINGS: [(&str, &str); 2] = [
+    ("at", "as printed: shares are signed"),
+    ("at-additive", "additive reading"),
+];
 const PARTS: [(&str, &str); 4] = [
-    ("elastic", "elastic, y < 1"),
-    ("elastic-plastic 1", "elastic-plastic, 1 < y < 6"),
-    ("elastic-plastic 2", "elastic-plastic, 6 < y < 110"),
-    ("plastic", "plastic, y > 110"),
+    ("elastic", "elastic (y < 1)"),
+    ("elastic-plastic 1", "ep1 (1 < y < 6)"),
+    ("elastic-plastic 2", "ep2 (6 < y < 110)"),
+    ("plastic", "plastic (y > 110)"),
 ];
 
 /// Shares of the force for two readings.
@@ -62,7 +64,9 @@ pub fn style(_: &str) -> Result<Figure> {
     Ok(Figure {
         title: "Regimes of the AT model's force".into(),
         caption: vec![
-            format!("y is the contact-normal interference over w_c. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z = 1.0 µm."),
+            format!(
+                "y is the contact-normal interference over w_c, ep1 and ep2 are the elastic-plastic ranges. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z = 1.0 µm."
+            ),
             MARKERS.into(),
         ],
         panels: panels.to_vec(),
