@@ -8,14 +8,8 @@ use asperity::{
 /// The scene of this name.
 pub fn named(name: &str) -> Scene {
     let table = include_str!("../reference/models_scenes.csv");
-    let row = table
-        .lines()
-        .find(|line| line.starts_with(&format!("{name},")))
-        .unwrap();
-    let mut numbers = row
-        .split(',')
-        .skip(1)
-        .map(|field| field.parse::<f64>().unwrap());
+    let row = table.lines().find(|line| line.starts_with(&format!("{name},"))).unwrap();
+    let mut numbers = row.split(',').skip(1).map(|field| field.parse::<f64>().unwrap());
     let mut next = || numbers.next().unwrap();
     let mut interface = Interface::new(next(), 0.0, 0.0);
     interface.equivalent_shear_modulus = Some(next());
@@ -49,10 +43,7 @@ pub fn lateral(id: &str, options: LateralOptions) -> Model {
 
 /// The models of upright asperities, GW first.
 pub fn upright() -> Vec<Model> {
-    Model::all()
-        .into_iter()
-        .filter(|model| !model.claims().angles)
-        .collect()
+    Model::all().into_iter().filter(|model| !model.claims().angles).collect()
 }
 
 /// The model of this id.
@@ -74,10 +65,7 @@ pub fn value(compiled: &Compiled, quantity: Quantity, separation: f64) -> f64 {
 /// What the sheet measures a quantity in: η A_n times F_c, π R w_c or F_c/w_c.
 pub fn unit(scene: &Scene, quantity: Quantity) -> f64 {
     let asperity = scene.asperity().unwrap();
-    let (w, f) = (
-        asperity.critical_interference().unwrap(),
-        asperity.critical_force().unwrap(),
-    );
+    let (w, f) = (asperity.critical_interference().unwrap(), asperity.critical_force().unwrap());
     scene.asperities()
         * match quantity {
             Quantity::Force => f,
@@ -90,8 +78,5 @@ pub fn unit(scene: &Scene, quantity: Quantity) -> f64 {
 #[track_caller]
 pub fn close(found: f64, wanted: f64, tolerance: f64, what: &str) {
     let error = (found / wanted - 1.0).abs();
-    assert!(
-        error <= tolerance,
-        "{what}: {found:e}, not {wanted:e}: error {error:.1e}"
-    );
+    assert!(error <= tolerance, "{what}: {found:e}, not {wanted:e}: error {error:.1e}");
 }

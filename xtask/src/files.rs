@@ -26,9 +26,7 @@ struct Fresh {
 /// The committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
 fn fresh(folder: &Path, spec: &FigureSpec) -> Result<Fresh> {
     let name = spec.name;
-    let numbers = (spec.table)()
-        .with_context(|| format!("the table of {name}"))?
-        .into_text();
+    let numbers = (spec.table)().with_context(|| format!("the table of {name}"))?.into_text();
     let csv = match fs::read_to_string(folder.join(format!("{name}.csv"))) {
         Ok(committed) if agree(&committed, &numbers, GUARD) => committed,
         _ => numbers,
@@ -39,22 +37,12 @@ fn fresh(folder: &Path, spec: &FigureSpec) -> Result<Fresh> {
 }
 
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
-    if let Some(name) = names
-        .iter()
-        .find(|n| !FIGURES.iter().any(|f| f.name == **n))
-    {
+    if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.name == **n)) {
         let known: Vec<&str> = FIGURES.iter().map(|f| f.name).collect();
-        bail!(
-            "{name:?} is no figure; the figures are {}",
-            known.join(", ")
-        );
+        bail!("{name:?} is no figure; the figures are {}", known.join(", "));
     }
     let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.name);
-    FIGURES
-        .par_iter()
-        .filter(wanted)
-        .map(|spec| fresh(folder, spec))
-        .collect()
+    FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec)).collect()
 }
 
 /// Writes the figures of these names (all, if none is given); returns the paths written.

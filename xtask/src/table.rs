@@ -28,10 +28,7 @@ impl Table {
     /// An empty table with these columns.
     #[must_use]
     pub fn new(columns: &[&str]) -> Self {
-        Self {
-            text: columns.join(",") + "\n",
-            columns: columns.len(),
-        }
+        Self { text: columns.join(",") + "\n", columns: columns.len() }
     }
 
     /// Adds a row.
@@ -101,20 +98,10 @@ mod tests {
     #[test]
     fn nine_digits_words_and_gaps() {
         let mut table = Table::new(&["curve", "x", "y"]);
-        table
-            .push(&[Field::Word("ke"), Field::Number(1.0 / 3.0), Field::Gap])
-            .unwrap();
-        assert!(
-            table
-                .push(&[Field::Number(f64::NAN), Field::Gap, Field::Gap])
-                .is_err()
-        );
+        table.push(&[Field::Word("ke"), Field::Number(1.0 / 3.0), Field::Gap]).unwrap();
+        assert!(table.push(&[Field::Number(f64::NAN), Field::Gap, Field::Gap]).is_err());
         assert!(table.push(&[Field::Gap]).is_err());
-        assert!(
-            table
-                .into_text()
-                .starts_with("curve,x,y\nke,3.33333333e-1,\n")
-        );
+        assert!(table.into_text().starts_with("curve,x,y\nke,3.33333333e-1,\n"));
     }
 
     #[test]

@@ -116,10 +116,7 @@ impl ContactModel for AbdoFarhang {
             }
             Quantity::Area => Ok(Law::in_units(critical, PI * asperity.radius * critical)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(
-                    beyond,
-                    [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)],
-                )),
+                .elastic_plastic(beyond, [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)])),
             _ => Err(self.no_law(quantity)),
         }
     }
@@ -134,18 +131,12 @@ mod tests {
     fn tabulated_values_for_an_almost_undiminished_radius() {
         // w_c/R = 3e-13 here, so R_p = R to what the sheet tabulates.
         let asperity = Asperity::new(&Interface::new(1e15, 0.31, 6e8), 1e-3).unwrap();
-        let law = AbdoFarhang::default()
-            .law(&asperity, Quantity::Force, Tolerance::default())
-            .unwrap();
-        let (w, f) = (
-            asperity.critical_interference().unwrap(),
-            asperity.critical_force().unwrap(),
-        );
+        let law =
+            AbdoFarhang::default().law(&asperity, Quantity::Force, Tolerance::default()).unwrap();
+        let (w, f) =
+            (asperity.critical_interference().unwrap(), asperity.critical_force().unwrap());
         for (x, value, digits) in [(1.5, 2.983, 1e-3), (6.0, 18.52, 1e-2), (110.0, 342.7, 0.1)] {
-            assert!(
-                (law.value(x * w).unwrap() / f - value).abs() < digits,
-                "{x}"
-            );
+            assert!((law.value(x * w).unwrap() / f - value).abs() < digits, "{x}");
         }
     }
 }

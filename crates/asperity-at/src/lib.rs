@@ -90,11 +90,7 @@ type Term = (&'static str, f64, Regime, Range<f64>);
 impl AminiTehrani {
     fn terms(&self, quantity: Quantity) -> Vec<Term> {
         let (ep, p) = (Regime::ElasticPlastic, Regime::Plastic);
-        let sign = if self.reading == Reading::Additive {
-            1.0
-        } else {
-            -1.0
-        };
+        let sign = if self.reading == Reading::Additive { 1.0 } else { -1.0 };
         let overlap = self.reading == Reading::Overlap;
         let elastic_end = if overlap { EP1_END } else { ELASTIC_END };
         let mut terms = vec![("elastic", 1.0, Regime::Elastic, 0.0..elastic_end)];
@@ -102,11 +98,7 @@ impl AminiTehrani {
         if !overlap || quantity == Quantity::Area {
             terms.push(("elastic-plastic 1", sign, ep, ELASTIC_END..EP1_END));
         }
-        let second = if overlap && quantity == Quantity::Area {
-            ELASTIC_END
-        } else {
-            EP1_END
-        };
+        let second = if overlap && quantity == Quantity::Area { ELASTIC_END } else { EP1_END };
         terms.push(("elastic-plastic 2", 1.0, ep, second..PLASTIC_FROM));
         terms.push(("plastic", 1.0, p, PLASTIC_FROM..f64::INFINITY));
         terms
@@ -141,9 +133,7 @@ impl ContactModel for AminiTehrani {
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let mut law = lateral
-            .law_in_units(quantity)
-            .ok_or_else(|| self.no_law(quantity))?;
+        let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
         for (name, sign, regime, range) in self.terms(quantity) {
             let elastic = regime == Regime::Elastic;
             let loss = if elastic { 0.0 } else { lateral.radius_loss() };
@@ -156,12 +146,7 @@ impl ContactModel for AminiTehrani {
             let normal: NormalLaw = lateral.normal(row, loss);
             let mut part = lateral.part(normal, range, quantity, tolerance);
             let shrunk = quantity == Quantity::Area && !elastic;
-            part.sign = sign
-                * if shrunk {
-                    lateral.plastic_radius_ratio()
-                } else {
-                    1.0
-                };
+            part.sign = sign * if shrunk { lateral.plastic_radius_ratio() } else { 1.0 };
             (part.name, part.regime) = (name.into(), regime);
             law.parts.push(part);
         }

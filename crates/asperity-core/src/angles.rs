@@ -31,11 +31,7 @@ pub enum AngleDensity {
 impl Default for AngleDensity {
     /// The AT paper's: a₂₀ = -0.5, a₂₁ = b₂₁ = 1. \[seen\]
     fn default() -> Self {
-        Self::Harmonic {
-            a20: -0.5,
-            a21: 1.0,
-            b21: 1.0,
-        }
+        Self::Harmonic { a20: -0.5, a21: 1.0, b21: 1.0 }
     }
 }
 
@@ -49,19 +45,11 @@ impl AngleDensity {
         };
         if !(-1.0..=2.0).contains(&a20) {
             let required = "from -1 to 2, or the density is negative,";
-            return Err(ContactError::OutOfRange {
-                field: "a20",
-                value: a20,
-                required,
-            });
+            return Err(ContactError::OutOfRange { field: "a20", value: a20, required });
         }
         for (field, value) in [("a21", a21), ("b21", b21)] {
             if !value.is_finite() {
-                return Err(ContactError::OutOfRange {
-                    field,
-                    value,
-                    required: "a finite number",
-                });
+                return Err(ContactError::OutOfRange { field, value, required: "a finite number" });
             }
         }
         Ok(())
@@ -167,12 +155,7 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
     Form::function(move |x| {
         let end = range.end.min(x);
         let mut total = 0.0;
-        for Power {
-            coefficient,
-            origin,
-            exponent,
-        } in &powers
-        {
+        for Power { coefficient, origin, exponent } in &powers {
             // v = y - o, and y² = v² + 2 o v + o².
             let primitive =
                 |n: f64| power_difference(range.start - origin, end - origin, exponent + n);
@@ -187,11 +170,7 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
 
 /// (high^n - low^n)/n without cancellation.
 fn power_difference(low: f64, high: f64, n: f64) -> f64 {
-    if low > 0.0 {
-        low.powf(n) * (n * (high / low).ln()).exp_m1() / n
-    } else {
-        high.powf(n) / n
-    }
+    if low > 0.0 { low.powf(n) * (n * (high / low).ln()).exp_m1() / n } else { high.powf(n) / n }
 }
 
 #[cfg(test)]
@@ -208,23 +187,10 @@ mod tests {
     #[test]
     fn the_printed_density_is_negative_as_the_sheet_says() {
         assert!((AngleDensity::default().minimum() + 1.27921).abs() < 1e-5);
-        let limit = AngleDensity::Harmonic {
-            a20: -0.5,
-            a21: 0.37268,
-            b21: 0.37268,
-        };
+        let limit = AngleDensity::Harmonic { a20: -0.5, a21: 0.37268, b21: 0.37268 };
         assert!(limit.minimum().abs() < 1e-5);
         for (a20, ok) in [(-1.0, true), (2.0, true), (-1.01, false), (f64::NAN, false)] {
-            assert_eq!(
-                AngleDensity::Harmonic {
-                    a20,
-                    a21: 0.0,
-                    b21: 0.0
-                }
-                .check()
-                .is_ok(),
-                ok
-            );
+            assert_eq!(AngleDensity::Harmonic { a20, a21: 0.0, b21: 0.0 }.check().is_ok(), ok);
         }
     }
 
@@ -258,11 +224,7 @@ mod tests {
 
     #[test]
     fn quadrature_and_closed_form_agree() {
-        let density = AngleDensity::Harmonic {
-            a20: 0.7,
-            a21: 0.0,
-            b21: 0.0,
-        };
+        let density = AngleDensity::Harmonic { a20: 0.7, a21: 0.0, b21: 0.0 };
         let powers = [Power::new(1.0, 0.0), Power::from_origin(1.32, 1.0, 1.27)];
         let closed = angle_average_of_powers(&powers, 1.0..110.0, density);
         let (table, kinks) = angle_average(Arc::new(Frictionless), 1.0..110.0, density, 1e-14);

@@ -52,11 +52,7 @@ impl Asperity {
             Ok(strain * strain * self.radius)
         } else {
             let required = "a hardness below 2E/(pi S), so that the critical interference is smaller than the radius,";
-            Err(ContactError::OutOfRange {
-                field: "hardness",
-                value: self.hardness,
-                required,
-            })
+            Err(ContactError::OutOfRange { field: "hardness", value: self.hardness, required })
         }
     }
 
@@ -74,11 +70,10 @@ impl Asperity {
     /// # Errors
     /// [`ContactError::Missing`] naming who needs it.
     pub fn shear_modulus(&self, needed_by: &str) -> Result<f64, ContactError> {
-        self.equivalent_shear_modulus
-            .ok_or_else(|| ContactError::Missing {
-                field: "equivalent_shear_modulus",
-                needed_by: needed_by.into(),
-            })
+        self.equivalent_shear_modulus.ok_or_else(|| ContactError::Missing {
+            field: "equivalent_shear_modulus",
+            needed_by: needed_by.into(),
+        })
     }
 }
 
@@ -99,12 +94,6 @@ mod tests {
         let rubber = Asperity::new(&Interface::new(1e6, 0.5, 5e6), 1e-4).unwrap();
         let message = rubber.critical_interference().unwrap_err().to_string();
         assert!(message.starts_with("hardness is 5000000.0"), "{message}");
-        assert!(
-            rubber
-                .shear_modulus("Gao")
-                .unwrap_err()
-                .to_string()
-                .contains("Gao needs it")
-        );
+        assert!(rubber.shear_modulus("Gao").unwrap_err().to_string().contains("Gao needs it"));
     }
 }

@@ -43,11 +43,7 @@ impl Evaluation {
     /// Bound on the error relative to the value: infinite where the value is 0 by cancellation.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        if self.size == 0.0 {
-            0.0
-        } else {
-            self.error * self.size / self.scaled.abs()
-        }
+        if self.size == 0.0 { 0.0 } else { self.error * self.size / self.scaled.abs() }
     }
 }
 
@@ -199,16 +195,8 @@ impl Compiled {
         for (part, integral) in channel.law.parts.iter().zip(channel.parts()) {
             let moments = integral.at(s).map_err(failed(quantity, s))?;
             let value = moments.value * (moments.ln_scale - total.ln_scale).exp();
-            let share = if value == 0.0 {
-                0.0
-            } else {
-                value / total.value
-            };
-            shares.push(Share {
-                name: part.name.clone(),
-                regime: part.regime,
-                share,
-            });
+            let share = if value == 0.0 { 0.0 } else { value / total.value };
+            shares.push(Share { name: part.name.clone(), regime: part.regime, share });
         }
         Ok(shares)
     }
@@ -231,10 +219,7 @@ impl Compiled {
         // Only two channels hold their quantity as the integral itself: the others are slopes.
         let is_slope = quantity != channel.quantity;
         let (scaled, size) = if is_slope {
-            (
-                moments.slope / self.height_std,
-                moments.sizes[1] / self.height_std,
-            )
+            (moments.slope / self.height_std, moments.sizes[1] / self.height_std)
         } else {
             (moments.value, moments.sizes[0])
         };
@@ -273,11 +258,7 @@ fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
 }
 
 fn failed(quantity: Quantity, separation: f64) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral {
-        quantity,
-        separation,
-        source,
-    }
+    move |source| ContactError::Integral { quantity, separation, source }
 }
 
 impl Channel {
@@ -299,9 +280,7 @@ impl Channel {
 
     fn parts(&self) -> &[HeightIntegral] {
         self.parts.get_or_init(|| {
-            let alone = |part: &crate::Part| Density {
-                pieces: vec![part.piece()],
-            };
+            let alone = |part: &crate::Part| Density { pieces: vec![part.piece()] };
             let integral =
                 |part| HeightIntegral::new(alone(part), self.scale, &self.heights, self.tolerance);
             self.law.parts.iter().map(integral).collect()

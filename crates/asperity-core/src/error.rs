@@ -68,8 +68,7 @@ pub enum ContactError {
 }
 
 fn suggestion(near: &Option<String>) -> String {
-    near.as_ref()
-        .map_or(String::new(), |near| format!(" (did you mean {near:?}?)"))
+    near.as_ref().map_or(String::new(), |near| format!(" (did you mean {near:?}?)"))
 }
 
 /// `value` if it is finite and positive.
@@ -80,10 +79,6 @@ pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
-        Err(ContactError::OutOfRange {
-            field,
-            value,
-            required: "a finite number above 0",
-        })
+        Err(ContactError::OutOfRange { field, value, required: "a finite number above 0" })
     }
 }

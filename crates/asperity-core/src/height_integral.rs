@@ -33,18 +33,12 @@ impl HeightIntegral {
             HeightDistribution::Gaussian => {
                 Self::Gaussian(ShiftedGaussian::new(density, scale, tolerance))
             }
-            HeightDistribution::Exponential => Self::Exponential(Exponential {
-                density,
-                scale,
-                tolerance,
-                above: OnceLock::new(),
-            }),
-            HeightDistribution::Other(heights) => Self::Other(Other {
-                density,
-                scale,
-                tolerance,
-                heights: heights.clone(),
-            }),
+            HeightDistribution::Exponential => {
+                Self::Exponential(Exponential { density, scale, tolerance, above: OnceLock::new() })
+            }
+            HeightDistribution::Other(heights) => {
+                Self::Other(Other { density, scale, tolerance, heights: heights.clone() })
+            }
         }
     }
 
@@ -59,10 +53,7 @@ impl HeightIntegral {
 }
 
 fn sum(masses: &Discretised) -> (f64, f64) {
-    (
-        masses.masses.iter().sum(),
-        masses.masses.iter().map(|m| m.abs()).sum(),
-    )
+    (masses.masses.iter().sum(), masses.masses.iter().map(|m| m.abs()).sum())
 }
 
 fn relative(error: f64, size: f64) -> f64 {
@@ -83,15 +74,9 @@ impl Exponential {
         if s < 0.0 {
             return self.integrate(s);
         }
-        let at_zero = self
-            .above
-            .get_or_init(|| self.integrate(0.0))
-            .as_ref()
-            .map_err(Clone::clone)?;
-        Ok(Moments {
-            ln_scale: -s,
-            ..*at_zero
-        })
+        let at_zero =
+            self.above.get_or_init(|| self.integrate(0.0)).as_ref().map_err(Clone::clone)?;
+        Ok(Moments { ln_scale: -s, ..*at_zero })
     }
 
     /// s ≤ 0: heights begin at ζ = 0, interferences at -s; moving the surface by ds also moves
@@ -102,11 +87,7 @@ impl Exponential {
         let weight = |x: f64| (-(s + x * self.scale)).exp() * self.scale;
         let masses = discretise(&self.density, window, &edges, &weight, 0.1 * self.tolerance)?;
         let (value, size) = sum(&masses);
-        let lowest = if s < 0.0 {
-            point(&self.density, -s / self.scale)?
-        } else {
-            0.0
-        };
+        let lowest = if s < 0.0 { point(&self.density, -s / self.scale)? } else { 0.0 };
         Ok(Moments {
             value,
             slope: value - lowest,
@@ -142,13 +123,8 @@ impl Other {
     fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let Some((low, high, ln_scale)) = self.window(s) else {
             // No asperity is as high as the flat: there is no contact, and that is exact.
-            let none = Moments {
-                value: 0.0,
-                slope: 0.0,
-                sizes: [0.0; 2],
-                ln_scale: 0.0,
-                error: 0.0,
-            };
+            let none =
+                Moments { value: 0.0, slope: 0.0, sizes: [0.0; 2], ln_scale: 0.0, error: 0.0 };
             return Ok(none);
         };
         let mut edges: Vec<f64> = self.heights.breaks().to_vec();
@@ -186,9 +162,7 @@ impl Other {
             size += term.abs();
         }
         let (low, high) = self.heights.support();
-        let ends = [low, high]
-            .into_iter()
-            .chain(self.heights.breaks().iter().copied());
+        let ends = [low, high].into_iter().chain(self.heights.breaks().iter().copied());
         for z in ends.filter(|z| z.is_finite() && *z > s) {
             let side = |z: f64| (self.heights.ln_density(z) - ln_scale).exp();
             let jump = side(z.next_up()) - side(z.next_down());

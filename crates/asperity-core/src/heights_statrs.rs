@@ -38,31 +38,16 @@ where
         let mean = distribution.mean().unwrap_or(f64::NAN);
         if !mean.is_finite() {
             let (field, required) = ("mean of the heights", "a finite number");
-            return Err(ContactError::OutOfRange {
-                field,
-                value: mean,
-                required,
-            });
+            return Err(ContactError::OutOfRange { field, value: mean, required });
         }
-        let support = (
-            (distribution.min() - mean) / std,
-            (distribution.max() - mean) / std,
-        );
-        Ok(Self {
-            name: name.into(),
-            distribution,
-            mean,
-            std,
-            support,
-        })
+        let support = ((distribution.min() - mean) / std, (distribution.max() - mean) / std);
+        Ok(Self { name: name.into(), distribution, mean, std, support })
     }
 }
 
 impl<D> fmt::Debug for StandardisedHeights<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("StandardisedHeights")
-            .field("name", &self.name)
-            .finish_non_exhaustive()
+        f.debug_struct("StandardisedHeights").field("name", &self.name).finish_non_exhaustive()
     }
 }
 
@@ -113,10 +98,7 @@ mod tests {
         for z in [-4.0, 0.0, 0.5, 6.0] {
             let exact = -0.5 * z * z - 0.918_938_533_204_672_7;
             assert!((heights.ln_density(z) - exact).abs() < 1e-13);
-            assert!(
-                (heights.ln_density_slope(z) + z).abs() < 1e-11 * (1.0 + z * z),
-                "{z}"
-            );
+            assert!((heights.ln_density_slope(z) + z).abs() < 1e-11 * (1.0 + z * z), "{z}");
         }
     }
 
@@ -127,10 +109,6 @@ mod tests {
         assert!((low + 2.752).abs() < 1e-2 && high.is_infinite());
         assert!(weibull.ln_density(low - 0.1) == f64::NEG_INFINITY);
         let error = StandardisedHeights::new("cauchy", Cauchy::new(0.0, 1.0).unwrap()).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .starts_with("standard deviation of the heights")
-        );
+        assert!(error.to_string().starts_with("standard deviation of the heights"));
     }
 }

@@ -53,11 +53,7 @@ fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
         Ok(value)
     } else {
         let required = "a number above -1 and at most 0.5";
-        Err(ContactError::OutOfRange {
-            field: "poissons_ratio",
-            value,
-            required,
-        })
+        Err(ContactError::OutOfRange { field: "poissons_ratio", value, required })
     }
 }
 
@@ -66,19 +62,14 @@ fn hardness_and_yield(
     yield_strength: Option<f64>,
 ) -> Result<(f64, f64), ContactError> {
     let hardness = hardness.map(|h| positive("hardness", h)).transpose()?;
-    let yield_strength = yield_strength
-        .map(|y| positive("yield_strength", y))
-        .transpose()?;
+    let yield_strength = yield_strength.map(|y| positive("yield_strength", y)).transpose()?;
     match (hardness, yield_strength) {
         (Some(h), Some(y)) => Ok((h, y)),
         (Some(h), None) => Ok((h, h / HARDNESS_OVER_YIELD)),
         (None, Some(y)) => Ok((y * HARDNESS_OVER_YIELD, y)),
         (None, None) => {
             let needed_by = "every interface (or yield_strength)".into();
-            Err(ContactError::Missing {
-                field: "hardness",
-                needed_by,
-            })
+            Err(ContactError::Missing { field: "hardness", needed_by })
         }
     }
 }
@@ -87,12 +78,7 @@ impl Body {
     /// A body with this hardness.
     #[must_use]
     pub fn new(youngs_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
-        Self {
-            youngs_modulus,
-            poissons_ratio,
-            hardness: Some(hardness),
-            yield_strength: None,
-        }
+        Self { youngs_modulus, poissons_ratio, hardness: Some(hardness), yield_strength: None }
     }
 
     fn check(&self) -> Result<(f64, f64), ContactError> {
@@ -140,11 +126,7 @@ impl Interface {
     /// # Errors
     /// [`ContactError`] naming the field, of either body, that is out of range.
     pub fn between(first: &Body, second: &Body) -> Result<Self, ContactError> {
-        let softer = if first.check()?.0 <= second.check()?.0 {
-            first
-        } else {
-            second
-        };
+        let softer = if first.check()?.0 <= second.check()?.0 { first } else { second };
         let (a, b) = (first.compliances(), second.compliances());
         Ok(softer.interface((a.0 + b.0, a.1 + b.1)))
     }
@@ -202,13 +184,10 @@ mod tests {
     #[test]
     fn the_softer_body_gives_hardness_and_poissons_ratio() {
         let (hard, soft) = (Body::new(210e9, 0.28, 7e9), Body::new(70e9, 0.33, 1e9));
-        for interface in [
-            Interface::between(&hard, &soft),
-            Interface::between(&soft, &hard),
-        ] {
+        for interface in [Interface::between(&hard, &soft), Interface::between(&soft, &hard)] {
             let interface = interface.unwrap();
             assert_eq!(interface.hardness, Some(1e9));
-            assert_eq!(interface.poissons_ratio, 0.33);
+            assert!((interface.poissons_ratio - 0.33).abs() < 1e-15);
         }
     }
 
@@ -216,81 +195,20 @@ mod tests {
     fn every_bad_field_is_named() {
         let good = Interface::new(116e9, 0.31, 1.12e9);
         let bad = [
-            (
-                "equivalent_modulus",
-                Interface {
-                    equivalent_modulus: -1.0,
-                    ..good
-                },
-            ),
-            (
-                "equivalent_modulus",
-                Interface {
-                    equivalent_modulus: f64::NAN,
-                    ..good
-                },
-            ),
-            (
-                "equivalent_shear_modulus",
-                Interface {
-                    equivalent_shear_modulus: Some(0.0),
-                    ..good
-                },
-            ),
-            (
-                "poissons_ratio",
-                Interface {
-                    poissons_ratio: 0.51,
-                    ..good
-                },
-            ),
-            (
-                "poissons_ratio",
-                Interface {
-                    poissons_ratio: -1.0,
-                    ..good
-                },
-            ),
-            (
-                "hardness",
-                Interface {
-                    hardness: Some(0.0),
-                    ..good
-                },
-            ),
-            (
-                "hardness",
-                Interface {
-                    hardness: None,
-                    ..good
-                },
-            ),
-            (
-                "yield_strength",
-                Interface {
-                    yield_strength: Some(f64::INFINITY),
-                    ..good
-                },
-            ),
-            (
-                "pressure_factor",
-                Interface {
-                    pressure_factor: Some(0.0),
-                    ..good
-                },
-            ),
+            ("equivalent_modulus", Interface { equivalent_modulus: -1.0, ..good }),
+            ("equivalent_modulus", Interface { equivalent_modulus: f64::NAN, ..good }),
+            ("equivalent_shear_modulus", Interface { equivalent_shear_modulus: Some(0.0), ..good }),
+            ("poissons_ratio", Interface { poissons_ratio: 0.51, ..good }),
+            ("poissons_ratio", Interface { poissons_ratio: -1.0, ..good }),
+            ("hardness", Interface { hardness: Some(0.0), ..good }),
+            ("hardness", Interface { hardness: None, ..good }),
+            ("yield_strength", Interface { yield_strength: Some(f64::INFINITY), ..good }),
+            ("pressure_factor", Interface { pressure_factor: Some(0.0), ..good }),
         ];
         for (field, interface) in bad {
             let message = interface.check().unwrap_err().to_string();
             assert!(message.starts_with(field), "{field}: {message}");
         }
-        assert!(
-            Interface {
-                poissons_ratio: 0.5,
-                ..good
-            }
-            .check()
-            .is_ok()
-        );
+        assert!(Interface { poissons_ratio: 0.5, ..good }.check().is_ok());
     }
 }

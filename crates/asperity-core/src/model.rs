@@ -63,11 +63,7 @@ pub struct Claims {
 
 impl Default for Claims {
     fn default() -> Self {
-        Self {
-            force_monotone: true,
-            hertz_limit: Some(1.0),
-            angles: false,
-        }
+        Self { force_monotone: true, hertz_limit: Some(1.0), angles: false }
     }
 }
 
@@ -134,9 +130,6 @@ pub trait ContactModel: fmt::Debug + Send + Sync {
 
     /// The error of a law this model does not have.
     fn no_law(&self, quantity: Quantity) -> ContactError {
-        ContactError::NoLaw {
-            model: self.name().into(),
-            quantity,
-        }
+        ContactError::NoLaw { model: self.name().into(), quantity }
     }
 }

@@ -64,11 +64,7 @@ impl Tolerance {
             Ok(Self(relative))
         } else {
             let required = "a relative tolerance from 1e-15 to 0.1";
-            Err(ContactError::OutOfRange {
-                field: "tolerance",
-                value: relative,
-                required,
-            })
+            Err(ContactError::OutOfRange { field: "tolerance", value: relative, required })
         }
     }
 
@@ -104,12 +100,9 @@ impl FromStr for Quantity {
 
     /// Reads the names that [`Display`](fmt::Display) writes.
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL
-            .into_iter()
-            .find(|q| q.to_string() == text)
-            .ok_or_else(|| {
-                format!("{text:?} is no quantity: force, area, stiffness or tangent was required")
-            })
+        Self::ALL.into_iter().find(|q| q.to_string() == text).ok_or_else(|| {
+            format!("{text:?} is no quantity: force, area, stiffness or tangent was required")
+        })
     }
 }
 
@@ -121,10 +114,7 @@ mod tests {
     fn tolerances_outside_their_range_are_refused_by_name() {
         for bad in [0.0, -1.0, 0.2, 1e-16, f64::NAN, f64::INFINITY] {
             let message = Tolerance::new(bad).unwrap_err().to_string();
-            assert!(
-                message.starts_with("tolerance is") && message.contains("1e-15"),
-                "{message}"
-            );
+            assert!(message.starts_with("tolerance is") && message.contains("1e-15"), "{message}");
         }
         assert!(serde_json::from_str::<Tolerance>("0").is_err());
     }

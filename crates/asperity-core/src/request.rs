@@ -59,10 +59,7 @@ impl Request {
         separations: impl IntoIterator<Item = f64>,
         asperity_height_std: f64,
     ) -> Self {
-        self.separations = separations
-            .into_iter()
-            .map(|d| d / asperity_height_std)
-            .collect();
+        self.separations = separations.into_iter().map(|d| d / asperity_height_std).collect();
         self.separation_rounding = f64::EPSILON;
         self
     }
@@ -93,9 +90,7 @@ impl Request {
 #[must_use]
 pub fn linspace(first: f64, last: f64, count: usize) -> Vec<f64> {
     let steps = count.saturating_sub(1).max(1) as f64;
-    (0..count)
-        .map(|k| first + (last - first) * k as f64 / steps)
-        .collect()
+    (0..count).map(|k| first + (last - first) * k as f64 / steps).collect()
 }
 
 /// `separation` if an integral can be given there.
@@ -104,10 +99,6 @@ pub(crate) fn checked_separation(separation: f64) -> Result<f64, ContactError> {
         Ok(separation)
     } else {
         let required = "a number of asperity_height_std from -1e6 to 1e9";
-        Err(ContactError::OutOfRange {
-            field: "separation",
-            value: separation,
-            required,
-        })
+        Err(ContactError::OutOfRange { field: "separation", value: separation, required })
     }
 }

@@ -86,11 +86,7 @@ impl Compiled {
         let evaluations: Vec<Evaluation> = if separations.len() < PARALLEL_FROM {
             separations.iter().map(evaluate).collect::<Result<_, _>>()?
         } else {
-            separations
-                .par_iter()
-                .with_min_len(512)
-                .map(evaluate)
-                .collect::<Result<_, _>>()?
+            separations.par_iter().with_min_len(512).map(evaluate).collect::<Result<_, _>>()?
         };
         let shares = if request.shares {
             let shares = separations.iter().map(|s| self.shares(quantity, *s));
@@ -110,11 +106,7 @@ impl Compiled {
     }
 
     fn negative(&self, column: &Column, separations: &[f64]) -> Option<Warning> {
-        let negative = column
-            .values
-            .iter()
-            .zip(separations)
-            .filter(|(value, _)| **value < 0.0);
+        let negative = column.values.iter().zip(separations).filter(|(value, _)| **value < 0.0);
         let (value, separation) = negative.clone().next()?;
         Some(Warning::Negative {
             model: self.model().into(),

@@ -24,12 +24,7 @@ impl Scene {
     /// A scene with Gaussian heights.
     #[must_use]
     pub fn new(interface: Interface, surface: Surface, nominal_area: f64) -> Self {
-        Self {
-            interface,
-            surface,
-            nominal_area,
-            heights: HeightDistribution::Gaussian,
-        }
+        Self { interface, surface, nominal_area, heights: HeightDistribution::Gaussian }
     }
 
     /// Checks every field; returns one asperity of the surface.

@@ -46,11 +46,7 @@ impl ProfileMoments {
     /// The moments of the gap between this surface and an independent second one.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
-        Self {
-            m0: self.m0 + other.m0,
-            m2: self.m2 + other.m2,
-            m4: self.m4 + other.m4,
-        }
+        Self { m0: self.m0 + other.m0, m2: self.m2 + other.m2, m4: self.m4 + other.m4 }
     }
 }
 
@@ -58,11 +54,7 @@ impl Surface {
     /// From the three numbers the models use.
     #[must_use]
     pub fn new(asperity_radius: f64, asperity_density: f64, asperity_height_std: f64) -> Self {
-        Self {
-            asperity_radius,
-            asperity_density,
-            asperity_height_std,
-        }
+        Self { asperity_radius, asperity_density, asperity_height_std }
     }
 
     /// From the plasticity index ψ = (2E/(πSH)) √(σ_z/R), the roughness parameter β_z = η R σ_z
@@ -85,11 +77,7 @@ impl Surface {
             std::f64::consts::PI * factor * hardness / (2.0 * interface.equivalent_modulus);
         let asperity_radius = asperity_height_std / (plasticity_index * strain).powi(2);
         let asperity_density = roughness_parameter / (asperity_radius * asperity_height_std);
-        Ok(Self {
-            asperity_radius,
-            asperity_density,
-            asperity_height_std,
-        })
+        Ok(Self { asperity_radius, asperity_density, asperity_height_std })
     }
 
     /// From the spectral moments of profiles of an isotropic Gaussian surface:
@@ -108,11 +96,7 @@ impl Surface {
         if bandwidth < 1.5 {
             let required = "at least 0.02493 (bandwidth m0 m4/m2^2 of at least 1.5)";
             let field = "roughness_parameter";
-            return Err(ContactError::OutOfRange {
-                field,
-                value: roughness_parameter,
-                required,
-            });
+            return Err(ContactError::OutOfRange { field, value: roughness_parameter, required });
         }
         Ok(Self {
             asperity_radius: 0.375 * (std::f64::consts::PI / m4).sqrt(),
@@ -138,19 +122,11 @@ impl Surface {
         let beta = per_length * surface_height_std;
         if beta < 0.024_93 {
             let (field, required) = ("roughness_parameter", "at least 0.02493");
-            return Err(ContactError::OutOfRange {
-                field,
-                value: beta,
-                required,
-            });
+            return Err(ContactError::OutOfRange { field, value: beta, required });
         }
         let share = 1.0 - SUMMIT_VARIANCE / (beta * beta);
         let asperity_height_std = surface_height_std * share.sqrt();
-        Ok(Self {
-            asperity_radius,
-            asperity_density,
-            asperity_height_std,
-        })
+        Ok(Self { asperity_radius, asperity_density, asperity_height_std })
     }
 
     /// β_z = η R σ_z; 0.03 to 0.06 for classic surfaces.
@@ -193,11 +169,7 @@ mod tests {
     #[test]
     fn moments_agree_with_the_route_over_surface_heights() {
         // α = 768 π β², and both routes give the same σ_z. [derived]
-        let moments = ProfileMoments {
-            m0: 1e-12,
-            m2: 1e-4,
-            m4: 5e4,
-        };
+        let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 5e4 };
         let a = Surface::from_moments(&moments).unwrap();
         let b = Surface::from_surface_std(a.asperity_radius, a.asperity_density, 1e-6).unwrap();
         assert!((a.asperity_height_std / b.asperity_height_std - 1.0).abs() < 1e-6);
@@ -212,18 +184,11 @@ mod tests {
 
     #[test]
     fn surfaces_that_cannot_exist_are_refused() {
-        let narrow = ProfileMoments {
-            m0: 1e-12,
-            m2: 1e-4,
-            m4: 1.4e4,
-        };
+        let narrow = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 1.4e4 };
         let message = Surface::from_moments(&narrow).unwrap_err().to_string();
         assert!(message.contains("roughness_parameter is 0.024") && message.contains("0.02493"));
         assert!(Surface::from_surface_std(1e-4, 1e8, 1e-6).is_err());
-        let zero = Surface::new(1e-4, 0.0, 1e-6)
-            .check()
-            .unwrap_err()
-            .to_string();
+        let zero = Surface::new(1e-4, 0.0, 1e-6).check().unwrap_err().to_string();
         assert!(zero.starts_with("asperity_density is 0.0"), "{zero}");
     }
 }

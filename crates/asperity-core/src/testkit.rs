@@ -55,32 +55,18 @@ impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotZeroAtZero { quantity, ratio } => {
-                write!(
-                    f,
-                    "{quantity}: {ratio:.3e} of its value at x = 1 is left at x = 0"
-                )
+                write!(f, "{quantity}: {ratio:.3e} of its value at x = 1 is left at x = 0")
             }
-            Self::BadValue {
-                quantity,
-                part,
-                at,
-                value,
-            } => write!(
+            Self::BadValue { quantity, part, at, value } => write!(
                 f,
                 "{quantity}, {part} part: {value} at x = {at:e}, a finite number of at least 0 was required"
             ),
             Self::NotMonotone { at } => write!(f, "force: falls at x = {at:e}"),
             Self::NotHertz { found, claimed } => {
-                write!(
-                    f,
-                    "force: tends to {found} of Hertz' law, {claimed} was claimed"
-                )
+                write!(f, "force: tends to {found} of Hertz' law, {claimed} was claimed")
             }
             Self::UndeclaredKink { quantity, part, at } => {
-                write!(
-                    f,
-                    "{quantity}, {part} part: undeclared kink near x = {at:.6}"
-                )
+                write!(f, "{quantity}, {part} part: undeclared kink near x = {at:.6}")
             }
         }
     }
@@ -146,12 +132,7 @@ fn bad_values(quantity: Quantity, part: &Part, findings: &mut Vec<Finding>) {
         let refused = part.form.sample(&[at], &mut value).is_err();
         if refused || !(value[0] >= 0.0 && value[0].is_finite()) {
             let (part, value) = (part.name.to_string(), value[0]);
-            findings.push(Finding::BadValue {
-                quantity,
-                part,
-                at,
-                value,
-            });
+            findings.push(Finding::BadValue { quantity, part, at, value });
             return;
         }
     }
@@ -170,13 +151,8 @@ fn claims<M: ContactModel + ?Sized>(
         let mut points: Vec<f64> = grid().collect();
         points.extend(law.kinks().iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
         points.sort_by(f64::total_cmp);
-        let pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
-        findings.extend(
-            pairs
-                .filter(falls)
-                .next()
-                .map(|(_, at)| Finding::NotMonotone { at }),
-        );
+        let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
+        findings.extend(pairs.find(falls).map(|(_, at)| Finding::NotMonotone { at }));
     }
     if let Some(claimed) = claims.hertz_limit {
         let w = 1e-7 * law.interference_unit;
@@ -212,11 +188,7 @@ fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Vec<Finding>
 
 fn unresolved(part: &Part, (low, high): (f64, f64), ends: (f64, f64), depth: u32) -> Option<f64> {
     let rule = legendre(20);
-    let x: Vec<f64> = rule
-        .nodes
-        .iter()
-        .map(|v| (low + (high - low) * v).exp())
-        .collect();
+    let x: Vec<f64> = rule.nodes.iter().map(|v| (low + (high - low) * v).exp()).collect();
     let mut values = vec![0.0; x.len()];
     part.form.sample(&x, &mut values).ok()?;
     let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
@@ -237,12 +209,8 @@ mod tests {
     use super::*;
     use crate::{Form, Interface, Power, Provenance, Source};
 
-    const SOURCE: Source = Source {
-        authors: "nobody",
-        year: 2026,
-        title: "",
-        provenance: Provenance::Derived,
-    };
+    const SOURCE: Source =
+        Source { authors: "nobody", year: 2026, title: "", provenance: Provenance::Derived };
 
     #[derive(Debug)]
     struct Mine(fn() -> Law);
@@ -269,11 +237,7 @@ mod tests {
                 }
                 _ => 1.0,
             };
-            Ok(Law {
-                interference_unit: asperity.radius,
-                value_unit: unit,
-                ..(self.0)()
-            })
+            Ok(Law { interference_unit: asperity.radius, value_unit: unit, ..(self.0)() })
         }
     }
 
@@ -289,10 +253,7 @@ mod tests {
 
     #[test]
     fn a_good_law_passes_and_each_defect_is_found() {
-        assert_eq!(
-            findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(2.0, 1.0)])),
-            ""
-        );
+        assert_eq!(findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(2.0, 1.0)])), "");
         let falls = findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(0.9, 1.0)]));
         assert!(falls.starts_with("force: falls at x = 1e0"), "{falls}");
         let kinked = findings(|| {
@@ -301,18 +262,12 @@ mod tests {
                 Form::function(|x| if x < 3.3 { 2.0 * x } else { 3.0 * x }),
             )
         });
-        assert!(
-            kinked.contains("plastic part: undeclared kink near x = 3.3"),
-            "{kinked}"
-        );
+        assert!(kinked.contains("plastic part: undeclared kink near x = 3.3"), "{kinked}");
         let soft = findings(|| Law::in_units(1.0, 1.0).elastic(0.0..1e9, [Power::new(0.5, 1.5)]));
         assert!(soft.contains("tends to 0.5"), "{soft}");
         let offset = findings(|| Law::in_units(1.0, 1.0).elastic(0.0..1e9, [Power::new(1.0, 0.0)]));
         assert!(offset.contains("is left at x = 0"), "{offset}");
         let negative = findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(-1.0, 1.0)]));
-        assert!(
-            negative.contains("-1") && negative.contains("at least 0"),
-            "{negative}"
-        );
+        assert!(negative.contains("-1") && negative.contains("at least 0"), "{negative}");
     }
 }

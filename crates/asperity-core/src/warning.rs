@@ -34,13 +34,7 @@ pub enum Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Negative {
-                model,
-                quantity,
-                count,
-                separation,
-                value,
-            } => write!(
+            Self::Negative { model, quantity, count, separation, value } => write!(
                 f,
                 "{model}: the {quantity} is negative at {count} of the separations, first at {separation} asperity_height_std ({value:.4e} {}): the model subtracts more than it adds there",
                 quantity.unit()

@@ -87,9 +87,6 @@ impl ContactModel for EtsionKligermanKadin {
 
     fn claims(&self) -> Claims {
         // Whether the step at x = 170 rises or falls depends on S.
-        Claims {
-            force_monotone: false,
-            ..Claims::default()
-        }
+        Claims { force_monotone: false, ..Claims::default() }
     }
 }

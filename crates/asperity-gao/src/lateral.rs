@@ -76,11 +76,7 @@ impl LateralOptions {
             for (field, value) in [("zeta", zeta), ("xi", xi)] {
                 if !(value >= 0.0 && value.is_finite()) {
                     let required = "a finite number, at least 0,";
-                    return Err(ContactError::OutOfRange {
-                        field,
-                        value,
-                        required,
-                    });
+                    return Err(ContactError::OutOfRange { field, value, required });
                 }
             }
         }
@@ -90,21 +86,14 @@ impl LateralOptions {
     /// What a lateral model with these options says of its laws.
     #[must_use]
     pub fn claims(&self) -> Claims {
-        Claims {
-            force_monotone: false,
-            hertz_limit: None,
-            angles: true,
-        }
+        Claims { force_monotone: false, hertz_limit: None, angles: true }
     }
 
     /// What a user of these options should know.
     #[must_use]
     pub fn warnings(&self, model: &str) -> Vec<Warning> {
         let minimum = self.angle_density.minimum();
-        let warning = Warning::NegativeAngleDensity {
-            model: model.into(),
-            minimum,
-        };
+        let warning = Warning::NegativeAngleDensity { model: model.into(), minimum };
         if minimum < 0.0 { vec![warning] } else { vec![] }
     }
 }
@@ -157,17 +146,8 @@ impl Lateral {
     /// The normal law of a regime, with this s₀.
     #[must_use]
     pub fn normal(&self, regime: Regime, radius_loss: f64) -> NormalLaw {
-        let Self {
-            pressure_factor,
-            area_exponent,
-            ..
-        } = *self;
-        NormalLaw {
-            regime,
-            pressure_factor,
-            area_exponent,
-            radius_loss,
-        }
+        let Self { pressure_factor, area_exponent, .. } = *self;
+        NormalLaw { regime, pressure_factor, area_exponent, radius_loss }
     }
 
     /// A law without parts in the units F_c, π R w_c or F_c/w_c; `None` for the tangent.
@@ -191,12 +171,7 @@ impl Lateral {
         quantity: Quantity,
         tolerance: Tolerance,
     ) -> Part {
-        let LateralOptions {
-            angle_density,
-            displacement,
-            stick,
-            force,
-        } = self.options;
+        let LateralOptions { angle_density, displacement, stick, force } = self.options;
         let closed = |powers| angle_average_of_powers(powers, range.clone(), angle_density);
         let response = match quantity {
             Quantity::Force => Some(Response::Force(force)),
@@ -209,27 +184,12 @@ impl Lateral {
             Some(Response::Force(_)) if no_push => (closed(&normal.load_powers()), vec![range.end]),
             Some(response) => {
                 let shear_ratio = self.shear_ratio;
-                let slip = ObliqueSlip {
-                    normal,
-                    shear_ratio,
-                    displacement,
-                    stick,
-                    response,
-                };
-                angle_average(
-                    Arc::new(slip),
-                    range.clone(),
-                    angle_density,
-                    tolerance.relative(),
-                )
+                let slip = ObliqueSlip { normal, shear_ratio, displacement, stick, response };
+                angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
             }
         };
         // Upright contacts leave a regime for good; inclined ones stay on at larger x.
-        let end = if angle_density == AngleDensity::Upright {
-            range.end
-        } else {
-            f64::INFINITY
-        };
+        let end = if angle_density == AngleDensity::Upright { range.end } else { f64::INFINITY };
         let inside = |x: &f64| *x > range.start && *x < end;
         Part {
             name: Cow::Owned(normal.regime.to_string()),

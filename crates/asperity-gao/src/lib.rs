@@ -85,13 +85,10 @@ impl ContactModel for Gao {
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let mut law = lateral
-            .law_in_units(quantity)
-            .ok_or_else(|| self.no_law(quantity))?;
+        let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
         for regime in [Regime::Elastic, Regime::ElasticPlastic, Regime::Plastic] {
             let normal = lateral.normal(regime, 0.0);
-            law.parts
-                .push(lateral.part(normal, regime_range(regime), quantity, tolerance));
+            law.parts.push(lateral.part(normal, regime_range(regime), quantity, tolerance));
         }
         Ok(law)
     }

@@ -125,12 +125,8 @@ mod tests {
             (Regime::ElasticPlastic, 40.0),
             (Regime::Plastic, 300.0),
         ] {
-            let law = NormalLaw {
-                regime,
-                pressure_factor: 0.58,
-                area_exponent: 0.15,
-                radius_loss: 0.0,
-            };
+            let law =
+                NormalLaw { regime, pressure_factor: 0.58, area_exponent: 0.15, radius_loss: 0.0 };
             let sum = |powers: Vec<Power>| powers.iter().map(|p| p.value(y)).sum::<f64>();
             assert!((sum(law.load_powers()) / law.load(y) - 1.0).abs() < 1e-14);
             assert!((sum(law.area_powers()) / law.area(y) - 1.0).abs() < 1e-14);

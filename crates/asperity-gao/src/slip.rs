@@ -59,11 +59,7 @@ impl ObliqueSlip {
     fn contact(&self, y: f64, x: f64) -> Contact {
         let load = self.normal.load(y);
         let radius = self.normal.radius(y);
-        let kn = if self.response == Response::Stiffness {
-            self.normal.stiffness(y)
-        } else {
-            0.0
-        };
+        let kn = if self.response == Response::Stiffness { self.normal.stiffness(y) } else { 0.0 };
         let across = ((x - y) * (x + y)).sqrt();
         let s = across / x;
         let push = match self.displacement {
@@ -86,6 +82,22 @@ impl ObliqueSlip {
     fn slip_ratios(&self, y: f64, x: f64) -> [f64; 2] {
         let contact = self.contact(y, x);
         contact.push.map(|p| p / contact.limit)
+    }
+
+    fn equal_pushes(&self) -> bool {
+        !matches!(self.displacement, Displacement::Given { .. })
+    }
+
+    /// How thin, in the variable of `mean`, the layer is next to a slip limit in which K_i falls
+    /// from its tangential to its normal part: K_n² against the shear term, which goes there as
+    /// the square of that variable.
+    fn layer(&self, contact: &Contact, ratios: [f64; 2], width: f64) -> f64 {
+        if self.response != Response::Stiffness {
+            return 1.0;
+        }
+        let steepest = (ratios[0].max(ratios[1]).powi(2) - 1.0).sqrt();
+        let shear = contact.shear_stiffness_squared * 3.0 * steepest * width;
+        (contact.normal_stiffness_squared / shear).sqrt().clamp(1e-8, 1.0)
     }
 
     fn never_slips(&self) -> bool {
@@ -132,32 +144,40 @@ fn slip_limits([sine, cosine]: [f64; 2], end: f64) -> impl Iterator<Item = f64> 
         (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
         (a, b) => (a.or(b), None),
     };
-    first
-        .into_iter()
-        .chain(last)
-        .filter(move |theta| *theta > 0.0 && *theta < end)
+    first.into_iter().chain(last).filter(move |theta| *theta > 0.0 && *theta < end)
 }
 
 impl ObliqueContact for ObliqueSlip {
     fn mean(&self, y: f64, x: f64) -> f64 {
         let contact = self.contact(y, x);
+        let equal = self.equal_pushes();
         let [a, b] = contact.push;
-        if (a == 0.0 && b == 0.0) || (self.stick == Stick::Unlimited && a == b) {
+        if a.max(b) <= 0.0 || (self.stick == Stick::Unlimited && equal) {
             // Nothing depends on θ.
             return self.at(&contact, 0.5f64.sqrt(), 0.5f64.sqrt());
         }
         // sin and cos change places at π/4 when both pushes are equal.
-        let end = if a == b { FRAC_PI_4 } else { FRAC_PI_2 };
+        let end = if equal { FRAC_PI_4 } else { FRAC_PI_2 };
         let ratios = contact.push.map(|p| p / contact.limit);
         let rule = legendre(NODES);
         let (mut total, mut from) = (0.0, 0.0);
         let limits = slip_limits(if self.never_slips() { [0.0; 2] } else { ratios }, end);
         for to in limits.chain([end]) {
-            for (v, w) in rule.nodes.iter().zip(&rule.weights) {
-                // Half powers at both ends become whole ones.
-                let theta = from + (to - from) * v * v * (3.0 - 2.0 * v);
-                let (sin, cos) = theta.sin_cos();
-                total += w * (to - from) * 6.0 * v * (1.0 - v) * self.at(&contact, sin, cos);
+            let width = to - from;
+            let layer = if to < end { self.layer(&contact, ratios, width) } else { 1.0 };
+            // v counts back from `to`; pieces shrink towards it down to the layer.
+            let mut far = 1.0;
+            while far > 0.0 {
+                let near = if far > 2.0 * layer { far / 6.0 } else { 0.0 };
+                for (node, w) in rule.nodes.iter().zip(&rule.weights) {
+                    let v = near + (far - near) * node;
+                    // Half powers at both ends become whole ones.
+                    let theta = to - width * v * v * (3.0 - 2.0 * v);
+                    let (sin, cos) = theta.sin_cos();
+                    let slope = (far - near) * width * 6.0 * v * (1.0 - v);
+                    total += w * slope * self.at(&contact, sin, cos);
+                }
+                far = near;
             }
             from = to;
         }
@@ -169,11 +189,8 @@ impl ObliqueContact for ObliqueSlip {
             return vec![];
         }
         // A direction begins to slip somewhere (κ = 1), or the two slip limits cross.
-        let events: [fn([f64; 2]) -> f64; 3] = [
-            |[a, _]| a - 1.0,
-            |[_, b]| b - 1.0,
-            |[a, b]| 1.0 - 1.0 / (a * a) - 1.0 / (b * b),
-        ];
+        let events: [fn([f64; 2]) -> f64; 3] =
+            [|[a, _]| a - 1.0, |[_, b]| b - 1.0, |[a, b]| 1.0 - 1.0 / (a * a) - 1.0 / (b * b)];
         let mut breaks = vec![];
         for event in events {
             let f = |y: f64| event(self.slip_ratios(y, x)).clamp(-1e300, 1e300);
@@ -197,10 +214,7 @@ impl ObliqueContact for ObliqueSlip {
         }
         // The events of `breaks` reaching an end of the range: κ² = 1 or 2 (equal pushes) at y.
         let mut kinks = vec![];
-        for y in [range.start, range.end]
-            .into_iter()
-            .filter(|y| *y > 0.0 && y.is_finite())
-        {
+        for y in [range.start, range.end].into_iter().filter(|y| *y > 0.0 && y.is_finite()) {
             let limit = friction(self.normal.load(y)) * self.normal.load(y) / self.normal.radius(y);
             match self.displacement {
                 Displacement::None => {}

@@ -93,33 +93,21 @@ impl ContactModel for GreenwoodWilliamson {
 pub fn greenwood_integral(order: f64, separation: f64) -> Result<Evaluation, ContactError> {
     if !(0.0..=10.0).contains(&order) {
         let required = "a number from 0 to 10";
-        return Err(ContactError::OutOfRange {
-            field: "order",
-            value: order,
-            required,
-        });
+        return Err(ContactError::OutOfRange { field: "order", value: order, required });
     }
     if !(-1e6..=1e9).contains(&separation) {
         let required = "a number from -1e6 to 1e9";
-        return Err(ContactError::OutOfRange {
-            field: "separation",
-            value: separation,
-            required,
-        });
+        return Err(ContactError::OutOfRange { field: "separation", value: separation, required });
     }
     let all = 0.0..f64::INFINITY;
-    let density = Law::in_units(1.0, 1.0)
-        .elastic(all, [Power::new(1.0, order)])
-        .density();
+    let density = Law::in_units(1.0, 1.0).elastic(all, [Power::new(1.0, order)]).density();
     let integral = ShiftedGaussian::new(density, 1.0, 1e-14);
     let quantity = Quantity::Force;
-    let moments = integral
-        .at(separation)
-        .map_err(|source| ContactError::Integral {
-            quantity,
-            separation,
-            source,
-        })?;
+    let moments = integral.at(separation).map_err(|source| ContactError::Integral {
+        quantity,
+        separation,
+        source,
+    })?;
     Ok(Evaluation {
         scaled: moments.value,
         ln_scale: moments.ln_scale,

@@ -98,11 +98,7 @@ fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
     }
     let required = "a yield strength below 2E/(pi C), so that the critical interference is smaller than the radius,";
     let (field, value) = ("yield_strength", asperity.yield_strength);
-    Err(ContactError::OutOfRange {
-        field,
-        value,
-        required,
-    })
+    Err(ContactError::OutOfRange { field, value, required })
 }
 
 impl ContactModel for JacksonGreen {
@@ -148,9 +144,7 @@ impl ContactModel for JacksonGreen {
                 if hardness == GeometricHardness::Cosine {
                     // a = R: the cosine stops falling.
                     let full = (ELASTIC_END.powf(b) / (strain * strain)).powf(1.0 / (1.0 + b));
-                    law.parts[1]
-                        .kinks
-                        .extend((full > ELASTIC_END).then_some(full));
+                    law.parts[1].kinks.extend((full > ELASTIC_END).then_some(full));
                 }
                 Ok(law)
             }
@@ -162,10 +156,7 @@ impl ContactModel for JacksonGreen {
     }
 
     fn claims(&self) -> Claims {
-        Claims {
-            force_monotone: false,
-            ..Claims::default()
-        }
+        Claims { force_monotone: false, ..Claims::default() }
     }
 }
 

@@ -16,20 +16,21 @@ const DEEPEST: u32 = 24;
 /// The costly function.
 type Function = dyn Fn(f64) -> Result<f64, QuadratureError> + Send + Sync;
 
+/// What has been tabulated of a cell, if anything.
+type Cell = OnceLock<Result<Vec<Series>, QuadratureError>>;
+
 /// A function of x > 0 that is smooth in ln x between its kinks, where it may have fractional
 /// powers of the distance. Cells are built when first needed, and shared by all threads.
 pub struct Tabulated {
     function: Arc<Function>,
     kinks: Vec<f64>,
     tolerance: f64,
-    cells: Box<[OnceLock<Result<Vec<Series>, QuadratureError>>]>,
+    cells: Box<[Cell]>,
 }
 
 impl fmt::Debug for Tabulated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Tabulated")
-            .field("kinks", &self.kinks)
-            .finish_non_exhaustive()
+        f.debug_struct("Tabulated").field("kinks", &self.kinks).finish_non_exhaustive()
     }
 }
 
@@ -62,21 +63,13 @@ impl Tabulated {
     /// its largest f(x)/x between neighbouring kinks or within a factor 8.
     #[must_use]
     pub fn new(function: Arc<Function>, kinks: &[f64], tolerance: f64) -> Self {
-        let mut kinks: Vec<f64> = kinks
-            .iter()
-            .copied()
-            .filter(|k| k.is_finite() && *k > 0.0)
-            .collect();
+        let mut kinks: Vec<f64> =
+            kinks.iter().copied().filter(|k| k.is_finite() && *k > 0.0).collect();
         kinks.sort_by(f64::total_cmp);
         // Kinks closer than this are one: the strip between them carries nothing.
         kinks.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * *a);
         let cells = (0..CELLS).map(|_| OnceLock::new()).collect();
-        Self {
-            function,
-            kinks,
-            tolerance,
-            cells,
-        }
+        Self { function, kinks, tolerance, cells }
     }
 
     /// The kinks, ascending.
@@ -104,9 +97,7 @@ impl Tabulated {
             })
             .as_ref()
             .map_err(Clone::clone)?;
-        let at = series
-            .partition_point(|s| s.high <= x)
-            .min(series.len() - 1);
+        let at = series.partition_point(|s| s.high <= x).min(series.len() - 1);
         Ok(x * series[at].value(x))
     }
 
@@ -144,29 +135,17 @@ impl Tabulated {
         let mut samples = [0.0; TERMS];
         for (k, sample) in samples.iter_mut().enumerate() {
             let angle = std::f64::consts::PI * (k as f64 + 0.5) / TERMS as f64;
-            let x = map.x(
-                ends,
-                range.0 + (range.1 - range.0) * (0.5 + 0.5 * angle.cos()),
-            );
+            let x = map.x(ends, range.0 + (range.1 - range.0) * (0.5 + 0.5 * angle.cos()));
             *sample = (self.function)(x)? / x;
         }
         let terms = coefficients(&samples);
         // Relative to the whole interval between kinks: where the function starts at zero, its
         // relative accuracy next to the kink is beyond what x itself can tell.
         let size = terms.iter().fold(parents, |m: f64, t| m.max(t.abs()));
-        let tail = terms[TERMS - 2..]
-            .iter()
-            .fold(0.0, |m: f64, t| m.max(t.abs()));
+        let tail = terms[TERMS - 2..].iter().fold(0.0, |m: f64, t| m.max(t.abs()));
         if tail <= self.tolerance * size || depth >= DEEPEST {
             let (x0, x1) = (map.x(ends, range.0), map.x(ends, range.1));
-            found.push(Series {
-                low: x0.min(x1),
-                high: x0.max(x1),
-                map,
-                range,
-                ends,
-                terms,
-            });
+            found.push(Series { low: x0.min(x1), high: x0.max(x1), map, range, ends, terms });
             return Ok(());
         }
         let middle = 0.5 * (range.0 + range.1);

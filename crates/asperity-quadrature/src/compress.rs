@@ -29,9 +29,7 @@ impl Recurrence {
     pub(crate) fn new(points: &[f64], masses: &[f64], order: usize) -> Self {
         let (low, high) = points
             .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| {
-                (l.min(x), h.max(x))
-            });
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
         let centre = 0.5 * (low + high);
         let half = (0.5 * (high - low)).max(f64::MIN_POSITIVE);
         let total: f64 = masses.iter().sum();
@@ -41,9 +39,7 @@ impl Recurrence {
         let (mut alpha, mut beta) = (Vec::with_capacity(order), Vec::with_capacity(order));
         let mut coupling = 0.0;
         for _ in 0..order {
-            let a: f64 = (0..x.len())
-                .map(|i| masses[i] * x[i] * current[i] * current[i])
-                .sum();
+            let a: f64 = (0..x.len()).map(|i| masses[i] * x[i] * current[i] * current[i]).sum();
             alpha.push(a);
             let mut norm = 0.0;
             for i in 0..x.len() {
@@ -60,13 +56,7 @@ impl Recurrence {
             beta.push(coupling);
             current.iter_mut().for_each(|p| *p /= coupling);
         }
-        Self {
-            centre,
-            half,
-            total,
-            alpha,
-            beta,
-        }
+        Self { centre, half, total, alpha, beta }
     }
 
     /// The rule of `n` nodes (fewer if the measure has fewer points).
@@ -79,10 +69,7 @@ impl Recurrence {
         });
         let mut roots: Vec<f64> = matrix.symmetric_eigenvalues().iter().copied().collect();
         roots.sort_by(f64::total_cmp);
-        let mut rule = GaussRule {
-            nodes: Vec::with_capacity(n),
-            weights: Vec::with_capacity(n),
-        };
+        let mut rule = GaussRule { nodes: Vec::with_capacity(n), weights: Vec::with_capacity(n) };
         for mut x in roots {
             // Eigenvectors would lose the small weights; two Newton steps and Christoffel's
             // formula keep them to rounding.
@@ -126,10 +113,7 @@ impl Recurrence {
 #[must_use]
 pub fn gauss_rule(points: &[f64], masses: &[f64], n: usize) -> GaussRule {
     if points.is_empty() {
-        return GaussRule {
-            nodes: vec![],
-            weights: vec![],
-        };
+        return GaussRule { nodes: vec![], weights: vec![] };
     }
     Recurrence::new(points, masses, n).rule(n)
 }
@@ -144,21 +128,13 @@ mod tests {
         // x^1.5 on [0, 1] through x = u².
         let fine = legendre(64);
         let points: Vec<f64> = fine.nodes.iter().map(|u| u * u).collect();
-        let masses: Vec<f64> = fine
-            .nodes
-            .iter()
-            .zip(&fine.weights)
-            .map(|(u, w)| 2.0 * w * u.powi(4))
-            .collect();
+        let masses: Vec<f64> =
+            fine.nodes.iter().zip(&fine.weights).map(|(u, w)| 2.0 * w * u.powi(4)).collect();
         for n in [2, 4, 8, 16, 24] {
             let rule = gauss_rule(&points, &masses, n);
             for degree in 0..2 * n as i32 {
-                let sum: f64 = rule
-                    .nodes
-                    .iter()
-                    .zip(&rule.weights)
-                    .map(|(x, w)| w * x.powi(degree))
-                    .sum();
+                let sum: f64 =
+                    rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree)).sum();
                 let exact = 1.0 / (f64::from(degree) + 2.5);
                 assert!((sum / exact - 1.0).abs() < 2e-14, "n {n}, degree {degree}");
             }

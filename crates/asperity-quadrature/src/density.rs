@@ -77,9 +77,7 @@ impl Density {
 
     /// The pieces that cover all of `[low, high]`, which must not straddle a break.
     pub(crate) fn active(&self, low: f64, high: f64) -> impl Iterator<Item = &Piece> {
-        self.pieces
-            .iter()
-            .filter(move |p| p.from <= low && p.to >= high)
+        self.pieces.iter().filter(move |p| p.from <= low && p.to >= high)
     }
 
     /// Adds up the pieces active on `[low, high]` at the points `x`.

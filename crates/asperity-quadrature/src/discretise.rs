@@ -162,11 +162,7 @@ pub fn discretise(
         }
     }
     let floor = total * 1e-19 / (done.len() * POINTS).max(1) as f64;
-    let mut result = Discretised {
-        error: stuck,
-        evaluations,
-        ..Default::default()
-    };
+    let mut result = Discretised { error: stuck, evaluations, ..Default::default() };
     for panel in done.iter().rev() {
         for (&x, &mass) in panel.points.iter().zip(&panel.masses) {
             if mass.abs() > floor {
@@ -207,14 +203,8 @@ fn panels_between_kinks(
 ) {
     let mut origins = density.active(left, right).map(|piece| piece.origin);
     let first = origins.next().flatten();
-    let common = first
-        .filter(|_| origins.all(|o| o == first))
-        .or((left <= 0.0).then_some(0.0));
-    let mut ends: Vec<f64> = edges
-        .iter()
-        .copied()
-        .filter(|e| *e > left && *e < right)
-        .collect();
+    let common = first.filter(|_| origins.all(|o| o == first)).or((left <= 0.0).then_some(0.0));
+    let mut ends: Vec<f64> = edges.iter().copied().filter(|e| *e > left && *e < right).collect();
     if common.is_none() {
         // Unknown origin: panels grow geometrically away from the kink on the left.
         let mut x = left * RATIO;
@@ -247,14 +237,7 @@ mod tests {
             }
             Ok(())
         };
-        Piece {
-            from,
-            to,
-            sign: 1.0,
-            kinks: vec![],
-            origin,
-            sampler: Arc::new(sampler),
-        }
+        Piece { from, to, sign: 1.0, kinks: vec![], origin, sampler: Arc::new(sampler) }
     }
 
     fn sum(density: &Density, high: f64, tolerance: f64) -> (f64, Discretised) {
@@ -279,9 +262,7 @@ mod tests {
     #[test]
     fn undeclared_kinks_and_jumps_cost_time_not_accuracy() {
         let declared = |x: f64| if x < 0.7 { x } else { 2.0 * x + 1.0 };
-        let density = Density {
-            pieces: vec![piece(0.0, 2.0, None, declared)],
-        };
+        let density = Density { pieces: vec![piece(0.0, 2.0, None, declared)] };
         let (value, masses) = sum(&density, 2.0, 1e-12);
         let exact = 0.245 + (4.0 - 0.49) + 1.3;
         assert!((value / exact - 1.0).abs() < 1e-12, "{value} {exact}");
@@ -290,9 +271,7 @@ mod tests {
 
     #[test]
     fn not_a_number_is_an_error_that_says_where() {
-        let density = Density {
-            pieces: vec![piece(0.0, 2.0, None, |x| (x - 1.0).sqrt())],
-        };
+        let density = Density { pieces: vec![piece(0.0, 2.0, None, |x| (x - 1.0).sqrt())] };
         let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12).unwrap_err();
         assert!(matches!(error, QuadratureError::NotFinite { at, .. } if at < 1.0));
     }

@@ -33,13 +33,16 @@ pub struct Moments {
     pub error: f64,
 }
 
+/// The rule of one range of s, if it has been built.
+type Cell = OnceLock<Result<Box<Segment>, QuadratureError>>;
+
 /// The integral of one density at one scale c against φ(s + t), for all s.
 #[derive(Debug)]
 pub struct ShiftedGaussian {
     density: Density,
     scale: f64,
     tolerance: f64,
-    segments: Box<[OnceLock<Result<Box<Segment>, QuadratureError>>]>,
+    segments: Box<[Cell]>,
     evaluations: AtomicUsize,
 }
 
@@ -49,13 +52,7 @@ impl ShiftedGaussian {
     #[must_use]
     pub fn new(density: Density, scale: f64, tolerance: f64) -> Self {
         let segments = (0..NEGATIVE + POSITIVE).map(|_| OnceLock::new()).collect();
-        Self {
-            density,
-            scale,
-            tolerance,
-            segments,
-            evaluations: AtomicUsize::new(0),
-        }
+        Self { density, scale, tolerance, segments, evaluations: AtomicUsize::new(0) }
     }
 
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
@@ -112,8 +109,7 @@ impl ShiftedGaussian {
     fn built(&self, index: usize) -> Result<&Segment, QuadratureError> {
         let cell = self.segments[index].get_or_init(|| {
             let segment = Segment::new(&self.density, self.scale, range(index), self.tolerance)?;
-            self.evaluations
-                .fetch_add(segment.evaluations, Ordering::Relaxed);
+            self.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
             Ok(Box::new(segment))
         });
         cell.as_deref().map_err(Clone::clone)
@@ -122,22 +118,12 @@ impl ShiftedGaussian {
     /// One s outside the ranges that have rules.
     fn directly(&self, s: f64) -> Result<(Sums, f64), QuadratureError> {
         let tolerance = 1e-15_f64.max(0.1 * self.tolerance);
-        let masses = segment::masses(
-            &self.density,
-            self.scale,
-            s,
-            segment::window(s, s),
-            tolerance,
-        )?;
-        self.evaluations
-            .fetch_add(masses.evaluations, Ordering::Relaxed);
+        let masses =
+            segment::masses(&self.density, self.scale, s, segment::window(s, s), tolerance)?;
+        self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
         let sums = segment::sums(&masses.points, &masses.masses, s, s);
         let [size, _] = sums.sizes;
-        let error = if size > 0.0 {
-            4.0 * masses.error / size
-        } else {
-            0.0
-        };
+        let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
         Ok((sums, error + segment::ROUNDING))
     }
 }
@@ -209,9 +195,7 @@ mod tests {
             origin: Some(0.0),
             sampler,
         };
-        Density {
-            pieces: vec![piece],
-        }
+        Density { pieces: vec![piece] }
     }
 
     #[test]

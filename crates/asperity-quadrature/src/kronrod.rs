@@ -68,12 +68,7 @@ fn panel(f: &mut impl FnMut(f64) -> f64, low: f64, high: f64) -> Panel {
             gauss += GAUSS[k / 2] * pair;
         }
     }
-    Panel {
-        low,
-        high,
-        value: kronrod * half,
-        error: (kronrod - gauss).abs() * half,
-    }
+    Panel { low, high, value: kronrod * half, error: (kronrod - gauss).abs() * half }
 }
 
 /// Integrates `f` over consecutive intervals between `breaks` (ascending, at least two), bisecting
@@ -88,27 +83,17 @@ pub fn gauss_kronrod(
     tolerance: f64,
     limit: usize,
 ) -> Result<Estimate, QuadratureError> {
-    let mut panels: Vec<Panel> = breaks
-        .windows(2)
-        .filter(|w| w[1] > w[0])
-        .map(|w| panel(&mut f, w[0], w[1]))
-        .collect();
+    let mut panels: Vec<Panel> =
+        breaks.windows(2).filter(|w| w[1] > w[0]).map(|w| panel(&mut f, w[0], w[1])).collect();
     let mut evaluations = 21 * panels.len();
     loop {
         let value: f64 = panels.iter().map(|p| p.value).sum();
         let error: f64 = panels.iter().map(|p| p.error).sum();
         if !value.is_finite() {
-            return Err(QuadratureError::NotFinite {
-                at: breaks[0],
-                value,
-            });
+            return Err(QuadratureError::NotFinite { at: breaks[0], value });
         }
         if error <= tolerance * value.abs() || error <= f64::MIN_POSITIVE {
-            return Ok(Estimate {
-                value,
-                error,
-                evaluations,
-            });
+            return Ok(Estimate { value, error, evaluations });
         }
         let worst = (0..panels.len()).max_by(|&a, &b| panels[a].error.total_cmp(&panels[b].error));
         let split = worst.map(|k| (k, 0.5 * (panels[k].low + panels[k].high)));
@@ -141,10 +126,7 @@ mod tests {
     fn one_panel_is_exact_to_degree_31() {
         for degree in [0, 1, 10, 20, 31] {
             let p = panel(&mut |x: f64| x.powi(degree), 0.0, 1.0);
-            assert!(
-                (p.value * f64::from(degree + 1) - 1.0).abs() < 1e-14,
-                "degree {degree}"
-            );
+            assert!((p.value * f64::from(degree + 1) - 1.0).abs() < 1e-14, "degree {degree}");
         }
     }
 

@@ -34,10 +34,7 @@ fn polynomial(n: usize, x: f64) -> (f64, f64) {
     let (mut previous, mut current) = (1.0, x);
     for k in 2..=n {
         let k = k as f64;
-        (previous, current) = (
-            current,
-            ((2.0 * k - 1.0) * x * current - (k - 1.0) * previous) / k,
-        );
+        (previous, current) = (current, ((2.0 * k - 1.0) * x * current - (k - 1.0) * previous) / k);
     }
     (current, n as f64 * (previous - x * current) / (1.0 - x * x))
 }
@@ -65,23 +62,14 @@ impl Legendre {
                 .iter()
                 .zip(&weights)
                 .map(|(x, w)| {
-                    let p = if degree == 0 {
-                        1.0
-                    } else {
-                        polynomial(degree, 2.0 * x - 1.0).0
-                    };
+                    let p = if degree == 0 { 1.0 } else { polynomial(degree, 2.0 * x - 1.0).0 };
                     scale * w * p
                 })
                 .collect()
         };
         let rows = |top: usize| [0, 1, 2].map(|k| row(top.saturating_sub(k)));
         let (tail, middle) = (rows(n - 1), rows(n / 2 + 1));
-        Self {
-            nodes,
-            weights,
-            tail,
-            middle,
-        }
+        Self { nodes, weights, tail, middle }
     }
 
     /// The largest of the last three Legendre coefficients of the function with these samples:
@@ -100,13 +88,7 @@ impl Legendre {
 
 fn largest(rows: &[Vec<f64>; 3], samples: &[f64]) -> f64 {
     rows.iter()
-        .map(|row| {
-            row.iter()
-                .zip(samples)
-                .map(|(r, f)| r * f)
-                .sum::<f64>()
-                .abs()
-        })
+        .map(|row| row.iter().zip(samples).map(|(r, f)| r * f).sum::<f64>().abs())
         .fold(0.0, f64::max)
 }
 
@@ -126,10 +108,7 @@ mod tests {
                     .map(|(x, w)| w * x.powi(degree as i32))
                     .sum();
                 let exact = 1.0 / (degree as f64 + 1.0);
-                assert!(
-                    (sum / exact - 1.0).abs() < 2e-13,
-                    "n {n} degree {degree}: {sum} {exact}"
-                );
+                assert!((sum / exact - 1.0).abs() < 2e-13, "n {n} degree {degree}: {sum} {exact}");
             }
         }
     }

@@ -21,16 +21,9 @@ pub fn bracketed_root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Op
             break;
         }
         // Every third step halves the bracket, so that a bad secant cannot stall.
-        let x = if step % 3 == 2 {
-            0.5 * (low + high)
-        } else {
-            low - f_low * width / (f_high - f_low)
-        };
-        let x = if x > low.min(high) && x < low.max(high) {
-            x
-        } else {
-            0.5 * (low + high)
-        };
+        let x =
+            if step % 3 == 2 { 0.5 * (low + high) } else { low - f_low * width / (f_high - f_low) };
+        let x = if x > low.min(high) && x < low.max(high) { x } else { 0.5 * (low + high) };
         let value = f(x);
         if value == 0.0 {
             return Some(x);

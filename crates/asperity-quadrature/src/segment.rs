@@ -29,15 +29,11 @@ pub(crate) fn window(low: f64, high: f64) -> (f64, f64) {
 /// Panel ends that suit the shifted Gaussian on a window.
 pub(crate) fn edges(s: f64, (low, high): (f64, f64)) -> Vec<f64> {
     if s >= 0.0 {
-        [0.1, 0.25, 0.45, 0.7]
-            .iter()
-            .map(|share| share * high)
-            .collect()
+        [0.1, 0.25, 0.45, 0.7].iter().map(|share| share * high).collect()
     } else {
         let count = ((high - low) / 2.0).ceil();
-        let mut ends: Vec<f64> = (1..count as usize)
-            .map(|k| low + (high - low) * k as f64 / count)
-            .collect();
+        let mut ends: Vec<f64> =
+            (1..count as usize).map(|k| low + (high - low) * k as f64 / count).collect();
         if low <= 0.0 {
             ends.insert(0, ends.first().map_or(high, |e| e / 3.0));
         }
@@ -67,19 +63,13 @@ impl Sums {
     /// The larger error of value and slope against `exact`, relative to the sizes there.
     pub(crate) fn error(&self, exact: &Self) -> f64 {
         let [value, slope] = exact.sizes;
-        ((self.value - exact.value) / value)
-            .abs()
-            .max(((self.slope - exact.slope) / slope).abs())
+        ((self.value - exact.value) / value).abs().max(((self.slope - exact.slope) / slope).abs())
     }
 }
 
 /// exp(-(s t + t²/2)) or, for s < 0, exp(-(s + t)²/2), over √(2π): never overflows.
 pub(crate) fn weight(s: f64, t: f64) -> f64 {
-    let exponent = if s >= 0.0 {
-        t * (s + 0.5 * t)
-    } else {
-        0.5 * (s + t) * (s + t)
-    };
+    let exponent = if s >= 0.0 { t * (s + 0.5 * t) } else { 0.5 * (s + t) * (s + t) };
     (-exponent).exp() * INV_SQRT_2PI
 }
 
@@ -93,13 +83,8 @@ pub(crate) fn masses(
 ) -> Result<Discretised, QuadratureError> {
     let edges: Vec<f64> = edges(s, window).iter().map(|t| t / scale).collect();
     let range = (window.0 / scale, window.1 / scale);
-    let mut masses = discretise(
-        density,
-        range,
-        &edges,
-        &|x| weight(s, x * scale) * scale,
-        tolerance,
-    )?;
+    let mut masses =
+        discretise(density, range, &edges, &|x| weight(s, x * scale) * scale, tolerance)?;
     masses.points.iter_mut().for_each(|x| *x *= scale);
     Ok(masses)
 }
@@ -135,26 +120,10 @@ impl Segment {
         tolerance: f64,
     ) -> Result<Self, QuadratureError> {
         let centre = 0.5 * (low + high);
-        let fine = masses(
-            density,
-            scale,
-            centre,
-            window(low, high),
-            1e-15_f64.max(0.01 * tolerance),
-        )?;
-        let Discretised {
-            points,
-            masses,
-            error,
-            evaluations,
-        } = fine;
-        let mut segment = Self {
-            centre,
-            nodes: vec![],
-            weights: vec![],
-            error: 0.0,
-            evaluations,
-        };
+        let fine =
+            masses(density, scale, centre, window(low, high), 1e-15_f64.max(0.01 * tolerance))?;
+        let Discretised { points, masses, error, evaluations } = fine;
+        let mut segment = Self { centre, nodes: vec![], weights: vec![], error: 0.0, evaluations };
         let total: f64 = masses.iter().map(|m| m.abs()).sum();
         if points.is_empty() {
             return Ok(segment);
@@ -172,15 +141,10 @@ impl Segment {
                 };
                 let rule = recurrence.rule(n);
                 segment.nodes.extend(rule.nodes);
-                segment
-                    .weights
-                    .extend(rule.weights.iter().map(|w| sign * w));
+                segment.weights.extend(rule.weights.iter().map(|w| sign * w));
             }
-            let measured = ends
-                .iter()
-                .zip(&exact)
-                .map(|(s, e)| segment.sums(*s).error(e))
-                .fold(0.0, f64::max);
+            let measured =
+                ends.iter().zip(&exact).map(|(s, e)| segment.sums(*s).error(e)).fold(0.0, f64::max);
             segment.error = 2.0 * measured + error / total + ROUNDING;
             if segment.error < 0.5 * tolerance || measured < ROUNDING {
                 break;
@@ -200,12 +164,8 @@ impl Segment {
 
 /// The orthogonal polynomials of the masses of one sign: a Gauss rule wants them positive.
 fn of_sign(points: &[f64], masses: &[f64], sign: f64) -> Option<Recurrence> {
-    let (points, masses): (Vec<f64>, Vec<f64>) = points
-        .iter()
-        .zip(masses)
-        .map(|(x, m)| (*x, sign * m))
-        .filter(|(_, m)| *m > 0.0)
-        .unzip();
+    let (points, masses): (Vec<f64>, Vec<f64>) =
+        points.iter().zip(masses).map(|(x, m)| (*x, sign * m)).filter(|(_, m)| *m > 0.0).unzip();
     let largest = LADDER[LADDER.len() - 1];
     (!points.is_empty()).then(|| Recurrence::new(&points, &masses, largest))
 }

@@ -34,9 +34,7 @@ impl TanhSinh {
     #[must_use]
     pub fn shared() -> &'static Self {
         static RULES: OnceLock<TanhSinh> = OnceLock::new();
-        RULES.get_or_init(|| Self {
-            levels: (0..LEVELS).map(level).collect(),
-        })
+        RULES.get_or_init(|| Self { levels: (0..LEVELS).map(level).collect() })
     }
 
     /// Integrates `f` from `low` to `high`, halving the step until successive sums agree so well
@@ -51,27 +49,15 @@ impl TanhSinh {
     ) -> Estimate {
         let width = high - low;
         let (mut sum, mut size) = (0.0, 0.0);
-        let mut best = Estimate {
-            value: 0.0,
-            error: f64::INFINITY,
-            evaluations: 0,
-        };
+        let mut best = Estimate { value: 0.0, error: f64::INFINITY, evaluations: 0 };
         let mut step = STEP;
         for (k, nodes) in self.levels.iter().enumerate() {
             for &(share, weight) in nodes {
                 let near = share.abs() * width;
                 let point = if share > 0.0 {
-                    Point {
-                        x: low + near,
-                        left: near,
-                        right: width - near,
-                    }
+                    Point { x: low + near, left: near, right: width - near }
                 } else {
-                    Point {
-                        x: high - near,
-                        left: width - near,
-                        right: near,
-                    }
+                    Point { x: high - near, left: width - near, right: near }
                 };
                 let term = weight * f(point);
                 sum += term;
@@ -127,10 +113,6 @@ mod tests {
         assert!(beta.evaluations < 120);
         let shifted = rules.integrate(2.0, 6.0, 1e-12, |p| p.left.powf(0.27) * p.right.powf(1.5));
         let exact = 4f64.powf(2.77) * 0.264_893_454_034_914; // B(1.27, 2.5)
-        assert!(
-            (shifted.value / exact - 1.0).abs() < 1e-11,
-            "{}",
-            shifted.value / exact
-        );
+        assert!((shifted.value / exact - 1.0).abs() < 1e-11, "{}", shifted.value / exact);
     }
 }

@@ -73,11 +73,7 @@ fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
     }
     let required =
         "a hardness below 4E/(3 pi 0.4), so that yield begins below an interference of one radius,";
-    Err(ContactError::OutOfRange {
-        field: "hardness",
-        value: asperity.hardness,
-        required,
-    })
+    Err(ContactError::OutOfRange { field: "hardness", value: asperity.hardness, required })
 }
 
 impl ContactModel for ZhaoMaiettaChang {
@@ -103,13 +99,12 @@ impl ContactModel for ZhaoMaiettaChang {
         let area_unit = PI * asperity.radius * yield_at;
         let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
         match quantity {
-            Quantity::Force => Ok(Law::in_units(
-                yield_at,
-                YIELD_PRESSURE * asperity.hardness * area_unit,
-            )
-            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-            .elastic_plastic(between, Form::function(|x| pressure(x) * area(x)))
-            .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)])),
+            Quantity::Force => {
+                Ok(Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness * area_unit)
+                    .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+                    .elastic_plastic(between, Form::function(|x| pressure(x) * area(x)))
+                    .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)]))
+            }
             Quantity::Area => Ok(Law::in_units(yield_at, area_unit)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
                 .elastic_plastic(between, Form::function(area))

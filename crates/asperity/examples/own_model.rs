@@ -9,12 +9,8 @@ use asperity::{
 #[derive(Debug)]
 struct ThreeRanges;
 
-const SOURCE: Source = Source {
-    authors: "me",
-    year: 2026,
-    title: "An example",
-    provenance: Provenance::Derived,
-};
+const SOURCE: Source =
+    Source { authors: "me", year: 2026, title: "An example", provenance: Provenance::Derived };
 
 impl ContactModel for ThreeRanges {
     fn id(&self) -> &str {
@@ -35,10 +31,7 @@ impl ContactModel for ThreeRanges {
         quantity: Quantity,
         _: Tolerance,
     ) -> Result<Law, ContactError> {
-        let (w, f) = (
-            asperity.critical_interference()?,
-            asperity.critical_force()?,
-        );
+        let (w, f) = (asperity.critical_interference()?, asperity.critical_force()?);
         let (unit, elastic, at_ten) = match quantity {
             Quantity::Force => (f, 1.5, 30.0 / asperity.pressure_factor),
             Quantity::Area => (std::f64::consts::PI * asperity.radius * w, 1.0, 20.0),
@@ -52,11 +45,8 @@ impl ContactModel for ThreeRanges {
 }
 
 fn main() -> Result<(), ContactError> {
-    let scene = Scene::new(
-        Interface::new(116e9, 0.31, 1.12e9),
-        Surface::new(3.59e-4, 1.11e8, 1e-6),
-        3e-5,
-    );
+    let scene =
+        Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.59e-4, 1.11e8, 1e-6), 3e-5);
     for finding in testkit::check(&ThreeRanges, &scene.asperity()?)? {
         println!("wrong: {finding}");
     }

@@ -14,25 +14,15 @@ fn main() -> Result<(), ContactError> {
     // By name: from a scene file or a command line.
     for name in ["gw", "ke", "jg"] {
         let model: Model = name.parse()?;
-        println!(
-            "{name:12} {:8.3} N",
-            model.solve(&scene, &request)?.values(Quantity::Force)?[0]
-        );
+        println!("{name:12} {:8.3} N", model.solve(&scene, &request)?.values(Quantity::Force)?[0]);
     }
 
     // By value, with options.
-    let additive = AminiTehrani {
-        reading: Reading::Additive,
-        ..AminiTehrani::default()
-    };
+    let additive = AminiTehrani { reading: Reading::Additive, ..AminiTehrani::default() };
     let models: Vec<Box<dyn ContactModel>> = vec![Box::new(KogutEtsion), Box::new(additive)];
     for model in &models {
         let answer = model.solve(&scene, &request)?;
-        println!(
-            "{:12} {:8.3} N",
-            model.id(),
-            answer.values(Quantity::Force)?[0]
-        );
+        println!("{:12} {:8.3} N", model.id(), answer.values(Quantity::Force)?[0]);
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Rough surfaces in contact: nine published models behind one trait.
+#![doc = include_str!("../../../README.md")]
 
 mod registry;
 

@@ -35,13 +35,8 @@ impl Model {
     /// Every model of this project with its default options, simplest first.
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let reading = |reading| AminiTehrani {
-            reading,
-            ..AminiTehrani::default()
-        };
-        let cosine = JacksonGreen {
-            hardness: GeometricHardness::Cosine,
-        };
+        let reading = |reading| AminiTehrani { reading, ..AminiTehrani::default() };
+        let cosine = JacksonGreen { hardness: GeometricHardness::Cosine };
         vec![
             Self::new(GreenwoodWilliamson),
             Self::new(ChangEtsionBogy),
@@ -84,10 +79,7 @@ impl FromStr for Model {
             return Ok(model.clone());
         }
         let distance = |m: &Self| edit_distance(&wanted, m.id());
-        let near = models
-            .iter()
-            .min_by_key(|m| distance(m))
-            .filter(|m| distance(m) <= 2);
+        let near = models.iter().min_by_key(|m| distance(m)).filter(|m| distance(m) <= 2);
         Err(ContactError::UnknownModel {
             name: name.into(),
             near: near.map(|m| m.id().into()),
@@ -106,9 +98,8 @@ fn edit_distance(a: &str, b: &str) -> usize {
                 i.max(j)
             } else {
                 let same = usize::from(a[i - 1] != b[j - 1]);
-                let mut best = (rows[i - 1][j - 1] + same)
-                    .min(rows[i - 1][j] + 1)
-                    .min(rows[i][j - 1] + 1);
+                let mut best =
+                    (rows[i - 1][j - 1] + same).min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
                 if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
                     best = best.min(rows[i - 2][j - 2] + 1);
                 }
@@ -138,10 +129,7 @@ mod tests {
     #[test]
     fn far_names_get_the_list_and_no_guess() {
         let message = "persson".parse::<Model>().unwrap_err().to_string();
-        assert!(
-            !message.contains("mean") && message.contains("gw, ceb, zmc"),
-            "{message}"
-        );
+        assert!(!message.contains("mean") && message.contains("gw, ceb, zmc"), "{message}");
         assert_eq!(edit_distance("etsoin", "etsion"), 1);
     }
 }

@@ -39,12 +39,7 @@ pub(crate) enum Side {
 
 impl Type {
     pub(crate) fn new(size: f64, colour: Colour, side: Side) -> Self {
-        Self {
-            size,
-            colour,
-            bold: false,
-            side,
-        }
+        Self { size, colour, bold: false, side }
     }
 }
 
@@ -55,10 +50,7 @@ pub(crate) struct Canvas<'a> {
 
 fn whole(point: Point) -> (i32, i32) {
     let fine = f64::from(FINE);
-    (
-        (point.0 * fine).round() as i32,
-        (point.1 * fine).round() as i32,
-    )
+    ((point.0 * fine).round() as i32, (point.1 * fine).round() as i32)
 }
 
 fn ink(colour: Colour, alpha: f64) -> RGBAColor {
@@ -93,11 +85,8 @@ impl<'a> Canvas<'a> {
         if pixels.len() < 2 {
             return Ok(());
         }
-        let style = ShapeStyle {
-            color: ink(colour, 1.0),
-            filled: false,
-            stroke_width: width * FINE,
-        };
+        let style =
+            ShapeStyle { color: ink(colour, 1.0), filled: false, stroke_width: width * FINE };
         done(self.area.draw(&PathElement::new(pixels, style)))
     }
 
@@ -108,22 +97,13 @@ impl<'a> Canvas<'a> {
         if pixels.len() < 3 {
             return Ok(());
         }
-        done(
-            self.area
-                .draw(&Polygon::new(pixels, ink(colour, 1.0).filled())),
-        )
+        done(self.area.draw(&Polygon::new(pixels, ink(colour, 1.0).filled())))
     }
 
     /// A filled rectangle.
     pub(crate) fn rect(&self, rect: &Rect, colour: Colour, alpha: f64) -> Result<()> {
-        let corners = [
-            whole((rect.left, rect.top)),
-            whole((rect.right, rect.bottom)),
-        ];
-        done(
-            self.area
-                .draw(&Rectangle::new(corners, ink(colour, alpha).filled())),
-        )
+        let corners = [whole((rect.left, rect.top)), whole((rect.right, rect.bottom))];
+        done(self.area.draw(&Rectangle::new(corners, ink(colour, alpha).filled())))
     }
 
     /// The outline of a rectangle.
@@ -138,11 +118,7 @@ impl<'a> Canvas<'a> {
     }
 
     fn closed(&self, corners: &[Point], colour: Colour, width: u32) -> Result<()> {
-        let around: Vec<Point> = corners
-            .iter()
-            .chain(corners.iter().take(2))
-            .copied()
-            .collect();
+        let around: Vec<Point> = corners.iter().chain(corners.iter().take(2)).copied().collect();
         self.line(&around, colour, width)
     }
 
@@ -165,20 +141,14 @@ impl<'a> Canvas<'a> {
             Side::Middle => HPos::Center,
             Side::End => HPos::Right,
         };
-        let weight = if face.bold {
-            FontStyle::Bold
-        } else {
-            FontStyle::Normal
-        };
+        let weight = if face.bold { FontStyle::Bold } else { FontStyle::Normal };
         // plotters divides the size by 1.24 when it writes it.
         let font = ("sans-serif", face.size * f64::from(FINE) * 1.24)
             .into_font()
             .style(weight)
             .transform(turn);
         let colour = ink(face.colour, 1.0);
-        let style = TextStyle::from(font)
-            .color(&colour)
-            .pos(Pos::new(side, VPos::Top));
+        let style = TextStyle::from(font).color(&colour).pos(Pos::new(side, VPos::Top));
         done(self.area.draw_text(text, &style, whole(top)))
     }
 

@@ -16,12 +16,7 @@ pub(crate) struct Rect {
 impl Rect {
     /// The rectangle of this size with its top left corner here.
     pub(crate) fn sized(left: f64, top: f64, width: f64, height: f64) -> Self {
-        Self {
-            left,
-            top,
-            right: left + width,
-            bottom: top + height,
-        }
+        Self { left, top, right: left + width, bottom: top + height }
     }
 
     pub(crate) fn width(&self) -> f64 {
@@ -65,10 +60,7 @@ pub(crate) struct Frame<'a> {
 impl Frame<'_> {
     /// The pixel of a point of the CSV.
     pub(crate) fn pixel(&self, point: Point) -> Point {
-        (
-            self.across(self.x.share(point.0)),
-            self.up(self.y.share(point.1)),
-        )
+        (self.across(self.x.share(point.0)), self.up(self.y.share(point.1)))
     }
 
     /// The pixel of a share of the width.
@@ -120,12 +112,7 @@ impl Frame<'_> {
         }
         let (from, to) = (self.pixel(from), self.pixel(to));
         let (enter, leave) = inside_shares(&self.rect, from, to)?;
-        let at = |share: f64| {
-            (
-                from.0 + share * (to.0 - from.0),
-                from.1 + share * (to.1 - from.1),
-            )
-        };
+        let at = |share: f64| (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
         Some((at(enter), at(leave), whole && leave >= 1.0))
     }
 }
@@ -169,12 +156,8 @@ fn inside_shares(rect: &Rect, from: Point, to: Point) -> Option<(f64, f64)> {
 
 /// A polygon cut at a rectangle, side by side (Sutherland and Hodgman).
 pub(crate) fn clip_polygon(rect: &Rect, polygon: &[Point]) -> Vec<Point> {
-    let inside: [&dyn Fn(Point) -> f64; 4] = [
-        &|p| p.0 - rect.left,
-        &|p| rect.right - p.0,
-        &|p| p.1 - rect.top,
-        &|p| rect.bottom - p.1,
-    ];
+    let inside: [&dyn Fn(Point) -> f64; 4] =
+        [&|p| p.0 - rect.left, &|p| rect.right - p.0, &|p| p.1 - rect.top, &|p| rect.bottom - p.1];
     let mut points = polygon.to_vec();
     for room in inside {
         let mut kept = Vec::with_capacity(points.len());
@@ -206,12 +189,7 @@ mod tests {
         Ruler::new(&axis, &[], false, 5.0)
     }
 
-    const RECT: Rect = Rect {
-        left: 0.0,
-        top: 0.0,
-        right: 100.0,
-        bottom: 100.0,
-    };
+    const RECT: Rect = Rect { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
 
     #[test]
     fn a_curve_that_leaves_and_returns_is_cut_at_the_frame() -> anyhow::Result<()> {
@@ -219,11 +197,7 @@ mod tests {
             ruler(Axis::new("x", "x").range(0.0, 4.0))?,
             ruler(Axis::new("y", "y").range(0.0, 1.0))?,
         );
-        let frame = Frame {
-            rect: RECT,
-            x: &x,
-            y: &y,
-        };
+        let frame = Frame { rect: RECT, x: &x, y: &y };
         let parts = frame.clip(&[(0.0, 0.5), (1.0, 0.5), (2.0, 2.5), (3.0, 0.5), (4.0, 0.5)]);
         assert_eq!(parts.len(), 2);
         assert_eq!(parts[0], [(0.0, 50.0), (25.0, 50.0), (31.25, 0.0)]);
@@ -237,28 +211,19 @@ mod tests {
             ruler(Axis::new("x", "x").range(0.0, 4.0))?,
             ruler(Axis::new("y", "y").log().range(0.01, 1.0))?,
         );
-        let frame = Frame {
-            rect: RECT,
-            x: &x,
-            y: &y,
-        };
+        let frame = Frame { rect: RECT, x: &x, y: &y };
         let parts = frame.clip(&[(0.0, 1.0), (1.0, 0.1), (2.0, -0.1), (3.0, 0.0), (4.0, 0.1)]);
         assert_eq!(parts.len(), 2);
         let foot = parts[0][2];
-        assert!(
-            (foot.1 - 100.0).abs() < 1e-9 && (foot.0 - 36.25).abs() < 1e-9,
-            "{foot:?}"
-        );
+        assert!((foot.1 - 100.0).abs() < 1e-9 && (foot.0 - 36.25).abs() < 1e-9, "{foot:?}");
         assert!((parts[1][0].1 - 100.0).abs() < 1e-9);
         Ok(())
     }
 
     #[test]
     fn a_polygon_is_cut_at_the_frame() {
-        let cut = clip_polygon(
-            &RECT,
-            &[(-50.0, 50.0), (50.0, 50.0), (50.0, 150.0), (-50.0, 150.0)],
-        );
+        let cut =
+            clip_polygon(&RECT, &[(-50.0, 50.0), (50.0, 50.0), (50.0, 150.0), (-50.0, 150.0)]);
         assert_eq!(cut.len(), 4);
         assert!(cut.iter().all(|point| RECT.contains(*point)));
     }

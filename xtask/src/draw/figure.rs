@@ -147,10 +147,7 @@ pub struct Mark {
 impl Mark {
     /// A reference line with a label.
     pub fn new(at: f64, label: &str) -> Self {
-        Self {
-            at,
-            label: label.to_owned(),
-        }
+        Self { at, label: label.to_owned() }
     }
 }
 
@@ -181,13 +178,7 @@ pub struct Band {
 impl Band {
     /// A light grey band.
     pub fn new(along: Along, from: f64, to: f64, label: &str) -> Self {
-        Self {
-            along,
-            from,
-            to,
-            label: label.to_owned(),
-            colour: Colour(228, 228, 228),
-        }
+        Self { along, from, to, label: label.to_owned(), colour: Colour(228, 228, 228) }
     }
 }
 
@@ -203,10 +194,7 @@ pub struct Note {
 impl Note {
     /// Text that is put where it covers least.
     pub fn new(text: &str) -> Self {
-        Self {
-            text: text.to_owned(),
-            place: None,
-        }
+        Self { text: text.to_owned(), place: None }
     }
 }
 

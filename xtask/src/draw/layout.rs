@@ -89,19 +89,12 @@ pub(crate) fn arrange<'a>(figure: &Figure, plots: &[Plot<'a>]) -> Layout<'a> {
     let shared = figure.shared_legend.then(|| shared_legend(plots));
     let head = EDGE + title.len() as f64 * (TITLE * LINE + 6.0);
     let shared_height = shared.as_ref().map_or(0.0, |made| made.height + 12.0);
-    let caption_height = if caption.is_empty() {
-        0.0
-    } else {
-        caption.len() as f64 * SMALL * 1.35 + 24.0
-    };
+    let caption_height =
+        if caption.is_empty() { 0.0 } else { caption.len() as f64 * SMALL * 1.35 + 24.0 };
     let tail = shared_height + caption_height + EDGE;
 
     let above: Vec<f64> = plots.iter().zip(&marks).map(|(p, m)| p.above(m)).collect();
-    let below: Vec<f64> = plots
-        .iter()
-        .zip(&columns)
-        .map(|(p, c)| p.below(c.1 - c.0))
-        .collect();
+    let below: Vec<f64> = plots.iter().zip(&columns).map(|(p, c)| p.below(c.1 - c.0)).collect();
     let largest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
     let mut frames = Vec::new();
     let mut foot = head;
@@ -109,11 +102,7 @@ pub(crate) fn arrange<'a>(figure: &Figure, plots: &[Plot<'a>]) -> Layout<'a> {
         let width = columns[0].1 - columns[0].0;
         let frame = (width * 1.1).clamp(least_height(figure), 880.0);
         let top = head + largest(&above);
-        frames.extend(
-            columns
-                .iter()
-                .map(|c| Rect::sized(c.0, top, c.1 - c.0, frame)),
-        );
+        frames.extend(columns.iter().map(|c| Rect::sized(c.0, top, c.1 - c.0, frame)));
         foot = top + frame + largest(&below);
     } else {
         let frame = match plots.len() {
@@ -121,12 +110,7 @@ pub(crate) fn arrange<'a>(figure: &Figure, plots: &[Plot<'a>]) -> Layout<'a> {
             _ => least_height(figure),
         };
         for ((column, above), below) in columns.iter().zip(&above).zip(&below) {
-            frames.push(Rect::sized(
-                column.0,
-                foot + above,
-                column.1 - column.0,
-                frame,
-            ));
+            frames.push(Rect::sized(column.0, foot + above, column.1 - column.0, frame));
             foot += above + frame + below;
         }
     }
@@ -176,24 +160,15 @@ fn mark_labels(plot: &Plot, left: f64, right: f64) -> MarkLabels {
     marks.sort_by(|a, b| a.at.total_cmp(&b.at));
     let (from, to) = (left - 60.0, right + 30.0);
     let gap = 28.0;
-    let lines_within = |widest: f64| {
-        marks
-            .iter()
-            .map(|m| text::wrap(&m.label, SMALL, widest))
-            .collect()
-    };
+    let lines_within =
+        |widest: f64| marks.iter().map(|m| text::wrap(&m.label, SMALL, widest)).collect();
     let mut lines: Vec<Vec<String>> = lines_within(to - from);
-    let wide: f64 = lines
-        .iter()
-        .map(|lines| text::widest(lines, SMALL) + gap)
-        .sum();
+    let wide: f64 = lines.iter().map(|lines| text::widest(lines, SMALL) + gap).sum();
     if wide > to - from {
         lines = lines_within((to - from) / marks.len() as f64 - gap);
     }
-    let places: Vec<f64> = marks
-        .iter()
-        .map(|mark| left + plot.x.share(mark.at) * (right - left))
-        .collect();
+    let places: Vec<f64> =
+        marks.iter().map(|mark| left + plot.x.share(mark.at) * (right - left)).collect();
     let wanted: Vec<(f64, f64)> = places
         .iter()
         .zip(&lines)
@@ -207,14 +182,8 @@ fn mark_labels(plot: &Plot, left: f64, right: f64) -> MarkLabels {
         plot.y.ticks.factor.is_none() && middle - label.1 > left + plot.heading_width()
     });
     let labels = middles.into_iter().zip(lines).zip(places);
-    let labels = labels
-        .map(|((middle, lines), place)| (middle, lines, place))
-        .collect();
-    MarkLabels {
-        labels,
-        height,
-        beside_heading,
-    }
+    let labels = labels.map(|((middle, lines), place)| (middle, lines, place)).collect();
+    MarkLabels { labels, height, beside_heading }
 }
 
 fn shared_legend<'a>(plots: &[Plot<'a>]) -> legend::Box<'a> {

@@ -47,19 +47,11 @@ impl<'a> Box<'a> {
         let columns = columns.clamp(1, entries.len().max(1));
         let rows = entries.len().div_ceil(columns);
         let columns = entries.len().div_ceil(rows.max(1));
-        let label = entries
-            .iter()
-            .map(|(_, lines)| text::widest(lines, SIZE))
-            .fold(0.0, f64::max);
+        let label = entries.iter().map(|(_, lines)| text::widest(lines, SIZE)).fold(0.0, f64::max);
         let mut tops = Vec::new();
         let mut height = PAD;
         for row in 0..rows {
-            let lines = entries
-                .iter()
-                .skip(row)
-                .step_by(rows)
-                .map(|(_, lines)| lines.len())
-                .max();
+            let lines = entries.iter().skip(row).step_by(rows).map(|(_, lines)| lines.len()).max();
             let tall = PITCH * lines.unwrap_or(1).max(1) as f64;
             tops.push((height, tall));
             height += tall + ROW_GAP;
@@ -79,11 +71,7 @@ impl<'a> Box<'a> {
     /// A legend in as many columns as fit into a width.
     pub(crate) fn in_width(styles: &[&'a CurveStyle], width: f64, filled: bool) -> Self {
         let make = |columns| Self::new(styles.to_vec(), columns, width * 0.8, filled);
-        (2..=styles.len())
-            .rev()
-            .map(make)
-            .find(|made| made.width <= width)
-            .unwrap_or(make(1))
+        (2..=styles.len()).rev().map(make).find(|made| made.width <= width).unwrap_or(make(1))
     }
 
     /// Whether there is anything to show.
@@ -119,11 +107,7 @@ impl<'a> Box<'a> {
             canvas.rect(&swatch, area_colour(style), 1.0)?;
         }
         let line_at = if self.filled { -17.0 } else { 0.0 };
-        stroke(
-            canvas,
-            &[(left.0, left.1 + line_at), (right.0, right.1 + line_at)],
-            style,
-        )?;
+        stroke(canvas, &[(left.0, left.1 + line_at), (right.0, right.1 + line_at)], style)?;
         if let Some(marker) = style.marker.filter(|_| !self.filled) {
             canvas.marker((left.0 + KEY / 2.0, left.1 + line_at), marker, style.colour)?;
         }

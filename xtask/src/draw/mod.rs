@@ -63,11 +63,7 @@ const LEAST_WIDTH: f64 = 320.0;
 /// draws, a cell that is not a number, or an axis without a usable range.
 pub fn draw(figure: &Figure, csv: &str) -> Result<String> {
     if !(1..=3).contains(&figure.panels.len()) {
-        bail!(
-            "figure `{}` has {} panels, not one to three",
-            figure.title,
-            figure.panels.len()
-        );
+        bail!("figure `{}` has {} panels, not one to three", figure.title, figure.panels.len());
     }
     let table = Table::read(csv)?;
     let mut plots = (0..figure.panels.len())
@@ -75,11 +71,7 @@ pub fn draw(figure: &Figure, csv: &str) -> Result<String> {
         .collect::<Result<Vec<Plot>>>()?;
     series::check_all_drawn(figure, &table)?;
     let layout = settle_legends(figure, &mut plots)?;
-    if layout
-        .frames
-        .iter()
-        .any(|frame| frame.width() < LEAST_WIDTH)
-    {
+    if layout.frames.iter().any(|frame| frame.width() < LEAST_WIDTH) {
         bail!(
             "the legends of figure `{}` leave no room for its panels: let them share one",
             figure.title
@@ -107,18 +99,11 @@ fn settle_legends<'a>(figure: &Figure, plots: &mut [Plot<'a>]) -> Result<Layout<
             }
         }
     }
-    Ok(if moved {
-        layout::arrange(figure, plots)
-    } else {
-        layout
-    })
+    Ok(if moved { layout::arrange(figure, plots) } else { layout })
 }
 
 fn draw_parts(canvas: &Canvas, plots: &[Plot], layout: &Layout) -> Result<()> {
-    let face = Type {
-        bold: true,
-        ..Type::new(TITLE, Colour::BLACK, Side::Middle)
-    };
+    let face = Type { bold: true, ..Type::new(TITLE, Colour::BLACK, Side::Middle) };
     canvas.lines(&layout.title, (WIDTH / 2.0, 40.0), TITLE * text::LINE, face)?;
     for ((plot, frame), marks) in plots.iter().zip(&layout.frames).zip(&layout.marks) {
         panel::draw(canvas, plot, *frame, marks)?;
@@ -127,20 +112,13 @@ fn draw_parts(canvas: &Canvas, plots: &[Plot], layout: &Layout) -> Result<()> {
         legend.draw(canvas, *left, *top, true)?;
     }
     let face = Type::new(SMALL, Colour::DARK_GREY, Side::Start);
-    canvas.lines(
-        &layout.caption,
-        (72.0, layout.caption_top),
-        SMALL * 1.35,
-        face,
-    )
+    canvas.lines(&layout.caption, (72.0, layout.caption_top), SMALL * 1.35, face)
 }
 
 /// Puts a root tag that shows the picture at a third of its size, and takes the
 /// line breaks out of the text tags, which some viewers show as blanks.
 fn dressed(svg: &str, title: &str, height: u32) -> Result<String> {
-    let (_, body) = svg
-        .split_once('\n')
-        .context("the drawing has no root tag")?;
+    let (_, body) = svg.split_once('\n').context("the drawing has no root tag")?;
     let width = WIDTH as u32;
     let mut dressed = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" \
@@ -149,16 +127,10 @@ fn dressed(svg: &str, title: &str, height: u32) -> Result<String> {
         height / 3
     );
     if !title.is_empty() {
-        let safe = title
-            .replace('&', "&amp;")
-            .replace('<', "&lt;")
-            .replace('>', "&gt;");
+        let safe = title.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         dressed.push_str(&format!("<title>{safe}</title>\n"));
     }
-    dressed.push_str(&format!(
-        "<g transform=\"scale({})\">\n",
-        1.0 / f64::from(FINE)
-    ));
+    dressed.push_str(&format!("<g transform=\"scale({})\">\n", 1.0 / f64::from(FINE)));
     let mut size = None;
     for line in body.lines() {
         if line == "</svg>" {

@@ -15,16 +15,7 @@ use super::trace;
 
 /// Draws a panel into its frame.
 pub(crate) fn draw(canvas: &Canvas, plot: &Plot, rect: Rect, marks: &MarkLabels) -> Result<()> {
-    let brush = Brush {
-        canvas,
-        plot,
-        rect,
-        frame: Frame {
-            rect,
-            x: &plot.x,
-            y: &plot.y,
-        },
-    };
+    let brush = Brush { canvas, plot, rect, frame: Frame { rect, x: &plot.x, y: &plot.y } };
     let traces = plot.traces(rect)?;
     let mut taken = plot.taken(&traces, rect);
     brush.bands()?;
@@ -55,21 +46,13 @@ impl Brush<'_, '_, '_> {
             Along::X => &self.plot.x,
             Along::Y => &self.plot.y,
         };
-        let (from, to) = (
-            ruler.share(band.from).clamp(0.0, 1.0),
-            ruler.share(band.to).clamp(0.0, 1.0),
-        );
+        let (from, to) =
+            (ruler.share(band.from).clamp(0.0, 1.0), ruler.share(band.to).clamp(0.0, 1.0));
         let rect = match band.along {
-            Along::X => Rect {
-                left: self.frame.across(from),
-                right: self.frame.across(to),
-                ..self.rect
-            },
-            Along::Y => Rect {
-                top: self.frame.up(to),
-                bottom: self.frame.up(from),
-                ..self.rect
-            },
+            Along::X => {
+                Rect { left: self.frame.across(from), right: self.frame.across(to), ..self.rect }
+            }
+            Along::Y => Rect { top: self.frame.up(to), bottom: self.frame.up(from), ..self.rect },
         };
         (to > from).then_some(rect)
     }
@@ -98,34 +81,19 @@ impl Brush<'_, '_, '_> {
     fn reference_lines(&self, marks: &MarkLabels) -> Result<()> {
         let (plot, rect) = (self.plot, self.rect);
         let lengths = [18.0, 10.0];
-        for mark in plot
-            .panel
-            .verticals
-            .iter()
-            .filter(|mark| plot.x.holds(mark.at))
-        {
+        for mark in plot.panel.verticals.iter().filter(|mark| plot.x.holds(mark.at)) {
             let x = self.frame.across(plot.x.share(mark.at));
             for part in trace::dashed(&[(x, rect.bottom), (x, rect.top)], &lengths) {
                 self.canvas.line(&part, Colour::GREY, 4)?;
             }
         }
-        for mark in plot
-            .panel
-            .horizontals
-            .iter()
-            .filter(|mark| plot.y.holds(mark.at))
-        {
+        for mark in plot.panel.horizontals.iter().filter(|mark| plot.y.holds(mark.at)) {
             let y = self.frame.up(plot.y.share(mark.at));
-            self.canvas
-                .line(&[(rect.left, y), (rect.right, y)], Colour::DARK_GREY, 4)?;
+            self.canvas.line(&[(rect.left, y), (rect.right, y)], Colour::DARK_GREY, 4)?;
         }
         for (middle, lines, place) in &marks.labels {
             let foot = rect.top - LEADER - 8.0;
-            self.canvas.line(
-                &[(*place, rect.top), (*middle, foot + 6.0)],
-                Colour::GREY,
-                3,
-            )?;
+            self.canvas.line(&[(*place, rect.top), (*middle, foot + 6.0)], Colour::GREY, 3)?;
             let pitch = SMALL * 1.2;
             let top = foot - (lines.len() as f64 - 1.0) * pitch - CAPITAL * SMALL - 8.0;
             let face = Type::new(SMALL, Colour::DARK_GREY, Side::Middle);
@@ -135,12 +103,7 @@ impl Brush<'_, '_, '_> {
     }
 
     fn curves(&self, traces: &Traces) -> Result<()> {
-        for series in self
-            .plot
-            .series
-            .iter()
-            .filter(|series| series.style.join_gaps)
-        {
+        for series in self.plot.series.iter().filter(|series| series.style.join_gaps) {
             for pair in series.pieces.windows(2) {
                 if let ([.., from], [to, ..]) = (pair[0].as_slice(), pair[1].as_slice()) {
                     for part in self.frame.clip(&[*from, *to]) {
@@ -152,12 +115,7 @@ impl Brush<'_, '_, '_> {
             }
         }
         let mut order: Vec<usize> = (0..traces.curves.len()).collect();
-        let ink = |index: &usize| {
-            self.plot.series[*index]
-                .style
-                .line
-                .map_or(0.0, Dash::ink_share)
-        };
+        let ink = |index: &usize| self.plot.series[*index].style.line.map_or(0.0, Dash::ink_share);
         order.sort_by(|a, b| ink(b).total_cmp(&ink(a)));
         for index in order {
             let style = self.plot.series[index].style;

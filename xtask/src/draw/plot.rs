@@ -53,10 +53,8 @@ impl<'a> Plot<'a> {
             let most = |axis: &Axis, at: usize| fits[at + usize::from(axis.scale == Scale::Log)];
             let with_room = series.iter().all(|one| one.style.line.is_none());
             let x = Ruler::new(&panel.x, &across, with_room, most(&panel.x, 0))?;
-            let up: Vec<f64> = points()
-                .filter(|point| x.holds(point.0))
-                .map(|point| point.1)
-                .collect();
+            let up: Vec<f64> =
+                points().filter(|point| x.holds(point.0)).map(|point| point.1).collect();
             let y = Ruler::new(&panel.y, &up, !panel.stacked, most(&panel.y, 2))?;
             let legend = if figure.shared_legend {
                 Legend::Hidden
@@ -66,30 +64,15 @@ impl<'a> Plot<'a> {
                 panel.legend
             };
             let y_label = text::wrap(&panel.y.label, LABEL, least_height(figure) + 40.0);
-            Ok(Self {
-                panel,
-                heading: heading.clone(),
-                series,
-                x,
-                y,
-                legend,
-                y_label,
-            })
+            Ok(Self { panel, heading: heading.clone(), series, x, y, legend, y_label })
         };
         make().with_context(|| format!("panel {} of figure `{}`", index + 1, figure.title))
     }
 
     /// Room to the left of the frame.
     pub(crate) fn left(&self) -> f64 {
-        let numbers = self
-            .y
-            .ticks
-            .ticks
-            .iter()
-            .filter_map(|tick| tick.label.as_deref());
-        let widest = numbers
-            .map(|label| text::width(label, TICK))
-            .fold(0.0, f64::max);
+        let numbers = self.y.ticks.ticks.iter().filter_map(|tick| tick.label.as_deref());
+        let widest = numbers.map(|label| text::width(label, TICK)).fold(0.0, f64::max);
         let name = self.y_label.len() as f64 * LABEL * LINE + 16.0;
         TICK_GAP + widest + name + 10.0
     }
@@ -113,32 +96,20 @@ impl<'a> Plot<'a> {
     pub(crate) fn above(&self, marks: &MarkLabels) -> f64 {
         let own_row = !self.heading.is_empty() && !marks.beside_heading;
         let heading = if own_row { LABEL * LINE + 8.0 } else { 0.0 };
-        let factor = if self.y.ticks.factor.is_some() {
-            TICK * LINE
-        } else {
-            0.0
-        };
+        let factor = if self.y.ticks.factor.is_some() { TICK * LINE } else { 0.0 };
         heading + factor + marks.height + 14.0
     }
 
     /// Room below a frame of this width.
     pub(crate) fn below(&self, width: f64) -> f64 {
         let lines = self.x_label(width).len() as f64;
-        let lines = if self.x.ticks.factor.is_some() {
-            lines.max(1.0)
-        } else {
-            lines
-        };
+        let lines = if self.x.ticks.factor.is_some() { lines.max(1.0) } else { lines };
         TICK_GAP + TICK * LINE + lines * LABEL * LINE + 14.0
     }
 
     /// The name of the horizontal axis, wrapped.
     pub(crate) fn x_label(&self, width: f64) -> Vec<String> {
-        let factor = if self.x.ticks.factor.is_some() {
-            360.0
-        } else {
-            0.0
-        };
+        let factor = if self.x.ticks.factor.is_some() { 360.0 } else { 0.0 };
         text::wrap(&self.panel.x.label, LABEL, width + 60.0 - factor)
     }
 
@@ -153,11 +124,7 @@ impl<'a> Plot<'a> {
 
     /// The curves in the pixels of a frame; an error names a curve outside it.
     pub(crate) fn traces(&self, rect: Rect) -> Result<Traces> {
-        let frame = Frame {
-            rect,
-            x: &self.x,
-            y: &self.y,
-        };
+        let frame = Frame { rect, x: &self.x, y: &self.y };
         let mut curves = Vec::new();
         for series in &self.series {
             let mut parts: Vec<Vec<Point>> = Vec::new();
@@ -198,44 +165,22 @@ impl<'a> Plot<'a> {
 
     /// What text inside the frame has to keep clear of.
     pub(crate) fn taken(&self, traces: &Traces, rect: Rect) -> Taken {
-        let frame = Frame {
-            rect,
-            x: &self.x,
-            y: &self.y,
-        };
+        let frame = Frame { rect, x: &self.x, y: &self.y };
         let mut taken = Taken::default();
         for parts in &traces.curves {
             taken.curves.extend(trace::sampled(parts, 8.0));
         }
         for (x, y) in traces.markers.iter().flatten() {
             let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-            taken
-                .curves
-                .extend(corners.map(|(dx, dy)| (x + dx * MARKER, y + dy * MARKER)));
+            taken.curves.extend(corners.map(|(dx, dy)| (x + dx * MARKER, y + dy * MARKER)));
         }
-        for mark in self
-            .panel
-            .verticals
-            .iter()
-            .filter(|mark| self.x.holds(mark.at))
-        {
+        for mark in self.panel.verticals.iter().filter(|mark| self.x.holds(mark.at)) {
             let x = frame.across(self.x.share(mark.at));
-            taken.lines.extend(trace::sampled(
-                &[vec![(x, rect.top), (x, rect.bottom)]],
-                12.0,
-            ));
+            taken.lines.extend(trace::sampled(&[vec![(x, rect.top), (x, rect.bottom)]], 12.0));
         }
-        for mark in self
-            .panel
-            .horizontals
-            .iter()
-            .filter(|mark| self.y.holds(mark.at))
-        {
+        for mark in self.panel.horizontals.iter().filter(|mark| self.y.holds(mark.at)) {
             let y = frame.up(self.y.share(mark.at));
-            taken.lines.extend(trace::sampled(
-                &[vec![(rect.left, y), (rect.right, y)]],
-                12.0,
-            ));
+            taken.lines.extend(trace::sampled(&[vec![(rect.left, y), (rect.right, y)]], 12.0));
         }
         taken
     }

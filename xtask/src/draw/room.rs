@@ -21,24 +21,13 @@ impl Taken {
     /// How many points of curves a box would cover, with air around it.
     pub(crate) fn covered(&self, rect: &Rect) -> usize {
         let rect = rect.grown(AIR);
-        self.curves
-            .iter()
-            .filter(|point| rect.contains(**point))
-            .count()
+        self.curves.iter().filter(|point| rect.contains(**point)).count()
     }
 
     fn cost(&self, rect: &Rect) -> usize {
         let wide = rect.grown(AIR);
-        let lines = self
-            .lines
-            .iter()
-            .filter(|point| wide.contains(**point))
-            .count();
-        let boxes = self
-            .boxes
-            .iter()
-            .filter(|other| wide.overlaps(other))
-            .count();
+        let lines = self.lines.iter().filter(|point| wide.contains(**point)).count();
+        let boxes = self.boxes.iter().filter(|other| wide.overlaps(other)).count();
         10 * self.covered(rect) + lines + 100_000 * boxes
     }
 
@@ -47,12 +36,7 @@ impl Taken {
         let across = (region.width() - width).max(0.0);
         let down = (region.height() - height).max(0.0);
         let at = |x: f64, y: f64| {
-            Rect::sized(
-                region.left + x * across,
-                region.top + y * down,
-                width,
-                height,
-            )
+            Rect::sized(region.left + x * across, region.top + y * down, width, height)
         };
         let mut best = at(1.0, 0.0);
         let mut least = self.cost(&best);
@@ -71,17 +55,14 @@ impl Taken {
 fn places() -> Vec<(f64, f64)> {
     const GRID: i32 = 16;
     let mut places = vec![(1.0, 0.0), (0.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-    let mut grid: Vec<(i32, i32)> = (0..=GRID)
-        .flat_map(|x| (0..=GRID).map(move |y| (x, y)))
-        .collect();
+    let mut grid: Vec<(i32, i32)> =
+        (0..=GRID).flat_map(|x| (0..=GRID).map(move |y| (x, y))).collect();
     let rim = |v: i32| v.min(GRID - v);
     grid.sort_by_key(|(x, y)| (rim(*x).min(rim(*y)), rim(*x).max(rim(*y)), *y, *x));
-    places.extend(grid.into_iter().map(|(x, y)| {
-        (
-            f64::from(x) / f64::from(GRID),
-            f64::from(y) / f64::from(GRID),
-        )
-    }));
+    places.extend(
+        grid.into_iter()
+            .map(|(x, y)| (f64::from(x) / f64::from(GRID), f64::from(y) / f64::from(GRID))),
+    );
     places
 }
 
@@ -96,25 +77,15 @@ pub(crate) fn spread(wanted: &[(f64, f64)], gap: f64, left: f64, right: f64) -> 
         let j = wanted.len() - 1 - i;
         leftward[j] = leftward[j].min(leftward[j + 1] - apart(j));
     }
-    let mut middles: Vec<f64> = rightward
-        .iter()
-        .zip(&leftward)
-        .map(|(a, b)| 0.5 * (a + b))
-        .collect();
+    let mut middles: Vec<f64> =
+        rightward.iter().zip(&leftward).map(|(a, b)| 0.5 * (a + b)).collect();
     for i in (0..wanted.len()).rev() {
-        let most = if i + 1 < wanted.len() {
-            middles[i + 1] - apart(i)
-        } else {
-            right - wanted[i].1
-        };
+        let most =
+            if i + 1 < wanted.len() { middles[i + 1] - apart(i) } else { right - wanted[i].1 };
         middles[i] = middles[i].min(most);
     }
     for i in 0..wanted.len() {
-        let least = if i > 0 {
-            middles[i - 1] + apart(i - 1)
-        } else {
-            left + wanted[i].1
-        };
+        let least = if i > 0 { middles[i - 1] + apart(i - 1) } else { left + wanted[i].1 };
         middles[i] = middles[i].max(least);
     }
     middles
@@ -127,25 +98,15 @@ mod tests {
     #[test]
     fn a_box_goes_to_the_free_corner() {
         let region = Rect::sized(0.0, 0.0, 1000.0, 1000.0);
-        let curves = (0..100)
-            .map(|i| (f64::from(i) * 10.0, f64::from(i) * 10.0))
-            .collect();
-        let taken = Taken {
-            curves,
-            ..Taken::default()
-        };
+        let curves = (0..100).map(|i| (f64::from(i) * 10.0, f64::from(i) * 10.0)).collect();
+        let taken = Taken { curves, ..Taken::default() };
         let found = taken.best(&region, 300.0, 300.0);
         assert_eq!(taken.covered(&found), 0);
     }
 
     #[test]
     fn labels_move_apart_and_stay_between_the_ends() {
-        let middles = spread(
-            &[(100.0, 50.0), (110.0, 50.0), (990.0, 50.0)],
-            10.0,
-            0.0,
-            1000.0,
-        );
+        let middles = spread(&[(100.0, 50.0), (110.0, 50.0), (990.0, 50.0)], 10.0, 0.0, 1000.0);
         assert!(middles[1] - middles[0] >= 110.0 - 1e-9);
         assert!(middles[0] >= 50.0 && middles[2] <= 950.0);
     }

@@ -22,10 +22,7 @@ impl Ruler {
     pub(crate) fn new(axis: &Axis, values: &[f64], room: bool, most: f64) -> Result<Self> {
         let name = &axis.label;
         if !(axis.multiply.is_finite() && axis.multiply > 0.0) {
-            bail!(
-                "axis `{name}`: the factor {} is not above zero",
-                axis.multiply
-            );
+            bail!("axis `{name}`: the factor {} is not above zero", axis.multiply);
         }
         let shown: Vec<f64> = values
             .iter()
@@ -35,10 +32,7 @@ impl Ruler {
         let (low, high) = match axis.range {
             Some((from, to)) => (from * axis.multiply, to * axis.multiply),
             None if shown.is_empty() => {
-                bail!(
-                    "axis `{name}`: column `{}` has no value to show",
-                    axis.column
-                )
+                bail!("axis `{name}`: column `{}` has no value to show", axis.column)
             }
             None => ends(axis.scale, &shown, room, most),
         };
@@ -49,13 +43,7 @@ impl Ruler {
             bail!("axis `{name}`: a logarithmic range cannot begin at {low}");
         }
         let ticks = ticks::between(axis.scale, low, high, most);
-        Ok(Self {
-            scale: axis.scale,
-            multiply: axis.multiply,
-            low,
-            high,
-            ticks,
-        })
+        Ok(Self { scale: axis.scale, multiply: axis.multiply, low, high, ticks })
     }
 
     /// Where a number of the CSV falls: 0 at the low end, 1 at the high end.
@@ -112,16 +100,8 @@ fn linear_ends(low: f64, high: f64, room: bool, most: f64) -> (f64, f64) {
     let half_step = Step::for_span(high - low, most).size() / 2.0;
     let from_zero = low >= 0.0 && low < 0.2 * high;
     let to_zero = high <= 0.0 && -high < -0.2 * low;
-    let down = if from_zero {
-        0.0
-    } else {
-        ((low - air) / half_step).floor() * half_step
-    };
-    let up = if to_zero {
-        0.0
-    } else {
-        ((high + air) / half_step).ceil() * half_step
-    };
+    let down = if from_zero { 0.0 } else { ((low - air) / half_step).floor() * half_step };
+    let up = if to_zero { 0.0 } else { ((high + air) / half_step).ceil() * half_step };
     (down, up)
 }
 
@@ -133,9 +113,7 @@ fn round_down(value: f64) -> f64 {
 
 fn round_up(value: f64) -> f64 {
     let decade = 10f64.powf(value.log10().floor());
-    let digit = [1.0, 2.0, 5.0]
-        .into_iter()
-        .find(|digit| digit * decade >= value);
+    let digit = [1.0, 2.0, 5.0].into_iter().find(|digit| digit * decade >= value);
     digit.unwrap_or(10.0) * decade
 }
 

@@ -53,19 +53,11 @@ pub(crate) fn of_panel<'a>(panel: &'a Panel, table: &Table) -> Result<Vec<Series
             }
         }
         if !found {
-            bail!(
-                "curve `{}` is not in column `{}` of the CSV",
-                style.key,
-                panel.curve_column
-            );
+            bail!("curve `{}` is not in column `{}` of the CSV", style.key, panel.curve_column);
         }
         pieces.push(piece);
         pieces.retain(|piece| !piece.is_empty());
-        all.push(Series {
-            style,
-            pieces,
-            base: None,
-        });
+        all.push(Series { style, pieces, base: None });
     }
     if panel.stacked {
         stack(panel, &mut all)?;
@@ -81,22 +73,13 @@ fn stack(panel: &Panel, all: &mut [Series]) -> Result<()> {
     let mut below: Option<Vec<Point>> = None;
     for series in all {
         let [piece] = series.pieces.as_mut_slice() else {
-            bail!(
-                "stacked curve `{}` has a gap or no points",
-                series.style.key
-            );
+            bail!("stacked curve `{}` has a gap or no points", series.style.key);
         };
         let base = below.unwrap_or_else(|| piece.iter().map(|point| (point.0, 0.0)).collect());
         let same = base.len() == piece.len()
-            && base
-                .iter()
-                .zip(piece.iter())
-                .all(|(low, up)| low.0.total_cmp(&up.0).is_eq());
+            && base.iter().zip(piece.iter()).all(|(low, up)| low.0.total_cmp(&up.0).is_eq());
         if !same {
-            bail!(
-                "stacked curve `{}` has other x values than the first",
-                series.style.key
-            );
+            bail!("stacked curve `{}` has other x values than the first", series.style.key);
         }
         for (point, low) in piece.iter_mut().zip(&base) {
             point.1 += low.1;
@@ -140,11 +123,8 @@ mod tests {
 
     fn panel(keys: &[&str]) -> Panel {
         let mut panel = Panel::new(Axis::new("x", "x"), Axis::new("y", "y"));
-        panel.curves = keys
-            .iter()
-            .enumerate()
-            .map(|(i, key)| CurveStyle::numbered(i, key, key))
-            .collect();
+        panel.curves =
+            keys.iter().enumerate().map(|(i, key)| CurveStyle::numbered(i, key, key)).collect();
         panel
     }
 

@@ -138,18 +138,12 @@ pub struct Marker {
 impl Marker {
     /// A marker filled with the colour of the curve.
     pub const fn filled(shape: Shape) -> Self {
-        Self {
-            shape,
-            filled: true,
-        }
+        Self { shape, filled: true }
     }
 
     /// A marker that is white inside.
     pub const fn open(shape: Shape) -> Self {
-        Self {
-            shape,
-            filled: false,
-        }
+        Self { shape, filled: false }
     }
 }
 

@@ -128,15 +128,9 @@ mod tests {
     #[test]
     fn a_word_in_a_number_column_is_named_with_its_line() -> anyhow::Result<()> {
         let table = Table::read("curve,x\na,abc\n")?;
-        let error = table.rows()[0]
-            .number(1)
-            .err()
-            .map(|error| format!("{error:#}"));
+        let error = table.rows()[0].number(1).err().map(|error| format!("{error:#}"));
         let message = error.unwrap_or_default();
-        assert!(
-            message.contains("line 2") && message.contains("abc"),
-            "{message}"
-        );
+        assert!(message.contains("line 2") && message.contains("abc"), "{message}");
         Ok(())
     }
 

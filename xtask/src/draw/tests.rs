@@ -8,26 +8,14 @@ const CSV: &str = "curve,x,y\na,0,1\na,1,10\na,2,100\nb,0,3\nb,1,-5\nb,2,30\n";
 
 fn figure(keys: &[&str], log: bool) -> Figure {
     let y = Axis::new("y", "force (N)");
-    let mut panel = Panel::new(
-        Axis::new("x", "separation (m)"),
-        if log { y.log() } else { y },
-    );
-    panel.curves = keys
-        .iter()
-        .enumerate()
-        .map(|(i, key)| CurveStyle::numbered(i, key, key))
-        .collect();
-    Figure {
-        panels: vec![panel],
-        ..Figure::default()
-    }
+    let mut panel = Panel::new(Axis::new("x", "separation (m)"), if log { y.log() } else { y });
+    panel.curves =
+        keys.iter().enumerate().map(|(i, key)| CurveStyle::numbered(i, key, key)).collect();
+    Figure { panels: vec![panel], ..Figure::default() }
 }
 
 fn message(figure: &Figure, csv: &str) -> String {
-    draw(figure, csv)
-        .err()
-        .map(|error| format!("{error:#}"))
-        .unwrap_or_default()
+    draw(figure, csv).err().map(|error| format!("{error:#}")).unwrap_or_default()
 }
 
 /// All numbers in the `points` of the polylines of a colour.
@@ -64,17 +52,11 @@ fn no_curve_is_drawn_outside_or_along_the_frame() -> Result<()> {
     let top = frame.iter().map(|point| point.1).min().unwrap_or(0);
     let foot = frame.iter().map(|point| point.1).max().unwrap_or(0);
     assert!(foot > top + 1000);
-    for colour in [
-        "#000000\" stroke-width=\"24\"",
-        "#E69F00\" stroke-width=\"24\"",
-    ] {
+    for colour in ["#000000\" stroke-width=\"24\"", "#E69F00\" stroke-width=\"24\""] {
         let lines = polylines(&svg, colour);
         assert!(!lines.is_empty());
         for line in lines {
-            assert!(
-                line.iter().all(|point| (top..=foot).contains(&point.1)),
-                "{line:?}"
-            );
+            assert!(line.iter().all(|point| (top..=foot).contains(&point.1)), "{line:?}");
             let along =
                 |pair: &[(i32, i32)]| pair[0].1 == pair[1].1 && [top, foot].contains(&pair[0].1);
             assert!(!line.windows(2).any(along), "{line:?}");
@@ -113,15 +95,8 @@ fn the_legend_shows_dashes_and_markers() -> Result<()> {
     let without = draw(&figure, CSV)?;
     let count = |svg: &str, what: &str| svg.lines().filter(|line| line.contains(what)).count();
     let orange = "stroke=\"#E69F00\" stroke-width=\"24\"";
-    assert!(
-        count(&with, orange) >= count(&without, orange) + 2,
-        "dashes in the key"
-    );
-    assert_eq!(
-        count(&with, "<circle"),
-        count(&without, "<circle") + 2,
-        "marker and its rim"
-    );
+    assert!(count(&with, orange) >= count(&without, orange) + 2, "dashes in the key");
+    assert_eq!(count(&with, "<circle"), count(&without, "<circle") + 2, "marker and its rim");
     let open = "stroke=\"#E69F00\" stroke-width=\"20\"";
     assert_eq!(count(&with, open), count(&without, open) + 1, "open marker");
     Ok(())

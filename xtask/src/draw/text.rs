@@ -19,11 +19,7 @@ pub(crate) const CAPITAL: f64 = 0.73;
 /// The width of a text of this size in pixels, with three per cent to spare for
 /// viewers that round the widths of letters up.
 pub(crate) fn width(text: &str, size: f64) -> f64 {
-    text.chars()
-        .map(|letter| f64::from(letter_width(letter)))
-        .sum::<f64>()
-        * size
-        / 97.0
+    text.chars().map(|letter| f64::from(letter_width(letter))).sum::<f64>() * size / 97.0
 }
 
 fn letter_width(letter: char) -> u8 {
@@ -49,11 +45,7 @@ pub(crate) fn wrap(text: &str, size: f64, widest: f64) -> Vec<String> {
     for paragraph in text.lines() {
         let mut line = String::new();
         for word in paragraph.split(' ').filter(|word| !word.is_empty()) {
-            let longer = if line.is_empty() {
-                word.to_owned()
-            } else {
-                format!("{line} {word}")
-            };
+            let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
             if line.is_empty() || width(&longer, size) <= widest {
                 line = longer;
             } else {
@@ -67,10 +59,7 @@ pub(crate) fn wrap(text: &str, size: f64, widest: f64) -> Vec<String> {
 
 /// The width of the widest of some lines.
 pub(crate) fn widest(lines: &[String], size: f64) -> f64 {
-    lines
-        .iter()
-        .map(|line| width(line, size))
-        .fold(0.0, f64::max)
+    lines.iter().map(|line| width(line, size)).fold(0.0, f64::max)
 }
 
 /// A power of ten in raised figures, such as 10⁻³.
@@ -122,19 +111,14 @@ pub(super) fn subscripts(words: &str, size: f64) -> String {
             rest = after;
             continue;
         };
-        out.push_str(&format!(
-            "<tspan dy=\"{drop:.1}\" font-size=\"{small:.1}\">{index}</tspan>"
-        ));
+        out.push_str(&format!("<tspan dy=\"{drop:.1}\" font-size=\"{small:.1}\">{index}</tspan>"));
         rest = &after[index.len_utf8()..];
         let next = match rest.find(';') {
             Some(end) if rest.starts_with('&') => end + 1,
             _ => rest.chars().next().map_or(0, char::len_utf8),
         };
         if next > 0 {
-            out.push_str(&format!(
-                "<tspan dy=\"-{drop:.1}\">{}</tspan>",
-                &rest[..next]
-            ));
+            out.push_str(&format!("<tspan dy=\"-{drop:.1}\">{}</tspan>", &rest[..next]));
             rest = &rest[next..];
         }
     }
@@ -168,9 +152,6 @@ mod tests {
             "w<tspan dy=\"20.0\" font-size=\"70.0\">c</tspan><tspan dy=\"-20.0\">/</tspan>R<tspan dy=\"20.0\" font-size=\"70.0\">p</tspan><tspan dy=\"-20.0\">&lt;</tspan>1"
         );
         assert_eq!(super::subscripts("a_ b", 10.0), "a_ b");
-        assert_eq!(
-            super::size("<text x=\"1\" font-size=\"96.5\" y=\"2\">"),
-            Some(96.5)
-        );
+        assert_eq!(super::size("<text x=\"1\" font-size=\"96.5\" y=\"2\">"), Some(96.5));
     }
 }

@@ -37,10 +37,7 @@ impl Step {
                 return Self { digit, exponent };
             }
         }
-        Self {
-            digit: 1,
-            exponent: exponent + 1,
-        }
+        Self { digit: 1, exponent: exponent + 1 }
     }
 
     /// The step as a number.
@@ -65,18 +62,9 @@ impl Step {
 
     fn minor(self) -> Self {
         match self.digit {
-            1 => Self {
-                digit: 2,
-                exponent: self.exponent - 1,
-            },
-            2 => Self {
-                digit: 5,
-                exponent: self.exponent - 1,
-            },
-            _ => Self {
-                digit: 1,
-                exponent: self.exponent,
-            },
+            1 => Self { digit: 2, exponent: self.exponent - 1 },
+            2 => Self { digit: 5, exponent: self.exponent - 1 },
+            _ => Self { digit: 1, exponent: self.exponent },
         }
     }
 }
@@ -97,10 +85,7 @@ fn linear(low: f64, high: f64, most: f64) -> Ticks {
     let scaled = |value: f64| value / 10f64.powi(factor.unwrap_or(0));
     let mut ticks: Vec<Tick> = step
         .within(low, high)
-        .map(|at| Tick {
-            at,
-            label: Some(text::decimal(scaled(at), decimals)),
-        })
+        .map(|at| Tick { at, label: Some(text::decimal(scaled(at), decimals)) })
         .collect();
     let near = step.size() * 1e-3;
     let minor: Vec<Tick> = step
@@ -145,10 +130,7 @@ fn logarithmic(low: f64, high: f64, most: f64) -> Ticks {
             }
         }
     }
-    Ticks {
-        ticks,
-        factor: None,
-    }
+    Ticks { ticks, factor: None }
 }
 
 fn power(digit: i32, exponent: i32) -> f64 {
@@ -170,11 +152,7 @@ mod tests {
     use super::*;
 
     fn labels(ticks: &Ticks) -> Vec<&str> {
-        ticks
-            .ticks
-            .iter()
-            .filter_map(|tick| tick.label.as_deref())
-            .collect()
+        ticks.ticks.iter().filter_map(|tick| tick.label.as_deref()).collect()
     }
 
     #[test]

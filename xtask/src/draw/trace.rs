@@ -42,12 +42,7 @@ pub(crate) fn simplified(points: &[Point], tolerance: f64) -> Vec<Point> {
             spans.extend([(from, index), (index, to)]);
         }
     }
-    points
-        .iter()
-        .zip(keep)
-        .filter(|(_, kept)| *kept)
-        .map(|(point, _)| *point)
-        .collect()
+    points.iter().zip(keep).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
 }
 
 fn distance_to_segment(point: Point, from: Point, to: Point) -> f64 {
@@ -138,12 +133,8 @@ pub(crate) fn marker_places(
         let mut own: Vec<Point> = Vec::new();
         let free = |point: Point, own: &[Point]| {
             frame.contains(point)
-                && taken
-                    .iter()
-                    .all(|other| distance(*other, point) > 2.6 * MARKER)
-                && own
-                    .iter()
-                    .all(|other| distance(*other, point) > 5.0 * MARKER)
+                && taken.iter().all(|other| distance(*other, point) > 2.6 * MARKER)
+                && own.iter().all(|other| distance(*other, point) > 5.0 * MARKER)
         };
         for group in 0..across {
             let x = frame.left + spacing * (group as f64 + slot / count as f64);
@@ -171,17 +162,11 @@ pub(crate) fn marker_places(
 /// A step that visits all of `count` slots and puts neighbours far apart.
 fn stride(count: usize) -> usize {
     let ideal = (count as f64 * 0.382).round().max(1.0) as usize;
-    (ideal..=count)
-        .find(|step| greatest_common_divisor(*step, count) == 1)
-        .unwrap_or(1)
+    (ideal..=count).find(|step| greatest_common_divisor(*step, count) == 1).unwrap_or(1)
 }
 
 fn greatest_common_divisor(a: usize, b: usize) -> usize {
-    if b == 0 {
-        a
-    } else {
-        greatest_common_divisor(b, a % b)
-    }
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }
 
 #[cfg(test)]
@@ -206,10 +191,7 @@ mod tests {
     fn simplifying_keeps_corners_and_drops_what_is_straight() {
         let mut points: Vec<Point> = (0..100).map(|i| (f64::from(i), 0.0)).collect();
         points.extend((1..100).map(|i| (99.0, f64::from(i))));
-        assert_eq!(
-            simplified(&points, 0.3),
-            [(0.0, 0.0), (99.0, 0.0), (99.0, 99.0)]
-        );
+        assert_eq!(simplified(&points, 0.3), [(0.0, 0.0), (99.0, 0.0), (99.0, 99.0)]);
     }
 
     #[test]
@@ -220,11 +202,7 @@ mod tests {
         let all: Vec<Point> = places.concat();
         assert!(places.iter().all(|own| own.len() >= 3));
         for (index, a) in all.iter().enumerate() {
-            assert!(
-                all[index + 1..]
-                    .iter()
-                    .all(|b| distance(*a, *b) > 2.0 * MARKER)
-            );
+            assert!(all[index + 1..].iter().all(|b| distance(*a, *b) > 2.0 * MARKER));
         }
     }
 }

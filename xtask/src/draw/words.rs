@@ -19,12 +19,8 @@ impl Brush<'_, '_, '_> {
             Legend::Hidden => return Ok(()),
             Legend::Right => {
                 let made = self.plot.legend_box(1, 520.0);
-                let rect = Rect::sized(
-                    self.rect.right + 30.0,
-                    self.rect.top,
-                    made.width,
-                    made.height,
-                );
+                let rect =
+                    Rect::sized(self.rect.right + 30.0, self.rect.top, made.width, made.height);
                 (made, rect)
             }
             Legend::Auto => match self.plot.legend_inside(taken, self.rect) {
@@ -48,12 +44,7 @@ impl Brush<'_, '_, '_> {
         if made.is_empty() {
             return Ok(());
         }
-        made.draw(
-            self.canvas,
-            rect.left,
-            rect.top,
-            self.plot.legend != Legend::Right,
-        )?;
+        made.draw(self.canvas, rect.left, rect.top, self.plot.legend != Legend::Right)?;
         taken.boxes.push(rect);
         Ok(())
     }
@@ -78,13 +69,7 @@ impl Brush<'_, '_, '_> {
     }
 
     pub(crate) fn band_labels(&self, taken: &mut Taken) -> Result<()> {
-        for band in self
-            .plot
-            .panel
-            .bands
-            .iter()
-            .filter(|band| !band.label.is_empty())
-        {
+        for band in self.plot.panel.bands.iter().filter(|band| !band.label.is_empty()) {
             let Some(shade) = self.band_rect(band) else {
                 continue;
             };
@@ -128,17 +113,12 @@ impl Brush<'_, '_, '_> {
     /// viewer with wider letters does not push it over the frame.
     fn inside_text(&self, lines: &[String], rect: Rect, taken: &mut Taken) -> Result<()> {
         let right = rect.left - self.rect.left > self.rect.right - rect.right;
-        let (side, x) = if right {
-            (Side::End, rect.right)
-        } else {
-            (Side::Start, rect.left)
-        };
+        let (side, x) = if right { (Side::End, rect.right) } else { (Side::Start, rect.left) };
         if taken.covered(&rect) > 0 {
             self.canvas.rect(&rect.grown(6.0), Colour::WHITE, 0.8)?;
         }
         let face = Type::new(SMALL, Colour::DARK_GREY, side);
-        self.canvas
-            .lines(lines, (x, rect.top + 6.0), SMALL * LINE, face)?;
+        self.canvas.lines(lines, (x, rect.top + 6.0), SMALL * LINE, face)?;
         taken.boxes.push(rect);
         Ok(())
     }
@@ -159,8 +139,7 @@ impl Brush<'_, '_, '_> {
             }
             if let Some((x, y)) = place {
                 let face = Type::new(SMALL, Colour::BLACK, Side::Middle);
-                self.canvas
-                    .text(&series.style.label, (x, y + CAPITAL * SMALL / 2.0), face)?;
+                self.canvas.text(&series.style.label, (x, y + CAPITAL * SMALL / 2.0), face)?;
             }
         }
         Ok(())
@@ -169,8 +148,5 @@ impl Brush<'_, '_, '_> {
 
 /// The size of a block of small text.
 fn block(lines: &[String]) -> (f64, f64) {
-    (
-        text::widest(lines, SMALL),
-        lines.len() as f64 * SMALL * LINE,
-    )
+    (text::widest(lines, SMALL), lines.len() as f64 * SMALL * LINE)
 }

@@ -6,12 +6,8 @@ use asperity::AngleDensity;
 use crate::draw::{Along, Axis, Band, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
 
-const AZIMUTHS: [(f64, &str); 4] = [
-    (45.0, "theta=45"),
-    (90.0, "theta=90"),
-    (135.0, "theta=135"),
-    (225.0, "theta=225"),
-];
+const AZIMUTHS: [(f64, &str); 4] =
+    [(45.0, "theta=45"), (90.0, "theta=90"), (135.0, "theta=135"), (225.0, "theta=225")];
 const FOLDED: &str = "folded";
 
 /// 4π ψ over the polar angle for several azimuths, and the folded density.
@@ -23,35 +19,22 @@ pub fn table() -> Result<Table> {
     };
     for (theta, key) in AZIMUTHS {
         for k in 0..=180 {
-            add(
-                key,
-                f64::from(k),
-                density.printed(f64::from(k).to_radians(), theta.to_radians()),
-            )?;
+            add(key, f64::from(k), density.printed(f64::from(k).to_radians(), theta.to_radians()))?;
         }
     }
     for k in 0..=180 {
         let u = f64::from(k).to_radians().cos().abs();
-        add(
-            FOLDED,
-            f64::from(k),
-            density.folded().map_or(0.0, |(c0, c2)| c0 + c2 * u * u),
-        )?;
+        add(FOLDED, f64::from(k), density.folded().map_or(0.0, |(c0, c2)| c0 + c2 * u * u))?;
     }
     Ok(table)
 }
 
 /// One panel with the negative region marked.
 pub fn style(_: &str) -> Result<Figure> {
-    let x = Axis::new(
-        "phi_degree",
-        "polar angle φ (degrees; 0 and 180 are upright)",
-    )
-    .range(0.0, 180.0);
-    let mut panel = Panel::new(
-        x,
-        Axis::new("four_pi_density", "angle density 4πψ").range(-1.6, 3.6),
-    );
+    let x =
+        Axis::new("phi_degree", "polar angle φ (degrees; 0 and 180 are upright)").range(0.0, 180.0);
+    let mut panel =
+        Panel::new(x, Axis::new("four_pi_density", "angle density 4πψ").range(-1.6, 3.6));
     panel.curves = AZIMUTHS
         .iter()
         .enumerate()
@@ -59,15 +42,8 @@ pub fn style(_: &str) -> Result<Figure> {
             CurveStyle::numbered(k + 1, key, &format!("as printed, θ = {theta}°"))
         })
         .collect();
-    panel
-        .curves
-        .push(CurveStyle::numbered(0, FOLDED, "as used (folded)"));
-    panel.bands = vec![Band::new(
-        Along::Y,
-        f64::NEG_INFINITY,
-        0.0,
-        "negative: no density",
-    )];
+    panel.curves.push(CurveStyle::numbered(0, FOLDED, "as used (folded)"));
+    panel.bands = vec![Band::new(Along::Y, f64::NEG_INFINITY, 0.0, "negative: no density")];
     panel.horizontals = vec![Mark::new(0.0, "")];
     Ok(Figure {
         title: "Density of contact normals, as printed and as used".into(),

@@ -11,14 +11,13 @@ const X: &str = "interference_over_critical";
 const COLUMNS: [(&str, &str); 3] = [
     ("force_over_critical", "force over critical force"),
     ("area_over_critical", "area over critical area"),
-    ("mean_pressure_over_hardness", "mean pressure over hardness"),
+    ("mean_pressure_over_hardness", "mean pressure/hardness"),
 ];
 
 /// Points of x = w/w_c: a logarithmic grid with, at every jump, the values on both sides and a gap.
 fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
-    let mut points: Vec<f64> = (0..=200)
-        .map(|k| 10f64.powf(-1.0 + 4.0 * f64::from(k) / 200.0))
-        .collect();
+    let mut points: Vec<f64> =
+        (0..=200).map(|k| 10f64.powf(-1.0 + 4.0 * f64::from(k) / 200.0)).collect();
     points.retain(|x| !kinks.iter().any(|k| (x / k - 1.0).abs() < 1e-3));
     points.extend(kinks.iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
     points.sort_by(f64::total_cmp);
@@ -44,29 +43,16 @@ pub fn table() -> Result<Table> {
         let model: Model = id.parse()?;
         let request = Request::new([Quantity::Force, Quantity::Area]);
         let compiled = model.compile(&scene, &request)?;
-        let (force, area) = (
-            compiled.law(Quantity::Force)?,
-            compiled.law(Quantity::Area)?,
-        );
+        let (force, area) = (compiled.law(Quantity::Force)?, compiled.law(Quantity::Area)?);
         for x in grid(&jumps(&model, force, critical)) {
             let Some(x) = x else {
-                table.push(&[
-                    Field::Word(id),
-                    Field::Gap,
-                    Field::Gap,
-                    Field::Gap,
-                    Field::Gap,
-                ])?;
+                table.push(&[Field::Word(id), Field::Gap, Field::Gap, Field::Gap, Field::Gap])?;
                 continue;
             };
             let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
             // Where the printed sum is negative, a mean pressure means nothing.
             let pressure = f / a / asperity.hardness;
-            let pressure = if f > 0.0 && a > 0.0 {
-                Field::Number(pressure)
-            } else {
-                Field::Gap
-            };
+            let pressure = if f > 0.0 && a > 0.0 { Field::Number(pressure) } else { Field::Gap };
             table.push(&[
                 Field::Word(id),
                 Field::Number(x),
@@ -84,26 +70,18 @@ fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
     if model.claims().angles {
         return vec![];
     }
-    let kinks = law
-        .kinks()
-        .into_iter()
-        .map(|x| x * law.interference_unit / critical);
+    let kinks = law.kinks().into_iter().map(|x| x * law.interference_unit / critical);
     kinks.filter(|x| *x > 0.11 && *x < 900.0).collect()
 }
 
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
-    let curves = PAPER
-        .iter()
-        .map(|id| Ok(curve(id)?.joined()))
-        .collect::<Result<Vec<_>>>()?;
+    let curves = PAPER.iter().map(|id| Ok(curve(id)?.joined())).collect::<Result<Vec<_>>>()?;
     let panels = COLUMNS.map(|(column, label)| {
         let x = Axis::new(X, "interference over critical interference").log();
         let mut panel = Panel::new(x, Axis::new(column, label).log());
         panel.curves = curves.clone();
-        panel.verticals = [1.0, 6.0, 110.0]
-            .map(|at| Mark::new(at, &format!("{at}")))
-            .to_vec();
+        panel.verticals = [1.0, 6.0, 110.0].map(|at| Mark::new(at, &format!("{at}"))).to_vec();
         panel
     });
     let caption = [

@@ -20,9 +20,7 @@ const TOLERANCE: f64 = 1e-9;
 fn solve(model: &str, scene: &Scene, quantity: Quantity) -> Result<Response> {
     let model: Model = model.parse()?;
     let separations = linspace(0.0, 4.0, 201);
-    let request = Request::new([quantity])
-        .at(separations)
-        .within(Tolerance::new(TOLERANCE)?);
+    let request = Request::new([quantity]).at(separations).within(Tolerance::new(TOLERANCE)?);
     Ok(model.solve(scene, &request)?)
 }
 
@@ -40,11 +38,7 @@ fn curves(quantity: Quantity, list: &[(String, &str, Scene)]) -> Result<Table> {
     for ((key, _, _), response) in list.iter().zip(&solved) {
         for (s, value) in response.separations.iter().zip(response.values(quantity)?) {
             let separation = s * response.asperity_height_std;
-            table.push(&[
-                Field::Word(key),
-                Field::Number(separation),
-                Field::Number(*value),
-            ])?;
+            table.push(&[Field::Word(key), Field::Number(separation), Field::Number(*value)])?;
         }
     }
     Ok(table)
@@ -63,10 +57,7 @@ fn key(std: f64) -> String {
 }
 
 fn all_models(quantity: Quantity, scene: &Scene) -> Result<Table> {
-    let list: Vec<_> = PAPER
-        .iter()
-        .map(|id| ((*id).to_owned(), *id, scene.clone()))
-        .collect();
+    let list: Vec<_> = PAPER.iter().map(|id| ((*id).to_owned(), *id, scene.clone())).collect();
     curves(quantity, &list)
 }
 
@@ -74,7 +65,7 @@ fn all_models(quantity: Quantity, scene: &Scene) -> Result<Table> {
 fn axis(quantity: Quantity) -> Axis {
     let (label, factor) = match quantity {
         Quantity::Force => ("contact force F (N)", 1.0),
-        Quantity::Area => ("real contact area A (mm²)", 1e6),
+        Quantity::Area => ("contact area A (mm²)", 1e6),
         Quantity::Stiffness | Quantity::Tangent => ("stiffness K (N/µm)", 1e-6),
     };
     Axis::new(&column(quantity), label).times(factor)
@@ -116,10 +107,7 @@ fn roughness_figure(title: &str, quantity: Quantity) -> Result<Figure> {
 }
 
 fn models_figure(title: &str, quantity: Quantity) -> Result<Figure> {
-    let curves = PAPER
-        .iter()
-        .map(|id| curve(id))
-        .collect::<Result<Vec<_>>>()?;
+    let curves = PAPER.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     let assumed = format!("{INPUTS} Assumed: σ_z = 1.0 µm, so R = 359 µm.");
     let which = match quantity {
         Quantity::Stiffness => {
@@ -127,12 +115,7 @@ fn models_figure(title: &str, quantity: Quantity) -> Result<Figure> {
         }
         _ => "",
     };
-    Ok(figure(
-        title,
-        quantity,
-        &curves,
-        &[&format!("{assumed}{which}"), MARKERS],
-    ))
+    Ok(figure(title, quantity, &curves, &[&format!("{assumed}{which}"), MARKERS]))
 }
 
 /// Force of AT for several roughnesses.
@@ -178,16 +161,11 @@ fn measured() -> Result<Vec<[f64; 2]>> {
         "{}: head is {head:?}, separation_m,area_m2 was required",
         path.display()
     );
-    let rows = lines
-        .enumerate()
-        .filter(|(_, line)| !line.trim().is_empty());
+    let rows = lines.enumerate().filter(|(_, line)| !line.trim().is_empty());
     rows.map(|(k, line)| {
         let place = || format!("{} line {}: {line:?}", path.display(), k + 2);
         let (x, y) = line.split_once(',').with_context(place)?;
-        Ok([
-            x.trim().parse().with_context(place)?,
-            y.trim().parse().with_context(place)?,
-        ])
+        Ok([x.trim().parse().with_context(place)?, y.trim().parse().with_context(place)?])
     })
     .collect()
 }
@@ -198,79 +176,49 @@ const MEASURED: &str = "measured";
 pub fn table_10() -> Result<Table> {
     let mut table = all_models(Quantity::Area, &models::kucharski()?)?;
     for [separation, area] in measured()? {
-        table.push(&[
-            Field::Word(MEASURED),
-            Field::Number(separation),
-            Field::Number(area),
-        ])?;
+        table.push(&[Field::Word(MEASURED), Field::Number(separation), Field::Number(area)])?;
     }
     Ok(table)
 }
 
 /// Figure 4.
 pub fn style_04(_: &str) -> Result<Figure> {
-    roughness_figure(
-        "Contact force against separation, AT model",
-        Quantity::Force,
-    )
+    roughness_figure("Contact force against separation, AT model", Quantity::Force)
 }
 
 /// Figure 5.
 pub fn style_05(_: &str) -> Result<Figure> {
-    models_figure(
-        "Contact force against separation, nine models",
-        Quantity::Force,
-    )
+    models_figure("Contact force against separation, nine models", Quantity::Force)
 }
 
 /// Figure 6.
 pub fn style_06(_: &str) -> Result<Figure> {
-    roughness_figure(
-        "Real contact area against separation, AT model",
-        Quantity::Area,
-    )
+    roughness_figure("Real contact area against separation, AT model", Quantity::Area)
 }
 
 /// Figure 7.
 pub fn style_07(_: &str) -> Result<Figure> {
-    models_figure(
-        "Real contact area against separation, nine models",
-        Quantity::Area,
-    )
+    models_figure("Real contact area against separation, nine models", Quantity::Area)
 }
 
 /// Figure 8.
 pub fn style_08(_: &str) -> Result<Figure> {
-    roughness_figure(
-        "Contact stiffness against separation, AT model",
-        Quantity::Stiffness,
-    )
+    roughness_figure("Contact stiffness against separation, AT model", Quantity::Stiffness)
 }
 
 /// Figure 9.
 pub fn style_09(_: &str) -> Result<Figure> {
-    models_figure(
-        "Contact stiffness against separation, nine models",
-        Quantity::Stiffness,
-    )
+    models_figure("Contact stiffness against separation, nine models", Quantity::Stiffness)
 }
 
 /// Figure 10.
 pub fn style_10(csv: &str) -> Result<Figure> {
-    let mut curves = PAPER
-        .iter()
-        .map(|id| curve(id))
-        .collect::<Result<Vec<_>>>()?;
+    let mut curves = PAPER.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     let included = csv.lines().any(|line| line.starts_with("measured,"));
     let inputs = "Steel of Kucharski et al. (1994) on a rigid flat: E₁\u{a0}=\u{a0}200\u{a0}GPa, ν\u{a0}=\u{a0}0.3, Y\u{a0}=\u{a0}400\u{a0}MPa, so E\u{a0}=\u{a0}219.8\u{a0}GPa, G\u{a0}=\u{a0}45.2\u{a0}GPa, H\u{a0}=\u{a0}2.8\u{a0}Y\u{a0}=\u{a0}1.12\u{a0}GPa, S\u{a0}=\u{a0}0.577. The surface is not given: assumed σ_z\u{a0}=\u{a0}3\u{a0}µm, R\u{a0}=\u{a0}60\u{a0}µm, β_z\u{a0}=\u{a0}0.04, A_n\u{a0}=\u{a0}10⁻⁴\u{a0}m², Gaussian heights, d from the mean of the asperity heights.";
     if included {
         let marker = Marker::filled(Shape::Diamond);
-        curves.push(CurveStyle::points(
-            MEASURED,
-            "measured",
-            marker,
-            Colour::BLACK,
-        ));
+        curves.push(CurveStyle::points(MEASURED, "measured", marker, Colour::BLACK));
     }
     let title = "Real contact area of a steel, nine models";
     let mut figure = figure(title, Quantity::Area, &curves, &[inputs, MARKERS]);

@@ -20,10 +20,8 @@ pub fn table() -> Result<Table> {
     let request = Request::new([Quantity::Force]);
     let reference = "gw".parse::<Model>()?.compile(&scene, &request)?;
     let critical = scene.asperity()?.critical_interference()?;
-    let steps: Vec<f64> = linspace(0.3f64.ln(), 30f64.ln(), 201)
-        .into_iter()
-        .map(f64::exp)
-        .collect();
+    let steps: Vec<f64> =
+        linspace(0.3f64.ln(), 30f64.ln(), 201).into_iter().map(f64::exp).collect();
     let curves = MODELS
         .par_iter()
         .map(|id| {
@@ -85,10 +83,7 @@ fn negative_window(csv: &str, separation: f64) -> Result<Option<(f64, f64)>> {
 
 /// A panel for each separation, the negative window shaded.
 pub fn style(csv: &str) -> Result<Figure> {
-    let mut curves = MODELS[3..]
-        .iter()
-        .map(|id| curve(id))
-        .collect::<Result<Vec<_>>>()?;
+    let mut curves = MODELS[3..].iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     let readings = ["AT as printed", "AT additive", "AT overlap"];
     for (k, (id, label)) in MODELS.iter().zip(readings).enumerate() {
         curves.insert(k, CurveStyle::numbered([8, 0, 1][k], id, label));

@@ -7,10 +7,8 @@ use super::models::{self, INPUTS, MARKERS};
 use crate::draw::{Arrangement, Axis, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
 
-const READINGS: [(&str, &str); 2] = [
-    ("at", "as printed: shares are signed"),
-    ("at-additive", "additive reading"),
-];
+const READINGS: [(&str, &str); 2] =
+    [("at", "as printed: shares are signed"), ("at-additive", "additive reading")];
 const PARTS: [(&str, &str); 4] = [
     ("elastic", "elastic (y < 1)"),
     ("elastic-plastic 1", "ep1 (1 < y < 6)"),

@@ -1,0 +1,38 @@
+//! The examples run, and the README shows what they print.
+
+use std::process::Command;
+
+fn run(example: &str) -> String {
+    let arguments = ["run", "--quiet", "--package", "asperity", "--example", example];
+    let output = Command::new(env!("CARGO")).args(arguments).output().expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("examples print UTF-8")
+}
+
+const README: &str = include_str!("../../../README.md");
+
+#[test]
+fn the_readme_shows_its_example_and_what_it_prints() {
+    let example = include_str!("../examples/readme.rs");
+    let (_, code) = example.split_once("\n\n").expect("a head comment");
+    assert!(README.contains(code), "the README's first code block differs from examples/readme.rs");
+    let printed = run("readme");
+    assert!(
+        README.contains(&format!("```text\n{printed}```")),
+        "the README should show\n{printed}"
+    );
+}
+
+#[test]
+fn a_model_of_ones_own_has_no_findings() {
+    let printed = run("own_model");
+    assert!(!printed.contains("wrong"), "{printed}");
+    assert_eq!(printed.lines().count(), 3);
+}
+
+#[test]
+fn models_are_swapped_by_name_and_by_value() {
+    let printed = run("swap_models");
+    let ke: Vec<&str> = printed.lines().filter(|line| line.starts_with("ke ")).collect();
+    assert!(ke.len() == 2 && ke[0] == ke[1], "{printed}");
+}
