@@ -1,1 +1,75 @@
-//! x
+//! Long lists of separations go to all cores; neither digits nor order depend on it.
+
+use asperity::{HeightDistribution, Quantity, Request, linspace};
+
+use crate::scenes::{model, named};
+
+/// Above the number from which a response is computed in parallel (2048).
+const MANY: usize = 5000;
+
+/// Not sorted, so that an order by value or by thread would show.
+fn separations() -> Vec<f64> {
+    let sorted = linspace(-4.0, 45.0, MANY);
+    // 1777 and 5000 have no common divisor: every index once.
+    (0..MANY).map(|k| sorted[k * 1777 % MANY]).collect()
+}
+
+#[test]
+fn many_separations_give_the_digits_of_each_alone_in_the_order_asked() {
+    let asked = [Quantity::Area, Quantity::Force, Quantity::Tangent];
+    for (id, heights) in [
+        ("ke", HeightDistribution::Gaussian),
+        ("at", HeightDistribution::Gaussian),
+        ("jg", HeightDistribution::Exponential),
+    ] {
+        let mut scene = named("severe");
+        scene.heights = heights;
+        let request = Request::new(asked).at(separations()).with_bounds();
+        let compiled = model(id).compile(&scene, &request).unwrap();
+        let answer = compiled.respond(&request).unwrap();
+        assert!(answer.separations == request.separations);
+        assert!(answer.columns.iter().map(|c| c.quantity).eq(asked));
+        // A second compilation, so that nothing is shared: built in another order, by one thread.
+        let alone = model(id).compile(&scene, &request).unwrap();
+        for column in &answer.columns {
+            let bounds = column.bounds.as_ref().unwrap();
+            assert!(column.values.len() == MANY && column.ln_values.len() == MANY);
+            for (k, separation) in request.separations.iter().enumerate().rev() {
+                let one = alone.evaluate(column.quantity, *separation).unwrap();
+                let same = one.value().to_bits() == column.values[k].to_bits()
+                    && one.ln_value().to_bits() == column.ln_values[k].to_bits()
+                    && one.relative_error().to_bits() == bounds[k].to_bits();
+                assert!(same, "{id} {} at {separation}: {one:?}", column.quantity);
+            }
+        }
+    }
+}
+
+#[test]
+fn one_bad_separation_among_many_is_the_answer() {
+    let mut separations = separations();
+    separations[MANY - 2] = f64::NAN;
+    let request = Request::new([Quantity::Force]).at(separations);
+    let message = model("gw").solve(&named("mild"), &request).unwrap_err().to_string();
+    assert!(message.starts_with("separation is NaN"), "{message}");
+}
+
+#[test]
+fn threads_may_share_a_compiled_scene_while_it_builds_itself() {
+    let scene = named("at-paper");
+    let request = Request::new([Quantity::Force]);
+    let compiled = model("zmc").compile(&scene, &request).unwrap();
+    let sweep = linspace(-3.0, 20.0, 300);
+    let digits = || -> Vec<u64> {
+        let value = |s: &f64| compiled.evaluate(Quantity::Force, *s).unwrap().value().to_bits();
+        sweep.iter().map(value).collect()
+    };
+    let all = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..4).map(|_| scope.spawn(digits)).collect();
+        threads.into_iter().map(|t| t.join().unwrap()).collect::<Vec<_>>()
+    });
+    assert!(all.iter().all(|other| *other == all[0]));
+    // Falling force: the digits are those of different separations.
+    let values: Vec<f64> = all[0].iter().map(|bits| f64::from_bits(*bits)).collect();
+    assert!(values.windows(2).all(|pair| pair[0] > pair[1] && pair[1] > 0.0));
+}

@@ -50,7 +50,12 @@ fn the_other_laws_join_as_the_sheet_says() {
     assert!(at(&etsion, 1.01) < 1.01f64.powf(1.5) && at(&etsion, 1.01) > 1.0);
     close(at(&etsion, 2.0), 2.32, 1e-12, "Etsion F at 2");
     close(at(&etsion_area, 101.0), 1.0 + 1.19 * 100f64.powf(1.1), 1e-12, "Etsion A at 101");
-    assert!(jump(&etsion, 170.0).abs() > 0.01, "beyond the fit: fully plastic");
+    for (x, fully_plastic) in [(170.0, true), (169.99, false)] {
+        let [f, a] = [at(&etsion, x * (1.0 + 1e-13)), at(&etsion_area, x * (1.0 + 1e-13))];
+        // Mean pressure over H, with F_c/A_c = (2/3) S H.
+        let pressure = 2.0 / 3.0 * 0.577 * f / a;
+        assert!(((pressure - 1.0).abs() < 1e-12) == fully_plastic, "{x}: {pressure}");
+    }
     let [jg, jg_area] = laws("jg");
     // +0.47 % with two digits; the area is continuous.
     assert!((jump(&jg, 1.9) - 0.0047).abs() < 6e-5, "{}", jump(&jg, 1.9));
@@ -116,6 +121,9 @@ fn reference_values_of_the_lateral_models_are_met() {
 
 #[test]
 fn unlimited_stick_turns_the_printed_force_negative() {
+    // The reading that gives these numbers, by an independent sum in another language: T without
+    // limit in (17), (19) and (24), that is e, ep1 and p, and clamped in (23), that is ep2 alone.
+    // All four unlimited would be 96.797, ep1 clamped as well 19.25.
     let unlimited = LateralOptions { stick: Stick::Unlimited, ..LateralOptions::default() };
     let found = sheet("at", unlimited, Quantity::Force, &[0.0, 1.0, 2.0, 3.0]);
     for (found, wanted) in found.iter().zip([9.010, 0.6047, -0.05264, -0.006545]) {

@@ -1,1 +1,199 @@
-//! x
+//! Nothing is computed that was not asked for.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+
+use asperity::{
+    Asperity, Compiled, ContactError, ContactModel, Form, HeightDistribution, Law, Model, Power,
+    Provenance, Quantity, Request, Scene, Source, StiffnessKind, Tolerance,
+};
+
+use crate::scenes::{named, with_index};
+
+/// A law with a power part to x = 1 and a counted function beyond, as a user would write one.
+#[derive(Debug, Clone, Default)]
+struct Spy {
+    /// The quantities laws were asked for.
+    laws: Arc<Mutex<Vec<Quantity>>>,
+    /// How often the function part was sampled.
+    samples: Arc<AtomicUsize>,
+    /// Whether the stiffness is a law of its own.
+    own_stiffness: bool,
+}
+
+const SOURCE: Source =
+    Source { authors: "nobody", year: 2020, title: "a test", provenance: Provenance::Derived };
+
+impl Spy {
+    fn asked(&self) -> Vec<Quantity> {
+        self.laws.lock().unwrap().clone()
+    }
+
+    fn samples(&self) -> usize {
+        self.samples.load(Ordering::Relaxed)
+    }
+
+    fn compile(&self, scene: &Scene, quantities: &[Quantity]) -> Compiled {
+        let request = Request::new(quantities.iter().copied());
+        ContactModel::compile(self, scene, &request).unwrap()
+    }
+}
+
+impl ContactModel for Spy {
+    fn id(&self) -> &str {
+        "spy"
+    }
+
+    fn name(&self) -> &str {
+        "Spy"
+    }
+
+    fn source(&self) -> &Source {
+        &SOURCE
+    }
+
+    fn stiffness(&self) -> StiffnessKind {
+        if self.own_stiffness { StiffnessKind::OwnLaw } else { StiffnessKind::Tangent }
+    }
+
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Law, ContactError> {
+        self.laws.lock().unwrap().push(quantity);
+        let samples = self.samples.clone();
+        let beyond = Form::function(move |x| {
+            samples.fetch_add(1, Ordering::Relaxed);
+            x * x.ln_1p()
+        });
+        Ok(Law::in_units(asperity.critical_interference()?, 1.0)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .plastic(1.0..f64::INFINITY, beyond))
+    }
+}
+
+#[test]
+fn only_the_laws_of_the_asked_quantities_are_built() {
+    let (f, a, k, t) = (Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent);
+    for (asked, own_stiffness, laws) in [
+        (vec![a], false, vec![a]),
+        (vec![f], false, vec![f]),
+        (vec![t], false, vec![f]),
+        (vec![k, t, f], false, vec![f]),
+        (vec![t, a, k], false, vec![f, a]),
+        (vec![a, k], true, vec![a, k]),
+        (vec![k, t, f, k], true, vec![k, f]),
+        (vec![], false, vec![]),
+    ] {
+        let spy = Spy { own_stiffness, ..Spy::default() };
+        let compiled = spy.compile(&named("mild"), &asked);
+        assert!(spy.asked() == laws, "{asked:?}: {:?}", spy.asked());
+        // Not one more when values are drawn, and nothing sampled before.
+        assert!(spy.samples() == 0, "compiling samples nothing");
+        for quantity in asked {
+            compiled.evaluate(quantity, 1.0).unwrap();
+        }
+        assert!(spy.asked() == laws);
+    }
+}
+
+#[test]
+fn regimes_out_of_reach_are_not_sampled() {
+    let spy = Spy::default();
+    // ψ = 0.5: w_c is 4 σ_z, so that yielding begins at heights of d + 4.
+    let compiled = spy.compile(&with_index(0.5), &[Quantity::Force]);
+    for separation in [20.0, 60.0, 1e4] {
+        // At d = 20 the density at d + 4 is exp(-88) of that at d, below the cut of exp(-46).
+        assert!(compiled.evaluate(Quantity::Force, separation).unwrap().scaled > 0.0);
+        assert!(spy.samples() == 0, "{} samples at {separation}", spy.samples());
+    }
+    compiled.evaluate(Quantity::Force, 2.0).unwrap();
+    let near = spy.samples();
+    assert!(near > 0, "near contact the function part counts");
+    // A rule serves its neighbourhood: asked again, next to it or for the tangent, no sample more.
+    compiled.evaluate(Quantity::Force, 2.0).unwrap();
+    compiled.evaluate(Quantity::Force, 2.001).unwrap();
+    assert!(spy.samples() == near, "{} {near}", spy.samples());
+}
+
+#[test]
+fn shares_are_computed_when_asked_for_and_once() {
+    let spy = Spy::default();
+    let request = Request::new([Quantity::Force]).at([0.5]);
+    let compiled = ContactModel::compile(&spy, &with_index(2.0), &request).unwrap();
+    assert!(compiled.respond(&request).unwrap().columns[0].shares.is_none());
+    let value_only = spy.samples();
+    assert!(value_only > 0);
+    let answer = compiled.respond(&request.clone().with_shares()).unwrap();
+    let with_shares = spy.samples();
+    assert!(with_shares > value_only, "shares integrate the parts by themselves");
+    let shares = answer.columns[0].shares.clone().unwrap();
+    let total: f64 = shares[0].iter().map(|s| s.share).sum();
+    // Tolerance 1e-10 of the request, for each of three integrals.
+    assert!(shares[0].len() == 2 && (total - 1.0).abs() < 3e-10, "{shares:?}");
+    compiled.shares(Quantity::Force, 0.5).unwrap();
+    assert!(spy.samples() == with_shares, "a second time they are there");
+    assert!(spy.asked() == [Quantity::Force]);
+}
+
+#[test]
+fn moving_a_compiled_scene_keeps_its_laws() {
+    let spy = Spy::default();
+    let rough = with_index(2.0);
+    let compiled = spy.compile(&rough, &[Quantity::Force, Quantity::Area]);
+    let mut other = with_index(3.0);
+    other.surface.asperity_density *= 2.0;
+    other.nominal_area *= 3.0;
+    other.heights = HeightDistribution::Exponential;
+    let moved = compiled.on(&other).unwrap();
+    assert!(spy.asked() == [Quantity::Force, Quantity::Area], "{:?}", spy.asked());
+    assert!(spy.samples() == 0, "moving samples nothing");
+    let anew = Spy::default().compile(&other, &[Quantity::Force, Quantity::Area]);
+    for quantity in [Quantity::Force, Quantity::Area] {
+        let [a, b] = [&moved, &anew].map(|c| c.evaluate(quantity, 0.3).unwrap());
+        assert!(a == b, "{quantity}: {a:?} {b:?}");
+    }
+    assert!(spy.asked().len() == 2);
+}
+
+#[test]
+fn what_a_lateral_law_has_tabulated_moves_along() {
+    // The table is the costly thing: over two surfaces it must not be built twice.
+    let model: Model = "gao".parse().unwrap();
+    let request = Request::new([Quantity::Force]).at([0.0, 1.0, 2.0]);
+    let first = model.compile(&with_index(6.0), &request).unwrap();
+    let start = std::time::Instant::now();
+    first.respond(&request).unwrap();
+    let building = start.elapsed();
+    let second = first.on(&with_index(5.0)).unwrap();
+    let start = std::time::Instant::now();
+    second.respond(&request).unwrap();
+    // Ten times less where a twentieth was measured: a loaded machine must not fail this.
+    assert!(start.elapsed() * 3 < building, "{:?} after {building:?}", start.elapsed());
+}
+
+#[test]
+fn another_asperity_is_refused() {
+    let scene = with_index(2.0);
+    let compiled = Spy::default().compile(&scene, &[Quantity::Force]);
+    let changes: [fn(&mut Scene); 5] = [
+        |s| s.surface.asperity_radius *= 1.0 + 1e-15,
+        |s| s.interface.equivalent_modulus *= 2.0,
+        |s| s.interface.hardness = Some(1e9),
+        |s| s.interface.equivalent_shear_modulus = None,
+        |s| s.interface.pressure_factor = None,
+    ];
+    for change in changes {
+        let mut other = scene.clone();
+        change(&mut other);
+        let error = compiled.on(&other).unwrap_err();
+        assert!(error == ContactError::OtherAsperity, "{error}");
+        assert!(error.to_string().contains("asperity_radius differs"));
+    }
+    let mut bad = scene.clone();
+    bad.nominal_area = -1.0;
+    assert!(compiled.on(&bad).unwrap_err().to_string().starts_with("nominal_area is -1.0"));
+    assert!(compiled.on(&scene).is_ok());
+}

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use crate::{QuadratureError, Sampler};
 
 /// Coefficients of each series.
-const TERMS: usize = 16;
+const TERMS: usize = 24;
 /// Cells span a factor 8 each and cover x from 8^-42 to 8^42.
 const CELLS: usize = 84;
 const OCTAVES: i64 = 3;
