@@ -43,8 +43,9 @@ fn every_reference_value_is_met_within_the_reported_bound() {
     let mut count = 0;
     for ([case, id, words], rows) in rows() {
         let (model, quantity) = meaning(id, words);
-        // The table's own accuracy: 17 digits of a 40-digit value, or three implementations.
-        let own = if model.claims().angles { 2e-12 } else { 1e-13 };
+        // The table's own accuracy: 17 digits of a 40-digit value, or 13 digits and three
+        // implementations for the lateral models, whose tables miss 1e-12 (see below).
+        let own = if model.claims().angles { 3e-12 } else { 1e-13 };
         let compiled = scenes::compiled(&model, &scenes::named(case), &[quantity], 1e-12);
         for (separation, value) in rows {
             let found = compiled.evaluate(quantity, separation).unwrap();
@@ -69,9 +70,28 @@ fn every_reference_value_is_met_within_the_reported_bound() {
     }
     assert!(failures.is_empty(), "{} of {count}:\n{}", failures.len(), failures.join("\n"));
     assert!(count == 864, "{count} rows");
-    // Measured 2e-13 (upright) and 1e-12 (lateral); the room is one of rounding, not of method.
+    // Measured 3e-14 (upright) and 2.6e-12 (lateral).
     for (id, error) in worst {
-        let allowed = if scenes::model(id).claims().angles { 3e-12 } else { 5e-13 };
+        let allowed = if scenes::model(id).claims().angles { 3e-12 } else { 1e-13 };
         assert!(error < allowed, "{id}: {error:.1e}");
+    }
+}
+
+#[test]
+fn bounds_and_tolerances_of_lateral_models_hold_when_loose() {
+    let model = scenes::model("at-additive");
+    let value = |tolerance: f64| {
+        let compiled =
+            scenes::compiled(&model, &scenes::named("mild"), &[Quantity::Force], tolerance);
+        compiled.evaluate(Quantity::Force, 3.0).unwrap()
+    };
+    let best = value(1e-13);
+    for tolerance in [1e-3, 1e-6, 1e-8, 1e-10, 1e-12] {
+        let found = value(tolerance);
+        let error = (found.value() / best.value() - 1.0).abs();
+        // The tight one's own tolerance is all that the comparison may add.
+        let bound = found.relative_error() + 1e-13;
+        assert!(error < bound, "{tolerance:e}: error {error:.1e} above the bound {bound:.1e}");
+        assert!(error < tolerance + 1e-13, "{tolerance:e}: error {error:.1e}");
     }
 }

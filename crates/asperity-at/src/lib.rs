@@ -49,7 +49,7 @@ use asperity_core::{
     Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime, Source,
     StiffnessKind, Tolerance, Warning,
 };
-use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM};
+use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM, Stick};
 use serde::{Deserialize, Serialize};
 
 /// How equations (11), (26) and (29) are read.
@@ -92,13 +92,14 @@ impl AminiTehrani {
         let (ep, p) = (Regime::ElasticPlastic, Regime::Plastic);
         let sign = if self.reading == Reading::Additive { 1.0 } else { -1.0 };
         let overlap = self.reading == Reading::Overlap;
+        // In the overlap reading ep1 and ep2 cancel from 1 to 6, unless their areas or limits differ.
+        let cancel = overlap && quantity != Quantity::Area && self.options.stick == Stick::Clamped;
         let elastic_end = if overlap { EP1_END } else { ELASTIC_END };
         let mut terms = vec![("elastic", 1.0, Regime::Elastic, 0.0..elastic_end)];
-        // In the overlap reading ep1 and ep2 cancel from 1 to 6, but for the area.
-        if !overlap || quantity == Quantity::Area {
+        if !cancel {
             terms.push(("elastic-plastic 1", sign, ep, ELASTIC_END..EP1_END));
         }
-        let second = if overlap && quantity == Quantity::Area { ELASTIC_END } else { EP1_END };
+        let second = if overlap && !cancel { ELASTIC_END } else { EP1_END };
         terms.push(("elastic-plastic 2", 1.0, ep, second..PLASTIC_FROM));
         terms.push(("plastic", 1.0, p, PLASTIC_FROM..f64::INFINITY));
         terms
@@ -144,7 +145,8 @@ impl ContactModel for AminiTehrani {
                 regime
             };
             let normal: NormalLaw = lateral.normal(row, loss);
-            let mut part = lateral.part(normal, range, quantity, tolerance);
+            let stick = lateral.stick(name == "elastic-plastic 2");
+            let mut part = lateral.part(stick, normal, range, quantity, tolerance);
             let shrunk = quantity == Quantity::Area && !elastic;
             part.sign = sign * if shrunk { lateral.plastic_radius_ratio() } else { 1.0 };
             (part.name, part.regime) = (name.into(), regime);

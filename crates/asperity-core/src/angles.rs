@@ -121,7 +121,8 @@ pub fn angle_average(
     let mut kinks: Vec<f64> = contact.kinks(&range);
     kinks.extend([range.start, range.end]);
     kinks.retain(|x| x.is_finite() && *x > 0.0);
-    let tolerance = tolerance.max(2e-14);
+    // Half for the averages, half for their table; below 2e-13 rounding would be fitted.
+    let tolerance = (0.5 * tolerance).max(2e-13);
     let function = move |x: f64| -> Result<f64, QuadratureError> {
         let end = range.end.min(x);
         if end <= range.start {

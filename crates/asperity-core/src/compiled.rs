@@ -15,14 +15,15 @@ use crate::{
 /// A value that may be too small for a plain number, with a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Evaluation {
-    /// The value is `scaled` · exp(`ln_scale`), in SI units.
+    /// The value over its scale, in SI units. The scale is exp(-s²/2) for Gaussian heights at a
+    /// separation s > 0, exactly; the next field is its logarithm rounded to a double.
     pub scaled: f64,
     /// Logarithm of the scale, ≤ 0 or near it.
     pub ln_scale: f64,
     /// The integral of the law's absolute value, scaled alike: larger than the value where parts
     /// of different sign cancel.
     pub size: f64,
-    /// Bound on the error relative to `size`.
+    /// Bound on the error of `scaled` relative to `size`.
     pub error: f64,
 }
 
@@ -40,10 +41,16 @@ impl Evaluation {
         self.scaled.abs().ln() + self.ln_scale
     }
 
-    /// Bound on the error relative to the value: infinite where the value is 0 by cancellation.
+    /// Bound on the error relative to the value, the rounding of the scale's logarithm included:
+    /// infinite where the value is 0 by cancellation.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        if self.size == 0.0 { 0.0 } else { self.error * self.size / self.scaled.abs() }
+        if self.size == 0.0 {
+            return 0.0;
+        }
+        // Half a unit in the last place of the logarithm, and one each of exp and the product.
+        let scale = (0.5 * self.ln_scale.abs() + 2.0) * f64::EPSILON;
+        self.error * self.size / self.scaled.abs() + scale
     }
 }
 
@@ -113,7 +120,7 @@ impl Compiled {
                 law,
                 scene,
                 request.tolerance.relative(),
-            ));
+            )?);
         }
         Ok(compiled)
     }
@@ -131,12 +138,13 @@ impl Compiled {
         let channels = self
             .channels
             .iter()
-            .map(|c| Channel::new(c.quantity, c.law.clone(), scene, c.tolerance));
+            .map(|c| Channel::new(c.quantity, c.law.clone(), scene, c.tolerance))
+            .collect::<Result<_, _>>()?;
         Ok(Self {
             model: self.model.clone(),
             quantities: self.quantities.clone(),
             asperity: self.asperity,
-            channels: channels.collect(),
+            channels,
             height_std: scene.surface.asperity_height_std,
             separation_rounding: self.separation_rounding,
             warnings: self.warnings.clone(),
@@ -262,20 +270,31 @@ fn failed(quantity: Quantity, separation: f64) -> impl Fn(QuadratureError) -> Co
 }
 
 impl Channel {
-    fn new(quantity: Quantity, law: Law, scene: &Scene, tolerance: f64) -> Self {
+    fn new(
+        quantity: Quantity,
+        law: Law,
+        scene: &Scene,
+        tolerance: f64,
+    ) -> Result<Self, ContactError> {
         let scale = law.interference_unit / scene.surface.asperity_height_std;
         let total = HeightIntegral::new(law.density(), scale, &scene.heights, tolerance);
-        Self {
+        let factor = scene.asperities() * law.value_unit;
+        // Tangents are divided by σ_z.
+        for scale in [factor, factor / scene.surface.asperity_height_std, scale] {
+            if !(scale > 0.0 && scale.is_finite()) {
+                return Err(ContactError::Scale { quantity, scale });
+            }
+        }
+        Ok(Self {
             quantity,
-            // The integral over t = w/σ_z stands for one over heights in units of σ_z.
-            factor: scene.asperities() * law.value_unit,
+            factor,
             law,
             scale,
             heights: scene.heights.clone(),
             tolerance,
             total,
             parts: OnceLock::new(),
-        }
+        })
     }
 
     fn parts(&self) -> &[HeightIntegral] {

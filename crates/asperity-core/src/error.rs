@@ -55,6 +55,16 @@ pub enum ContactError {
         /// All known names.
         known: String,
     },
+    /// The scale of a quantity is beyond what a double can hold.
+    #[error(
+        "the scale of the {quantity} is {scale:e}: inputs that make it a finite number above 0 were required"
+    )]
+    Scale {
+        /// The quantity.
+        quantity: Quantity,
+        /// η A_n times the law's value unit, in SI units.
+        scale: f64,
+    },
     /// The integral could not be computed.
     #[error("{quantity} at separation {separation} (in asperity_height_std): {source}")]
     Integral {

@@ -114,6 +114,13 @@ impl Sampler for Form {
             Self::Function(sampler) => sampler.sample(x, out),
         }
     }
+
+    fn relative_error(&self) -> f64 {
+        match self {
+            Self::Powers(_) => 0.0,
+            Self::Function(sampler) => sampler.relative_error(),
+        }
+    }
 }
 
 /// One part of a law: one regime, on one range of x.

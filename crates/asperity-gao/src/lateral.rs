@@ -39,8 +39,9 @@ pub enum Stick {
     /// T ≤ μN in every regime.
     #[default]
     Clamped,
-    /// The AT paper's literal text: T = 1.5 r ζ* s |sin θ| without limit, except in the
-    /// elastic-plastic force (its eq. 23).
+    /// The AT paper's literal text: T = 1.5 r ζ* s |sin θ| without limit in e, ep1 and p; only in
+    /// ep2 (its eq. 23), and in Gao's one elastic-plastic part, does friction limit it. That this is
+    /// the reading of models.md was checked with its four values, 9.010 at d = 0 and on. \[derived\]
     Unlimited,
 }
 
@@ -162,16 +163,24 @@ impl Lateral {
         Some(Law::in_units(self.critical, unit))
     }
 
+    /// Whether friction limits the tangential force of a part: with [`Stick::Unlimited`] only in the
+    /// part that the AT paper's eq. (23) is for, Gao's elastic-plastic one and AT's ep2.
+    #[must_use]
+    pub fn stick(&self, of_equation_23: bool) -> Stick {
+        if of_equation_23 { Stick::Clamped } else { self.options.stick }
+    }
+
     /// The angle average of a regime over y in `range`, as a part of the law for `quantity`.
     #[must_use]
     pub fn part(
         &self,
+        stick: Stick,
         normal: NormalLaw,
         range: Range<f64>,
         quantity: Quantity,
         tolerance: Tolerance,
     ) -> Part {
-        let LateralOptions { angle_density, displacement, stick, force } = self.options;
+        let LateralOptions { angle_density, displacement, force, .. } = self.options;
         let closed = |powers| angle_average_of_powers(powers, range.clone(), angle_density);
         let response = match quantity {
             Quantity::Force => Some(Response::Force(force)),

@@ -88,7 +88,8 @@ impl ContactModel for Gao {
         let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
         for regime in [Regime::Elastic, Regime::ElasticPlastic, Regime::Plastic] {
             let normal = lateral.normal(regime, 0.0);
-            law.parts.push(lateral.part(normal, regime_range(regime), quantity, tolerance));
+            let stick = lateral.stick(regime == Regime::ElasticPlastic);
+            law.parts.push(lateral.part(stick, normal, regime_range(regime), quantity, tolerance));
         }
         Ok(law)
     }

@@ -1,7 +1,7 @@
 //! A contact pushed along and across its normal: stick, partial slip, gross slip, averaged over
 //! the azimuth θ.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::ops::Range;
 
 use asperity_core::ObliqueContact;
@@ -257,13 +257,18 @@ impl ObliqueContact for ObliqueSlip {
         let mut breaks = vec![];
         for event in events {
             let f = |y: f64| event(self.slip_ratios(y, x)).clamp(-1e300, 1e300);
-            // κ falls with y in every regime, but a wide probe costs little.
-            let probe = |k: usize| {
-                let share = 0.5 - 0.5 * (PI * k as f64 / 8.0).cos();
-                range.start + (range.end - range.start) * share.clamp(1e-15, 1.0 - 1e-15)
-            };
-            for k in 0..8 {
-                breaks.extend(bracketed_root(f, probe(k), probe(k + 1)));
+            // κ falls with y but for a fold just above the beginning of a regime, where A* rises
+            // before N does.
+            let shares =
+                [1e-15, 1e-4, 1e-3, 4e-3, 0.012, 0.04, 0.1, 0.25, 0.5, 0.75, 0.95, 1.0 - 1e-15];
+            let probe = |share: f64| range.start + (range.end - range.start) * share;
+            let mut left = (probe(shares[0]), f(probe(shares[0])));
+            for share in &shares[1..] {
+                let right = (probe(*share), f(probe(*share)));
+                if left.1 * right.1 <= 0.0 {
+                    breaks.extend(bracketed_root(f, left.0, right.0));
+                }
+                left = right;
             }
         }
         breaks.sort_by(f64::total_cmp);

@@ -70,21 +70,23 @@ impl ContactModel for GreenwoodWilliamson {
         quantity: Quantity,
         _: Tolerance,
     ) -> Result<Law, ContactError> {
-        // Nothing but the radius sets a scale: x = w/R.
+        // Nothing sets a scale: x is w in metres, and no unit overflows before the answer does.
         let (e, r) = (asperity.equivalent_modulus, asperity.radius);
         let all = 0.0..f64::INFINITY;
         match quantity {
             Quantity::Force => {
-                Ok(Law::in_units(r, 4.0 / 3.0 * e * r * r).elastic(all, [Power::new(1.0, 1.5)]))
+                Ok(Law::in_units(1.0, 4.0 / 3.0 * e * r.sqrt())
+                    .elastic(all, [Power::new(1.0, 1.5)]))
             }
-            Quantity::Area => Ok(Law::in_units(r, PI * r * r).elastic(all, [Power::new(1.0, 1.0)])),
+            Quantity::Area => Ok(Law::in_units(1.0, PI * r).elastic(all, [Power::new(1.0, 1.0)])),
             _ => Err(self.no_law(quantity)),
         }
     }
 }
 
 /// F_n(h) = (2π)^(-1/2) ∫ₕ^∞ (s-h)^n exp(-s²/2) ds, the integral of Greenwood & Williamson, for
-/// `order` n from 0 to 10 and `separation` h from -1e6 to 1e9; relative error below 1e-13.
+/// `order` n from 0 to 10 and `separation` h from -1e6 to 1e9; relative error below 1e-13
+/// for h ≥ -64, and below 3e-14 |h| under that.
 ///
 /// Far in the tail the value comes with its logarithm; it is never 0 by underflow alone.
 ///

@@ -1,6 +1,7 @@
 //! A costly function of x > 0, tabulated once as Chebyshev series between its kinks.
 
 use std::fmt;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use crate::{QuadratureError, Sampler};
@@ -10,8 +11,12 @@ const TERMS: usize = 24;
 /// Cells span a factor 8 each and cover x from 8^-42 to 8^42.
 const CELLS: usize = 84;
 const OCTAVES: i64 = 3;
-/// Bisection ends here.
+/// Bisection ends here,
 const DEEPEST: u32 = 24;
+/// or where a cell has this many series: a noisy function is not worth more,
+const MOST: usize = 40;
+/// or where this many halvings in a row have not halved the tail.
+const STALLED: u32 = 3;
 
 /// The costly function.
 type Function = dyn Fn(f64) -> Result<f64, QuadratureError> + Send + Sync;
@@ -25,12 +30,29 @@ pub struct Tabulated {
     function: Arc<Function>,
     kinks: Vec<f64>,
     tolerance: f64,
+    /// Bits of the largest relative tail that was left: all tails are positive.
+    reached: AtomicU64,
     cells: Box<[Cell]>,
 }
 
 impl fmt::Debug for Tabulated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Tabulated").field("kinks", &self.kinks).finish_non_exhaustive()
+    }
+}
+
+/// What the fits on the larger ranges around one have found.
+#[derive(Debug, Clone, Copy)]
+struct Parents {
+    depth: u32,
+    size: f64,
+    tail: f64,
+    stalled: u32,
+}
+
+impl Default for Parents {
+    fn default() -> Self {
+        Self { depth: 0, size: 0.0, tail: f64::INFINITY, stalled: 0 }
     }
 }
 
@@ -68,8 +90,8 @@ impl Tabulated {
         kinks.sort_by(f64::total_cmp);
         // Kinks closer than this are one: the strip between them carries nothing.
         kinks.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * *a);
-        let cells = (0..CELLS).map(|_| OnceLock::new()).collect();
-        Self { function, kinks, tolerance, cells }
+        let cells = (0..CELLS).map(|_| Cell::new()).collect();
+        Self { function, kinks, tolerance, reached: AtomicU64::new(0), cells }
     }
 
     /// The kinks, ascending.
@@ -110,13 +132,19 @@ impl Tabulated {
         for pair in ends.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             match (is_kink(a), is_kink(b)) {
-                (false, false) => self.fit((a, b), Map::Log, (0.0, 1.0), (0, 0.0), &mut series)?,
-                (true, false) => self.fit((a, b), Map::Left, (0.0, 1.0), (0, 0.0), &mut series)?,
-                (false, true) => self.fit((a, b), Map::Right, (0.0, 1.0), (0, 0.0), &mut series)?,
+                (false, false) => {
+                    self.fit((a, b), Map::Log, (0.0, 1.0), Parents::default(), &mut series)?
+                }
+                (true, false) => {
+                    self.fit((a, b), Map::Left, (0.0, 1.0), Parents::default(), &mut series)?
+                }
+                (false, true) => {
+                    self.fit((a, b), Map::Right, (0.0, 1.0), Parents::default(), &mut series)?
+                }
                 (true, true) => {
                     let middle = (a * b).sqrt();
-                    self.fit((a, middle), Map::Left, (0.0, 1.0), (0, 0.0), &mut series)?;
-                    self.fit((middle, b), Map::Right, (0.0, 1.0), (0, 0.0), &mut series)?;
+                    self.fit((a, middle), Map::Left, (0.0, 1.0), Parents::default(), &mut series)?;
+                    self.fit((middle, b), Map::Right, (0.0, 1.0), Parents::default(), &mut series)?;
                 }
             }
         }
@@ -129,7 +157,7 @@ impl Tabulated {
         ends: (f64, f64),
         map: Map,
         range: (f64, f64),
-        (depth, parents): (u32, f64),
+        parents: Parents,
         found: &mut Vec<Series>,
     ) -> Result<(), QuadratureError> {
         let mut samples = [0.0; TERMS];
@@ -141,20 +169,34 @@ impl Tabulated {
         let terms = coefficients(&samples);
         // Relative to the whole interval between kinks: where the function starts at zero, its
         // relative accuracy next to the kink is beyond what x itself can tell.
-        let size = terms.iter().fold(parents, |m: f64, t| m.max(t.abs()));
-        let tail = terms[TERMS - 2..].iter().fold(0.0, |m: f64, t| m.max(t.abs()));
-        if tail <= self.tolerance * size || depth >= DEEPEST {
+        let size = terms.iter().fold(parents.size, |m: f64, t| m.max(t.abs()));
+        // Four terms: one or two can be small by accident.
+        let tail = terms[TERMS - 4..].iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+        // Noise does not fall by halving, a kink does; neither is followed for ever.
+        let stalled = if tail > 0.5 * parents.tail { parents.stalled + 1 } else { 0 };
+        if tail <= self.tolerance * size
+            || stalled >= STALLED
+            || parents.depth >= DEEPEST
+            || found.len() >= MOST
+        {
+            self.reached.fetch_max((tail / size).to_bits(), Ordering::Relaxed);
             let (x0, x1) = (map.x(ends, range.0), map.x(ends, range.1));
             found.push(Series { low: x0.min(x1), high: x0.max(x1), map, range, ends, terms });
             return Ok(());
         }
+        let next = Parents { depth: parents.depth + 1, size, tail, stalled };
         let middle = 0.5 * (range.0 + range.1);
-        self.fit(ends, map, (range.0, middle), (depth + 1, size), found)?;
-        self.fit(ends, map, (middle, range.1), (depth + 1, size), found)
+        self.fit(ends, map, (range.0, middle), next, found)?;
+        self.fit(ends, map, (middle, range.1), next, found)
     }
 }
 
 impl Sampler for Tabulated {
+    fn relative_error(&self) -> f64 {
+        // The tolerance of what is tabulated, and what the tables built so far add to it.
+        self.tolerance + 4.0 * f64::from_bits(self.reached.load(Ordering::Relaxed))
+    }
+
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
         for (out, &x) in out.iter_mut().zip(x) {
             *out = self.value(x)?;

@@ -12,6 +12,11 @@ pub trait Sampler: Send + Sync {
     /// # Errors
     /// [`QuadratureError::Refused`] with the reason when the function has no value there.
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
+
+    /// Error of the values relative to the function's size nearby, if they are approximations.
+    fn relative_error(&self) -> f64 {
+        0.0
+    }
 }
 
 impl<F> Sampler for F
@@ -73,6 +78,12 @@ impl Density {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         breaks
+    }
+
+    /// The largest relative error of the pieces' values.
+    #[must_use]
+    pub fn relative_error(&self) -> f64 {
+        self.pieces.iter().map(|p| p.sampler.relative_error()).fold(0.0, f64::max)
     }
 
     /// The pieces that cover all of `[low, high]`, which must not straddle a break.

@@ -12,6 +12,8 @@ const MAP_POWER: i32 = 5;
 const RATIO: f64 = 4.0;
 /// Bisection stops here; a panel that thin carries less than any tolerance.
 const DEEPEST: u32 = 50;
+/// So does it after this many halvings in a row that did not help.
+const STALLED: u32 = 4;
 
 /// Point masses that stand for a density times a weight.
 #[derive(Debug, Clone, Default)]
@@ -35,6 +37,8 @@ struct Panel {
     /// Ends in x, by which the active pieces are chosen (never by the nodes).
     ends: (f64, f64),
     depth: u32,
+    /// How many halvings in a row have not helped.
+    stalled: u32,
     points: [f64; POINTS],
     masses: [f64; POINTS],
     error: f64,
@@ -61,6 +65,7 @@ impl Panel {
             high,
             ends,
             depth,
+            stalled: 0,
             points: [0.0; POINTS],
             masses: [0.0; POINTS],
             error: 0.0,
@@ -117,7 +122,7 @@ fn unresolved(rule: &Legendre, samples: &[f64]) -> f64 {
     }
     let middle = rule.middle(samples);
     let fall = if middle > tail { tail / middle } else { 1.0 };
-    10.0 * tail * fall * fall
+    10.0 * tail * fall
 }
 
 /// Replaces `density(x) · weight(x)` on `[low, high]` by point masses.
@@ -149,15 +154,21 @@ pub fn discretise(
     let mut total: f64 = panels.iter().map(Panel::size).sum();
     while let Some(panel) = panels.pop() {
         let allowed = (tolerance / count).max(1e-17) * total;
-        if panel.error <= allowed || panel.depth >= DEEPEST {
+        if panel.error <= allowed || panel.depth >= DEEPEST || panel.stalled >= STALLED {
             stuck += panel.error;
             done.push(panel);
             continue;
         }
         total -= panel.size();
-        for mut half in panel.halves() {
+        let mut halves = panel.halves();
+        for half in &mut halves {
             evaluations += half.sample(density, weight)?;
             total += half.size();
+        }
+        // A kink or jump is left in one half; noise stays in both, and halving does not help.
+        let noisy = halves[0].error + halves[1].error > 0.75 * panel.error;
+        for mut half in halves {
+            half.stalled = if noisy { panel.stalled + 1 } else { 0 };
             panels.push(half);
         }
     }

@@ -64,7 +64,7 @@ impl ShiftedGaussian {
             Some(segment) => (segment.sums(s), segment.error),
             None => self.directly(s)?,
         };
-        Ok(moments(sums, 1.0, ln_scale(s), error))
+        Ok(moments(sums, 1.0, ln_scale(s), error + self.density.relative_error()))
     }
 
     /// Builds what evaluations from `low` to `high` will need.
@@ -117,14 +117,16 @@ impl ShiftedGaussian {
 
     /// One s outside the ranges that have rules.
     fn directly(&self, s: f64) -> Result<(Sums, f64), QuadratureError> {
-        let tolerance = 1e-15_f64.max(0.1 * self.tolerance);
+        // Below, s + t is a difference of large numbers, and the weight is known no better.
+        let rounding = if s < LOWEST { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
+        let tolerance = rounding.max(0.1 * self.tolerance);
         let masses =
             segment::masses(&self.density, self.scale, s, segment::window(s, s), tolerance)?;
         self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
         let sums = segment::sums(&masses.points, &masses.masses, s, s);
         let [size, _] = sums.sizes;
         let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
-        Ok((sums, error + segment::ROUNDING))
+        Ok((sums, error + rounding + segment::ROUNDING))
     }
 }
 

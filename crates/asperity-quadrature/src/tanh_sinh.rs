@@ -71,7 +71,7 @@ impl TanhSinh {
             if k > 0 {
                 // Digits double from level to level while the integrand is analytic inside.
                 let relative = if scale > 0.0 { difference / scale } else { 0.0 };
-                best.error = scale * (10.0 * relative * relative.sqrt()).min(relative);
+                best.error = scale * (10.0 * relative * relative.sqrt().sqrt()).min(relative);
                 if best.error <= tolerance * scale || relative < 1e-15 {
                     break;
                 }

@@ -1,4 +1,5 @@
 //! The examples run, and the README shows what they print.
+#![allow(clippy::expect_used, reason = "a test: a panic is the failure")]
 
 use std::process::Command;
 

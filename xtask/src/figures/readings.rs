@@ -34,7 +34,7 @@ pub fn table() -> Result<Table> {
                 let (model, gw) = (compiled.on(&rougher)?, reference.on(&rougher)?);
                 for s in SEPARATIONS {
                     let [a, b] = [&model, &gw].map(|c| c.evaluate(Quantity::Force, s));
-                    rows.push((s, *psi, a?.value() / b?.value()));
+                    rows.push((panel_key(s), *psi, a?.value() / b?.value()));
                 }
             }
             Ok(rows)
@@ -44,7 +44,7 @@ pub fn table() -> Result<Table> {
     for separation in SEPARATIONS {
         let word = panel_key(separation);
         for (id, rows) in MODELS.iter().zip(&curves) {
-            for (_, psi, ratio) in rows.iter().filter(|(s, ..)| *s == separation) {
+            for (_, psi, ratio) in rows.iter().filter(|(s, ..)| *s == word) {
                 let fields = [
                     Field::Word(&word),
                     Field::Word(id),
