@@ -62,7 +62,7 @@ pub fn write(folder: &Path, names: &[&str]) -> Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// The names of the files that differ from what [`write`] would write. Writes nothing.
+/// The names of the files that differ from what [`write()`] would write. Writes nothing.
 ///
 /// # Errors
 /// An unknown name, or a figure that cannot be computed.
