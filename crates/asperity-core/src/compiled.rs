@@ -187,7 +187,11 @@ impl Compiled {
     ) -> Result<Evaluation, ContactError> {
         let channel = self.channel(quantity)?;
         let s = checked_separation(separation)?;
-        let moments = channel.total.at(s).map_err(failed(quantity, s))?;
+        // The slope is a tangent, or tells what a rounded separation does to the value.
+        let needs_slope = quantity != channel.quantity || self.separation_rounding > 0.0;
+        let total = &channel.total;
+        let moments = if needs_slope { total.at(s) } else { total.value(s) };
+        let moments = moments.map_err(failed(quantity, s))?;
         Ok(self.evaluation(channel, quantity, s, &moments))
     }
 

@@ -42,6 +42,14 @@ impl HeightIntegral {
         }
     }
 
+    /// I(s) alone; only what is asked is summed where that saves work.
+    pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
+        match self {
+            Self::Gaussian(integral) => integral.value(s),
+            _ => self.at(s),
+        }
+    }
+
     /// I(s) and -dI/ds.
     pub(crate) fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         match self {

@@ -3,6 +3,9 @@
 use crate::compress::Recurrence;
 use crate::{Density, Discretised, QuadratureError, discretise};
 
+/// Numbers handled together.
+const LANES: usize = 4;
+type Lane = [f64; LANES];
 /// exp(-L) of the integrand's peak is left out beyond the window: 1e-20.
 pub(crate) const CUT: f64 = 46.0;
 /// Node counts that are tried, cheapest first. Multiples of four, for vector registers.
@@ -104,8 +107,10 @@ pub(crate) fn sums(nodes: &[f64], weights: &[f64], centre: f64, s: f64) -> Sums 
 #[derive(Debug)]
 pub(crate) struct Segment {
     centre: f64,
-    nodes: Vec<f64>,
-    weights: Vec<f64>,
+    /// Nodes and weights in fours, filled up with weights of 0; weights of one sign first.
+    lanes: Vec<(Lane, Lane)>,
+    /// Whether all weights are positive: the value then is its own size.
+    positive: bool,
     /// Error of value and slope relative to their sizes, measured at both ends against the point
     /// masses.
     pub(crate) error: f64,
@@ -123,30 +128,34 @@ impl Segment {
         let fine =
             masses(density, scale, centre, window(low, high), 1e-15_f64.max(0.01 * tolerance))?;
         let Discretised { points, masses, error, evaluations } = fine;
-        let mut segment = Self { centre, nodes: vec![], weights: vec![], error: 0.0, evaluations };
+        let mut segment = Self { centre, lanes: vec![], positive: true, error: 0.0, evaluations };
         let total: f64 = masses.iter().map(|m| m.abs()).sum();
         if points.is_empty() {
             return Ok(segment);
         }
         let [plus, minus] = [1.0, -1.0].map(|sign| of_sign(&points, &masses, sign));
+        segment.positive = minus.is_none();
         // Just inside the ends, so that neither changes the sign convention at 0.
         let ends = [low + 1e-9 * (high - low), high - 1e-9 * (high - low)];
         let exact = ends.map(|s| sums(&points, &masses, centre, s));
+        // What no number of nodes mends: the masses' own error, and the density's.
+        let known = error / total + ROUNDING + density.relative_error();
         for n in LADDER {
-            segment.nodes.clear();
-            segment.weights.clear();
+            segment.lanes.clear();
             for (recurrence, sign) in [(&plus, 1.0), (&minus, -1.0)] {
-                let Some(recurrence) = recurrence else {
-                    continue;
-                };
+                let Some(recurrence) = recurrence else { continue };
                 let rule = recurrence.rule(n);
-                segment.nodes.extend(rule.nodes);
-                segment.weights.extend(rule.weights.iter().map(|w| sign * w));
+                for (t, w) in rule.nodes.chunks(LANES).zip(rule.weights.chunks(LANES)) {
+                    let (mut nodes, mut weights) = ([0.0; LANES], [0.0; LANES]);
+                    nodes[..t.len()].copy_from_slice(t);
+                    weights[..w.len()].copy_from_slice(w);
+                    segment.lanes.push((nodes, weights.map(|w| sign * w)));
+                }
             }
             let measured =
                 ends.iter().zip(&exact).map(|(s, e)| segment.sums(*s).error(e)).fold(0.0, f64::max);
-            segment.error = 2.0 * measured + error / total + ROUNDING;
-            if segment.error < 0.5 * tolerance || measured < ROUNDING {
+            segment.error = 2.0 * measured + known;
+            if 2.0 * measured < (0.5 * tolerance - known).max(ROUNDING) {
                 break;
             }
         }
@@ -154,11 +163,46 @@ impl Segment {
     }
 
     pub(crate) fn nodes(&self) -> usize {
-        self.nodes.len()
+        LANES * self.lanes.len()
+    }
+
+    /// Weighted exponentials of each four, with the four's nodes.
+    #[inline(always)]
+    fn terms(&self, s: f64) -> impl Iterator<Item = (Lane, Lane)> {
+        let delta = s - self.centre;
+        let shift = if s < 0.0 { 0.5 * (s + self.centre) } else { 0.0 };
+        self.lanes.iter().map(move |(nodes, weights)| {
+            // A branch-free exp of our own, four at a time, was measured no faster without AVX2.
+            let mut terms = nodes.map(|t| (-delta * (t + shift)).exp());
+            for k in 0..LANES {
+                terms[k] *= weights[k];
+            }
+            (*nodes, terms)
+        })
     }
 
     pub(crate) fn sums(&self, s: f64) -> Sums {
-        sums(&self.nodes, &self.weights, self.centre, s)
+        let mut sums = Sums::default();
+        for (nodes, terms) in self.terms(s) {
+            for (t, term) in nodes.iter().zip(terms) {
+                sums.add(term, s + t);
+            }
+        }
+        sums
+    }
+
+    /// The value and its size alone: half the work of all sums.
+    pub(crate) fn value(&self, s: f64) -> (f64, f64) {
+        let (mut value, mut size) = ([0.0; LANES], [0.0; LANES]);
+        for (_, terms) in self.terms(s) {
+            for k in 0..LANES {
+                value[k] += terms[k];
+                size[k] += terms[k].abs();
+            }
+        }
+        let sum = |lane: Lane| (lane[0] + lane[1]) + (lane[2] + lane[3]);
+        let total = sum(value);
+        (total, if self.positive { total } else { sum(size) })
     }
 }
 
