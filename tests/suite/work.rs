@@ -23,8 +23,14 @@ struct Spy {
     own_stiffness: bool,
 }
 
-const SOURCE: Source =
-    Source { authors: "nobody", year: 2020, title: "a test", provenance: Provenance::Derived };
+const SOURCE: Source = Source {
+    id: "mine",
+    name: "mine",
+    authors: "nobody",
+    year: 2020,
+    title: "a test",
+    provenance: Provenance::Derived,
+};
 
 impl Spy {
     fn asked(&self) -> Vec<Quantity> {
@@ -42,14 +48,6 @@ impl Spy {
 }
 
 impl ContactModel for Spy {
-    fn id(&self) -> &str {
-        "spy"
-    }
-
-    fn name(&self) -> &str {
-        "Spy"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -182,14 +180,6 @@ impl ObliqueContact for Counted {
 struct LateralSpy(Arc<AtomicUsize>);
 
 impl ContactModel for LateralSpy {
-    fn id(&self) -> &str {
-        "lateral-spy"
-    }
-
-    fn name(&self) -> &str {
-        "Lateral spy"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

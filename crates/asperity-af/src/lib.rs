@@ -61,6 +61,8 @@ pub struct AbdoFarhang {
 }
 
 const SOURCE: Source = Source {
+    id: "af",
+    name: "AF",
     authors: "Abdo & Farhang",
     year: 2005,
     title: "Elastic-plastic contact model for rough surfaces based on plastic asperity concept",
@@ -76,14 +78,6 @@ pub fn plastic_radius_ratio(asperity: &Asperity) -> Result<f64, ContactError> {
 }
 
 impl ContactModel for AbdoFarhang {
-    fn id(&self) -> &str {
-        "af"
-    }
-
-    fn name(&self) -> &str {
-        "AF"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

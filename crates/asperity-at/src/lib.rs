@@ -75,11 +75,16 @@ pub struct AminiTehrani {
 }
 
 const SOURCE: Source = Source {
+    id: "at",
+    name: "AT",
     authors: "Amini & Tehrani",
     year: 2020,
     title: "A New Combined Model for considering the Plasticity Effects in Contacting Asperities",
     provenance: Provenance::Seen,
 };
+
+const ADDITIVE: Source = Source { id: "at-additive", name: "AT additive", ..SOURCE };
+const OVERLAP: Source = Source { id: "at-overlap", name: "AT overlap", ..SOURCE };
 
 /// Where ep1 ends and ep2 begins, in y. \[seen\]
 const EP1_END: f64 = 6.0;
@@ -107,24 +112,12 @@ impl AminiTehrani {
 }
 
 impl ContactModel for AminiTehrani {
-    fn id(&self) -> &str {
-        match self.reading {
-            Reading::Printed => "at",
-            Reading::Additive => "at-additive",
-            Reading::Overlap => "at-overlap",
-        }
-    }
-
-    fn name(&self) -> &str {
-        match self.reading {
-            Reading::Printed => "AT",
-            Reading::Additive => "AT additive",
-            Reading::Overlap => "AT overlap",
-        }
-    }
-
     fn source(&self) -> &Source {
-        &SOURCE
+        match self.reading {
+            Reading::Printed => &SOURCE,
+            Reading::Additive => &ADDITIVE,
+            Reading::Overlap => &OVERLAP,
+        }
     }
 
     fn law(

@@ -40,6 +40,8 @@ use asperity_core::{
 pub struct ChangEtsionBogy;
 
 const SOURCE: Source = Source {
+    id: "ceb",
+    name: "CEB",
     authors: "Chang, Etsion & Bogy",
     year: 1987,
     title: "An elastic-plastic model for the contact of rough surfaces",
@@ -47,14 +49,6 @@ const SOURCE: Source = Source {
 };
 
 impl ContactModel for ChangEtsionBogy {
-    fn id(&self) -> &str {
-        "ceb"
-    }
-
-    fn name(&self) -> &str {
-        "CEB"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

@@ -27,9 +27,13 @@ impl fmt::Display for Provenance {
     }
 }
 
-/// Where a model comes from.
+/// What a model is called, and where it comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Source {
+    /// Short name in lower case, as in tables and scene files: `ke`.
+    pub id: &'static str,
+    /// The acronym, as in text: `KE`.
+    pub name: &'static str,
     /// Authors, as cited.
     pub authors: &'static str,
     /// Year of publication.
@@ -69,17 +73,21 @@ impl Default for Claims {
 
 /// A statistical contact model: how one asperity answers, and where that is from.
 ///
-/// To add a model, write `id`, `name`, `source` and `law` (for force and area); tangents, shares,
-/// bounds and inverses come from the engine. See the example `own_model` of the crate `asperity`.
+/// To add a model, write `source` and `law` (for force and area); tangents, shares and bounds come
+/// from the engine. See the example `own_model` of the crate `asperity`.
 pub trait ContactModel: fmt::Debug + Send + Sync {
-    /// Short name in lower case, as in tables and scene files: `ke`.
-    fn id(&self) -> &str;
-
-    /// The acronym, as in text: `KE`.
-    fn name(&self) -> &str;
-
-    /// Where the model comes from.
+    /// Its names, and where the model comes from.
     fn source(&self) -> &Source;
+
+    /// Short name in lower case: `ke`.
+    fn id(&self) -> &str {
+        self.source().id
+    }
+
+    /// The acronym: `KE`.
+    fn name(&self) -> &str {
+        self.source().name
+    }
 
     /// The law of one asperity for force \[N\], area \[m²\] or, where
     /// [`stiffness`](Self::stiffness) is [`StiffnessKind::OwnLaw`], stiffness \[N/m\].

@@ -209,19 +209,19 @@ mod tests {
     use super::*;
     use crate::{Form, Interface, Power, Provenance, Source};
 
-    const SOURCE: Source =
-        Source { authors: "nobody", year: 2026, title: "", provenance: Provenance::Derived };
+    const SOURCE: Source = Source {
+        id: "mine",
+        name: "mine",
+        authors: "nobody",
+        year: 2026,
+        title: "",
+        provenance: Provenance::Derived,
+    };
 
     #[derive(Debug)]
     struct Mine(fn() -> Law);
 
     impl ContactModel for Mine {
-        fn id(&self) -> &str {
-            "mine"
-        }
-        fn name(&self) -> &str {
-            "mine"
-        }
         fn source(&self) -> &Source {
             &SOURCE
         }

@@ -44,6 +44,8 @@ use asperity_core::{
 pub struct EtsionKligermanKadin;
 
 const SOURCE: Source = Source {
+    id: "etsion",
+    name: "Etsion",
     authors: "Etsion, Kligerman & Kadin",
     year: 2005,
     title: "Unloading of an elastic-plastic loaded spherical contact",
@@ -51,14 +53,6 @@ const SOURCE: Source = Source {
 };
 
 impl ContactModel for EtsionKligermanKadin {
-    fn id(&self) -> &str {
-        "etsion"
-    }
-
-    fn name(&self) -> &str {
-        "Etsion"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

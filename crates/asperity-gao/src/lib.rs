@@ -59,6 +59,8 @@ pub struct Gao {
 }
 
 const SOURCE: Source = Source {
+    id: "gao",
+    name: "Gao",
     authors: "Gao, Fu, Wang and others",
     year: 2018,
     title: "(title not known; read through Amini & Tehrani 2020)",
@@ -66,14 +68,6 @@ const SOURCE: Source = Source {
 };
 
 impl ContactModel for Gao {
-    fn id(&self) -> &str {
-        "gao"
-    }
-
-    fn name(&self) -> &str {
-        "Gao"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

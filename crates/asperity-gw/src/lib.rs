@@ -45,6 +45,8 @@ use asperity_quadrature::ShiftedGaussian;
 pub struct GreenwoodWilliamson;
 
 const SOURCE: Source = Source {
+    id: "gw",
+    name: "GW",
     authors: "Greenwood & Williamson",
     year: 1966,
     title: "Contact of nominally flat surfaces",
@@ -52,14 +54,6 @@ const SOURCE: Source = Source {
 };
 
 impl ContactModel for GreenwoodWilliamson {
-    fn id(&self) -> &str {
-        "gw"
-    }
-
-    fn name(&self) -> &str {
-        "GW"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

@@ -74,11 +74,15 @@ pub struct JacksonGreen {
 }
 
 const SOURCE: Source = Source {
+    id: "jg",
+    name: "JG",
     authors: "Jackson & Green",
     year: 2005,
     title: "A finite element study of elasto-plastic hemispherical contact against a rigid flat",
     provenance: Provenance::Seen,
 };
+
+const COSINE: Source = Source { id: "jg-cosine", name: "JG cosine", ..SOURCE };
 
 /// End of the elastic range, in w_c'. \[seen\]
 const ELASTIC_END: f64 = 1.9;
@@ -102,22 +106,11 @@ fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
 }
 
 impl ContactModel for JacksonGreen {
-    fn id(&self) -> &str {
-        match self.hardness {
-            GeometricHardness::Original => "jg",
-            GeometricHardness::Cosine => "jg-cosine",
-        }
-    }
-
-    fn name(&self) -> &str {
-        match self.hardness {
-            GeometricHardness::Original => "JG",
-            GeometricHardness::Cosine => "JG cosine",
-        }
-    }
-
     fn source(&self) -> &Source {
-        &SOURCE
+        match self.hardness {
+            GeometricHardness::Original => &SOURCE,
+            GeometricHardness::Cosine => &COSINE,
+        }
     }
 
     fn law(

@@ -45,6 +45,8 @@ use asperity_core::{
 pub struct KogutEtsion;
 
 const SOURCE: Source = Source {
+    id: "ke",
+    name: "KE",
     authors: "Kogut & Etsion",
     year: 2002,
     title: "Elastic-plastic contact analysis of a sphere and a rigid flat",
@@ -52,14 +54,6 @@ const SOURCE: Source = Source {
 };
 
 impl ContactModel for KogutEtsion {
-    fn id(&self) -> &str {
-        "ke"
-    }
-
-    fn name(&self) -> &str {
-        "KE"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

@@ -42,6 +42,8 @@ use asperity_core::{
 pub struct ZhaoMaiettaChang;
 
 const SOURCE: Source = Source {
+    id: "zmc",
+    name: "ZMC",
     authors: "Zhao, Maietta & Chang",
     year: 2000,
     title: "An asperity microcontact model incorporating the transition from elastic deformation to fully plastic flow",
@@ -77,14 +79,6 @@ fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
 }
 
 impl ContactModel for ZhaoMaiettaChang {
-    fn id(&self) -> &str {
-        "zmc"
-    }
-
-    fn name(&self) -> &str {
-        "ZMC"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

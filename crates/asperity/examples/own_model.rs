@@ -9,18 +9,16 @@ use asperity::{
 #[derive(Debug)]
 struct ThreeRanges;
 
-const SOURCE: Source =
-    Source { authors: "me", year: 2026, title: "An example", provenance: Provenance::Derived };
+const SOURCE: Source = Source {
+    id: "three-ranges",
+    name: "Three ranges",
+    authors: "me",
+    year: 2026,
+    title: "An example",
+    provenance: Provenance::Derived,
+};
 
 impl ContactModel for ThreeRanges {
-    fn id(&self) -> &str {
-        "three-ranges"
-    }
-
-    fn name(&self) -> &str {
-        "Three ranges"
-    }
-
     fn source(&self) -> &Source {
         &SOURCE
     }

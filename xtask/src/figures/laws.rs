@@ -3,10 +3,13 @@
 use anyhow::Result;
 use asperity::{Law, Model, Quantity, Request};
 
-use super::models::{self, MARKERS, PAPER, curve};
-use crate::draw::{Arrangement, Axis, Figure, Mark, Panel};
+use super::models::{self, MARKERS, curve};
+use crate::draw::{Arrangement, Axis, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
 
+/// All models; the other readings of AT would only crowd the picture.
+const MODELS: [&str; 10] =
+    ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af", "gao", "at"];
 const X: &str = "interference_over_critical";
 const COLUMNS: [(&str, &str); 3] = [
     ("force_over_critical", "force over critical force"),
@@ -17,7 +20,7 @@ const COLUMNS: [(&str, &str); 3] = [
 /// Points of x = w/w_c: a logarithmic grid with, at every jump, the values on both sides and a gap.
 fn grid(kinks: &[f64]) -> Vec<Option<f64>> {
     let mut points: Vec<f64> =
-        (0..=200).map(|k| 10f64.powf(-1.0 + 4.0 * f64::from(k) / 200.0)).collect();
+        (0..=200).map(|k| 10f64.powf(-0.5 + 3.0 * f64::from(k) / 200.0)).collect();
     points.retain(|x| !kinks.iter().any(|k| (x / k - 1.0).abs() < 1e-3));
     points.extend(kinks.iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
     points.sort_by(f64::total_cmp);
@@ -39,7 +42,7 @@ pub fn table() -> Result<Table> {
     let force_unit = asperity.critical_force()?;
     let area_unit = std::f64::consts::PI * asperity.radius * critical;
     let mut table = Table::new(&["curve", X, COLUMNS[0].0, COLUMNS[1].0, COLUMNS[2].0]);
-    for id in PAPER {
+    for id in MODELS {
         let model: Model = id.parse()?;
         let request = Request::new([Quantity::Force, Quantity::Area]);
         let compiled = model.compile(&scene, &request)?;
@@ -71,12 +74,17 @@ fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
         return vec![];
     }
     let kinks = law.kinks().into_iter().map(|x| x * law.interference_unit / critical);
-    kinks.filter(|x| *x > 0.11 && *x < 900.0).collect()
+    kinks.filter(|x| *x > 0.35 && *x < 310.0).collect()
 }
 
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
-    let curves = PAPER.iter().map(|id| Ok(curve(id)?.joined())).collect::<Result<Vec<_>>>()?;
+    // The gaps of AT are where it is negative, the others' are jumps.
+    let style = |id: &str| -> Result<CurveStyle> {
+        let curve = curve(id)?;
+        Ok(if id == "at" { curve } else { curve.joined() })
+    };
+    let curves = MODELS.iter().map(|id| style(id)).collect::<Result<Vec<_>>>()?;
     let panels = COLUMNS.map(|(column, label)| {
         let x = Axis::new(X, "interference over critical interference").log();
         let mut panel = Panel::new(x, Axis::new(column, label).log());
