@@ -6,6 +6,7 @@ mod hard_cases;
 mod heights;
 mod inputs;
 mod invariants;
+mod inverse;
 mod kit;
 mod parallel;
 mod published;

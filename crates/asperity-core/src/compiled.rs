@@ -76,6 +76,7 @@ pub struct Compiled {
     height_std: f64,
     separation_rounding: f64,
     warnings: Vec<Warning>,
+    monotone: bool,
 }
 
 /// The integral of one law.
@@ -108,6 +109,7 @@ impl Compiled {
             height_std: scene.surface.asperity_height_std,
             separation_rounding: request.separation_rounding,
             warnings: model.warnings(),
+            monotone: model.claims().force_monotone,
         };
         for &asked in &request.quantities {
             let quantity = law_of(asked, model.stiffness());
@@ -148,6 +150,7 @@ impl Compiled {
             height_std: scene.surface.asperity_height_std,
             separation_rounding: self.separation_rounding,
             warnings: self.warnings.clone(),
+            monotone: self.monotone,
         })
     }
 
@@ -155,6 +158,11 @@ impl Compiled {
     #[must_use]
     pub fn model(&self) -> &str {
         &self.model
+    }
+
+    /// Whether the model claims that its force never rises with the separation.
+    pub(crate) fn monotone(&self) -> bool {
+        self.monotone
     }
 
     /// What the model's options deserve to be warned of.

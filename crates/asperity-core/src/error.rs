@@ -65,6 +65,16 @@ pub enum ContactError {
         /// η A_n times the law's value unit, in SI units.
         scale: f64,
     },
+    /// No separation that is looked at carries this load.
+    #[error(
+        "load is {load:e} N: a load of at most {largest:e} N, the force at -64 asperity_height_std, was required"
+    )]
+    OutOfReach {
+        /// The load asked for \[N\].
+        load: f64,
+        /// The largest force \[N\].
+        largest: f64,
+    },
     /// The integral could not be computed.
     #[error("{quantity} at separation {separation} (in asperity_height_std): {source}")]
     Integral {

@@ -22,6 +22,7 @@ mod height_integral;
 mod heights;
 mod heights_statrs;
 mod interface;
+mod inverse;
 mod law;
 mod model;
 mod quantity;

@@ -10,8 +10,8 @@
 //! ```
 //! The slope is 0 just above x = 1, so the force dips below Hertz there. Above x = 170 the fit
 //! ends: the contact is taken as fully plastic, as in KE, and the force jumps there (at S = 0.577
-//! by -0.94 %, so that it is not monotone) as does the area. That range is ours, not the paper's.
-//! \[recalled\]
+//! by -0.94 %, so that it is not monotone) as does the area; that jump is up to 0.72 % of the
+//! tangent (at ψ = 13, d = 0). That range is ours, not the paper's. \[recalled\]
 //!
 //! # Valid for
 //! w_c < R, loading only.
