@@ -9,6 +9,7 @@ mod invariants;
 mod inverse;
 mod kit;
 mod parallel;
+mod plans;
 mod published;
 mod reference;
 mod scenes;

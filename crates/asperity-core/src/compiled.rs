@@ -77,6 +77,7 @@ pub struct Compiled {
     separation_rounding: f64,
     warnings: Vec<Warning>,
     monotone: bool,
+    heights: HeightDistribution,
 }
 
 /// The integral of one law.
@@ -110,6 +111,7 @@ impl Compiled {
             separation_rounding: request.separation_rounding,
             warnings: model.warnings(),
             monotone: model.claims().force_monotone,
+            heights: scene.heights.clone(),
         };
         for &asked in &request.quantities {
             let quantity = law_of(asked, model.stiffness());
@@ -151,6 +153,7 @@ impl Compiled {
             separation_rounding: self.separation_rounding,
             warnings: self.warnings.clone(),
             monotone: self.monotone,
+            heights: scene.heights.clone(),
         })
     }
 
@@ -227,6 +230,30 @@ impl Compiled {
     /// [`ContactError::NotRequested`].
     pub fn law(&self, quantity: Quantity) -> Result<&Law, ContactError> {
         Ok(&self.channel(quantity)?.law)
+    }
+
+    /// The law a quantity comes of, if it was asked for.
+    pub(crate) fn law_behind(&self, quantity: Quantity) -> Option<Quantity> {
+        self.channel(quantity).ok().map(|channel| channel.quantity)
+    }
+
+    /// The interference unit over σ_z.
+    pub(crate) fn scale(&self, quantity: Quantity) -> Result<f64, ContactError> {
+        Ok(self.channel(quantity)?.scale)
+    }
+
+    /// Nodes of the rule at a separation.
+    pub(crate) fn nodes(&self, quantity: Quantity, s: f64) -> Result<Option<usize>, ContactError> {
+        self.channel(quantity)?.total.nodes(s).map_err(failed(quantity, s))
+    }
+
+    /// How often the law has been sampled for rules.
+    pub(crate) fn samples(&self, quantity: Quantity) -> Result<usize, ContactError> {
+        Ok(self.channel(quantity)?.total.samples())
+    }
+
+    pub(crate) fn heights(&self) -> &HeightDistribution {
+        &self.heights
     }
 
     fn evaluation(

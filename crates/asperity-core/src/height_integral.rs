@@ -42,6 +42,22 @@ impl HeightIntegral {
         }
     }
 
+    /// Nodes of the rule for s; `None` where there are no rules.
+    pub(crate) fn nodes(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
+        match self {
+            Self::Gaussian(integral) => integral.nodes(s).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// How often the density has been sampled for rules.
+    pub(crate) fn samples(&self) -> usize {
+        match self {
+            Self::Gaussian(integral) => integral.evaluations(),
+            _ => 0,
+        }
+    }
+
     /// I(s) alone; only what is asked is summed where that saves work.
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match self {

@@ -39,4 +39,5 @@ pub use gaussian::{Moments, ShiftedGaussian};
 pub use kronrod::{Estimate, gauss_kronrod};
 pub use legendre::{Legendre, legendre};
 pub use roots::bracketed_root;
+pub use segment::reach;
 pub use tanh_sinh::{Point, TanhSinh};

@@ -14,8 +14,9 @@ const LADDER: [usize; 6] = [4, 8, 12, 16, 20, 24];
 pub(crate) const ROUNDING: f64 = 5e-15;
 pub(crate) const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 
-/// Where exp(-(s t + t²/2)) falls to exp(-CUT) of its largest value on t ≥ 0.
-pub(crate) fn reach(s: f64) -> f64 {
+/// Where exp(-(s t + t²/2)) falls to 1e-20 of its largest value on t ≥ 0: no rule looks beyond.
+#[must_use]
+pub fn reach(s: f64) -> f64 {
     if s >= 0.0 {
         // Not √(s²+2L) - s, which cancels for large s.
         2.0 * CUT / (s + (s * s + 2.0 * CUT).sqrt())

@@ -1,5 +1,6 @@
 #![doc = include_str!("../../../README.md")]
 
+mod recommend;
 mod registry;
 
 pub use asperity_af::{AbdoFarhang, FlowPressure};
@@ -12,4 +13,5 @@ pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;
+pub use recommend::{Comparison, Recommendation, recommend};
 pub use registry::Model;
