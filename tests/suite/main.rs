@@ -10,6 +10,7 @@ mod inverse;
 mod kit;
 mod parallel;
 mod plans;
+mod properties;
 mod published;
 mod reference;
 mod scenes;
