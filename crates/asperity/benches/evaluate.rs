@@ -1,0 +1,97 @@
+//! What an evaluation, a scene, a curve and an inverse cost, and what the classical method costs
+//! beside them in the same run. See the README of this folder.
+
+use std::hint::black_box;
+
+use asperity::{Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace};
+use asperity_quadrature::{gauss_kronrod, reach};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+type Outcome<T> = Result<T, asperity::ContactError>;
+
+fn scene() -> Outcome<Scene> {
+    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+    interface.equivalent_shear_modulus = Some(41e9);
+    interface.pressure_factor = Some(0.58);
+    let surface = Surface::from_plasticity_index(6.0, 0.04, 1e-6, &interface)?;
+    Ok(Scene::new(interface, surface, 3e-5))
+}
+
+fn request(quantity: Quantity) -> Outcome<Request> {
+    Ok(Request::new([quantity]).within(Tolerance::new(1e-10)?))
+}
+
+/// Separations in an order that no branch predictor learns.
+fn separations() -> Vec<f64> {
+    (0..1024).map(|k| -1.0 + 7.0 * f64::from(k * 619 % 1024) / 1024.0).collect()
+}
+
+fn evaluations(c: &mut Criterion) -> Outcome<()> {
+    let separations = separations();
+    for id in ["gw", "ke", "jg", "gao", "at"] {
+        for quantity in [Quantity::Force, Quantity::Tangent] {
+            let compiled = id.parse::<Model>()?.compile(&scene()?, &request(quantity)?)?;
+            let mut k = 0;
+            c.bench_function(&format!("evaluate/{id}/{quantity}"), |b| {
+                b.iter(|| {
+                    k = (k + 1) % separations.len();
+                    compiled.evaluate(quantity, black_box(separations[k])).map(|e| e.scaled)
+                });
+            });
+        }
+    }
+    Ok(())
+}
+
+/// KE's force by adaptive Gauss-Kronrod at 1e-10, split at the kinks and scaled against underflow.
+fn classical(c: &mut Criterion) -> Outcome<()> {
+    let separations = separations();
+    let scale = 1.0 / 36.0; // w_c/σ_z at plasticity index 6
+    let law = |x: f64| match x {
+        x if x < 1.0 => x * x.sqrt(),
+        x if x < 6.0 => 1.03 * x.powf(1.425),
+        x if x < 110.0 => 1.40 * x.powf(1.263),
+        x => 3.0 / 0.58 * x,
+    };
+    let mut k = 0;
+    c.bench_function("gauss-kronrod/ke/force", |b| {
+        b.iter(|| {
+            k = (k + 1) % separations.len();
+            let s = black_box(separations[k]);
+            let end = reach(s);
+            let mut breaks = vec![0.0, scale, 6.0 * scale, 110.0 * scale, end];
+            breaks.retain(|t| *t <= end);
+            let integrand = |t: f64| law(t / scale) * (-t * (s + 0.5 * t)).exp();
+            gauss_kronrod(integrand, &breaks, 1e-10, 100_000).map(|e| e.value)
+        });
+    });
+    Ok(())
+}
+
+fn whole_answers(c: &mut Criterion) -> Outcome<()> {
+    let (scene, request) = (scene()?, request(Quantity::Force)?);
+    let curve = request.clone().at(linspace(0.0, 4.0, 401));
+    let ke: Model = "ke".parse()?;
+    c.bench_function("compile and one value/ke", |b| {
+        b.iter(|| ke.compile(&scene, &request)?.evaluate(Quantity::Force, 1.0));
+    });
+    c.bench_function("curve of 401/ke", |b| b.iter(|| ke.solve(&scene, &curve)));
+    let compiled = ke.compile(&scene, &request)?;
+    c.bench_function("inverse/ke", |b| b.iter(|| compiled.separations_at(black_box(37.0))));
+    let gao: Model = "gao".parse()?;
+    let mut slow = c.benchmark_group("law and curve of 401");
+    slow.sample_size(10);
+    slow.bench_function("gao", |b| b.iter(|| gao.solve(&scene, &curve)));
+    Ok(())
+}
+
+fn all(c: &mut Criterion) {
+    for group in [evaluations, classical, whole_answers] {
+        if let Err(error) = group(c) {
+            eprintln!("error: {error}");
+        }
+    }
+}
+
+criterion_group!(benches, all);
+criterion_main!(benches);
