@@ -73,6 +73,8 @@ pub struct Compiled {
     quantities: Vec<Quantity>,
     asperity: Asperity,
     channels: Vec<Channel>,
+    /// For each quantity, which channel it comes of.
+    sources: Vec<usize>,
     height_std: f64,
     separation_rounding: f64,
     warnings: Vec<Warning>,
@@ -107,6 +109,7 @@ impl Compiled {
             quantities: request.quantities.clone(),
             asperity,
             channels: vec![],
+            sources: vec![],
             height_std: scene.surface.asperity_height_std,
             separation_rounding: request.separation_rounding,
             warnings: model.warnings(),
@@ -115,16 +118,13 @@ impl Compiled {
         };
         for &asked in &request.quantities {
             let quantity = law_of(asked, model.stiffness());
-            if compiled.channels.iter().any(|c| c.quantity == quantity) {
-                continue;
+            let known = compiled.channels.iter().position(|c| c.quantity == quantity);
+            compiled.sources.push(known.unwrap_or(compiled.channels.len()));
+            if known.is_none() {
+                let law = model.law(&asperity, quantity, request.tolerance)?;
+                let tolerance = request.tolerance.relative();
+                compiled.channels.push(Channel::new(quantity, law, scene, tolerance)?);
             }
-            let law = model.law(&asperity, quantity, request.tolerance)?;
-            compiled.channels.push(Channel::new(
-                quantity,
-                law,
-                scene,
-                request.tolerance.relative(),
-            )?);
         }
         Ok(compiled)
     }
@@ -149,6 +149,7 @@ impl Compiled {
             quantities: self.quantities.clone(),
             asperity: self.asperity,
             channels,
+            sources: self.sources.clone(),
             height_std: scene.surface.asperity_height_std,
             separation_rounding: self.separation_rounding,
             warnings: self.warnings.clone(),
@@ -286,13 +287,9 @@ impl Compiled {
     }
 
     fn channel(&self, quantity: Quantity) -> Result<&Channel, ContactError> {
-        let missing = || ContactError::NotRequested { quantity };
-        if !self.quantities.contains(&quantity) {
-            return Err(missing());
-        }
-        let own = self.channels.iter().find(|c| c.quantity == quantity);
-        own.or_else(|| self.channels.iter().find(|c| c.quantity == Quantity::Force))
-            .ok_or_else(missing)
+        let place = self.quantities.iter().position(|q| *q == quantity);
+        let channel = place.and_then(|k| self.channels.get(*self.sources.get(k)?));
+        channel.ok_or(ContactError::NotRequested { quantity })
     }
 }
 

@@ -71,6 +71,7 @@ impl ShiftedGaussian {
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
+    #[inline]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         let Some(segment) = self.segment(s)? else { return self.at(s) };
         let (value, size) = segment.value(s);
@@ -110,6 +111,7 @@ impl ShiftedGaussian {
         self.evaluations.load(Ordering::Relaxed)
     }
 
+    #[inline]
     fn segment(&self, s: f64) -> Result<Option<&Segment>, QuadratureError> {
         match locate(s) {
             Some(index) => self.built(index).map(Some),
@@ -117,13 +119,20 @@ impl ShiftedGaussian {
         }
     }
 
+    #[inline]
     fn built(&self, index: usize) -> Result<&Segment, QuadratureError> {
-        let cell = self.segments[index].get_or_init(|| {
-            let segment = Segment::new(&self.density, self.scale, range(index), self.tolerance)?;
-            self.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
-            Ok(Box::new(segment))
-        });
-        cell.as_deref().map_err(Clone::clone)
+        let cell = &self.segments[index];
+        match cell.get().unwrap_or_else(|| cell.get_or_init(|| self.build(index))) {
+            Ok(segment) => Ok(segment),
+            Err(error) => Err(error.clone()),
+        }
+    }
+
+    #[cold]
+    fn build(&self, index: usize) -> Result<Box<Segment>, QuadratureError> {
+        let segment = Segment::new(&self.density, self.scale, range(index), self.tolerance)?;
+        self.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
+        Ok(Box::new(segment))
     }
 
     /// One s outside the ranges that have rules.
@@ -157,6 +166,7 @@ pub(crate) fn ln_scale(s: f64) -> f64 {
 }
 
 /// The index of the rule for s.
+#[inline]
 fn locate(s: f64) -> Option<usize> {
     if !(LOWEST..=HIGHEST).contains(&s) {
         return None;

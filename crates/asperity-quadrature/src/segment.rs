@@ -193,17 +193,27 @@ impl Segment {
     }
 
     /// The value and its size alone: half the work of all sums.
+    #[inline]
     pub(crate) fn value(&self, s: f64) -> (f64, f64) {
-        let (mut value, mut size) = ([0.0; LANES], [0.0; LANES]);
+        let sum = |lane: Lane| (lane[0] + lane[1]) + (lane[2] + lane[3]);
+        let mut value = [0.0; LANES];
+        if self.positive {
+            for (_, terms) in self.terms(s) {
+                for k in 0..LANES {
+                    value[k] += terms[k];
+                }
+            }
+            let value = sum(value);
+            return (value, value);
+        }
+        let mut size = [0.0; LANES];
         for (_, terms) in self.terms(s) {
             for k in 0..LANES {
                 value[k] += terms[k];
                 size[k] += terms[k].abs();
             }
         }
-        let sum = |lane: Lane| (lane[0] + lane[1]) + (lane[2] + lane[3]);
-        let total = sum(value);
-        (total, if self.positive { total } else { sum(size) })
+        (sum(value), sum(size))
     }
 }
 
