@@ -1,4 +1,4 @@
-//! Numbers that papers and the project's own sheet (models.md) print.
+//! Numbers that papers and the sheet of equations this project was built from print.
 
 use asperity::{
     Displacement, ForceComponent, Interface, LateralOptions, Law, Quantity, Scene, Stick, Surface,

@@ -197,7 +197,7 @@ mod tests {
 
     #[test]
     fn elastic_limits_are_those_of_the_sheet() {
-        // Against x^p: 1/3 for Hertz' force, 7/16 for the area. [models.md, section 5]
+        // Against x^p: 1/3 for Hertz' force, 7/16 for the area. [the equations sheet, section 5]
         for (p, ratio) in [(1.5, 1.0 / 3.0), (1.0, 7.0 / 16.0)] {
             let form = angle_average_of_powers(
                 &[Power::new(1.0, p)],

@@ -41,7 +41,7 @@ pub enum Stick {
     Clamped,
     /// The AT paper's literal text: T = 1.5 r ζ* s |sin θ| without limit in e, ep1 and p; only in
     /// ep2 (its eq. 23), and in Gao's one elastic-plastic part, does friction limit it. That this is
-    /// the reading of models.md was checked with its four values, 9.010 at d = 0 and on. \[derived\]
+    /// the reading meant was checked with its four values, 9.010 at d = 0 and on. \[derived\]
     Unlimited,
 }
 

@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn the_force_jumps_by_half_a_percent_where_the_fit_begins() {
-        // ν = 0.3, small S_y/E: 1.9^1.5 against the fit. [models.md: +0.47 %]
+        // ν = 0.3, small S_y/E: 1.9^1.5 against the fit. [the equations sheet: +0.47 %]
         let c = 1.295 * (0.736f64 * 0.3).exp();
         let fit = force(1.9, c, 1e-4, 0.14, GeometricHardness::Original);
         assert!((fit / 1.9f64.powf(1.5) - 1.0047).abs() < 1e-4);
