@@ -108,7 +108,8 @@ fn roughness_figure(title: &str, quantity: Quantity) -> Result<Figure> {
 
 fn models_figure(title: &str, quantity: Quantity) -> Result<Figure> {
     let curves = PAPER.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
-    let assumed = format!("{INPUTS} Assumed: σ_z = 1.0 µm, so R = 359 µm.");
+    let assumed =
+        format!("{INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm, so R\u{a0}=\u{a0}359\u{a0}µm.");
     let which = match quantity {
         Quantity::Stiffness => {
             " Stiffness is -dF/dd, for Gao and AT the papers' average of asperity stiffnesses."

@@ -63,7 +63,7 @@ pub fn style(_: &str) -> Result<Figure> {
         title: "Regimes of the AT model's force".into(),
         caption: vec![
             format!(
-                "y is the contact-normal interference over w_c, ep1 and ep2 are the elastic-plastic ranges. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z = 1.0 µm."
+                "y is the contact-normal interference over w_c, ep1 and ep2 are the elastic-plastic ranges. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
             ),
             MARKERS.into(),
         ],
