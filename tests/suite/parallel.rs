@@ -1,6 +1,6 @@
 //! Long lists of separations go to all cores; neither digits nor order depend on it.
 
-use asperity::{HeightDistribution, Quantity, Request, linspace};
+use asperity::{HeightDistribution, Quantity, Request, Tolerance, linspace};
 
 use crate::scenes::{model, named};
 
@@ -72,4 +72,26 @@ fn threads_may_share_a_compiled_scene_while_it_builds_itself() {
     // Falling force: the digits are those of different separations.
     let values: Vec<f64> = all[0].iter().map(|bits| f64::from_bits(*bits)).collect();
     assert!(values.windows(2).all(|pair| pair[0] > pair[1] && pair[1] > 0.0));
+}
+
+#[test]
+fn separations_in_metres_are_the_same_with_a_wider_bound() {
+    let scene = named("mild");
+    let std = scene.surface.asperity_height_std;
+    let ke = model("ke");
+    let tolerance = Tolerance::new(1e-13).unwrap();
+    let exact = Request::new([Quantity::Force]).at([30.0]).within(tolerance).with_bounds();
+    let metres = Request::new([Quantity::Force])
+        .at_metres([30.0 * std], std)
+        .within(tolerance)
+        .with_bounds();
+    let [exact, metres] = [exact, metres].map(|request| {
+        let answer = ke.solve(&scene, &request).unwrap();
+        let column = answer.column(Quantity::Force).unwrap();
+        (column.values[0], column.bounds.as_ref().unwrap()[0])
+    });
+    // Rounding d/σ_z moves the force by s² ε: 2e-13 at s = 30, and the bound says so.
+    assert!((metres.0 / exact.0 - 1.0).abs() <= metres.1 + exact.1);
+    let added = metres.1 - exact.1;
+    assert!(added > 900.0 * f64::EPSILON && added < 1000.0 * f64::EPSILON, "{added:e}");
 }

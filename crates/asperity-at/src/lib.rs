@@ -45,6 +45,7 @@
 
 use std::ops::Range;
 
+use asperity_af::plastic_radius_ratio;
 use asperity_core::{
     Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime, Source,
     StiffnessKind, Tolerance, Warning,
@@ -141,7 +142,7 @@ impl ContactModel for AminiTehrani {
             let stick = lateral.stick(name == "elastic-plastic 2");
             let mut part = lateral.part(stick, normal, range, quantity, tolerance);
             let shrunk = quantity == Quantity::Area && !elastic;
-            part.sign = sign * if shrunk { lateral.plastic_radius_ratio() } else { 1.0 };
+            part.sign = sign * if shrunk { plastic_radius_ratio(asperity)? } else { 1.0 };
             (part.name, part.regime) = (name.into(), regime);
             law.parts.push(part);
         }

@@ -264,7 +264,7 @@ impl Compiled {
         separation: f64,
         moments: &Moments,
     ) -> Evaluation {
-        // Only two channels hold their quantity as the integral itself: the others are slopes.
+        // A channel's own quantity is its integral; what else comes of it is a slope.
         let is_slope = quantity != channel.quantity;
         let (scaled, size) = if is_slope {
             (moments.slope / self.height_std, moments.sizes[1] / self.height_std)

@@ -138,12 +138,6 @@ impl Lateral {
         (self.critical / self.radius).sqrt()
     }
 
-    /// R_p/R = 1 - w_c/R.
-    #[must_use]
-    pub fn plastic_radius_ratio(&self) -> f64 {
-        1.0 - self.critical / self.radius
-    }
-
     /// The normal law of a regime, with this s₀.
     #[must_use]
     pub fn normal(&self, regime: Regime, radius_loss: f64) -> NormalLaw {

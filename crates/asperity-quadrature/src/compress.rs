@@ -4,11 +4,11 @@ use nalgebra::DMatrix;
 
 /// A Gauss rule: Σ wᵢ f(xᵢ) is exact for polynomials f of degree 2n-1 under its measure.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GaussRule {
+pub(crate) struct GaussRule {
     /// Nodes, ascending, inside the support of the measure.
-    pub nodes: Vec<f64>,
+    pub(crate) nodes: Vec<f64>,
     /// Weights, all positive; they sum to the total mass.
-    pub weights: Vec<f64>,
+    pub(crate) weights: Vec<f64>,
 }
 
 /// Coefficients of the orthonormal polynomials of a discrete measure, on an interval mapped to
@@ -106,21 +106,9 @@ impl Recurrence {
     }
 }
 
-/// The n-point Gauss rule of the measure with these positive point masses.
-///
-/// Give at least twice as many points as nodes. Fewer distinct points than `n` give as many nodes
-/// as there are points.
-#[must_use]
-pub fn gauss_rule(points: &[f64], masses: &[f64], n: usize) -> GaussRule {
-    if points.is_empty() {
-        return GaussRule { nodes: vec![], weights: vec![] };
-    }
-    Recurrence::new(points, masses, n).rule(n)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::gauss_rule;
+    use super::Recurrence;
     use crate::legendre;
 
     #[test]
@@ -131,7 +119,7 @@ mod tests {
         let masses: Vec<f64> =
             fine.nodes.iter().zip(&fine.weights).map(|(u, w)| 2.0 * w * u.powi(4)).collect();
         for n in [2, 4, 8, 16, 24] {
-            let rule = gauss_rule(&points, &masses, n);
+            let rule = Recurrence::new(&points, &masses, n).rule(n);
             for degree in 0..2 * n as i32 {
                 let sum: f64 =
                     rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree)).sum();
@@ -143,9 +131,8 @@ mod tests {
 
     #[test]
     fn a_measure_of_few_points_is_reproduced() {
-        let rule = gauss_rule(&[1.0, 2.0], &[3.0, 4.0], 8);
+        let rule = Recurrence::new(&[1.0, 2.0], &[3.0, 4.0], 8).rule(8);
         assert_eq!(rule.nodes.len(), 2);
         assert!((rule.nodes[0] - 1.0).abs() < 1e-15 && (rule.weights[1] - 4.0).abs() < 1e-14);
-        assert!(gauss_rule(&[], &[], 4).nodes.is_empty());
     }
 }

@@ -111,9 +111,10 @@ impl Panel {
     }
 }
 
-/// Estimates the error of the rule from how the Legendre coefficients fall: a geometric fall
-/// continues to degree 2n (where the rule begins to err), a kink's slow fall does not improve, and
-/// a tail at the level of rounding says nothing: the samples are resolved.
+/// Estimates the error of the rule from how the Legendre coefficients fall: a fall from degree n/2
+/// to n goes on beyond, a kink's does not, and a tail at the level of rounding says nothing: the
+/// samples are resolved. The rule errs from degree 2n on only, so that the fall could count twice
+/// for a geometric one; next to the kinks of lateral laws it does not, and that cost 5e-12.
 fn unresolved(rule: &Legendre, samples: &[f64]) -> f64 {
     let tail = rule.tail(samples);
     let largest = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));

@@ -79,24 +79,6 @@ impl ShiftedGaussian {
         Ok(Moments { value, slope: 0.0, ln_scale, sizes: [size, 0.0], error })
     }
 
-    /// Builds what evaluations from `low` to `high` will need.
-    ///
-    /// # Errors
-    /// Those of [`crate::discretise`].
-    pub fn prepare(&self, low: f64, high: f64) -> Result<(), QuadratureError> {
-        let Some(mut index) = locate(low.max(LOWEST)) else {
-            return Ok(());
-        };
-        let Some(last) = locate(high.clamp(LOWEST, HIGHEST)) else {
-            return Ok(());
-        };
-        while index <= last {
-            self.built(index)?;
-            index += 1;
-        }
-        Ok(())
-    }
-
     /// Nodes of the rule that serves s; 0 where each evaluation integrates anew.
     ///
     /// # Errors

@@ -12,8 +12,8 @@
 //!
 //! 1. [`discretise`] replaces q(t) φ(s + t) by positive point masses, on panels that end at the
 //!    kinks and are refined until a Legendre tail shows that they are resolved;
-//! 2. [`gauss_rule`] compresses hundreds of masses into the few nodes of their Gauss rule;
-//! 3. [`ShiftedGaussian`] does so once for each short range of s, on demand, and then answers the
+//! 2. hundreds of masses are compressed into the few nodes of their Gauss rule;
+//! 3. [`ShiftedGaussian`] does both once for each short range of s, on demand, and then answers the
 //!    value and its derivative from 4 to 16 nodes without a branch or a power.
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
@@ -31,7 +31,6 @@ mod segment;
 mod tanh_sinh;
 
 pub use chebyshev::Tabulated;
-pub use compress::{GaussRule, gauss_rule};
 pub use density::{Density, Piece, Sampler};
 pub use discretise::{Discretised, discretise};
 pub use error::QuadratureError;
