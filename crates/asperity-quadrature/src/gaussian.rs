@@ -1,20 +1,11 @@
-//! I(s) = ∫₀^∞ q(t/c) φ(s + t) dt for many s: rules built on demand, one for each short range of s.
+//! I(s) = ∫₀^∞ q(t/c) φ(s + t) dt at one scale c for many s.
 
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 
-use crate::segment::{self, Segment, Sums};
+use crate::exponentials::Sums;
+use crate::rules::{Rules, Task};
+use crate::segment::Segment;
 use crate::{Density, QuadratureError};
-
-/// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
-const LOWEST: f64 = -64.0;
-/// Beyond this s the window is so short that only the first power of the density counts, and
-/// s² no longer fits a multiple of the height's rounding; nothing physical lies there.
-const HIGHEST: f64 = 1e9;
-/// Rules below zero, one for each unit.
-const NEGATIVE: usize = 64;
-/// Rules above zero, four for each octave of s + 4.5.
-const POSITIVE: usize = 112;
 
 /// I(s) with its derivatives, scaled against underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,17 +24,25 @@ pub struct Moments {
     pub error: f64,
 }
 
-/// The rule of one range of s, if it has been built.
-type Cell = OnceLock<Result<Box<Segment>, QuadratureError>>;
+/// The second derivative d²I/ds² = value · exp(`ln_scale`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curvature {
+    /// ∫ q(t/c) ((s+t)² - 1) φ(s+t) dt over its scale.
+    pub value: f64,
+    /// The same with |q| ((s+t)² + 1).
+    pub size: f64,
+    /// -max(s, 0)²/2.
+    pub ln_scale: f64,
+    /// Bound on the error of the value relative to `size`.
+    pub error: f64,
+}
 
 /// The integral of one density at one scale c against φ(s + t), for all s.
 #[derive(Debug)]
 pub struct ShiftedGaussian {
-    density: Density,
+    task: Task,
     scale: f64,
-    tolerance: f64,
-    segments: Box<[Cell]>,
-    evaluations: AtomicUsize,
+    rules: Rules,
 }
 
 impl ShiftedGaussian {
@@ -51,8 +50,8 @@ impl ShiftedGaussian {
     /// evaluation. `scale` must be positive and finite, `tolerance` is relative.
     #[must_use]
     pub fn new(density: Density, scale: f64, tolerance: f64) -> Self {
-        let segments = (0..NEGATIVE + POSITIVE).map(|_| OnceLock::new()).collect();
-        Self { density, scale, tolerance, segments, evaluations: AtomicUsize::new(0) }
+        let rules = Rules::new(scale, (0.0, 0.0));
+        Self { task: Task::new(density, tolerance), scale, rules }
     }
 
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
@@ -60,11 +59,8 @@ impl ShiftedGaussian {
     /// # Errors
     /// Those of [`crate::discretise`].
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let (sums, error) = match self.segment(s)? {
-            Some(segment) => (segment.sums(s), segment.error),
-            None => self.directly(s)?,
-        };
-        Ok(moments(sums, 1.0, ln_scale(s), error))
+        let (sums, [error, _]) = self.sums(s)?;
+        Ok(Moments::new(&sums, 1.0, s, error))
     }
 
     /// I(s) alone, with `slope` and its size left at 0: about half the work of [`at`](Self::at).
@@ -73,10 +69,27 @@ impl ShiftedGaussian {
     /// Those of [`crate::discretise`].
     #[inline]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let Some(segment) = self.segment(s)? else { return self.at(s) };
-        let (value, size) = segment.value(s);
-        let (ln_scale, error) = (ln_scale(s), segment.error);
-        Ok(Moments { value, slope: 0.0, ln_scale, sizes: [size, 0.0], error })
+        let Some(segment) = self.rules.at(s, &self.task)? else { return self.at(s) };
+        let (value, size) = segment.value(s, 0.0);
+        Ok(Moments::of_value(value, size, s, segment.error[0]))
+    }
+
+    /// d²I/ds², from the nodes of value and slope.
+    ///
+    /// # Errors
+    /// Those of [`crate::discretise`].
+    pub fn curvature(&self, s: f64) -> Result<Curvature, QuadratureError> {
+        let (sums, [_, error]) = self.sums(s)?;
+        let value = sums.power[2] - sums.power[0];
+        let size = sums.size[2] + sums.size[0];
+        Ok(Curvature { value, size, ln_scale: ln_scale(s), error })
+    }
+
+    fn sums(&self, s: f64) -> Result<(Sums, [f64; 2]), QuadratureError> {
+        match self.rules.at(s, &self.task)? {
+            Some(segment) => Ok((segment.sums(s, 0.0), segment.error)),
+            None => self.task.directly(s, self.scale).map(|(sums, error)| (sums, [error; 2])),
+        }
     }
 
     /// Nodes of the rule that serves s; 0 where each evaluation integrates anew.
@@ -84,107 +97,48 @@ impl ShiftedGaussian {
     /// # Errors
     /// Those of [`crate::discretise`].
     pub fn nodes(&self, s: f64) -> Result<usize, QuadratureError> {
-        Ok(self.segment(s)?.map_or(0, Segment::nodes))
+        Ok(self.rules.at(s, &self.task)?.map_or(0, Segment::nodes))
     }
 
     /// How often the density has been sampled so far, over all rules built.
     #[must_use]
     pub fn evaluations(&self) -> usize {
-        self.evaluations.load(Ordering::Relaxed)
-    }
-
-    #[inline]
-    fn segment(&self, s: f64) -> Result<Option<&Segment>, QuadratureError> {
-        match locate(s) {
-            Some(index) => self.built(index).map(Some),
-            None => Ok(None),
-        }
-    }
-
-    #[inline]
-    fn built(&self, index: usize) -> Result<&Segment, QuadratureError> {
-        let cell = &self.segments[index];
-        match cell.get().unwrap_or_else(|| cell.get_or_init(|| self.build(index))) {
-            Ok(segment) => Ok(segment),
-            Err(error) => Err(error.clone()),
-        }
-    }
-
-    #[cold]
-    fn build(&self, index: usize) -> Result<Box<Segment>, QuadratureError> {
-        let segment = Segment::new(&self.density, self.scale, range(index), self.tolerance)?;
-        self.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
-        Ok(Box::new(segment))
-    }
-
-    /// One s outside the ranges that have rules.
-    fn directly(&self, s: f64) -> Result<(Sums, f64), QuadratureError> {
-        // Below, s + t is a difference of large numbers, and the weight is known no better.
-        let rounding = if s < LOWEST { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
-        let tolerance = rounding.max(0.1 * self.tolerance);
-        let masses =
-            segment::masses(&self.density, self.scale, s, segment::window(s, s), tolerance)?;
-        self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
-        let sums = segment::sums(&masses.points, &masses.masses, s, s);
-        let [size, _] = sums.sizes;
-        let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
-        Ok((sums, error + rounding + segment::ROUNDING + self.density.relative_error()))
+        self.task.evaluations.load(Ordering::Relaxed)
     }
 }
 
-pub(crate) fn moments(sums: Sums, factor: f64, ln_scale: f64, error: f64) -> Moments {
-    Moments {
-        value: sums.value * factor,
-        slope: sums.slope * factor,
-        sizes: sums.sizes.map(|size| size * factor),
-        ln_scale,
-        error,
+impl Moments {
+    pub(crate) fn new(sums: &Sums, factor: f64, s: f64, error: f64) -> Self {
+        Self {
+            value: sums.power[0] * factor,
+            slope: sums.power[1] * factor,
+            sizes: [sums.size[0] * factor, sums.size[1] * factor],
+            ln_scale: ln_scale(s),
+            error,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn of_value(value: f64, size: f64, s: f64, error: f64) -> Self {
+        Self { value, slope: 0.0, ln_scale: ln_scale(s), sizes: [size, 0.0], error }
     }
 }
 
 /// -max(s, 0)²/2.
-pub(crate) fn ln_scale(s: f64) -> f64 {
+#[inline]
+fn ln_scale(s: f64) -> f64 {
     if s > 0.0 { -0.5 * s * s } else { 0.0 }
 }
 
-/// The index of the rule for s.
-#[inline]
-fn locate(s: f64) -> Option<usize> {
-    if !(LOWEST..=HIGHEST).contains(&s) {
-        return None;
-    }
-    Some(if s < 0.0 {
-        // -64 itself belongs to the last range.
-        NEGATIVE - 1 - ((-s) as usize).min(NEGATIVE - 1)
-    } else {
-        NEGATIVE + ((s + OFFSET).to_bits() >> 50) as usize - first()
-    })
-}
-
-/// Ranges above zero are quarter octaves of s + OFFSET: as wide as the tilt of a rule allows.
-const OFFSET: f64 = 4.5;
-
-fn first() -> usize {
-    (OFFSET.to_bits() >> 50) as usize
-}
-
-fn range(index: usize) -> (f64, f64) {
-    if index < NEGATIVE {
-        let low = index as f64 - NEGATIVE as f64;
-        return (low, low + 1.0);
-    }
-    let quarter = |k: usize| f64::from_bits(((first() + k) as u64) << 50) - OFFSET;
-    let k = index - NEGATIVE;
-    (quarter(k).max(0.0), quarter(k + 1))
-}
-
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::Piece;
+    use crate::segment::INV_SQRT_2PI;
     use std::sync::Arc;
 
-    fn power(p: f64) -> Density {
+    /// x^p.
+    pub(crate) fn power(p: f64) -> Density {
         let sampler = move |x: &[f64], out: &mut [f64]| {
             for (out, x) in out.iter_mut().zip(x) {
                 *out = x.powf(p);
@@ -204,27 +158,30 @@ mod tests {
     }
 
     #[test]
-    fn every_s_falls_inside_its_range() {
-        for k in -640..8000 {
-            let s = f64::from(k) * 0.1;
-            let (low, high) = range(locate(s).unwrap());
-            assert!(
-                low <= s && s <= high && high - low <= 0.26 * (s.abs() + 5.0),
-                "{s} {low} {high}"
-            );
+    fn linear_density_has_the_recurrence_of_parabolic_cylinders() {
+        // F₁ = ∫ t φ = φ(s) - s Q(s), F₁' = -Q, F₁" = φ: 0.3989, 1/2 and 0.3989 at s = 0.
+        let integral = ShiftedGaussian::new(power(1.0), 1.0, 1e-14);
+        let at = integral.at(0.0).unwrap();
+        assert!((at.value / INV_SQRT_2PI - 1.0).abs() < 1e-14);
+        assert!((at.slope / 0.5 - 1.0).abs() < 1e-14);
+        for s in [-30.0, -3.0, 0.0, 0.7, 4.0, 40.0, 1e3] {
+            let second = integral.curvature(s).unwrap();
+            // Scaled by exp(max(s, 0)²/2).
+            let exact = INV_SQRT_2PI * if s < 0.0 { (-0.5f64 * s * s).exp() } else { 1.0 };
+            assert!((second.value - exact).abs() < second.error * second.size, "{s}");
+            assert!(second.error < 1e-13);
         }
-        assert!(locate(HIGHEST).unwrap() < NEGATIVE + POSITIVE);
-        assert!(locate(-64.5).is_none() && locate(2e9).is_none());
-        assert_eq!(locate(LOWEST).unwrap(), 0);
     }
 
     #[test]
-    fn linear_density_has_the_recurrence_of_parabolic_cylinders() {
-        // F₁ = ∫ t φ = φ(s) - s Q(s), F₁' = -Q: 0.3989 and 1/2 at s = 0.
-        let integral = ShiftedGaussian::new(power(1.0), 1.0, 1e-14);
-        let at = integral.at(0.0).unwrap();
-        assert!((at.value / segment::INV_SQRT_2PI - 1.0).abs() < 1e-14);
-        assert!((at.slope / 0.5 - 1.0).abs() < 1e-14);
+    fn the_second_derivative_lowers_a_power_by_two() {
+        let [whole, lowered] = [3.425, 1.425].map(|p| ShiftedGaussian::new(power(p), 0.1, 1e-13));
+        for s in [-20.0, -1.0, 0.0, 2.0, 17.0, 300.0] {
+            let second = whole.curvature(s).unwrap();
+            let exact = 3.425 * 2.425 * lowered.value(s).unwrap().value / 0.01;
+            assert!((second.value - exact).abs() < second.error * second.size, "{s}");
+            assert!(second.error < 1e-12);
+        }
     }
 
     #[test]
@@ -232,9 +189,9 @@ mod tests {
         let integral = ShiftedGaussian::new(power(1.5), 0.3, 1e-14);
         for s in [-64.0, -63.2] {
             let compiled = integral.at(s).unwrap();
-            let (direct, _) = integral.directly(s).unwrap();
-            assert!((compiled.value / direct.value - 1.0).abs() < 1e-14);
-            assert!((compiled.slope / direct.slope - 1.0).abs() < 2e-12, "{s}");
+            let (direct, _) = integral.task.directly(s, 0.3).unwrap();
+            assert!((compiled.value / direct.power[0] - 1.0).abs() < 1e-14);
+            assert!((compiled.slope / direct.power[1] - 1.0).abs() < 2e-12, "{s}");
         }
     }
 

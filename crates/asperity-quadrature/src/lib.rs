@@ -18,23 +18,28 @@
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
 
+mod any_scale;
+mod avx2;
 mod chebyshev;
 mod compress;
 mod density;
 mod discretise;
 mod error;
+mod exponentials;
 mod gaussian;
 mod kronrod;
 mod legendre;
 mod roots;
+mod rules;
 mod segment;
 mod tanh_sinh;
 
+pub use any_scale::AnyScale;
 pub use chebyshev::Tabulated;
 pub use density::{Density, Piece, Sampler};
 pub use discretise::{Discretised, discretise};
 pub use error::QuadratureError;
-pub use gaussian::{Moments, ShiftedGaussian};
+pub use gaussian::{Curvature, Moments, ShiftedGaussian};
 pub use kronrod::{Estimate, gauss_kronrod};
 pub use legendre::{Legendre, legendre};
 pub use roots::bracketed_root;

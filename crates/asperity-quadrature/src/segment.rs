@@ -1,11 +1,9 @@
-//! One Gauss rule that serves a short range of s.
+//! One Gauss rule that serves a short range of s, and of scales.
 
 use crate::compress::Recurrence;
+use crate::exponentials::{self, Exponent, Four, LANES, Place, Sums};
 use crate::{Density, Discretised, QuadratureError, discretise};
 
-/// Numbers handled together.
-const LANES: usize = 4;
-type Lane = [f64; LANES];
 /// exp(-L) of the integrand's peak is left out beyond the window: 1e-20.
 pub(crate) const CUT: f64 = 46.0;
 /// Node counts that are tried, cheapest first. Multiples of four, for vector registers.
@@ -45,104 +43,142 @@ pub(crate) fn edges(s: f64, (low, high): (f64, f64)) -> Vec<f64> {
     }
 }
 
-/// Sums of one evaluation, all times exp(max(s,0)²/2).
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sums {
-    pub(crate) value: f64,
-    /// -d/ds.
-    pub(crate) slope: f64,
-    /// Of the absolute values of the terms of `value` and of `slope`.
-    pub(crate) sizes: [f64; 2],
-}
-
-impl Sums {
-    /// Adds a weighted exponential whose point is t = z - s.
-    pub(crate) fn add(&mut self, term: f64, z: f64) {
-        self.value += term;
-        self.slope += term * z;
-        self.sizes[0] += term.abs();
-        self.sizes[1] += (term * z).abs();
-    }
-
-    /// The larger error of value and slope against `exact`, relative to the sizes there.
-    pub(crate) fn error(&self, exact: &Self) -> f64 {
-        let [value, slope] = exact.sizes;
-        ((self.value - exact.value) / value).abs().max(((self.slope - exact.slope) / slope).abs())
-    }
-}
-
 /// exp(-(s t + t²/2)) or, for s < 0, exp(-(s + t)²/2), over √(2π): never overflows.
 pub(crate) fn weight(s: f64, t: f64) -> f64 {
     let exponent = if s >= 0.0 { t * (s + 0.5 * t) } else { 0.5 * (s + t) * (s + t) };
     (-exponent).exp() * INV_SQRT_2PI
 }
 
-/// The density times φ(s + t) as point masses in t, for one s.
+/// The density times a weight of t as point masses in t. Panels suit φ(s + t) on the window.
 pub(crate) fn masses(
     density: &Density,
     scale: f64,
-    s: f64,
-    window: (f64, f64),
+    (s, window): (f64, (f64, f64)),
+    weight: &dyn Fn(f64) -> f64,
     tolerance: f64,
 ) -> Result<Discretised, QuadratureError> {
     let edges: Vec<f64> = edges(s, window).iter().map(|t| t / scale).collect();
     let range = (window.0 / scale, window.1 / scale);
-    let mut masses =
-        discretise(density, range, &edges, &|x| weight(s, x * scale) * scale, tolerance)?;
+    let mut masses = discretise(density, range, &edges, &|x| weight(x * scale) * scale, tolerance)?;
     masses.points.iter_mut().for_each(|x| *x *= scale);
     Ok(masses)
 }
 
-/// Sums over point masses whose weight was made at `centre`, evaluated at `s`.
-pub(crate) fn sums(nodes: &[f64], weights: &[f64], centre: f64, s: f64) -> Sums {
-    let delta = s - centre;
-    let shift = if s < 0.0 { 0.5 * (s + centre) } else { 0.0 };
+/// Where an integral is asked for, seen from where its masses were made.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shift {
+    /// s at which the masses were made,
+    pub(crate) from: f64,
+    /// and s at which the integral is asked for; not of opposite sign.
+    pub(crate) s: f64,
+    /// c/c₀ - 1: by how much the scale is larger than that of the masses.
+    pub(crate) stretch: f64,
+}
+
+impl Shift {
+    /// What turns the weight of a mass at t into that of t (1 + stretch) at s: both exponents'
+    /// difference as a product, so that nothing large is subtracted.
+    #[inline]
+    pub(crate) fn exponent(&self) -> Exponent {
+        let Self { from, s, stretch } = *self;
+        if s < 0.0 {
+            let half = 1.0 + 0.5 * stretch;
+            Exponent { lead: stretch, offset: s - from, half, rate: 0.5 * (s + from) }
+        } else {
+            let half = stretch * (1.0 + 0.5 * stretch);
+            Exponent { lead: 1.0, offset: 0.0, half, rate: (s - from) + s * stretch }
+        }
+    }
+
+    #[inline]
+    pub(crate) fn place(&self) -> Place {
+        Place { s: self.s, ratio: 1.0 + self.stretch }
+    }
+}
+
+/// Sums over point masses.
+pub(crate) fn sums(points: &[f64], masses: &[f64], shift: Shift) -> Sums {
+    let (exponent, place) = (shift.exponent(), shift.place());
     let mut sums = Sums::default();
-    for (t, w) in nodes.iter().zip(weights) {
-        sums.add(w * (-delta * (t + shift)).exp(), s + t);
+    for (t, mass) in points.iter().zip(masses) {
+        sums.add(mass * exponent.at(*t).exp(), place.s + place.ratio * t);
     }
     sums
 }
 
-/// A rule for s in [low, high], which does not straddle 0.
+/// A rule for s in a range that does not straddle 0, and for scales near one.
 #[derive(Debug)]
 pub(crate) struct Segment {
     centre: f64,
     /// Nodes and weights in fours, filled up with weights of 0; weights of one sign first.
-    lanes: Vec<(Lane, Lane)>,
+    fours: Vec<Four>,
     /// Whether all weights are positive: the value then is its own size.
     positive: bool,
-    /// Error of value and slope relative to their sizes, measured at both ends against the point
-    /// masses.
-    pub(crate) error: f64,
+    /// Errors of Σ e zᵏ, k = 0 and 1, and k = 2, relative to their sizes, measured in the corners
+    /// of the range against the point masses.
+    pub(crate) error: [f64; 2],
     pub(crate) evaluations: usize,
+}
+
+/// The s and the stretches of the scale a rule is for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Patch {
+    pub(crate) s: (f64, f64),
+    pub(crate) stretch: (f64, f64),
+}
+
+impl Patch {
+    /// Corners, just inside, so that none changes the sign convention at 0.
+    fn corners(&self) -> Vec<(f64, f64)> {
+        let (low, high) = self.s;
+        let s = [low + 1e-9 * (high - low), high - 1e-9 * (high - low)];
+        let (shrunk, stretched) = self.stretch;
+        let mut corners = s.map(|s| (s, shrunk)).to_vec();
+        if stretched > shrunk {
+            corners.extend(s.map(|s| (s, stretched)));
+        }
+        corners
+    }
+
+    /// The window of t, at the scale of the masses, that carries all integrals of the patch.
+    fn window(&self) -> (f64, f64) {
+        let (near, far) = window(self.s.0, self.s.1);
+        (near / (1.0 + self.stretch.1), far / (1.0 + self.stretch.0))
+    }
 }
 
 impl Segment {
     pub(crate) fn new(
         density: &Density,
         scale: f64,
-        (low, high): (f64, f64),
+        patch: Patch,
         tolerance: f64,
     ) -> Result<Self, QuadratureError> {
-        let centre = 0.5 * (low + high);
-        let fine =
-            masses(density, scale, centre, window(low, high), 1e-15_f64.max(0.01 * tolerance))?;
-        let Discretised { points, masses, error, evaluations } = fine;
-        let mut segment = Self { centre, lanes: vec![], positive: true, error: 0.0, evaluations };
+        let centre = 0.5 * (patch.s.0 + patch.s.1);
+        let corners = patch.corners();
+        // Resolved where any corner has weight, not only where the centre has.
+        let envelope = |t: f64| corners.iter().map(|(s, c)| weight(*s, t * (1.0 + c))).sum();
+        let finest = 1e-15_f64.max(0.01 * tolerance);
+        let fine = masses(density, scale, (centre, patch.window()), &envelope, finest)?;
+        let Discretised { points, mut masses, error, evaluations } = fine;
+        let mut segment =
+            Self { centre, fours: vec![], positive: true, error: [0.0; 2], evaluations };
         let total: f64 = masses.iter().map(|m| m.abs()).sum();
+        for (mass, t) in masses.iter_mut().zip(&points) {
+            *mass *= weight(centre, *t) / envelope(*t);
+        }
         if points.is_empty() {
             return Ok(segment);
         }
         let [plus, minus] = [1.0, -1.0].map(|sign| of_sign(&points, &masses, sign));
         segment.positive = minus.is_none();
-        // Just inside the ends, so that neither changes the sign convention at 0.
-        let ends = [low + 1e-9 * (high - low), high - 1e-9 * (high - low)];
-        let exact = ends.map(|s| sums(&points, &masses, centre, s));
+        let shift = |(s, stretch)| Shift { from: centre, s, stretch };
+        let corners: Vec<_> = corners.iter().copied().map(shift).collect();
+        let exact: Vec<_> = corners.iter().map(|&c| sums(&points, &masses, c)).collect();
         // What no number of nodes mends: the masses' own error, and the density's.
         let known = error / total + ROUNDING + density.relative_error();
         for n in LADDER {
-            segment.lanes.clear();
+            segment.fours.clear();
             for (recurrence, sign) in [(&plus, 1.0), (&minus, -1.0)] {
                 let Some(recurrence) = recurrence else { continue };
                 let rule = recurrence.rule(n);
@@ -150,13 +186,20 @@ impl Segment {
                     let (mut nodes, mut weights) = ([0.0; LANES], [0.0; LANES]);
                     nodes[..t.len()].copy_from_slice(t);
                     weights[..w.len()].copy_from_slice(w);
-                    segment.lanes.push((nodes, weights.map(|w| sign * w)));
+                    segment.fours.push((nodes, weights.map(|w| sign * w)));
                 }
             }
-            let measured =
-                ends.iter().zip(&exact).map(|(s, e)| segment.sums(*s).error(e)).fold(0.0, f64::max);
-            segment.error = 2.0 * measured + known;
-            if 2.0 * measured < (0.5 * tolerance - known).max(ROUNDING) {
+            let mut measured = [0.0f64; 3];
+            for (corner, exact) in corners.iter().zip(&exact) {
+                let sums = exponentials::sums(&segment.fours, &corner.exponent(), corner.place());
+                for (k, measured) in measured.iter_mut().enumerate() {
+                    let error = (sums.power[k] - exact.power[k]) / exact.size[k];
+                    *measured = measured.max(error.abs());
+                }
+            }
+            let measured = [measured[0].max(measured[1]), measured[2]].map(|m| 2.0 * m);
+            segment.error = measured.map(|m| m + known);
+            if measured[0] < (0.5 * tolerance - known).max(ROUNDING) {
                 break;
             }
         }
@@ -164,56 +207,29 @@ impl Segment {
     }
 
     pub(crate) fn nodes(&self) -> usize {
-        LANES * self.lanes.len()
+        LANES * self.fours.len()
     }
 
-    /// Weighted exponentials of each four, with the four's nodes.
-    #[inline(always)]
-    fn terms(&self, s: f64) -> impl Iterator<Item = (Lane, Lane)> {
-        let delta = s - self.centre;
-        let shift = if s < 0.0 { 0.5 * (s + self.centre) } else { 0.0 };
-        self.lanes.iter().map(move |(nodes, weights)| {
-            // A branch-free exp of our own, four at a time, was measured no faster without AVX2.
-            let mut terms = nodes.map(|t| (-delta * (t + shift)).exp());
-            for k in 0..LANES {
-                terms[k] *= weights[k];
-            }
-            (*nodes, terms)
-        })
+    #[inline]
+    fn shift(&self, s: f64, stretch: f64) -> Shift {
+        Shift { from: self.centre, s, stretch }
     }
 
-    pub(crate) fn sums(&self, s: f64) -> Sums {
-        let mut sums = Sums::default();
-        for (nodes, terms) in self.terms(s) {
-            for (t, term) in nodes.iter().zip(terms) {
-                sums.add(term, s + t);
-            }
-        }
-        sums
+    /// Value, slope and curvature.
+    pub(crate) fn sums(&self, s: f64, stretch: f64) -> Sums {
+        let shift = self.shift(s, stretch);
+        exponentials::sums(&self.fours, &shift.exponent(), shift.place())
     }
 
     /// The value and its size alone: half the work of all sums.
     #[inline]
-    pub(crate) fn value(&self, s: f64) -> (f64, f64) {
-        let sum = |lane: Lane| (lane[0] + lane[1]) + (lane[2] + lane[3]);
-        let mut value = [0.0; LANES];
+    pub(crate) fn value(&self, s: f64, stretch: f64) -> (f64, f64) {
+        let exponent = self.shift(s, stretch).exponent();
         if self.positive {
-            for (_, terms) in self.terms(s) {
-                for k in 0..LANES {
-                    value[k] += terms[k];
-                }
-            }
-            let value = sum(value);
+            let value = exponentials::positive(&self.fours, &exponent);
             return (value, value);
         }
-        let mut size = [0.0; LANES];
-        for (_, terms) in self.terms(s) {
-            for k in 0..LANES {
-                value[k] += terms[k];
-                size[k] += terms[k].abs();
-            }
-        }
-        (sum(value), sum(size))
+        exponentials::signed(&self.fours, &exponent)
     }
 }
 

@@ -1,0 +1,134 @@
+//! The rules of one density near one scale: one for each short range of s, built on demand.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::exponentials::Sums;
+use crate::segment::{self, Patch, Segment, Shift};
+use crate::{Density, QuadratureError};
+
+/// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
+pub(crate) const LOWEST: f64 = -64.0;
+/// Beyond this s the window is so short that only the first power of the density counts, and
+/// s² no longer fits a multiple of the height's rounding; nothing physical lies there.
+pub(crate) const HIGHEST: f64 = 1e9;
+/// Rules below zero, one for each unit.
+const NEGATIVE: usize = 64;
+/// Rules above zero, four for each octave of s + 4.5.
+const POSITIVE: usize = 112;
+
+/// The rule of one range of s, if it has been built.
+type Cell = OnceLock<Result<Box<Segment>, QuadratureError>>;
+
+/// What an integral is of, and how well it is wanted.
+#[derive(Debug)]
+pub(crate) struct Task {
+    pub(crate) density: Density,
+    pub(crate) tolerance: f64,
+    /// Samples of the density so far.
+    pub(crate) evaluations: AtomicUsize,
+}
+
+impl Task {
+    pub(crate) fn new(density: Density, tolerance: f64) -> Self {
+        Self { density, tolerance, evaluations: AtomicUsize::new(0) }
+    }
+
+    /// One s at one scale without a rule, and the error relative to the sizes.
+    pub(crate) fn directly(&self, s: f64, scale: f64) -> Result<(Sums, f64), QuadratureError> {
+        // Below, s + t is a difference of large numbers, and the weight is known no better.
+        let rounding = if s < LOWEST { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
+        let tolerance = rounding.max(0.1 * self.tolerance);
+        let (window, weight) = (segment::window(s, s), |t: f64| segment::weight(s, t));
+        let masses = segment::masses(&self.density, scale, (s, window), &weight, tolerance)?;
+        self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
+        let here = Shift { from: s, s, stretch: 0.0 };
+        let sums = segment::sums(&masses.points, &masses.masses, here);
+        let size = sums.size[0];
+        let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
+        Ok((sums, error + rounding + segment::ROUNDING + self.density.relative_error()))
+    }
+}
+
+/// Rules for one scale, or for all scales of a short range.
+#[derive(Debug)]
+pub(crate) struct Rules {
+    scale: f64,
+    /// Smallest and largest c/`scale` - 1.
+    stretch: (f64, f64),
+    segments: Box<[Cell]>,
+}
+
+impl Rules {
+    pub(crate) fn new(scale: f64, stretch: (f64, f64)) -> Self {
+        let segments = (0..NEGATIVE + POSITIVE).map(|_| OnceLock::new()).collect();
+        Self { scale, stretch, segments }
+    }
+
+    /// The rule for s, if s is in a range that has one.
+    #[inline]
+    pub(crate) fn at(&self, s: f64, task: &Task) -> Result<Option<&Segment>, QuadratureError> {
+        let Some(index) = locate(s) else { return Ok(None) };
+        let cell = &self.segments[index];
+        match cell.get().unwrap_or_else(|| cell.get_or_init(|| self.build(index, task))) {
+            Ok(segment) => Ok(Some(segment)),
+            Err(error) => Err(error.clone()),
+        }
+    }
+
+    #[cold]
+    fn build(&self, index: usize, task: &Task) -> Result<Box<Segment>, QuadratureError> {
+        let patch = Patch { s: range(index), stretch: self.stretch };
+        let segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        task.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
+        Ok(Box::new(segment))
+    }
+}
+
+/// The index of the rule for s.
+#[inline]
+fn locate(s: f64) -> Option<usize> {
+    if !(LOWEST..=HIGHEST).contains(&s) {
+        return None;
+    }
+    Some(if s < 0.0 {
+        // -64 itself belongs to the last range.
+        NEGATIVE - 1 - ((-s) as usize).min(NEGATIVE - 1)
+    } else {
+        NEGATIVE + ((s + OFFSET).to_bits() >> 50) as usize - FIRST
+    })
+}
+
+/// Ranges above zero are quarter octaves of s + OFFSET: as wide as the tilt of a rule allows.
+const OFFSET: f64 = 4.5;
+const FIRST: usize = (OFFSET.to_bits() >> 50) as usize;
+
+fn range(index: usize) -> (f64, f64) {
+    if index < NEGATIVE {
+        let low = index as f64 - NEGATIVE as f64;
+        return (low, low + 1.0);
+    }
+    let quarter = |k: usize| f64::from_bits(((FIRST + k) as u64) << 50) - OFFSET;
+    let k = index - NEGATIVE;
+    (quarter(k).max(0.0), quarter(k + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_s_falls_inside_its_range() {
+        for k in -640..8000 {
+            let s = f64::from(k) * 0.1;
+            let (low, high) = range(locate(s).unwrap());
+            assert!(
+                low <= s && s <= high && high - low <= 0.26 * (s.abs() + 5.0),
+                "{s} {low} {high}"
+            );
+        }
+        assert!(locate(HIGHEST).unwrap() < NEGATIVE + POSITIVE);
+        assert!(locate(-64.5).is_none() && locate(2e9).is_none());
+        assert_eq!(locate(LOWEST).unwrap(), 0);
+    }
+}
