@@ -14,5 +14,6 @@ mod properties;
 mod published;
 mod reference;
 mod scenes;
+mod sweeps;
 mod tangents;
 mod work;

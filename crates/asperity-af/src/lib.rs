@@ -104,9 +104,10 @@ impl ContactModel for AbdoFarhang {
                     let powers = x * x.sqrt() + y * y.sqrt();
                     (1.0 + 3.0 * x * y) / powers + loss * y * y.sqrt() + flow * y
                 };
+                let force = Form::function(force).known_as("AF force", vec![loss, flow]);
                 Ok(Law::in_units(critical, asperity.critical_force()?)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(beyond, Form::function(force)))
+                    .elastic_plastic(beyond, force))
             }
             Quantity::Area => Ok(Law::in_units(critical, PI * asperity.radius * critical)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity_quadrature::{QuadratureError, Tabulated, TanhSinh};
 use serde::{Deserialize, Serialize};
 
-use crate::{ContactError, Form, Power};
+use crate::{ContactError, Form, FunctionKey, Power};
 
 /// How contact normals are spread, over u = |cos φ| in 0..1 (1: upright, 0: grazing).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -103,6 +103,11 @@ pub trait ObliqueContact: Send + Sync {
 
     /// At which x the angle average over y in `range` has kinks, the ends of the range apart.
     fn kinks(&self, range: &Range<f64>) -> Vec<f64>;
+
+    /// What tells this contact from others, as [`Form::known_as`] takes it.
+    fn key(&self) -> Option<FunctionKey> {
+        None
+    }
 }
 
 /// q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy over y in `range`, y ≤ x, as a form with its kinks.
@@ -116,13 +121,17 @@ pub fn angle_average(
     tolerance: f64,
 ) -> (Form, Vec<f64>) {
     let Some((c0, c2)) = density.folded() else {
-        return (Form::function(move |x| contact.mean(x, x)), vec![]);
+        let key = contact.key();
+        let form = Form::function(move |x| contact.mean(x, x));
+        return (named(form, "upright value", key, []), vec![]);
     };
+    let key = contact.key();
     let mut kinks: Vec<f64> = contact.kinks(&range);
     kinks.extend([range.start, range.end]);
     kinks.retain(|x| x.is_finite() && *x > 0.0);
     // Half for the averages, half for their table; below 2e-13 rounding would be fitted.
     let tolerance = (0.5 * tolerance).max(2e-13);
+    let also = [c0, c2, range.start, range.end, tolerance];
     let function = move |x: f64| -> Result<f64, QuadratureError> {
         let end = range.end.min(x);
         if end <= range.start {
@@ -142,7 +151,13 @@ pub fn angle_average(
     };
     let table = Tabulated::new(Arc::new(function), &kinks, tolerance);
     let kinks = table.kinks().to_vec();
-    (Form::Function(Arc::new(table)), kinks)
+    (named(Form::sampled(Arc::new(table)), "angle average", key, also), kinks)
+}
+
+/// The form under the key of the contact it was made of, and of `also`.
+fn named<const N: usize>(form: Form, how: &str, key: Option<FunctionKey>, also: [f64; N]) -> Form {
+    let Some(FunctionKey { name, parameters }) = key else { return form };
+    form.known_as(format!("{how} of {name}"), [parameters, also.to_vec()].concat())
 }
 
 /// The angle average of a sum of powers of y on `range`, in closed form. Every origin must be 0
@@ -153,7 +168,9 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
     let Some((c0, c2)) = density.folded() else {
         return Form::Powers(powers);
     };
-    Form::function(move |x| {
+    let mut parameters = vec![c0, c2, range.start, range.end];
+    parameters.extend(powers.iter().flat_map(|p| [p.coefficient, p.origin, p.exponent]));
+    let average = move |x: f64| {
         let end = range.end.min(x);
         let mut total = 0.0;
         for Power { coefficient, origin, exponent } in &powers {
@@ -166,7 +183,8 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
             total += coefficient * (c0 * primitive(1.0) + c2 * squares);
         }
         total / x
-    })
+    };
+    Form::function(average).known_as("angle average of powers", parameters)
 }
 
 /// (high^n - low^n)/n without cancellation.

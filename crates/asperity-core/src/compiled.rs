@@ -1,70 +1,16 @@
 //! A scene prepared for many evaluations.
 
-use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use asperity_quadrature::{Density, Moments, QuadratureError};
+use asperity_quadrature::{AnyScale, Curvature, Density, Moments, QuadratureError};
 
+use crate::evaluation::Units;
 use crate::height_integral::HeightIntegral;
 use crate::request::checked_separation;
 use crate::{
-    Asperity, ContactError, ContactModel, HeightDistribution, Law, Quantity, Regime, Request,
-    Scene, StiffnessKind, Warning,
+    Asperity, ContactError, ContactModel, Evaluation, HeightDistribution, Law, Quantity, Request,
+    Scene, Share, StiffnessKind, Warning,
 };
-
-/// A value that may be too small for a plain number, with a bound on its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Evaluation {
-    /// The value over its scale, in SI units. The scale is exp(-s²/2) for Gaussian heights at a
-    /// separation s > 0, exactly; the next field is its logarithm rounded to a double.
-    pub scaled: f64,
-    /// Logarithm of the scale, ≤ 0 or near it.
-    pub ln_scale: f64,
-    /// The integral of the law's absolute value, scaled alike: larger than the value where parts
-    /// of different sign cancel.
-    pub size: f64,
-    /// Bound on the error of `scaled` relative to `size`.
-    pub error: f64,
-}
-
-impl Evaluation {
-    /// The value; 0 only where it is below the smallest number a double can hold.
-    #[must_use]
-    pub fn value(&self) -> f64 {
-        self.scaled * self.ln_scale.exp()
-    }
-
-    /// The natural logarithm of the absolute value, also where the value itself underflows;
-    /// -∞ where there is no contact at all.
-    #[must_use]
-    pub fn ln_value(&self) -> f64 {
-        self.scaled.abs().ln() + self.ln_scale
-    }
-
-    /// Bound on the error relative to the value, the rounding of the scale's logarithm included:
-    /// infinite where the value is 0 by cancellation.
-    #[must_use]
-    pub fn relative_error(&self) -> f64 {
-        if self.size == 0.0 {
-            return 0.0;
-        }
-        // Half a unit in the last place of the logarithm, and one each of exp and the product.
-        let scale = (0.5 * self.ln_scale.abs() + 2.0) * f64::EPSILON;
-        self.error * self.size / self.scaled.abs() + scale
-    }
-}
-
-/// The share of one part of the law in a value.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Share {
-    /// Name of the part.
-    pub name: Cow<'static, str>,
-    /// Its regime.
-    pub regime: Regime,
-    /// Its signed integral over the total: shares sum to 1, and negative ones belong to parts
-    /// that a model subtracts (all change sign where the total is negative).
-    pub share: f64,
-}
 
 /// A model applied to a scene: integrals are built when first needed, and shared by all threads.
 #[derive(Debug)]
@@ -95,6 +41,8 @@ struct Channel {
     tolerance: f64,
     total: HeightIntegral,
     parts: OnceLock<Vec<HeightIntegral>>,
+    /// For other scenes of the same asperities.
+    elsewhere: OnceLock<AnyScale>,
 }
 
 impl Compiled {
@@ -207,6 +155,67 @@ impl Compiled {
         Ok(self.evaluation(channel, quantity, s, &moments))
     }
 
+    /// A quantity on another scene of the same asperities, at its separation d/σ_z: another
+    /// roughness, density, nominal area or kind of heights. Nothing is prepared for the scene.
+    ///
+    /// # Errors
+    /// Those of [`on`](Self::on) and [`evaluate`](Self::evaluate).
+    pub fn evaluate_on(
+        &self,
+        scene: &Scene,
+        quantity: Quantity,
+        separation: f64,
+    ) -> Result<Evaluation, ContactError> {
+        let channel = self.channel(quantity)?;
+        let s = checked_separation(separation)?;
+        if scene.asperity()? != self.asperity {
+            return Err(ContactError::OtherAsperity);
+        }
+        let law = &channel.law;
+        let height_std = scene.surface.asperity_height_std;
+        let units = Units { factor: scene.asperities() * law.value_unit, height_std };
+        let scale = law.interference_unit / height_std;
+        check_scales(quantity, units.factor, scale, height_std)?;
+        let is_value = quantity == channel.quantity;
+        let moments = if matches!(scene.heights, HeightDistribution::Gaussian) {
+            let rules =
+                channel.elsewhere.get_or_init(|| AnyScale::new(law.density(), channel.tolerance));
+            if is_value { rules.value(s, scale) } else { rules.at(s, scale) }
+        } else {
+            HeightIntegral::new(law.density(), scale, &scene.heights, channel.tolerance).at(s)
+        };
+        let moments = moments.map_err(failed(quantity, s))?;
+        let evaluation = if is_value { Evaluation::of_value } else { Evaluation::of_slope };
+        Ok(evaluation(&moments, units))
+    }
+
+    /// d²Q/dd² \[unit of Q over m²\] of a quantity that has a law of its own, from the nodes of its
+    /// value; jumps and kinks of the law included.
+    ///
+    /// The derivative of the tangent is that of the force, negative: -d²F/dd².
+    ///
+    /// # Errors
+    /// Those of [`evaluate`](Self::evaluate), and [`ContactError::NoSecondDerivative`] for
+    /// tangents and for heights that are not Gaussian.
+    pub fn second_derivative(
+        &self,
+        quantity: Quantity,
+        separation: f64,
+    ) -> Result<Evaluation, ContactError> {
+        let channel = self.channel(quantity)?;
+        let s = checked_separation(separation)?;
+        let curvature =
+            (quantity == channel.quantity).then(|| channel.total.curvature(s)).flatten();
+        let Some(curvature) = curvature else {
+            return Err(ContactError::NoSecondDerivative { quantity });
+        };
+        let Curvature { value, size, ln_scale, error } = curvature.map_err(failed(quantity, s))?;
+        // Divided twice, so that no square of a small number underflows.
+        let [scaled, size] =
+            [value, size].map(|x| x * channel.factor / self.height_std / self.height_std);
+        Ok(Evaluation { scaled, ln_scale, size, error })
+    }
+
     /// The share of every part of the law in a quantity (in the force, for the tangent).
     ///
     /// # Errors
@@ -264,26 +273,19 @@ impl Compiled {
         separation: f64,
         moments: &Moments,
     ) -> Evaluation {
+        let units = Units { factor: channel.factor, height_std: self.height_std };
         // A channel's own quantity is its integral; what else comes of it is a slope.
-        let is_slope = quantity != channel.quantity;
-        let (scaled, size) = if is_slope {
-            (moments.slope / self.height_std, moments.sizes[1] / self.height_std)
+        let mut evaluation = if quantity == channel.quantity {
+            Evaluation::of_value(moments, units)
         } else {
-            (moments.value, moments.sizes[0])
+            Evaluation::of_slope(moments, units)
         };
-        let mut error = moments.error;
         if self.separation_rounding > 0.0 && moments.value != 0.0 {
             // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more.
             let steepness = (moments.slope / moments.value).abs() + 1.0;
-            error += self.separation_rounding * separation.abs() * steepness;
+            evaluation.error += self.separation_rounding * separation.abs() * steepness;
         }
-        let factor = channel.factor;
-        Evaluation {
-            scaled: scaled * factor,
-            ln_scale: moments.ln_scale,
-            size: size * factor,
-            error,
-        }
+        evaluation
     }
 
     fn channel(&self, quantity: Quantity) -> Result<&Channel, ContactError> {
@@ -293,15 +295,33 @@ impl Compiled {
     }
 }
 
+/// Refuses scenes whose numbers leave the doubles.
+pub(crate) fn check_scales(
+    quantity: Quantity,
+    factor: f64,
+    scale: f64,
+    height_std: f64,
+) -> Result<(), ContactError> {
+    // Tangents are divided by σ_z.
+    let scales = [factor, factor / height_std, scale];
+    match scales.into_iter().find(|scale| !(*scale > 0.0 && scale.is_finite())) {
+        None => Ok(()),
+        Some(scale) => Err(ContactError::Scale { quantity, scale }),
+    }
+}
+
 /// The law a quantity is computed from.
-fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
+pub(crate) fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
     match (quantity, stiffness) {
         (Quantity::Tangent, _) | (Quantity::Stiffness, StiffnessKind::Tangent) => Quantity::Force,
         (quantity, _) => quantity,
     }
 }
 
-fn failed(quantity: Quantity, separation: f64) -> impl Fn(QuadratureError) -> ContactError {
+pub(crate) fn failed(
+    quantity: Quantity,
+    separation: f64,
+) -> impl Fn(QuadratureError) -> ContactError {
     move |source| ContactError::Integral { quantity, separation, source }
 }
 
@@ -315,12 +335,7 @@ impl Channel {
         let scale = law.interference_unit / scene.surface.asperity_height_std;
         let total = HeightIntegral::new(law.density(), scale, &scene.heights, tolerance);
         let factor = scene.asperities() * law.value_unit;
-        // Tangents are divided by σ_z.
-        for scale in [factor, factor / scene.surface.asperity_height_std, scale] {
-            if !(scale > 0.0 && scale.is_finite()) {
-                return Err(ContactError::Scale { quantity, scale });
-            }
-        }
+        check_scales(quantity, factor, scale, scene.surface.asperity_height_std)?;
         Ok(Self {
             quantity,
             factor,
@@ -330,6 +345,7 @@ impl Channel {
             tolerance,
             total,
             parts: OnceLock::new(),
+            elsewhere: OnceLock::new(),
         })
     }
 

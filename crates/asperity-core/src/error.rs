@@ -40,6 +40,14 @@ pub enum ContactError {
         /// The quantity.
         quantity: Quantity,
     },
+    /// A second derivative was asked for that does not come of the nodes.
+    #[error(
+        "no second derivative of the {quantity}: a quantity with a law of its own and Gaussian heights were required"
+    )]
+    NoSecondDerivative {
+        /// The quantity.
+        quantity: Quantity,
+    },
     /// A compiled scene was moved to one with another interface or asperity radius.
     #[error(
         "the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew"

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use asperity_quadrature::{
-    Density, Discretised, Moments, QuadratureError, ShiftedGaussian, discretise,
+    Curvature, Density, Discretised, Moments, QuadratureError, ShiftedGaussian, discretise,
 };
 
 use crate::{HeightDistribution, Heights};
@@ -63,6 +63,14 @@ impl HeightIntegral {
         match self {
             Self::Gaussian(integral) => integral.value(s),
             _ => self.at(s),
+        }
+    }
+
+    /// d²I/ds², where it comes of the nodes.
+    pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
+        match self {
+            Self::Gaussian(integral) => Some(integral.curvature(s)),
+            _ => None,
         }
     }
 

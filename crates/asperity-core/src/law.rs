@@ -74,16 +74,47 @@ pub enum Form {
     /// A sum of powers.
     Powers(Vec<Power>),
     /// Any function, sampled many points at a time.
-    Function(Arc<dyn Sampler>),
+    Function {
+        /// The function.
+        sampler: Arc<dyn Sampler>,
+        /// What tells it from other functions, if anything does.
+        key: Option<FunctionKey>,
+    },
+}
+
+/// Two functions with the same key are the same function: a sweep then integrates it once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FunctionKey {
+    /// What the function is, once in a program.
+    pub name: Cow<'static, str>,
+    /// Everything it depends on but x.
+    pub parameters: Vec<f64>,
 }
 
 impl Form {
     /// A function given point by point.
     pub fn function(f: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
-        Self::Function(Arc::new(move |x: &[f64], out: &mut [f64]| {
+        Self::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
             out.iter_mut().zip(x).for_each(|(out, &x)| *out = f(x));
             Ok(())
         }))
+    }
+
+    /// A function sampled many points at a time.
+    pub fn sampled(sampler: Arc<dyn Sampler>) -> Self {
+        Self::Function { sampler, key: None }
+    }
+
+    /// Says of a function that it is this one, and depends on these parameters alone.
+    #[must_use]
+    pub fn known_as(self, name: impl Into<Cow<'static, str>>, parameters: Vec<f64>) -> Self {
+        match self {
+            Self::Powers(powers) => Self::Powers(powers),
+            Self::Function { sampler, .. } => {
+                let key = Some(FunctionKey { name: name.into(), parameters });
+                Self::Function { sampler, key }
+            }
+        }
     }
 }
 
@@ -97,7 +128,7 @@ impl fmt::Debug for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Powers(powers) => f.debug_list().entries(powers).finish(),
-            Self::Function(_) => f.write_str("a function"),
+            Self::Function { .. } => f.write_str("a function"),
         }
     }
 }
@@ -111,14 +142,14 @@ impl Sampler for Form {
                 }
                 Ok(())
             }
-            Self::Function(sampler) => sampler.sample(x, out),
+            Self::Function { sampler, .. } => sampler.sample(x, out),
         }
     }
 
     fn relative_error(&self) -> f64 {
         match self {
             Self::Powers(_) => 0.0,
-            Self::Function(sampler) => sampler.relative_error(),
+            Self::Function { sampler, .. } => sampler.relative_error(),
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::ops::Range;
 
-use asperity_core::ObliqueContact;
+use asperity_core::{FunctionKey, ObliqueContact};
 use asperity_quadrature::{bracketed_root, legendre};
 
 use crate::{Displacement, ForceComponent, NormalLaw, Stick, friction};
@@ -274,6 +274,11 @@ impl ObliqueContact for ObliqueSlip {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| (*a - *b).abs() <= 1e-14 * *a);
         breaks
+    }
+
+    fn key(&self) -> Option<FunctionKey> {
+        // Every field; numbers are written so that they read back.
+        Some(FunctionKey { name: format!("{self:?}").into(), parameters: vec![] })
     }
 
     fn kinks(&self, range: &Range<f64>) -> Vec<f64> {

@@ -128,12 +128,11 @@ impl ContactModel for JacksonGreen {
                 // F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R² strain³.
                 let force_unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
                 let hardness = self.hardness;
+                let fit = Form::function(move |x| force(x, c, strain, b, hardness));
+                let fit = fit.known_as(format!("JG force, {hardness:?}"), vec![c, strain, b]);
                 let mut law = Law::in_units(unit, force_unit)
                     .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(
-                        beyond,
-                        Form::function(move |x| force(x, c, strain, b, hardness)),
-                    );
+                    .elastic_plastic(beyond, fit);
                 if hardness == GeometricHardness::Cosine {
                     // a = R: the cosine stops falling.
                     let full = (ELASTIC_END.powf(b) / (strain * strain)).powf(1.0 / (1.0 + b));

@@ -21,7 +21,7 @@ const LOWEST: f64 = -8.0;
 #[derive(Debug)]
 pub struct AnyScale {
     task: Task,
-    rows: Box<[OnceLock<Rules>]>,
+    rows: Box<[OnceLock<Box<Rules>>]>,
 }
 
 impl AnyScale {
@@ -82,7 +82,7 @@ impl AnyScale {
         let centre = low + 0.125 * f64::from_bits((quarter >> 2) << 52);
         let rules = row.get_or_init(|| {
             let high = f64::from_bits((quarter + 1) << 50);
-            Rules::new(centre, (low / centre - 1.0, high / centre - 1.0))
+            Box::new(Rules::new(centre, (low / centre - 1.0, high / centre - 1.0)))
         });
         let segment = rules.at(s, &self.task)?;
         let wanted = self.task.tolerance.max(2e-13);

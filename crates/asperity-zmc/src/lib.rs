@@ -94,14 +94,15 @@ impl ContactModel for ZhaoMaiettaChang {
         let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
         match quantity {
             Quantity::Force => {
+                let force = Form::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
                 Ok(Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness * area_unit)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(between, Form::function(|x| pressure(x) * area(x)))
+                    .elastic_plastic(between, force)
                     .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)]))
             }
             Quantity::Area => Ok(Law::in_units(yield_at, area_unit)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(between, Form::function(area))
+                .elastic_plastic(between, Form::function(area).known_as("ZMC area", vec![]))
                 .plastic(beyond, [Power::new(2.0, 1.0)])),
             _ => Err(self.no_law(quantity)),
         }

@@ -1,0 +1,84 @@
+//! One value with what is known of it.
+
+use std::borrow::Cow;
+
+use asperity_quadrature::Moments;
+
+use crate::Regime;
+
+/// A value that may be too small for a plain number, with a bound on its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Evaluation {
+    /// The value over its scale, in SI units. The scale is exp(-s²/2) for Gaussian heights at a
+    /// separation s > 0, exactly; the next field is its logarithm rounded to a double.
+    pub scaled: f64,
+    /// Logarithm of the scale, ≤ 0 or near it.
+    pub ln_scale: f64,
+    /// The integral of the law's absolute value, scaled alike: larger than the value where parts
+    /// of different sign cancel.
+    pub size: f64,
+    /// Bound on the error of `scaled` relative to `size`.
+    pub error: f64,
+}
+
+impl Evaluation {
+    /// The value; 0 only where it is below the smallest number a double can hold.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.scaled * self.ln_scale.exp()
+    }
+
+    /// The natural logarithm of the absolute value, also where the value itself underflows;
+    /// -∞ where there is no contact at all.
+    #[must_use]
+    pub fn ln_value(&self) -> f64 {
+        self.scaled.abs().ln() + self.ln_scale
+    }
+
+    /// Bound on the error relative to the value, the rounding of the scale's logarithm included:
+    /// infinite where the value is 0 by cancellation.
+    #[must_use]
+    pub fn relative_error(&self) -> f64 {
+        if self.size == 0.0 {
+            return 0.0;
+        }
+        // Half a unit in the last place of the logarithm, and one each of exp and the product.
+        let scale = (0.5 * self.ln_scale.abs() + 2.0) * f64::EPSILON;
+        self.error * self.size / self.scaled.abs() + scale
+    }
+}
+
+/// The share of one part of the law in a value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Share {
+    /// Name of the part.
+    pub name: Cow<'static, str>,
+    /// Its regime.
+    pub regime: Regime,
+    /// Its signed integral over the total: shares sum to 1, and negative ones belong to parts
+    /// that a model subtracts (all change sign where the total is negative).
+    pub share: f64,
+}
+
+/// From an integral to a quantity of the whole contact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Units {
+    /// η A_n times the law's value unit.
+    pub(crate) factor: f64,
+    /// σ_z \[m\].
+    pub(crate) height_std: f64,
+}
+
+impl Evaluation {
+    pub(crate) fn of_value(moments: &Moments, units: Units) -> Self {
+        let [scaled, size] = [moments.value, moments.sizes[0]].map(|x| x * units.factor);
+        Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
+    }
+
+    /// -dQ/dd.
+    pub(crate) fn of_slope(moments: &Moments, units: Units) -> Self {
+        let [scaled, size] =
+            [moments.slope, moments.sizes[1]].map(|x| x / units.height_std * units.factor);
+        Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
+    }
+}

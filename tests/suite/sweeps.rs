@@ -1,0 +1,136 @@
+//! Sweeps over scenes: the values of scenes compiled one by one, in order, whatever the threads.
+
+use asperity::{Case, ContactError, HeightDistribution, Model, Quantity, Sweep, Tolerance};
+
+use crate::scenes::{compiled, model, named};
+
+const ASKED: [Quantity; 4] =
+    [Quantity::Area, Quantity::Tangent, Quantity::Force, Quantity::Stiffness];
+
+/// Scenes that differ in everything a law depends on, w_c/σ_z from 1e-5 to 1e3.
+fn cases(count: usize, materials: bool) -> Vec<Case> {
+    // Multiples of an irrational number fill [0, 1) evenly, and repeat for every run.
+    let share = |k: usize, step: f64| (k as f64 * step).fract();
+    (0..count)
+        .map(|k| {
+            let mut scene = named("mild");
+            scene.surface.asperity_height_std *= 1e4f64.powf(2.0 * share(k, 0.618_034) - 1.0);
+            scene.surface.asperity_density *= 0.5 + share(k, 0.414_214);
+            scene.nominal_area *= 0.5 + share(k, 0.732_051);
+            if materials {
+                scene.surface.asperity_radius *= 0.5 + share(k, 0.236_068);
+                scene.interface.equivalent_modulus *= 0.7 + 0.6 * share(k, 0.645_751);
+                scene.interface.hardness =
+                    scene.interface.hardness.map(|h| h * (0.8 + 0.4 * share(k, 0.162_278)));
+                scene.interface.pressure_factor = Some(0.5 + 0.2 * share(k, 0.316_625));
+            }
+            Case { scene, separation: -3.0 + 12.0 * share(k, 0.605_551) }
+        })
+        .collect()
+}
+
+#[test]
+fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
+    let tolerance = Tolerance::new(1e-12).unwrap();
+    for model in Model::all() {
+        let lateral = model.claims().angles;
+        let cases = cases(if lateral { 8 } else { 40 }, !lateral);
+        let sweep = Sweep::new(&*model, &ASKED, tolerance);
+        for (case, answer) in cases.iter().zip(sweep.evaluate_all(&cases)) {
+            let alone = compiled(&model, &case.scene, &ASKED, 1e-12);
+            for (quantity, swept) in ASKED.into_iter().zip(answer.unwrap()) {
+                let alone = alone.evaluate(quantity, case.separation).unwrap();
+                assert!(swept.ln_scale.to_bits() == alone.ln_scale.to_bits());
+                let error = (swept.scaled - alone.scaled).abs() / alone.size;
+                assert!(error <= swept.error + alone.error, "{model} {quantity}: {error:e}");
+                assert!(swept.error < if lateral { 2e-11 } else { 2e-12 }, "{model} {quantity}");
+            }
+        }
+    }
+}
+
+#[test]
+fn digits_and_order_depend_neither_on_threads_nor_on_what_came_before() {
+    let mut cases = cases(3000, true);
+    cases[1234].separation = f64::NAN;
+    cases[77].scene.heights = HeightDistribution::Exponential;
+    for id in ["ke", "zmc"] {
+        let model = model(id);
+        let asked = [Quantity::Force, Quantity::Tangent];
+        let digits = |answer: Result<Vec<asperity::Evaluation>, ContactError>| match answer {
+            Ok(row) => row.iter().map(|e| e.value().to_bits()).collect(),
+            Err(error) => {
+                assert!(error.to_string().starts_with("separation is NaN"), "{error}");
+                vec![]
+            }
+        };
+        let all: Vec<Vec<u64>> = Sweep::new(&*model, &asked, Tolerance::default())
+            .evaluate_all(&cases)
+            .into_iter()
+            .map(digits)
+            .collect();
+        assert!(all[1234].is_empty() && all.iter().filter(|row| row.is_empty()).count() == 1);
+        let mut seen = 0;
+        let backwards = Sweep::new(&*model, &asked, Tolerance::default());
+        let cases = cases.iter().rev().cloned();
+        let end = backwards.stream(cases, |k, answer| {
+            seen += 1;
+            assert!(digits(answer) == all[all.len() - 1 - k], "{id}, case {k} from the end");
+            Ok::<(), ()>(())
+        });
+        assert!(end.is_ok() && seen == all.len());
+    }
+}
+
+#[test]
+fn a_stream_ends_where_its_taker_has_enough() {
+    let model = model("gw");
+    let endless = cases(1, false).into_iter().cycle();
+    let sweep = Sweep::new(&*model, &[Quantity::Force], Tolerance::default());
+    let end = sweep.stream(endless, |k, _| if k == 20_000 { Err("enough") } else { Ok(()) });
+    assert_eq!(end, Err("enough"));
+}
+
+#[test]
+fn a_compiled_law_serves_other_scenes_of_its_asperities() {
+    for id in ["ke", "jg", "at"] {
+        let cases = cases(6, false);
+        let model = model(id);
+        let first = compiled(&model, &cases[0].scene, &ASKED, 1e-11);
+        for Case { scene, separation } in &cases {
+            let alone = compiled(&model, scene, &ASKED, 1e-11);
+            for quantity in ASKED {
+                let moved = first.evaluate_on(scene, quantity, *separation).unwrap();
+                let alone = alone.evaluate(quantity, *separation).unwrap();
+                let error = (moved.scaled - alone.scaled).abs() / alone.size;
+                assert!(error <= moved.error + alone.error, "{id} {quantity}: {error:e}");
+            }
+        }
+        let mut other = cases[0].scene.clone();
+        other.surface.asperity_radius *= 1.5;
+        let refused = first.evaluate_on(&other, Quantity::Force, 1.0);
+        assert_eq!(refused, Err(ContactError::OtherAsperity));
+    }
+}
+
+#[test]
+fn second_derivatives_are_those_of_the_tangent() {
+    for id in ["gw", "ke", "etsion", "at"] {
+        let scene = named("mild");
+        let compiled = compiled(&model(id), &scene, &[Quantity::Force, Quantity::Tangent], 1e-12);
+        let tangent = |s: f64| compiled.evaluate(Quantity::Tangent, s).unwrap().value();
+        for s in [-2.0, 0.3, 1.7, 6.0] {
+            // Richardson's extrapolation of central differences: error h⁴, some 1e-9 here.
+            let h = 2e-3;
+            let difference = |h: f64| (tangent(s + h) - tangent(s - h)) / (2.0 * h);
+            let slope = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
+            let second = compiled.second_derivative(Quantity::Force, s).unwrap().value();
+            let scale = scene.surface.asperity_height_std;
+            let error =
+                (-slope / scale - second).abs() / second.abs().max(tangent(s).abs() / scale);
+            assert!(error < 1e-8, "{id} at {s}: {error:e}");
+        }
+        let refused = compiled.second_derivative(Quantity::Tangent, 1.0).unwrap_err().to_string();
+        assert!(refused.starts_with("no second derivative of the tangent"), "{refused}");
+    }
+}
