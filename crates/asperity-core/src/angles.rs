@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity_quadrature::{QuadratureError, Tabulated, TanhSinh};
+use asperity_quadrature::{Point, QuadratureError, Tabulated, TanhSinh};
 use serde::{Deserialize, Serialize};
 
 use crate::{ContactError, Form, FunctionKey, Power};
@@ -141,11 +141,12 @@ pub fn angle_average(
         ends.extend([range.start, end]);
         ends.sort_by(f64::total_cmp);
         let integrand = |y: f64| (c0 + c2 * (y / x) * (y / x)) * contact.mean(y, x);
-        let mut total = 0.0;
-        for pair in ends.windows(2).filter(|pair| pair[1] > pair[0]) {
-            total += TanhSinh::shared()
-                .integrate(pair[0], pair[1], 0.1 * tolerance, |p| integrand(p.x))
-                .value;
+        // From the right, where responses are largest: what is left need only be good beside them.
+        let mut total = 0.0f64;
+        for pair in ends.windows(2).rev().filter(|pair| pair[1] > pair[0]) {
+            let (goal, integrand) = (0.3 * tolerance, |p: Point| integrand(p.x));
+            let rules = TanhSinh::shared();
+            total += rules.integrate_beside(pair[0], pair[1], goal, total.abs(), integrand).value;
         }
         Ok(total / x)
     };

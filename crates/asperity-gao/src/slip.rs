@@ -3,9 +3,10 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use asperity_core::{FunctionKey, ObliqueContact};
-use asperity_quadrature::{bracketed_root, legendre};
+use asperity_quadrature::{bracketed_root, legendre, with_wide_registers};
 
 use crate::{Displacement, ForceComponent, NormalLaw, Stick, friction};
 
@@ -56,6 +57,7 @@ struct Contact {
 }
 
 impl ObliqueSlip {
+    #[inline(always)]
     fn contact(&self, y: f64, x: f64) -> Contact {
         let load = self.normal.load(y);
         let radius = self.normal.radius(y);
@@ -91,6 +93,7 @@ impl ObliqueSlip {
     /// How thin, in the variable of `mean`, the layer is next to a slip limit in which K_i falls
     /// from its tangential to its normal part: K_n² against the shear term, which goes there as
     /// the square of that variable.
+    #[inline(always)]
     fn layer(&self, contact: &Contact, ratios: [f64; 2], width: f64) -> f64 {
         if self.response != Response::Stiffness {
             return 1.0;
@@ -100,11 +103,69 @@ impl ObliqueSlip {
         (contact.normal_stiffness_squared / shear).sqrt().clamp(1e-8, 1.0)
     }
 
+    /// The integral over θ = `to` - `width` v² (3 - 2v) for v from `near` to `far`: half powers at
+    /// both ends become whole ones.
+    #[inline(always)]
+    fn on_piece(&self, contact: &Contact, (to, width): (f64, f64), (near, far): (f64, f64)) -> f64 {
+        static RULE: LazyLock<([f64; NODES], [f64; NODES])> = LazyLock::new(|| {
+            let rule = legendre(NODES);
+            (std::array::from_fn(|k| rule.nodes[k]), std::array::from_fn(|k| rule.weights[k]))
+        });
+        let (nodes, rule_weights) = &*RULE;
+        let (mut theta, mut weights) = ([0.0; NODES], [0.0; NODES]);
+        for k in 0..NODES {
+            let v = near + (far - near) * nodes[k];
+            theta[k] = to - width * v * v * (3.0 - 2.0 * v);
+            weights[k] = rule_weights[k] * (far - near) * width * 6.0 * v * (1.0 - v);
+        }
+        let (sin, cos) = sines_and_cosines(&theta);
+        let values = self.at(contact, &sin, &cos);
+        let mut sums = [0.0; 4];
+        for k in 0..NODES {
+            sums[k % 4] += values[k] * weights[k];
+        }
+        (sums[0] + sums[1]) + (sums[2] + sums[3])
+    }
+
+    #[inline(always)]
+    fn mean_over_azimuths(&self, y: f64, x: f64) -> f64 {
+        let contact = self.contact(y, x);
+        let equal = self.equal_pushes();
+        let [a, b] = contact.push;
+        if a.max(b) <= 0.0 || (self.stick == Stick::Unlimited && equal) {
+            // Nothing depends on θ.
+            let half = [0.5f64.sqrt(); NODES];
+            return self.at(&contact, &half, &half)[0];
+        }
+        // sin and cos change places at π/4 when both pushes are equal.
+        let end = if equal { FRAC_PI_4 } else { FRAC_PI_2 };
+        let ratios = contact.push.map(|p| p / contact.limit);
+        let slips = slip_limits(if self.never_slips() { [0.0; 2] } else { ratios }, end);
+        // The series of sine and cosine change at π/4. A limit outside (0, end) is at the end.
+        let mut limits = [slips[0], slips[1], FRAC_PI_4, end];
+        limits.sort_unstable_by(f64::total_cmp);
+        let (mut total, mut from) = (0.0, 0.0);
+        for to in limits {
+            let width = to - from;
+            let layer = if to < end { self.layer(&contact, ratios, width) } else { 1.0 };
+            // v counts back from `to`; pieces shrink towards it down to the layer.
+            let mut far = if width > 0.0 { 1.0 } else { 0.0 };
+            while far > 0.0 {
+                let near = if far > 2.0 * layer { far / 6.0 } else { 0.0 };
+                total += self.on_piece(&contact, (to, width), (near, far));
+                far = near;
+            }
+            from = to;
+        }
+        total / end
+    }
+
     fn never_slips(&self) -> bool {
         self.stick == Stick::Unlimited || self.displacement == Displacement::None
     }
 
     /// F_i or K_i at azimuths with these sines and cosines; plain loops, for vector registers.
+    #[inline(always)]
     fn at(&self, c: &Contact, sin: &[f64; NODES], cos: &[f64; NODES]) -> [f64; NODES] {
         let mut out = [0.0; NODES];
         let ratios = c.push.map(|p| p / c.limit);
@@ -166,6 +227,7 @@ const fn series(orders: [u32; 9]) -> [f64; 9] {
 }
 
 /// Sines and cosines of azimuths that all lie in [0, π/4] or all in [π/4, π/2].
+#[inline(always)]
 fn sines_and_cosines(theta: &[f64; NODES]) -> ([f64; NODES], [f64; NODES]) {
     let upper = theta[0] > FRAC_PI_4;
     let t = if upper { theta.map(|t| FRAC_PI_2 - t) } else { *theta };
@@ -187,64 +249,26 @@ fn sines_and_cosines(theta: &[f64; NODES]) -> ([f64; NODES], [f64; NODES]) {
 }
 
 /// 1 - (1-q)^1.5 without cancellation for small q.
+#[inline(always)]
 fn cattaneo_mindlin(q: f64) -> f64 {
     let left = 1.0 - q;
     q * (3.0 + q * (q - 3.0)) / (1.0 + left * left.sqrt())
 }
 
-/// Azimuths at which one of the two directions begins to slip, inside `(0, end)`, ascending.
-fn slip_limits([sine, cosine]: [f64; 2], end: f64) -> impl Iterator<Item = f64> {
-    let a = (sine > 1.0).then(|| (1.0 / sine).asin());
-    let b = (cosine > 1.0).then(|| (1.0 / cosine).acos());
-    let (first, last) = match (a, b) {
-        (Some(a), Some(b)) => (Some(a.min(b)), Some(a.max(b))),
-        (a, b) => (a.or(b), None),
-    };
-    first.into_iter().chain(last).filter(move |theta| *theta > 0.0 && *theta < end)
+/// Azimuths at which one of the two directions begins to slip, or `end` where none does before.
+#[inline(always)]
+fn slip_limits([sine, cosine]: [f64; 2], end: f64) -> [f64; 2] {
+    let a = if sine > 1.0 { (1.0 / sine).asin() } else { end };
+    let b = if cosine > 1.0 { (1.0 / cosine).acos() } else { end };
+    [a.min(end), b.min(end)]
 }
 
 impl ObliqueContact for ObliqueSlip {
     fn mean(&self, y: f64, x: f64) -> f64 {
-        let contact = self.contact(y, x);
-        let equal = self.equal_pushes();
-        let [a, b] = contact.push;
-        if a.max(b) <= 0.0 || (self.stick == Stick::Unlimited && equal) {
-            // Nothing depends on θ.
-            let half = [0.5f64.sqrt(); NODES];
-            return self.at(&contact, &half, &half)[0];
-        }
-        // sin and cos change places at π/4 when both pushes are equal.
-        let end = if equal { FRAC_PI_4 } else { FRAC_PI_2 };
-        let ratios = contact.push.map(|p| p / contact.limit);
-        let rule = legendre(NODES);
-        let mut limits: Vec<f64> =
-            slip_limits(if self.never_slips() { [0.0; 2] } else { ratios }, end).collect();
-        // The series of sine and cosine change at π/4.
-        limits.extend([FRAC_PI_4, end]);
-        limits.sort_by(f64::total_cmp);
-        let (mut total, mut from) = (0.0, 0.0);
-        for to in limits {
-            let width = to - from;
-            let layer = if to < end { self.layer(&contact, ratios, width) } else { 1.0 };
-            // v counts back from `to`; pieces shrink towards it down to the layer.
-            let mut far = if width > 0.0 { 1.0 } else { 0.0 };
-            while far > 0.0 {
-                let near = if far > 2.0 * layer { far / 6.0 } else { 0.0 };
-                let (mut theta, mut weights) = ([0.0; NODES], [0.0; NODES]);
-                for k in 0..NODES {
-                    let v = near + (far - near) * rule.nodes[k];
-                    // Half powers at both ends become whole ones.
-                    theta[k] = to - width * v * v * (3.0 - 2.0 * v);
-                    weights[k] = rule.weights[k] * (far - near) * width * 6.0 * v * (1.0 - v);
-                }
-                let (sin, cos) = sines_and_cosines(&theta);
-                let values = self.at(&contact, &sin, &cos);
-                total += values.iter().zip(&weights).map(|(f, w)| f * w).sum::<f64>();
-                far = near;
-            }
-            from = to;
-        }
-        total / end
+        with_wide_registers(
+            #[inline(always)]
+            || self.mean_over_azimuths(y, x),
+        )
     }
 
     fn breaks(&self, x: f64, range: &Range<f64>) -> Vec<f64> {

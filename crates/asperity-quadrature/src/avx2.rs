@@ -5,14 +5,23 @@
 //! with the standard library's exponential one by one (12 nodes: 37 against 73).
 
 #[cfg(not(target_arch = "x86_64"))]
+pub use without::with_wide_registers;
+#[cfg(not(target_arch = "x86_64"))]
 pub(crate) use without::{positive, signed, sums};
 
+#[cfg(target_arch = "x86_64")]
+pub use with::with_wide_registers;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use with::{positive, signed, sums};
 
 #[cfg(not(target_arch = "x86_64"))]
 mod without {
     use crate::exponentials::{Exponent, Four, Place, Sums};
+
+    /// Calls `f`: on this processor there is nothing to choose.
+    pub fn with_wide_registers<R>(f: impl FnOnce() -> R) -> R {
+        f()
+    }
 
     pub(crate) fn positive(_: &[Four], _: &Exponent) -> Option<f64> {
         None
@@ -41,6 +50,23 @@ mod with {
 
     fn available() -> bool {
         std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
+    }
+
+    /// Calls `f`, compiled for AVX2 and FMA where the processor has them: loops over arrays inside,
+    /// down to what is marked `#[inline(always)]`, then work on four numbers at a time. Results are
+    /// the same to the last bit.
+    pub fn with_wide_registers<R>(f: impl FnOnce() -> R) -> R {
+        if available() {
+            // SAFETY: the processor has the features.
+            unsafe { called_with_avx2(f) }
+        } else {
+            f()
+        }
+    }
+
+    #[target_feature(enable = "avx2,fma")]
+    fn called_with_avx2<R>(f: impl FnOnce() -> R) -> R {
+        f()
     }
 
     #[inline]

@@ -6,11 +6,12 @@ use std::sync::{Arc, OnceLock};
 
 use crate::{QuadratureError, Sampler};
 
-/// Coefficients of each series.
+/// Coefficients of a series, or a third of them where those do.
 const TERMS: usize = 24;
-/// Cells span a factor 8 each and cover x from 8^-42 to 8^42.
-const CELLS: usize = 84;
-const OCTAVES: i64 = 3;
+const FEW: usize = TERMS / 3;
+/// Cells span a factor 64 each and cover x from 64^-21 to 64^21.
+const CELLS: usize = 42;
+const OCTAVES: i64 = 6;
 /// Bisection ends here,
 const DEEPEST: u32 = 24;
 /// or where a cell has this many series: a noisy function is not worth more,
@@ -76,13 +77,13 @@ struct Series {
     range: (f64, f64),
     /// Ends of the map's own interval.
     ends: (f64, f64),
-    /// Of f(x)/x.
-    terms: [f64; TERMS],
+    /// Of f(x)/x: 8 or 24.
+    terms: Vec<f64>,
 }
 
 impl Tabulated {
     /// Tabulates `function`, whose kinks are listed, to `tolerance`, relative to
-    /// its largest f(x)/x between neighbouring kinks or within a factor 8.
+    /// its largest f(x)/x between neighbouring kinks or within a factor 64.
     #[must_use]
     pub fn new(function: Arc<Function>, kinks: &[f64], tolerance: f64) -> Self {
         let mut kinks: Vec<f64> =
@@ -115,7 +116,7 @@ impl Tabulated {
         let series = cell
             .get_or_init(|| {
                 let low = 2f64.powi((octave.div_euclid(OCTAVES) * OCTAVES) as i32);
-                self.build(low, 8.0 * low)
+                self.build(low, 2f64.powi(OCTAVES as i32) * low)
             })
             .as_ref()
             .map_err(Clone::clone)?;
@@ -160,18 +161,24 @@ impl Tabulated {
         parents: Parents,
         found: &mut Vec<Series>,
     ) -> Result<(), QuadratureError> {
+        let sample = |k: usize| {
+            let x = map.x(ends, range.0 + (range.1 - range.0) * (0.5 + 0.5 * root(k).cos()));
+            (self.function)(x).map(|value| value / x)
+        };
         let mut samples = [0.0; TERMS];
-        for (k, sample) in samples.iter_mut().enumerate() {
-            let angle = std::f64::consts::PI * (k as f64 + 0.5) / TERMS as f64;
-            let x = map.x(ends, range.0 + (range.1 - range.0) * (0.5 + 0.5 * angle.cos()));
-            *sample = (self.function)(x)? / x;
+        // Every third root is one of the polynomial of a third of the degree.
+        for k in (1..TERMS).step_by(3) {
+            samples[k] = sample(k)?;
         }
-        let terms = coefficients(&samples);
-        // Relative to the whole interval between kinks: where the function starts at zero, its
-        // relative accuracy next to the kink is beyond what x itself can tell.
-        let size = terms.iter().fold(parents.size, |m: f64, t| m.max(t.abs()));
-        // Four terms: one or two can be small by accident.
-        let tail = terms[TERMS - 4..].iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+        let mut terms = coefficients(&samples, FEW);
+        let (mut size, mut tail) = size_and_tail(&terms, parents.size);
+        if tail > 0.1 * self.tolerance * size {
+            for k in (0..TERMS).filter(|k| k % 3 != 1) {
+                samples[k] = sample(k)?;
+            }
+            terms = coefficients(&samples, TERMS);
+            (size, tail) = size_and_tail(&terms, parents.size);
+        }
         // Noise does not fall by halving, a kink does; neither is followed for ever.
         let stalled = if tail > 0.5 * parents.tail { parents.stalled + 1 } else { 0 };
         if tail <= self.tolerance * size
@@ -239,19 +246,28 @@ impl Series {
     }
 }
 
-fn coefficients(samples: &[f64; TERMS]) -> [f64; TERMS] {
-    let mut terms = [0.0; TERMS];
-    for (j, term) in terms.iter_mut().enumerate() {
-        let sum: f64 = samples
-            .iter()
-            .enumerate()
-            .map(|(k, s)| {
-                s * (std::f64::consts::PI * j as f64 * (k as f64 + 0.5) / TERMS as f64).cos()
-            })
-            .sum();
-        *term = sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-    }
-    terms
+/// The angle of a root of the polynomial of degree 24.
+fn root(k: usize) -> f64 {
+    std::f64::consts::PI * (k as f64 + 0.5) / TERMS as f64
+}
+
+/// The series through the samples at all roots, or at every third.
+fn coefficients(samples: &[f64; TERMS], count: usize) -> Vec<f64> {
+    let step = TERMS / count;
+    let used = || samples.iter().enumerate().skip(step / 2).step_by(step);
+    let term = |j: usize| {
+        let sum: f64 = used().map(|(k, sample)| sample * (j as f64 * root(k)).cos()).sum();
+        sum * if j == 0 { 1.0 } else { 2.0 } / count as f64
+    };
+    (0..count).map(term).collect()
+}
+
+/// The largest term, relative to the whole interval between kinks: where the function starts at
+/// zero, its relative accuracy next to the kink is beyond what x itself can tell. And the largest
+/// of the last four: one or two can be small by accident.
+fn size_and_tail(terms: &[f64], size: f64) -> (f64, f64) {
+    let largest = |terms: &[f64]| terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));
+    (largest(terms).max(size), largest(&terms[terms.len() - 4..]))
 }
 
 #[cfg(test)]

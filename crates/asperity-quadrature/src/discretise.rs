@@ -99,7 +99,7 @@ impl Panel {
         for ((mass, slope), x) in self.masses.iter_mut().zip(&slope).zip(&self.points) {
             *mass *= slope * weight(*x);
         }
-        self.error = width * unresolved(rule, &self.masses);
+        self.error = width * rule.error(&self.masses);
         for (mass, w) in self.masses.iter_mut().zip(&rule.weights) {
             *mass *= w * width;
         }
@@ -109,21 +109,6 @@ impl Panel {
     fn size(&self) -> f64 {
         self.masses.iter().map(|m| m.abs()).sum()
     }
-}
-
-/// Estimates the error of the rule from how the Legendre coefficients fall: a fall from degree n/2
-/// to n goes on beyond, a kink's does not, and a tail at the level of rounding says nothing: the
-/// samples are resolved. The rule errs from degree 2n on only, so that the fall could count twice
-/// for a geometric one; next to the kinks of lateral laws it does not, and that cost 5e-12.
-fn unresolved(rule: &Legendre, samples: &[f64]) -> f64 {
-    let tail = rule.tail(samples);
-    let largest = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
-    if tail <= 3e-14 * largest {
-        return 0.0;
-    }
-    let middle = rule.middle(samples);
-    let fall = if middle > tail { tail / middle } else { 1.0 };
-    10.0 * tail * fall
 }
 
 /// Replaces `density(x) · weight(x)` on `[low, high]` by point masses.

@@ -79,6 +79,23 @@ impl Legendre {
         largest(&self.tail, samples)
     }
 
+    /// Estimates the error of the rule from how the Legendre coefficients fall: a fall from degree
+    /// n/2 to n goes on beyond, a kink's does not, and a tail at the level of rounding says nothing:
+    /// the samples are resolved. The rule errs from degree 2n on only, so that the fall could count
+    /// twice for a geometric one; next to the kinks of lateral laws it does not, and that cost
+    /// 5e-12.
+    #[must_use]
+    pub fn error(&self, samples: &[f64]) -> f64 {
+        let tail = self.tail(samples);
+        let largest = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+        if tail <= 3e-14 * largest {
+            return 0.0;
+        }
+        let middle = self.middle(samples);
+        let fall = if middle > tail { tail / middle } else { 1.0 };
+        10.0 * tail * fall
+    }
+
     /// The largest of three Legendre coefficients around degree n/2, to judge how the tail falls.
     #[must_use]
     pub fn middle(&self, samples: &[f64]) -> f64 {

@@ -35,6 +35,7 @@ mod segment;
 mod tanh_sinh;
 
 pub use any_scale::AnyScale;
+pub use avx2::with_wide_registers;
 pub use chebyshev::Tabulated;
 pub use density::{Density, Piece, Sampler};
 pub use discretise::{Discretised, discretise};

@@ -45,6 +45,19 @@ impl TanhSinh {
         low: f64,
         high: f64,
         tolerance: f64,
+        f: impl FnMut(Point) -> f64,
+    ) -> Estimate {
+        self.integrate_beside(low, high, tolerance, 0.0, f)
+    }
+
+    /// As [`integrate`](Self::integrate), with `tolerance` relative to this integral or to one of
+    /// size `beside`, to which it will be added: whichever is larger.
+    pub fn integrate_beside(
+        &self,
+        low: f64,
+        high: f64,
+        tolerance: f64,
+        beside: f64,
         mut f: impl FnMut(Point) -> f64,
     ) -> Estimate {
         let width = high - low;
@@ -67,7 +80,7 @@ impl TanhSinh {
             let value = sum * step * width;
             let difference = (value - best.value).abs();
             best.value = value;
-            let scale = size * step * width.abs();
+            let scale = (size * step * width.abs()).max(beside);
             if k > 0 {
                 // Digits double from level to level while the integrand is analytic inside.
                 let relative = if scale > 0.0 { difference / scale } else { 0.0 };
