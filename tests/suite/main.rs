@@ -8,6 +8,7 @@ mod inputs;
 mod invariants;
 mod inverse;
 mod kit;
+mod ladder;
 mod parallel;
 mod plans;
 mod properties;

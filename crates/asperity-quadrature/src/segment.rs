@@ -199,7 +199,8 @@ impl Segment {
             }
             let measured = [measured[0].max(measured[1]), measured[2]].map(|m| 2.0 * m);
             segment.error = measured.map(|m| m + known);
-            if measured[0] < (0.5 * tolerance - known).max(ROUNDING) {
+            // A quarter is left even where the density itself is known no better than asked.
+            if measured[0] < (0.5 * tolerance - known).max(0.25 * tolerance).max(ROUNDING) {
                 break;
             }
         }
