@@ -1,6 +1,6 @@
 //! From a density times a smooth weight to point masses, on panels refined until resolved.
 
-use crate::legendre::{Legendre, legendre};
+use crate::legendre::legendre;
 use crate::{Density, QuadratureError};
 
 /// Points of the rule on each panel.
