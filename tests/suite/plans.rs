@@ -21,7 +21,9 @@ fn plans_are_as_they_were() {
     let all = [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
     insta::assert_snapshot!("plan-ke", plan("ke", &all, gaussian.clone(), 1e-10));
     insta::assert_snapshot!("plan-ke-loose", plan("ke", &[Quantity::Area], gaussian.clone(), 1e-4));
-    insta::assert_snapshot!("plan-at", plan("at", &[Quantity::Area], gaussian, 1e-10));
+    insta::assert_snapshot!("plan-at", plan("at", &[Quantity::Area], gaussian.clone(), 1e-10));
+    let paper = [Quantity::Force, Quantity::Stiffness, Quantity::Tangent];
+    insta::assert_snapshot!("plan-gao", plan("gao", &paper, gaussian, 1e-6));
     let exponential = HeightDistribution::Exponential;
     insta::assert_snapshot!(
         "plan-exponential",

@@ -104,8 +104,9 @@ pub trait ObliqueContact: Send + Sync {
     /// At which x the angle average over y in `range` has kinks, the ends of the range apart.
     fn kinks(&self, range: &Range<f64>) -> Vec<f64>;
 
-    /// What tells this contact from others, as [`Form::known_as`] takes it.
-    fn key(&self) -> Option<FunctionKey> {
+    /// What tells this contact from all others, if anything does: laws that recur in a sweep are
+    /// then tabulated once.
+    fn key(&self) -> Option<String> {
         None
     }
 }
@@ -121,18 +122,20 @@ pub fn angle_average(
     tolerance: f64,
 ) -> (Form, Vec<f64>) {
     let Some((c0, c2)) = density.folded() else {
-        let key = contact.key();
+        let of = contact.key();
         let form = Form::function(move |x| contact.mean(x, x));
-        return (named(form, "upright value", key, []), vec![]);
+        let key =
+            of.map(|of| FunctionKey { name: "upright contact".into(), of, parameters: vec![] });
+        return (key.into_iter().fold(form, Form::with_key), vec![]);
     };
-    let key = contact.key();
+    let of = contact.key();
     let mut kinks: Vec<f64> = contact.kinks(&range);
     kinks.extend([range.start, range.end]);
     kinks.retain(|x| x.is_finite() && *x > 0.0);
     // The table's claim is up to five times its tolerance, and the rules need a quarter of what is
     // asked; below 2e-13 rounding would be fitted.
     let tolerance = (0.15 * tolerance).max(2e-13);
-    let also = [c0, c2, range.start, range.end, tolerance];
+    let parameters = vec![c0, c2, range.start, range.end, tolerance];
     let function = move |x: f64| -> Result<f64, QuadratureError> {
         let end = range.end.min(x);
         if end <= range.start {
@@ -153,13 +156,8 @@ pub fn angle_average(
     };
     let table = Tabulated::new(Arc::new(function), &kinks, tolerance);
     let kinks = table.kinks().to_vec();
-    (named(Form::sampled(Arc::new(table)), "angle average", key, also), kinks)
-}
-
-/// The form under the key of the contact it was made of, and of `also`.
-fn named<const N: usize>(form: Form, how: &str, key: Option<FunctionKey>, also: [f64; N]) -> Form {
-    let Some(FunctionKey { name, parameters }) = key else { return form };
-    form.known_as(format!("{how} of {name}"), [parameters, also.to_vec()].concat())
+    let key = of.map(|of| FunctionKey { name: "angle average, tabulated".into(), of, parameters });
+    (key.into_iter().fold(Form::sampled(Arc::new(table)), Form::with_key), kinks)
 }
 
 /// The angle average of a sum of powers of y on `range`, in closed form. Every origin must be 0
@@ -186,7 +184,7 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
         }
         total / x
     };
-    Form::function(average).known_as("angle average of powers", parameters)
+    Form::function(average).known_as("angle average in closed form", parameters)
 }
 
 /// (high^n - low^n)/n without cancellation.

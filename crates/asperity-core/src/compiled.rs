@@ -8,8 +8,8 @@ use crate::evaluation::Units;
 use crate::height_integral::HeightIntegral;
 use crate::request::checked_separation;
 use crate::{
-    Asperity, ContactError, ContactModel, Evaluation, HeightDistribution, Law, Quantity, Request,
-    Scene, Share, StiffnessKind, Warning,
+    Asperity, ContactError, ContactModel, Evaluation, HeightDistribution, Interface, Law, Quantity,
+    Request, Scene, Share, StiffnessKind, Warning,
 };
 
 /// A model applied to a scene: integrals are built when first needed, and shared by all threads.
@@ -18,6 +18,8 @@ pub struct Compiled {
     model: String,
     quantities: Vec<Quantity>,
     asperity: Asperity,
+    /// What the asperity was made of.
+    interface: Interface,
     channels: Vec<Channel>,
     /// For each quantity, which channel it comes of.
     sources: Vec<usize>,
@@ -56,6 +58,7 @@ impl Compiled {
             model: model.name().into(),
             quantities: request.quantities.clone(),
             asperity,
+            interface: scene.interface,
             channels: vec![],
             sources: vec![],
             height_std: scene.surface.asperity_height_std,
@@ -84,9 +87,7 @@ impl Compiled {
     /// [`ContactError::OtherAsperity`] when interface or asperity radius differ, which the law
     /// depends on, and the errors of [`Scene::asperity`].
     pub fn on(&self, scene: &Scene) -> Result<Self, ContactError> {
-        if scene.asperity()? != self.asperity {
-            return Err(ContactError::OtherAsperity);
-        }
+        self.check_other(scene)?;
         let channels = self
             .channels
             .iter()
@@ -96,6 +97,7 @@ impl Compiled {
             model: self.model.clone(),
             quantities: self.quantities.clone(),
             asperity: self.asperity,
+            interface: self.interface,
             channels,
             sources: self.sources.clone(),
             height_std: scene.surface.asperity_height_std,
@@ -168,9 +170,7 @@ impl Compiled {
     ) -> Result<Evaluation, ContactError> {
         let channel = self.channel(quantity)?;
         let s = checked_separation(separation)?;
-        if scene.asperity()? != self.asperity {
-            return Err(ContactError::OtherAsperity);
-        }
+        self.check_other(scene)?;
         let law = &channel.law;
         let height_std = scene.surface.asperity_height_std;
         let units = Units { factor: scene.asperities() * law.value_unit, height_std };
@@ -286,6 +286,17 @@ impl Compiled {
             evaluation.error += self.separation_rounding * separation.abs() * steepness;
         }
         evaluation
+    }
+
+    /// Whether the laws hold on another scene.
+    fn check_other(&self, scene: &Scene) -> Result<(), ContactError> {
+        scene.check_surface()?;
+        let same_radius = scene.surface.asperity_radius.to_bits() == self.asperity.radius.to_bits();
+        if (same_radius && scene.interface == self.interface) || scene.asperity()? == self.asperity
+        {
+            return Ok(());
+        }
+        Err(ContactError::OtherAsperity)
     }
 
     fn channel(&self, quantity: Quantity) -> Result<&Channel, ContactError> {

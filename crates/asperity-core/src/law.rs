@@ -85,9 +85,11 @@ pub enum Form {
 /// Two functions with the same key are the same function: a sweep then integrates it once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FunctionKey {
-    /// What the function is, once in a program.
+    /// What the function is, in words: a plan shows them.
     pub name: Cow<'static, str>,
-    /// Everything it depends on but x.
+    /// What it is made of, where the name does not say it all.
+    pub of: String,
+    /// Everything else it depends on but x.
     pub parameters: Vec<f64>,
 }
 
@@ -108,12 +110,25 @@ impl Form {
     /// Says of a function that it is this one, and depends on these parameters alone.
     #[must_use]
     pub fn known_as(self, name: impl Into<Cow<'static, str>>, parameters: Vec<f64>) -> Self {
+        self.with_key(FunctionKey { name: name.into(), of: String::new(), parameters })
+    }
+
+    /// Says of a function which it is; powers need no telling.
+    #[must_use]
+    pub fn with_key(self, key: FunctionKey) -> Self {
         match self {
             Self::Powers(powers) => Self::Powers(powers),
-            Self::Function { sampler, .. } => {
-                let key = Some(FunctionKey { name: name.into(), parameters });
-                Self::Function { sampler, key }
-            }
+            Self::Function { sampler, .. } => Self::Function { sampler, key: Some(key) },
+        }
+    }
+
+    /// What the form is, in words.
+    #[must_use]
+    pub fn describe(&self) -> &str {
+        match self {
+            Self::Powers(_) => "sum of powers",
+            Self::Function { key: Some(key), .. } => &key.name,
+            Self::Function { key: None, .. } => "function",
         }
     }
 }
@@ -128,7 +143,7 @@ impl fmt::Debug for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Powers(powers) => f.debug_list().entries(powers).finish(),
-            Self::Function { .. } => f.write_str("a function"),
+            Self::Function { .. } => f.write_str(self.describe()),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use asperity_quadrature::reach;
 
-use crate::{Compiled, ContactError, Form, HeightDistribution, Part, Quantity, Request};
+use crate::{Compiled, ContactError, HeightDistribution, Part, Quantity, Request};
 
 /// How an integral over the heights is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,8 +21,10 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::GaussRules => "Gauss rules with the law as weight",
-            Self::OneIntegral => "one integral for all separations above 0",
-            Self::Panels => "adaptive panels at each separation",
+            Self::OneIntegral => "one integral for all separations above 0, as exp(-d) is a factor",
+            Self::Panels => {
+                "adaptive panels at each separation, as nothing is known of the heights"
+            }
         })
     }
 }
@@ -32,8 +34,9 @@ impl fmt::Display for Method {
 pub struct PlannedPart {
     /// Name of the part.
     pub name: String,
-    /// Whether its formula is a sum of powers or a function.
-    pub powers: bool,
+    /// What its formula is, in words: a sum of powers, an angle average in closed form or
+    /// tabulated, another function.
+    pub form: String,
     /// `None` where the part is integrated; otherwise the share of the whole, at most, that is
     /// dropped with it because no asperity reaches it.
     pub dropped: Option<f64>,
@@ -123,7 +126,7 @@ impl Compiled {
             |part: &Part| method == Method::GaussRules && part.range.start * scale > farthest;
         let planned = |part: &Part| PlannedPart {
             name: part.name.to_string(),
-            powers: matches!(part.form, Form::Powers(_)),
+            form: part.form.describe().into(),
             dropped: out_of_reach(part).then_some(1e-20),
         };
         let parts = self.law(first)?.parts.iter().map(planned).collect();
@@ -144,12 +147,17 @@ impl fmt::Display for Plan {
             let names: Vec<String> = step.quantities.iter().map(ToString::to_string).collect();
             writeln!(f, "  {} from the {} law: {}", names.join(", "), step.law, step.method)?;
             if let Some((least, most)) = step.nodes {
-                writeln!(f, "    {least} to {most} nodes, law sampled {} times", step.samples)?;
+                let nodes =
+                    if least == most { least.to_string() } else { format!("{least} to {most}") };
+                let samples = step.samples;
+                writeln!(
+                    f,
+                    "    {nodes} nodes: exponentials a value; {samples} samples of the law, once"
+                )?;
             }
             for part in &step.parts {
-                let kind = if part.powers { "sum of powers" } else { "function" };
                 match part.dropped {
-                    None => writeln!(f, "    {}: {kind}", part.name)?,
+                    None => writeln!(f, "    {}: {}", part.name, part.form)?,
                     Some(bound) => writeln!(
                         f,
                         "    {}: out of reach, below {bound:e} of the whole",

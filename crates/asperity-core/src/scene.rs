@@ -32,9 +32,15 @@ impl Scene {
     /// # Errors
     /// [`ContactError`] naming the field, the value and what was required.
     pub fn asperity(&self) -> Result<Asperity, ContactError> {
+        self.check_surface()?;
+        Asperity::new(&self.interface, self.surface.asperity_radius)
+    }
+
+    /// Checks what does not depend on the interface.
+    pub(crate) fn check_surface(&self) -> Result<(), ContactError> {
         self.surface.check()?;
         positive("nominal_area", self.nominal_area)?;
-        Asperity::new(&self.interface, self.surface.asperity_radius)
+        Ok(())
     }
 
     /// η A_n, the number of asperities.

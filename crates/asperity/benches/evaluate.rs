@@ -3,7 +3,9 @@
 
 use std::hint::black_box;
 
-use asperity::{Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace};
+use asperity::{
+    Case, Interface, Model, Quantity, Request, Scene, Surface, Sweep, Tolerance, linspace,
+};
 use asperity_quadrature::{gauss_kronrod, reach};
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -85,8 +87,37 @@ fn whole_answers(c: &mut Criterion) -> Outcome<()> {
     Ok(())
 }
 
+/// Scenes that differ in moduli, hardness and roughness.
+fn sweeps(c: &mut Criterion) -> Outcome<()> {
+    let scene = scene()?;
+    let cases: Vec<Case> = (0..4096u32)
+        .map(|k| {
+            let share = f64::from(k * 1597 % 4096) / 4096.0;
+            let mut scene = scene.clone();
+            scene.surface.asperity_height_std *= 100f64.powf(share - 0.5);
+            scene.interface.equivalent_modulus *= 0.8 + 0.4 * share;
+            scene.interface.hardness = scene.interface.hardness.map(|h| h * (0.9 + 0.2 * share));
+            Case { scene, separation: 4.0 * share }
+        })
+        .collect();
+    let ke: Model = "ke".parse()?;
+    let sweep = Sweep::new(&*ke, &[Quantity::Force], Tolerance::new(1e-10)?);
+    c.bench_function("sweep of 4096 scenes/ke", |b| b.iter(|| sweep.evaluate_all(&cases)));
+    let compiled = ke.compile(&scene, &request(Quantity::Force)?)?;
+    let mut rougher = scene.clone();
+    let mut k = 0;
+    c.bench_function("another scene of a compiled law/ke", |b| {
+        b.iter(|| {
+            k = (k + 1) % cases.len();
+            rougher.surface.asperity_height_std = cases[k].scene.surface.asperity_height_std;
+            compiled.evaluate_on(black_box(&rougher), Quantity::Force, cases[k].separation)
+        });
+    });
+    Ok(())
+}
+
 fn all(c: &mut Criterion) {
-    for group in [evaluations, classical, whole_answers] {
+    for group in [evaluations, classical, whole_answers, sweeps] {
         if let Err(error) = group(c) {
             eprintln!("error: {error}");
         }
