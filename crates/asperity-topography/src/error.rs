@@ -1,0 +1,165 @@
+//! Errors: what was found, and what was required.
+
+use std::io;
+use std::path::PathBuf;
+
+use asperity_core::ContactError;
+
+/// Why a surface could not be read or measured.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum TopographyError {
+    /// Something was wrong with a file; the source says what.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What was wrong.
+        source: Box<TopographyError>,
+    },
+    /// The operating system did not hand the file over.
+    #[error("cannot be read: {0}")]
+    Io(#[from] io::Error),
+    /// More than this crate is willing to hold in memory.
+    #[error("{what} is {size}: at most {limit} was required")]
+    TooLarge {
+        /// What is too large, with its unit.
+        what: &'static str,
+        /// How large it is.
+        size: u64,
+        /// How large it may be.
+        limit: u64,
+    },
+    /// No reader knows this file.
+    #[error(
+        "the format is not known: text (matrix, XYZ, profile), NumPy .npy, .x3p or Digital Surf .sur was required"
+    )]
+    UnknownFormat,
+    /// A line of a text file.
+    #[error("line {line}: {found:?} was found, {required} was required")]
+    Line {
+        /// Its number, from 1.
+        line: usize,
+        /// What stands there.
+        found: String,
+        /// What should.
+        required: String,
+    },
+    /// A field of a binary or XML file.
+    #[error("{format} {field}: {found} was found, {required} was required")]
+    Field {
+        /// Name of the format.
+        format: &'static str,
+        /// Name of the field.
+        field: &'static str,
+        /// What stands there.
+        found: String,
+        /// What should.
+        required: String,
+    },
+    /// The file does not say in what unit its heights are, and nobody else did.
+    #[error(
+        "the file does not say the unit of its heights: unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line) was required"
+    )]
+    UnitMissing,
+    /// The file does not say how far its points are apart, and nobody else did.
+    #[error(
+        "the file does not say the distance of its points: pixel_size in the unit of the heights (--pixel-size on the command line) was required"
+    )]
+    PixelSizeMissing,
+    /// An option says one thing and the file another.
+    #[error(
+        "{option} is {given}, but the file says {in_file}: leave the option out or correct the file"
+    )]
+    Contradiction {
+        /// Name of the option.
+        option: &'static str,
+        /// What was given.
+        given: String,
+        /// What the file says.
+        in_file: String,
+    },
+    /// Too many points are missing.
+    #[error(
+        "the share of missing points is {share:.4}: at most max_missing = {limit} (--max-missing on the command line) was required"
+    )]
+    TooManyMissing {
+        /// The share of missing points.
+        share: f64,
+        /// The largest that was allowed.
+        limit: f64,
+    },
+    /// An input lies outside its range.
+    #[error("{field} is {value:?}: {required} was required")]
+    OutOfRange {
+        /// Name of the input.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What would have been accepted.
+        required: &'static str,
+    },
+    /// The number of heights is not columns times rows.
+    #[error(
+        "there are {heights} heights in rows of {columns}: a whole number of rows, at least one, was required"
+    )]
+    Shape {
+        /// How many heights.
+        heights: usize,
+        /// How many columns.
+        columns: usize,
+    },
+    /// A height is infinite or absurd.
+    #[error(
+        "the height in row {row}, column {column} (from 0) is {value} m: a number of at most 1e9 m in size, or NaN for a missing point, was required"
+    )]
+    Height {
+        /// Its row, from 0.
+        row: usize,
+        /// Its column, from 0.
+        column: usize,
+        /// The height \[m\].
+        value: f64,
+    },
+    /// Too little is there to compute what was asked.
+    #[error("there are {found} {what}: at least {required} were required")]
+    TooFew {
+        /// What is counted.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many it takes.
+        required: usize,
+    },
+    /// Summits need an areal scan.
+    #[error(
+        "the summits of 8 neighbours were asked of a profile: an areal scan, or the estimator \"moments\", was required"
+    )]
+    SummitsOfProfile,
+    /// Columns of points that do not lie on a regular grid.
+    #[error("{field}: {found} was found, {required} was required")]
+    Grid {
+        /// Which coordinate.
+        field: &'static str,
+        /// What is wrong with it.
+        found: String,
+        /// What was required.
+        required: String,
+    },
+    /// A name that is none of the known ones.
+    #[error("{field} is {found:?}: one of {known} was required")]
+    UnknownName {
+        /// What was named.
+        field: &'static str,
+        /// The name.
+        found: String,
+        /// The known names.
+        known: &'static str,
+    },
+    /// The moments are not those of an isotropic Gaussian surface.
+    #[error("{0}; the estimator \"summits\" needs no Gaussian surface")]
+    Moments(#[source] ContactError),
+    /// The numbers of the asperities make no surface.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+}

@@ -1,0 +1,174 @@
+//! Heights on a regular grid.
+
+use crate::TopographyError;
+
+/// The most points a surface may have: 2²⁷, 1 GiB of heights.
+pub const MAX_POINTS: usize = 1 << 27;
+
+/// No surface is this high or wide \[m\]: a number beyond it is a broken file or a wrong unit, and
+/// its powers would overflow.
+const LARGEST: f64 = 1e9;
+/// No two measured points are this close \[m\].
+const SMALLEST_PIXEL: f64 = 1e-15;
+
+/// Heights on a regular grid of points; a profile has one row.
+///
+/// A point stands for a cell of one pixel, so n points at a distance dx cover a length n·dx: a
+/// physical size that a file states is divided by n, not by n - 1.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Topography {
+    /// \[m\], row by row; NaN where the point is missing.
+    heights: Vec<f64>,
+    columns: usize,
+    pixel_size: [f64; 2],
+    periodic: bool,
+    missing: usize,
+}
+
+impl Topography {
+    /// From heights \[m\], row by row, `columns` to a row, NaN where a point is missing, and the
+    /// distance of neighbouring points along a row and along a column \[m\].
+    ///
+    /// A single column is a profile and is turned into a row.
+    ///
+    /// # Errors
+    /// [`TopographyError`] when the heights do not fill whole rows, when one is beyond
+    /// ±1e9 m, when none is there, when there are more than [`MAX_POINTS`], or when a pixel size
+    /// is not between 1e-15 m and 1e9 m.
+    pub fn new(
+        heights: Vec<f64>,
+        columns: usize,
+        pixel_size: [f64; 2],
+    ) -> Result<Self, TopographyError> {
+        if heights.is_empty() || columns == 0 || heights.len() % columns != 0 {
+            return Err(TopographyError::Shape { heights: heights.len(), columns });
+        }
+        if heights.len() > MAX_POINTS {
+            let (size, limit) = (heights.len() as u64, MAX_POINTS as u64);
+            return Err(TopographyError::TooLarge { what: "the number of points", size, limit });
+        }
+        for value in pixel_size {
+            if !(SMALLEST_PIXEL..=LARGEST).contains(&value) {
+                let required = "a length of 1e-15 to 1e9 m";
+                return Err(TopographyError::OutOfRange { field: "pixel_size", value, required });
+            }
+        }
+        if let Some(index) = heights.iter().position(|height| height.abs() > LARGEST) {
+            let (row, column) = (index / columns, index % columns);
+            return Err(TopographyError::Height { row, column, value: heights[index] });
+        }
+        let missing = heights.iter().filter(|height| height.is_nan()).count();
+        if missing == heights.len() {
+            let what = "points with a height";
+            return Err(TopographyError::TooFew { what, found: 0, required: 1 });
+        }
+        let (columns, pixel_size) = match columns {
+            1 => (heights.len(), [pixel_size[1]; 2]),
+            _ => (columns, pixel_size),
+        };
+        Ok(Self { heights, columns, pixel_size, periodic: false, missing })
+    }
+
+    /// The same surface, continued periodically beyond its edges or not (the default).
+    /// A measured surface is not periodic; a generated one often is.
+    #[must_use]
+    pub fn with_periodic(mut self, periodic: bool) -> Self {
+        self.periodic = periodic;
+        self
+    }
+
+    /// The heights \[m\], row by row; NaN where a point is missing.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Points along a row.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Rows: 1 for a profile.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.heights.len() / self.columns
+    }
+
+    /// Whether this is a profile: one row of heights.
+    #[must_use]
+    pub fn is_profile(&self) -> bool {
+        self.rows() == 1
+    }
+
+    /// Distance of neighbouring points along a row and along a column \[m\].
+    #[must_use]
+    pub fn pixel_size(&self) -> [f64; 2] {
+        self.pixel_size
+    }
+
+    /// Whether the surface goes on periodically beyond its edges.
+    #[must_use]
+    pub fn is_periodic(&self) -> bool {
+        self.periodic
+    }
+
+    /// Share of the points that are missing, 0 to 1.
+    #[must_use]
+    pub fn missing_share(&self) -> f64 {
+        self.missing as f64 / self.heights.len() as f64
+    }
+
+    /// How many points have a height: at least 1.
+    #[must_use]
+    pub fn measured(&self) -> usize {
+        self.heights.len() - self.missing
+    }
+
+    /// The heights, to be changed where they are there; whoever uses it keeps NaN at NaN.
+    pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
+        &mut self.heights
+    }
+
+    /// Mean of the heights that are there \[m\], summed row by row.
+    pub(crate) fn mean(&self) -> f64 {
+        let row_sum = |row: &[f64]| row.iter().filter(|height| !height.is_nan()).sum::<f64>();
+        self.heights.chunks(self.columns).map(row_sum).sum::<f64>() / self.measured() as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_makes_no_surface_is_refused() {
+        let one = [1e-6; 2];
+        let message = |heights: Vec<f64>, columns, pixel_size| {
+            Topography::new(heights, columns, pixel_size).unwrap_err().to_string()
+        };
+        assert!(message(vec![], 1, one).starts_with("there are 0 heights"));
+        assert!(message(vec![0.0; 5], 2, one).starts_with("there are 5 heights in rows of 2"));
+        assert!(message(vec![0.0; 4], 0, one).starts_with("there are 4 heights in rows of 0"));
+        assert!(message(vec![0.0; 4], 2, [1.0, 0.0]).starts_with("pixel_size is 0.0"));
+        assert!(message(vec![0.0; 4], 2, [f64::NAN, 1.0]).starts_with("pixel_size is NaN"));
+        assert!(message(vec![0.0, f64::NEG_INFINITY], 2, one).contains("row 0, column 1"));
+        assert!(message(vec![f64::NAN; 4], 2, one).starts_with("there are 0 points"));
+    }
+
+    #[test]
+    fn missing_points_are_counted_and_kept() {
+        let surface = Topography::new(vec![1.0, f64::NAN, 3.0, 4.0], 2, [1.0, 2.0]).unwrap();
+        assert!((surface.missing_share() - 0.25).abs() < 1e-15);
+        assert!((surface.mean() - 8.0 / 3.0).abs() < 1e-15);
+        assert!(surface.heights()[1].is_nan());
+        assert_eq!((surface.rows(), surface.columns()), (2, 2));
+    }
+
+    #[test]
+    fn a_column_is_a_profile() {
+        let profile = Topography::new(vec![1.0, 2.0, 3.0], 1, [1.0, 2.0]).unwrap();
+        assert!(profile.is_profile());
+        assert_eq!((profile.columns(), profile.pixel_size()), (3, [2.0, 2.0]));
+    }
+}

@@ -1,0 +1,87 @@
+//! Statistics that stand, and still deserve a word.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::Estimator;
+
+/// Something a user should know of the statistics of a surface, and what to do about it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+#[non_exhaustive]
+pub enum Warning {
+    /// β = η R Sq lies outside 0.02 to 0.1, where rough surfaces are found.
+    RoughnessParameter {
+        /// β.
+        beta: f64,
+    },
+    /// The two estimators of an asperity parameter differ by more than a factor 2.
+    EstimatorsDisagree {
+        /// The parameter, named as in [`Statistics`](crate::Statistics).
+        parameter: &'static str,
+        /// Its value by the spectral moments.
+        moments: f64,
+        /// Its value by the summits.
+        summits: f64,
+    },
+    /// The estimator that was not asked for could not be applied.
+    NoSecondEstimator {
+        /// The estimator.
+        estimator: Estimator,
+        /// Why.
+        reason: String,
+    },
+    /// More than half of the summits are gone when only every second point is looked at:
+    /// the pixel size, not the surface, says how many asperities there are.
+    SummitsFollowSampling {
+        /// Summits per area \[1/m²\] of all points.
+        fine: f64,
+        /// Summits per area \[1/m²\] of every second point.
+        coarse: f64,
+    },
+    /// m₄ of a profile falls by more than 4 when only every second point is looked at.
+    CurvatureFollowsSampling {
+        /// m₄ \[1/m²\] of all points.
+        fine: f64,
+        /// m₄ \[1/m²\] of every second point.
+        coarse: f64,
+    },
+    /// The rms slopes along rows and columns differ by more than a factor 2.
+    Anisotropic {
+        /// Along rows.
+        slope_x: f64,
+        /// Along columns.
+        slope_y: f64,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::RoughnessParameter { beta } => write!(
+                f,
+                "beta = eta R Sq is {beta:.4}, rough surfaces are found between 0.02 and 0.1: remove form (level quadratic, or a filter with a cut-off) where it is too large, noise (every second point, a smoother scan) where the moments grow as the pixels shrink"
+            ),
+            Self::EstimatorsDisagree { parameter, moments, summits } => write!(
+                f,
+                "{parameter} is {moments:.4e} by the spectral moments and {summits:.4e} by the summits, more than a factor 2 apart: the surface is not an isotropic Gaussian one at this sampling; compare the results of both estimators"
+            ),
+            Self::NoSecondEstimator { estimator, reason } => {
+                write!(f, "the estimator {estimator} could not be compared: {reason}")
+            }
+            Self::SummitsFollowSampling { fine, coarse } => write!(
+                f,
+                "{fine:.4e} summits per m2 become {coarse:.4e} when every second point is left out: noise, or structure down to the pixel size, makes the asperities; smooth the scan or choose the pixel size for the contact that is meant"
+            ),
+            Self::CurvatureFollowsSampling { fine, coarse } => write!(
+                f,
+                "m4 of {fine:.4e} 1/m2 becomes {coarse:.4e} when every second point is left out: noise, or structure down to the pixel size, makes the asperities; smooth the scan or choose the pixel size for the contact that is meant"
+            ),
+            Self::Anisotropic { slope_x, slope_y } => write!(
+                f,
+                "the rms slope is {slope_x:.4e} along rows and {slope_y:.4e} along columns: asperities are taken as round; use the numbers with care"
+            ),
+        }
+    }
+}
