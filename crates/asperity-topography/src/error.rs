@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use asperity_core::ContactError;
 
+use crate::Level;
+
 /// Why a surface could not be read or measured.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -130,6 +132,22 @@ pub enum TopographyError {
         found: usize,
         /// How many it takes.
         required: usize,
+    },
+    /// All heights are the same.
+    #[error("the {points} heights are all the same: a rough surface was required")]
+    Flat {
+        /// How many heights there are.
+        points: usize,
+    },
+    /// The points do not determine the plane or quadric that is to be taken away.
+    #[error(
+        "the {points} points that are there do not determine the level {level}: points in at least two (plane) or three (quadratic) rows and columns were required"
+    )]
+    Level {
+        /// What was to be fitted.
+        level: Level,
+        /// How many points there are.
+        points: usize,
     },
     /// Summits need an areal scan.
     #[error(

@@ -1,13 +1,208 @@
 //! The Gaussian filter of ISO 16610-21 (profiles) and 16610-61 (areal).
 
+use rustfft::FftPlanner;
+use rustfft::num_complex::Complex;
+
 use crate::{Topography, TopographyError};
 
+/// How many cut-offs away from its middle the weight is below 1e-16 of its maximum.
+const REACH: f64 = 1.63;
+/// Columns that are filtered together: 16 complex numbers fill a few cache lines of each row.
+const BLOCK: usize = 16;
+
 impl Topography {
-    /// Roughness.
+    /// The roughness: the surface without its Gaussian mean surface, so that waves much longer
+    /// than `cutoff` \[m\] are gone, waves of that length are half as high and shorter ones stay.
+    ///
+    /// The weight is exp(-π (x/(α λ))²)/(α λ) with α = √(ln 2/π), along rows and along columns
+    /// (along the row, for a profile); at edges and missing points the weights that are left are
+    /// scaled to the sum 1, unless the surface is periodic.
     ///
     /// # Errors
-    /// [`TopographyError`].
-    pub fn filter(self, _cutoff: f64) -> Result<Self, TopographyError> {
+    /// [`TopographyError::OutOfRange`] when the cut-off is below two pixels or above the size of
+    /// the surface.
+    pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
+        let mean = self.gaussian_mean(cutoff)?;
+        for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
+            *height -= mean;
+        }
         Ok(self)
+    }
+
+    /// The Gaussian mean surface: what [`Topography::filter`] takes away. Waves much shorter than
+    /// `cutoff` \[m\], noise above all, are gone.
+    ///
+    /// # Errors
+    /// As [`Topography::filter`].
+    pub fn smooth(mut self, cutoff: f64) -> Result<Self, TopographyError> {
+        let mean = self.gaussian_mean(cutoff)?;
+        for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
+            if !height.is_nan() {
+                *height = mean;
+            }
+        }
+        Ok(self)
+    }
+
+    /// The weighted mean about every point \[m\]; anything where nothing is in reach.
+    fn gaussian_mean(
+        &self,
+        cutoff: f64,
+    ) -> Result<impl Iterator<Item = f64> + use<>, TopographyError> {
+        let [dx, dy] = self.pixel_size();
+        let (columns, rows) = (self.columns(), self.rows());
+        let along = |n: usize, step: f64| {
+            if cutoff >= 2.0 * step && cutoff <= n as f64 * step {
+                return Ok(Line::new(n, cutoff / step, self.is_periodic()));
+            }
+            let required = "a length of at least two pixels and at most the size of the surface";
+            Err(TopographyError::OutOfRange { field: "filter", value: cutoff, required })
+        };
+        let mean = self.mean();
+        // Heights and their weights are real: one complex number holds both.
+        let there = |height: &f64| match height.is_nan() {
+            true => Complex::new(0.0, 0.0),
+            false => Complex::new(height - mean, 1.0),
+        };
+        let mut along_rows = along(columns, dx)?;
+        let mut points: Vec<Complex<f64>> = self.heights().iter().map(there).collect();
+        for row in points.chunks_mut(columns) {
+            along_rows.convolve(row);
+        }
+        if !self.is_profile() {
+            let mut along_columns = along(rows, dy)?;
+            let mut block = vec![Complex::default(); rows * BLOCK];
+            for left in (0..columns).step_by(BLOCK) {
+                let width = BLOCK.min(columns - left);
+                for (y, row) in points.chunks(columns).enumerate() {
+                    for (i, point) in row[left..left + width].iter().enumerate() {
+                        block[i * rows + y] = *point;
+                    }
+                }
+                for column in block.chunks_mut(rows).take(width) {
+                    along_columns.convolve(column);
+                }
+                for (y, row) in points.chunks_mut(columns).enumerate() {
+                    for (i, point) in row[left..left + width].iter_mut().enumerate() {
+                        *point = block[i * rows + y];
+                    }
+                }
+            }
+        }
+        Ok(points.into_iter().map(move |point| mean + point.re / point.im))
+    }
+}
+
+/// Convolution of lines of n points with the Gaussian weight, by FFT.
+struct Line {
+    forward: std::sync::Arc<dyn rustfft::Fft<f64>>,
+    inverse: std::sync::Arc<dyn rustfft::Fft<f64>>,
+    /// Transform of the weight over the length; real, as the weight is even.
+    spectrum: Vec<f64>,
+    buffer: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl Line {
+    /// For a cut-off in points.
+    fn new(n: usize, cutoff: f64, periodic: bool) -> Self {
+        let reach = (REACH * cutoff).ceil() as usize;
+        // Zeros beyond the line, as far as the weight reaches, keep its ends apart.
+        let length = if periodic { n } else { (n + reach.min(n)).next_power_of_two() };
+        let mut planner = FftPlanner::new();
+        let (forward, inverse) =
+            (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
+        let mut weights = vec![Complex::default(); length];
+        for i in 0..=reach {
+            // exp(-π (i/(α λ))²) with π/α² = π²/ln 2.
+            let width = std::f64::consts::PI * i as f64 / cutoff;
+            let weight = (-width * width / std::f64::consts::LN_2).exp();
+            if periodic || i < n {
+                weights[i % length] += weight;
+                if i > 0 {
+                    weights[(length - i % length) % length] += weight;
+                }
+            }
+        }
+        let longest = forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
+        let mut scratch = vec![Complex::default(); longest];
+        forward.process_with_scratch(&mut weights, &mut scratch);
+        let spectrum = weights.iter().map(|weight| weight.re).collect();
+        Self { forward, inverse, spectrum, buffer: vec![Complex::default(); length], scratch }
+    }
+
+    /// Sums over the line, not yet divided by the sum of the weights: the quotient of the two
+    /// components does not feel that scale, nor the length of the unnormalised transform.
+    fn convolve(&mut self, line: &mut [Complex<f64>]) {
+        let (points, zeros) = self.buffer.split_at_mut(line.len());
+        points.copy_from_slice(line);
+        zeros.fill(Complex::default());
+        self.forward.process_with_scratch(&mut self.buffer, &mut self.scratch);
+        for (value, weight) in self.buffer.iter_mut().zip(&self.spectrum) {
+            *value *= weight;
+        }
+        self.inverse.process_with_scratch(&mut self.buffer, &mut self.scratch);
+        line.copy_from_slice(&self.buffer[..line.len()]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wave_of_the_cutoff_is_halved() {
+        let n = 240;
+        for (waves, left) in [(12.0_f64, 0.5), (6.0, 1.0 - 0.5f64.powf(0.25)), (24.0, 0.9375)] {
+            let turn = std::f64::consts::TAU * waves / n as f64;
+            let heights: Vec<f64> = (0..n).map(|x| (turn * x as f64).sin()).collect();
+            let profile = Topography::new(heights.clone(), n, [1e-6; 2]).unwrap();
+            let rough = profile.with_periodic(true).filter(20e-6).unwrap();
+            for (after, before) in rough.heights().iter().zip(&heights) {
+                assert!((after - left * before).abs() < 1e-12, "{waves}: {after} {before}");
+            }
+        }
+    }
+
+    #[test]
+    fn weights_are_those_that_are_left_at_edges_and_holes() {
+        let (columns, rows, cutoff) = (37, 29, 9.0);
+        let height = |i: usize| {
+            let (x, y) = ((i % columns) as f64, (i / columns) as f64);
+            5.0 + (0.3 * x).sin() * (0.2 * y).cos() + 0.1 * x
+        };
+        let mut heights: Vec<f64> = (0..columns * rows).map(height).collect();
+        for hole in [0, 40, 41, 78, 500, columns * rows - 1] {
+            heights[hole] = f64::NAN;
+        }
+        let surface = Topography::new(heights.clone(), columns, [1.0, 1.5]).unwrap();
+        let smooth = surface.clone().smooth(cutoff).unwrap();
+        let rough = surface.filter(cutoff).unwrap();
+        let alpha = (std::f64::consts::LN_2 / std::f64::consts::PI).sqrt();
+        for (i, before) in heights.iter().enumerate() {
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for (j, z) in heights.iter().enumerate().filter(|(_, z)| !z.is_nan()) {
+                let x = (i % columns) as f64 - (j % columns) as f64;
+                let y = 1.5 * ((i / columns) as f64 - (j / columns) as f64);
+                let r2 = (x * x + y * y) / (alpha * cutoff).powi(2);
+                let weight = (-std::f64::consts::PI * r2).exp();
+                sum += weight * z;
+                weights += weight;
+            }
+            assert_eq!(before.is_nan(), smooth.heights()[i].is_nan());
+            if !before.is_nan() {
+                assert!((smooth.heights()[i] - sum / weights).abs() < 1e-12);
+                assert!((rough.heights()[i] - (before - sum / weights)).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn cutoffs_that_cannot_be_are_refused() {
+        let surface = Topography::new(vec![0.0; 100], 10, [1.0; 2]).unwrap();
+        for cutoff in [f64::NAN, -1.0, 0.0, 1.9, 10.1, f64::INFINITY] {
+            let error = surface.clone().filter(cutoff).unwrap_err().to_string();
+            assert!(error.starts_with("filter is") && error.contains("two pixels"), "{error}");
+        }
     }
 }

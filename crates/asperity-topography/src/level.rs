@@ -1,7 +1,9 @@
 //! Levelling: the least-squares plane or quadric is taken away.
 
+use std::fmt;
 use std::str::FromStr;
 
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::{Deserialize, Serialize};
 
 use crate::{Topography, TopographyError};
@@ -17,6 +19,16 @@ pub enum Level {
     Plane,
     /// The least-squares quadric z = a + bx + cy + dx² + exy + fy² (a parabola, for a profile).
     Quadratic,
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::None => "none",
+            Self::Plane => "plane",
+            Self::Quadratic => "quadratic",
+        })
+    }
 }
 
 impl FromStr for Level {
@@ -36,12 +48,152 @@ impl FromStr for Level {
     }
 }
 
+impl Level {
+    /// Powers (a, b) of the terms u^a v^b that are fitted.
+    fn terms(self, profile: bool) -> Vec<[usize; 2]> {
+        let all: &[[usize; 2]] = match self {
+            Self::None => &[],
+            Self::Plane => &[[0, 0], [1, 0], [0, 1]],
+            Self::Quadratic => &[[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]],
+        };
+        all.iter().copied().filter(|[_, b]| !profile || *b == 0).collect()
+    }
+}
+
+/// Below this ratio of eigenvalues the points do not determine the fit. With coordinates from -1
+/// to 1 a full grid of three by three points has 0.02.
+const DETERMINED: f64 = 1e-9;
+
 impl Topography {
     /// The surface without its least-squares plane or quadric; missing points stay missing.
     ///
     /// # Errors
-    /// [`TopographyError::TooFew`] when the points do not determine the fit.
-    pub fn level(self, _level: Level) -> Result<Self, TopographyError> {
+    /// [`TopographyError::Level`] when the points do not determine the fit: all on one line, for
+    /// example.
+    pub fn level(mut self, level: Level) -> Result<Self, TopographyError> {
+        let terms = level.terms(self.is_profile());
+        if terms.is_empty() {
+            return Ok(self);
+        }
+        let (columns, rows) = (self.columns(), self.rows());
+        let along: Vec<f64> = (0..columns).map(|x| scaled(x, columns)).collect();
+        let mean = self.mean();
+        let mut normal = DMatrix::<f64>::zeros(terms.len(), terms.len());
+        let mut right = DVector::<f64>::zeros(terms.len());
+        for (y, row) in self.heights().chunks(columns).enumerate() {
+            let v = scaled(y, rows);
+            let (powers, heights) = row_sums(row, &along, mean);
+            for (i, [a, b]) in terms.iter().enumerate() {
+                right[i] += v.powi(*b as i32) * heights[*a];
+                for (j, [c, d]) in terms.iter().enumerate() {
+                    normal[(i, j)] += v.powi((b + d) as i32) * powers[a + c];
+                }
+            }
+        }
+        let eigen = SymmetricEigen::new(normal);
+        if !(eigen.eigenvalues.min() > DETERMINED * eigen.eigenvalues.max()) {
+            return Err(TopographyError::Level { level, points: self.measured() });
+        }
+        let weights = eigen.eigenvectors.tr_mul(&right).component_div(&eigen.eigenvalues);
+        let fit = eigen.eigenvectors * weights;
+        for (y, row) in self.heights_mut().chunks_mut(columns).enumerate() {
+            // The terms of this row as a polynomial in u alone.
+            let mut polynomial = [mean, 0.0, 0.0];
+            for ([a, b], coefficient) in terms.iter().zip(fit.iter()) {
+                polynomial[*a] += coefficient * scaled(y, rows).powi(*b as i32);
+            }
+            let [c0, c1, c2] = polynomial;
+            for (height, u) in row.iter_mut().zip(&along) {
+                *height -= c0 + u * (c1 + u * c2);
+            }
+        }
         Ok(self)
+    }
+}
+
+/// The place of a point among n, from -1 to 1: sums of its powers are well scaled.
+fn scaled(index: usize, n: usize) -> f64 {
+    if n < 2 { 0.0 } else { (2 * index) as f64 / (n - 1) as f64 - 1.0 }
+}
+
+/// Sums of u^k, k = 0..4, and of (z - mean) u^k, k = 0..2, over the points that are there.
+fn row_sums(row: &[f64], along: &[f64], mean: f64) -> ([f64; 5], [f64; 3]) {
+    let (mut powers, mut heights) = ([0.0; 5], [0.0; 3]);
+    for (height, u) in row.iter().zip(along).filter(|(height, _)| !height.is_nan()) {
+        let (z, u2) = (height - mean, u * u);
+        for (sum, power) in powers.iter_mut().zip([1.0, *u, u2, u2 * u, u2 * u2]) {
+            *sum += power;
+        }
+        for (sum, power) in heights.iter_mut().zip([z, z * u, z * u2]) {
+            *sum += power;
+        }
+    }
+    (powers, heights)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bumps orthogonal to nothing in particular, on a quadric, with a hole.
+    fn quadric(missing: bool) -> (Topography, Vec<f64>) {
+        let (columns, rows) = (40, 30);
+        let mut heights = Vec::new();
+        for index in 0..columns * rows {
+            let (x, y) = ((index % columns) as f64, (index / columns) as f64);
+            let form = 3e-6 + 2e-8 * x - 1e-8 * y + 4e-9 * x * x - 2e-9 * x * y + 1e-9 * y * y;
+            let hole = missing && (10.0..14.0).contains(&x) && y > 20.0;
+            heights.push(if hole { f64::NAN } else { form });
+        }
+        let surface = Topography::new(heights.clone(), columns, [1e-6, 2e-6]).unwrap();
+        (surface, heights)
+    }
+
+    #[test]
+    fn a_quadric_levels_to_nothing_and_holes_stay() {
+        for missing in [false, true] {
+            let (surface, before) = quadric(missing);
+            let levelled = surface.level(Level::Quadratic).unwrap();
+            for (after, before) in levelled.heights().iter().zip(&before) {
+                assert_eq!(after.is_nan(), before.is_nan());
+                assert!(after.is_nan() || after.abs() < 1e-19, "{after:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_left_is_orthogonal_to_the_plane() {
+        let (surface, before) = quadric(true);
+        assert_eq!(surface.clone().level(Level::None).unwrap().heights()[0], before[0]);
+        let levelled = surface.level(Level::Plane).unwrap();
+        let mut sums = [0.0; 4];
+        for (index, z) in levelled.heights().iter().enumerate().filter(|(_, z)| !z.is_nan()) {
+            let (x, y) = ((index % 40) as f64, (index / 40) as f64);
+            for (sum, term) in sums.iter_mut().zip([*z, z * x, z * y, z * z]) {
+                *sum += term;
+            }
+        }
+        let scale = (sums[3] * 1200.0).sqrt();
+        assert!(sums[0].abs() < 1e-12 * scale, "{sums:?}");
+        assert!(sums[1].abs() < 1e-11 * scale && sums[2].abs() < 1e-11 * scale, "{sums:?}");
+    }
+
+    #[test]
+    fn profiles_have_lines_and_parabolas() {
+        let heights: Vec<f64> = (0..50).map(|x| 1e-6 * f64::from(x * x - 3 * x)).collect();
+        let profile = Topography::new(heights, 50, [1e-6; 2]).unwrap();
+        let levelled = profile.level(Level::Quadratic).unwrap();
+        assert!(levelled.heights().iter().all(|z| z.abs() < 1e-16));
+    }
+
+    #[test]
+    fn points_on_a_line_determine_no_plane() {
+        let mut heights = vec![f64::NAN; 16];
+        for i in 0..4 {
+            heights[5 * i] = i as f64;
+        }
+        let surface = Topography::new(heights, 4, [1.0; 2]).unwrap();
+        let error = surface.level(Level::Plane).unwrap_err().to_string();
+        assert!(error.starts_with("the 4 points that are there do not determine"), "{error}");
     }
 }

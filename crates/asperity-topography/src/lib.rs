@@ -28,6 +28,7 @@
 
 mod density;
 mod error;
+mod estimator;
 mod filter;
 mod level;
 mod moments;
@@ -40,10 +41,11 @@ mod warning;
 
 pub use density::HeightDensity;
 pub use error::TopographyError;
+pub use estimator::Estimator;
 pub use level::Level;
 pub use moments::{ArealMoments, Moments};
 pub use read::{MAX_FILE_BYTES, ReadOptions, read, read_bytes};
-pub use statistics::{Estimator, Statistics};
+pub use statistics::Statistics;
 pub use summits::Summits;
 pub use topography::{MAX_POINTS, Topography};
 pub use unit::LengthUnit;

@@ -2,7 +2,7 @@
 
 use asperity_core::ProfileMoments;
 
-use crate::Topography;
+use crate::{Topography, TopographyError};
 
 /// The spectral moments of a surface and what they are made of.
 ///
@@ -11,17 +11,18 @@ use crate::Topography;
 /// ```
 ///
 /// over all neighbours that are both (all three) there, along rows and along columns; m₂ and m₄
-/// are the mean of the two directions. A wave of length L is seen with a slope smaller by
-/// (L/(π dx)) sin(π dx/L) and a curvature smaller by its square: 1.6 % and 3.3 % at ten points to
-/// the wave. This is McCool's way of taking the moments from a sampled profile. \[recalled\]
+/// are the mean of the two directions. A wave of length L is seen with its slope times
+/// s = sin(π dx/L)/(π dx/L) and its curvature times s²: 1.6 % and 3.3 % less at ten points to the
+/// wave. \[derived\] The forward difference, not the central one, belongs to this second
+/// difference: the central one would count the slopes of short waves less than their curvatures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Moments {
     /// m₀, m₂ and m₄ of profiles, averaged over both directions.
     pub profile: ProfileMoments,
-    /// ⟨z_x²⟩, ⟨z_xx²⟩ \[1/m²\] along rows.
+    /// ⟨z_x²⟩ and ⟨z_xx²⟩ \[1/m²\] along rows.
     pub along_rows: [f64; 2],
-    /// ⟨z_y²⟩, ⟨z_yy²⟩ \[1/m²\] along columns; a profile has none.
+    /// ⟨z_y²⟩ and ⟨z_yy²⟩ \[1/m²\] along columns; a profile has none.
     pub along_columns: Option<[f64; 2]>,
     /// Areal moments; a profile has none.
     pub areal: Option<ArealMoments>,
@@ -34,4 +35,223 @@ pub struct ArealMoments {
     pub m2: f64,
     /// ⟨(z_xx + z_yy)²⟩ \[1/m²\].
     pub m4: f64,
+}
+
+impl Moments {
+    /// The moments of the gap between two independent surfaces: they add.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let add = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        let areal =
+            |a: ArealMoments, b: ArealMoments| ArealMoments { m2: a.m2 + b.m2, m4: a.m4 + b.m4 };
+        Self {
+            profile: self.profile.plus(&other.profile),
+            along_rows: add(self.along_rows, other.along_rows),
+            along_columns: self.along_columns.zip(other.along_columns).map(|(a, b)| add(a, b)),
+            areal: self.areal.zip(other.areal).map(|(a, b)| areal(a, b)),
+        }
+    }
+}
+
+impl Topography {
+    /// The spectral moments of the surface as it is; m₀ is taken about the mean height.
+    ///
+    /// # Errors
+    /// [`TopographyError::TooFew`] when a direction has no three neighbours that are all there.
+    pub fn moments(&self) -> Result<Moments, TopographyError> {
+        let [dx, dy] = self.pixel_size();
+        let (columns, rows) = (self.columns(), self.rows());
+        let mut along_rows = Direction::default();
+        let mut along_columns = Direction::default();
+        let mut laplacian = Mean::default();
+        let row = |index: usize| &self.heights()[(index % rows) * columns..][..columns];
+        for y in 0..rows {
+            let middle = row(y);
+            along_rows.add_line(middle, dx, self.is_periodic());
+            if rows > 1 && (y + 1 < rows || self.is_periodic()) {
+                along_columns.slope.add_slopes(middle, row(y + 1), dy);
+            }
+            if rows > 2 && (y + 2 < rows || self.is_periodic()) {
+                let (next, far) = (row(y + 1), row(y + 2));
+                along_columns.curvature.add_curvatures(middle, next, far, dy);
+                laplacian.add_laplacians([middle, next, far], [dx, dy], self.is_periodic());
+            }
+        }
+        let mean = self.mean();
+        let m0 = self.central_moment(mean, 2);
+        let along_rows = along_rows.means("neighbours along rows that are there")?;
+        if self.is_profile() {
+            let [m2, m4] = along_rows;
+            let profile = ProfileMoments { m0, m2, m4 };
+            return Ok(Moments { profile, along_rows, along_columns: None, areal: None });
+        }
+        let along_columns = along_columns.means("neighbours along columns that are there")?;
+        let m2 = 0.5 * (along_rows[0] + along_columns[0]);
+        let m4 = 0.5 * (along_rows[1] + along_columns[1]);
+        let areal = laplacian.mean().map(|m4| ArealMoments { m2: 2.0 * m2, m4 });
+        let profile = ProfileMoments { m0, m2, m4 };
+        Ok(Moments { profile, along_rows, along_columns: Some(along_columns), areal })
+    }
+
+    /// ⟨z_xx²⟩ \[1/m²\] along rows, of points `step` apart.
+    pub(crate) fn curvature_of_every(&self, step: usize) -> Option<f64> {
+        let mut curvature = Mean::default();
+        for row in self.heights().chunks(self.columns()) {
+            if row.len() > 2 * step {
+                let last = row.len() - step;
+                let (middle, width) = (&row[step..last], step as f64 * self.pixel_size()[0]);
+                curvature.add_curvatures(&row[..last - step], middle, &row[2 * step..], width);
+            }
+        }
+        curvature.mean()
+    }
+
+    /// ⟨(z - mean)^power⟩ \[m^power\].
+    pub(crate) fn central_moment(&self, mean: f64, power: i32) -> f64 {
+        let row_sum = |row: &[f64]| {
+            let there = row.iter().filter(|height| !height.is_nan());
+            there.map(|height| (height - mean).powi(power)).sum::<f64>()
+        };
+        self.heights().chunks(self.columns()).map(row_sum).sum::<f64>() / self.measured() as f64
+    }
+}
+
+/// A mean in the making; what touches a missing point does not count.
+#[derive(Default)]
+struct Mean {
+    sum: f64,
+    count: usize,
+}
+
+impl Mean {
+    fn add_squares(&mut self, values: impl Iterator<Item = f64>) {
+        let mut sum = 0.0;
+        for value in values {
+            if !value.is_nan() {
+                sum += value * value;
+                self.count += 1;
+            }
+        }
+        self.sum += sum;
+    }
+
+    fn add_slopes(&mut self, a: &[f64], b: &[f64], step: f64) {
+        self.add_squares(a.iter().zip(b).map(|(a, b)| (b - a) / step));
+    }
+
+    fn add_curvatures(&mut self, a: &[f64], b: &[f64], c: &[f64], step: f64) {
+        let triples = a.iter().zip(b).zip(c);
+        self.add_squares(triples.map(|((a, b), c)| (a - 2.0 * b + c) / (step * step)));
+    }
+
+    fn add_laplacians(&mut self, rows: [&[f64]; 3], step: [f64; 2], periodic: bool) {
+        let [up, middle, down] = rows;
+        let [xx, yy] = step.map(|step| 1.0 / (step * step));
+        let at = |left: usize, x: usize, right: usize| {
+            let z = 2.0 * middle[x];
+            (middle[left] - z + middle[right]) * xx + (up[x] - z + down[x]) * yy
+        };
+        let n = middle.len();
+        self.add_squares((1..n.saturating_sub(1)).map(|x| at(x - 1, x, x + 1)));
+        if periodic && n > 2 {
+            self.add_squares([at(n - 1, 0, 1), at(n - 2, n - 1, 0)].into_iter());
+        }
+    }
+
+    fn mean(&self) -> Option<f64> {
+        (self.count > 0).then(|| self.sum / self.count as f64)
+    }
+}
+
+/// Slopes and curvatures along one direction.
+#[derive(Default)]
+struct Direction {
+    slope: Mean,
+    curvature: Mean,
+}
+
+impl Direction {
+    fn add_line(&mut self, line: &[f64], step: f64, periodic: bool) {
+        let n = line.len();
+        if n < 3 {
+            return;
+        }
+        self.slope.add_slopes(&line[..n - 1], &line[1..], step);
+        self.curvature.add_curvatures(&line[..n - 2], &line[1..n - 1], &line[2..], step);
+        if periodic {
+            let (first, last) = (&line[..1], &line[n - 1..]);
+            self.slope.add_slopes(last, first, step);
+            self.curvature.add_curvatures(&line[n - 2..n - 1], last, first, step);
+            self.curvature.add_curvatures(last, first, &line[1..2], step);
+        }
+    }
+
+    fn means(&self, what: &'static str) -> Result<[f64; 2], TopographyError> {
+        match (self.slope.mean(), self.curvature.mean()) {
+            (Some(slope), Some(curvature)) => Ok([slope, curvature]),
+            _ => Err(TopographyError::TooFew { what, found: self.slope.count.min(2), required: 3 }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// z = a cos(2πpx/n) + b cos(2πqy/n) on an n × n grid of the pixel sizes.
+    fn waves(n: usize, [a, p]: [f64; 2], [b, q]: [f64; 2], pixel_size: [f64; 2]) -> Topography {
+        let turn = std::f64::consts::TAU / n as f64;
+        let height = |index: usize| {
+            let (x, y) = ((index % n) as f64, (index / n) as f64);
+            a * (turn * p * x).cos() + b * (turn * q * y).cos()
+        };
+        Topography::new((0..n * n).map(height).collect(), n, pixel_size)
+            .unwrap()
+            .with_periodic(true)
+    }
+
+    #[test]
+    fn waves_have_the_moments_of_their_differences() {
+        let (n, dx, dy) = (96, 0.5e-6, 0.8e-6);
+        let surface = waves(n, [2e-7, 5.0], [3e-7, 7.0], [dx, dy]);
+        let moments = surface.moments().unwrap();
+        // A difference of a wave of phase k per pixel is a wave 2 sin(k/2) as high.
+        let square = |a: f64, p: f64, step: f64| {
+            let gain = 2.0 * (std::f64::consts::PI * p / n as f64).sin();
+            [0.5 * (a * gain / step).powi(2), 0.5 * (a * (gain / step).powi(2)).powi(2)]
+        };
+        let (x, y) = (square(2e-7, 5.0, dx), square(3e-7, 7.0, dy));
+        let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-12;
+        assert!(close(moments.profile.m0, 0.5 * (4e-14 + 9e-14)));
+        assert!(close(moments.along_rows[0], x[0]) && close(moments.along_rows[1], x[1]));
+        let columns = moments.along_columns.unwrap();
+        assert!(close(columns[0], y[0]) && close(columns[1], y[1]));
+        assert!(close(moments.profile.m2, 0.5 * (x[0] + y[0])));
+        assert!(close(moments.profile.m4, 0.5 * (x[1] + y[1])));
+        let areal = moments.areal.unwrap();
+        assert!(close(areal.m2, x[0] + y[0]) && close(areal.m4, x[1] + y[1]));
+    }
+
+    #[test]
+    fn a_missing_point_takes_its_differences_with_it() {
+        let heights = vec![0.0, 1.0, f64::NAN, 4.0, 6.0, 9.0];
+        let moments = Topography::new(heights, 6, [1.0; 2]).unwrap().moments().unwrap();
+        assert!((moments.profile.m2 - (1.0 + 4.0 + 9.0) / 3.0).abs() < 1e-15);
+        assert!((moments.profile.m4 - 1.0).abs() < 1e-15);
+        assert!(moments.along_columns.is_none() && moments.areal.is_none());
+    }
+
+    #[test]
+    fn every_second_point_is_a_curvature_of_its_own() {
+        let parabola = (0..9).map(|x| f64::from(x * x)).collect();
+        let profile = Topography::new(parabola, 9, [1.0; 2]).unwrap();
+        assert!((profile.curvature_of_every(2).unwrap() - 4.0).abs() < 1e-12);
+        assert!(profile.curvature_of_every(5).is_none());
+    }
+
+    #[test]
+    fn two_rows_have_no_curvature() {
+        let error = Topography::new(vec![0.0; 8], 4, [1.0; 2]).unwrap().moments().unwrap_err();
+        assert!(error.to_string().contains("along columns"), "{error}");
+    }
 }

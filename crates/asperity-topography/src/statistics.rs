@@ -1,50 +1,13 @@
 //! What a surface comes to: heights, moments, asperities.
 
-use std::fmt;
-use std::str::FromStr;
-
 use asperity_core::Surface;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-use crate::{Moments, Topography, TopographyError, Warning};
-
-/// How asperities are found in a measured surface.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Estimator {
-    /// From the spectral moments of profiles, after McCool: [`Surface::from_moments`].
-    #[default]
-    Moments,
-    /// From the summits themselves: [`Topography::summits`].
-    Summits,
-}
-
-impl fmt::Display for Estimator {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Moments => "moments",
-            Self::Summits => "summits",
-        })
-    }
-}
-
-impl FromStr for Estimator {
-    type Err = TopographyError;
-
-    fn from_str(name: &str) -> Result<Self, TopographyError> {
-        match name {
-            "moments" => Ok(Self::Moments),
-            "summits" => Ok(Self::Summits),
-            _ => Err(TopographyError::UnknownName {
-                field: "estimator",
-                found: name.to_owned(),
-                known: "moments, summits",
-            }),
-        }
-    }
-}
+use crate::{Estimator, Moments, Topography, TopographyError, Warning};
 
 /// What a surface comes to, in SI units.
+///
+/// Serialised are the numbers from `sq` to `missing_share` and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Statistics {
@@ -62,11 +25,11 @@ pub struct Statistics {
     pub m4: f64,
     /// Bandwidth α = m₀ m₄/m₂².
     pub alpha: f64,
-    /// η \[1/m²\] by the estimator asked for.
+    /// η \[1/m²\] by the estimator.
     pub asperity_density: f64,
-    /// R \[m\] by the estimator asked for.
+    /// R \[m\] by the estimator.
     pub asperity_radius: f64,
-    /// σ_z \[m\] by the estimator asked for.
+    /// σ_z \[m\] by the estimator.
     pub asperity_height_std: f64,
     /// β = η R Sq.
     pub beta: f64,
@@ -74,43 +37,173 @@ pub struct Statistics {
     pub beta_z: f64,
     /// Share of the points that are missing, 0 to 1.
     pub missing_share: f64,
+    /// By which estimator the asperities are.
+    #[serde(skip)]
+    pub estimator: Estimator,
     /// The moments by direction, and the areal ones.
     #[serde(skip)]
     pub moments: Moments,
-    /// The asperities by the spectral moments, where they have any.
+    /// The asperities by the other estimator, where it finds any.
     #[serde(skip)]
-    pub by_moments: Option<Surface>,
-    /// The asperities by the summits, where there are any.
-    #[serde(skip)]
-    pub by_summits: Option<Surface>,
+    pub other: Option<Surface>,
     /// What a user should know of these numbers.
     #[serde(skip)]
     pub warnings: Vec<Warning>,
 }
 
 impl Topography {
-    /// Heights, moments and asperities of the surface as it is: level it first.
+    /// Heights, moments and asperities of the surface as it is: [`level`](Topography::level) it
+    /// first.
     ///
     /// # Errors
-    /// [`TopographyError`].
-    pub fn statistics(&self, _estimator: Estimator) -> Result<Statistics, TopographyError> {
-        let what = "points";
-        Err(TopographyError::TooFew { what, found: 0, required: 3 })
+    /// As [`Topography::moments`]; [`TopographyError::Flat`] when all heights are the same; that
+    /// of the estimator asked for: [`TopographyError::Moments`] where no isotropic Gaussian
+    /// surface has such moments, or as [`Summits::surface`](crate::Summits::surface). That the
+    /// other estimator fails is a [`Warning`].
+    pub fn statistics(&self, estimator: Estimator) -> Result<Statistics, TopographyError> {
+        let moments = self.moments()?;
+        let mean = self.mean();
+        let m0 = moments.profile.m0;
+        if m0 <= 0.0 {
+            return Err(TopographyError::Flat { points: self.measured() });
+        }
+        let ssk = self.central_moment(mean, 3) / m0.powf(1.5);
+        let sku = self.central_moment(mean, 4) / (m0 * m0);
+        let by_moments = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments);
+        let by_summits = self.summits().and_then(|summits| summits.surface());
+        let (asked, other) = match estimator {
+            Estimator::Moments => (by_moments, by_summits),
+            Estimator::Summits => (by_summits, by_moments),
+        };
+        let surface = asked?;
+        let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
+        statistics.missing_share = self.missing_share();
+        statistics.warnings.extend(self.sampling());
+        match other {
+            Ok(other) => statistics.compare(other),
+            // A profile has no summits of 8 neighbours: nothing to warn of.
+            Err(TopographyError::SummitsOfProfile) => {}
+            Err(error) => {
+                let reason = error.to_string();
+                statistics.warnings.push(Warning::NoSecondEstimator { reason });
+            }
+        }
+        Ok(statistics)
+    }
+
+    /// Whether it is the sampling that makes the asperities.
+    fn sampling(&self) -> Option<Warning> {
+        if self.is_profile() {
+            // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
+            let (fine, coarse) = (self.curvature_of_every(1)?, self.curvature_of_every(2)?);
+            let follows = fine > 4.0 * coarse;
+            return follows.then_some(Warning::CurvatureFollowsSampling { fine, coarse });
+        }
+        // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
+        let (fine, coarse) = (self.summit_density(1)?, self.summit_density(2)?);
+        let follows = fine > 2.0 * coarse;
+        follows.then_some(Warning::SummitsFollowSampling { fine, coarse })
     }
 }
 
 impl Statistics {
+    /// Of one surface, or of the gap of two; nothing missing, one estimator.
+    fn new([ssk, sku]: [f64; 2], moments: Moments, estimator: Estimator, surface: Surface) -> Self {
+        let profile = moments.profile;
+        let sq = profile.m0.sqrt();
+        let per_length = surface.asperity_density * surface.asperity_radius;
+        let beta = per_length * sq;
+        let mut warnings = Vec::new();
+        if !(0.02..=0.1).contains(&beta) {
+            warnings.push(Warning::RoughnessParameter { beta });
+        }
+        if let Some([m2, _]) = moments.along_columns {
+            let (slope_x, slope_y) = (moments.along_rows[0].sqrt(), m2.sqrt());
+            if apart(slope_x, slope_y) {
+                warnings.push(Warning::Anisotropic { slope_x, slope_y });
+            }
+        }
+        Self {
+            sq,
+            ssk,
+            sku,
+            m0: profile.m0,
+            m2: profile.m2,
+            m4: profile.m4,
+            alpha: profile.bandwidth(),
+            asperity_density: surface.asperity_density,
+            asperity_radius: surface.asperity_radius,
+            asperity_height_std: surface.asperity_height_std,
+            beta,
+            beta_z: surface.roughness_parameter(),
+            missing_share: 0.0,
+            estimator,
+            moments,
+            other: None,
+            warnings,
+        }
+    }
+
+    /// Keeps the asperities by the other estimator, and says where the two disagree.
+    fn compare(&mut self, other: Surface) {
+        let asked = self.surface();
+        for (parameter, asked, other) in [
+            ("asperity_density", asked.asperity_density, other.asperity_density),
+            ("asperity_radius", asked.asperity_radius, other.asperity_radius),
+            ("asperity_height_std", asked.asperity_height_std, other.asperity_height_std),
+        ] {
+            if apart(asked, other) {
+                let (moments, summits) = match self.estimator {
+                    Estimator::Moments => (asked, other),
+                    Estimator::Summits => (other, asked),
+                };
+                self.warnings.push(Warning::EstimatorsDisagree { parameter, moments, summits });
+            }
+        }
+        self.other = Some(other);
+    }
+
     /// The surface a scene takes.
     #[must_use]
     pub fn surface(&self) -> Surface {
         Surface::new(self.asperity_radius, self.asperity_density, self.asperity_height_std)
     }
 
-    /// Two rough surfaces in contact, as the one surface that their gap is: moments add.
+    /// Rms slope of profiles: √m₂.
+    #[must_use]
+    pub fn rms_slope(&self) -> f64 {
+        self.m2.sqrt()
+    }
+
+    /// Rms curvature of profiles \[1/m\]: √m₄.
+    #[must_use]
+    pub fn rms_curvature(&self) -> f64 {
+        self.m4.sqrt()
+    }
+
+    /// Two rough surfaces in contact, as the one rough surface that their gap is.
+    ///
+    /// The surfaces are independent, each with its heights counted away from its body: moments
+    /// and cumulants add. The asperities are those of the sum of the moments, whatever estimator
+    /// the two were made with: summits do not add. `missing_share` is the share of pairs of
+    /// points of which one is missing.
     ///
     /// # Errors
-    /// [`TopographyError::Moments`] when the sum is not that of a Gaussian surface.
-    pub fn combined(first: &Self, _second: &Self) -> Result<Self, TopographyError> {
-        Ok(first.clone())
+    /// [`TopographyError::Moments`] when no isotropic Gaussian surface has the summed moments.
+    pub fn combined(first: &Self, second: &Self) -> Result<Self, TopographyError> {
+        let moments = first.moments.plus(&second.moments);
+        let surface = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments)?;
+        let m0 = moments.profile.m0;
+        let third = |of: &Self| of.ssk * (of.m0 / m0).powf(1.5);
+        let fourth = |of: &Self| (of.sku - 3.0) * (of.m0 / m0).powi(2);
+        let shape = [third(first) + third(second), 3.0 + fourth(first) + fourth(second)];
+        let mut combined = Self::new(shape, moments, Estimator::Moments, surface);
+        combined.missing_share = 1.0 - (1.0 - first.missing_share) * (1.0 - second.missing_share);
+        Ok(combined)
     }
+}
+
+/// Whether two positive numbers differ by more than a factor 2.
+fn apart(a: f64, b: f64) -> bool {
+    a > 2.0 * b || b > 2.0 * a
 }

@@ -1,12 +1,175 @@
 //! Summits: points above their eight neighbours.
 
+use asperity_core::Surface;
+
+use crate::{Topography, TopographyError};
+
+/// A standard deviation of fewer summits would mean nothing.
+const FEWEST: usize = 10;
+
 /// The summits of a surface.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Summits {
-    /// Heights \[m\] above the mean plane.
+    /// Heights \[m\], as they stand in the surface.
     pub heights: Vec<f64>,
-    /// Mean curvature \[1/m\] of each.
+    /// Mean of the two principal curvatures at each \[1/m\], positive for a top.
     pub curvatures: Vec<f64>,
-    /// Area that was searched \[m²\].
+    /// The area that was searched \[m²\]: a cell for each point that has all its neighbours.
     pub area: f64,
+}
+
+impl Summits {
+    /// The asperities that these summits are: η their number per area, R one over their mean
+    /// curvature, σ_z the standard deviation of their heights.
+    ///
+    /// # Errors
+    /// [`TopographyError::TooFew`] for fewer than 10 summits; [`TopographyError::Contact`] when
+    /// their heights are all the same or their mean curvature is not that of tops.
+    pub fn surface(&self) -> Result<Surface, TopographyError> {
+        let found = self.heights.len();
+        if found < FEWEST {
+            return Err(TopographyError::TooFew { what: "summits", found, required: FEWEST });
+        }
+        let n = found as f64;
+        let mean = self.heights.iter().sum::<f64>() / n;
+        let variance = self.heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
+        let curvature = self.curvatures.iter().sum::<f64>() / n;
+        let surface = Surface::new(1.0 / curvature, n / self.area, variance.sqrt());
+        surface.check()?;
+        Ok(surface)
+    }
+}
+
+impl Topography {
+    /// The summits: points above their eight neighbours, of neighbours as high as they only the
+    /// last in reading order. The curvature is that of the least-squares quadric through the nine
+    /// points. Points at the edge or next to a missing one are not searched.
+    ///
+    /// # Errors
+    /// [`TopographyError::SummitsOfProfile`] for a profile.
+    pub fn summits(&self) -> Result<Summits, TopographyError> {
+        if self.is_profile() {
+            return Err(TopographyError::SummitsOfProfile);
+        }
+        let [dx, dy] = self.pixel_size();
+        let (mut heights, mut curvatures) = (Vec::new(), Vec::new());
+        let searched = self.search(1, |[up, middle, down]| {
+            let across = |[a, b, c]: [f64; 3]| a - 2.0 * b + c;
+            let xx = (across(up) + across(middle) + across(down)) / (3.0 * dx * dx);
+            let column = |i: usize| across([up[i], middle[i], down[i]]);
+            let yy = (column(0) + column(1) + column(2)) / (3.0 * dy * dy);
+            heights.push(middle[1]);
+            curvatures.push(-0.5 * (xx + yy));
+        });
+        Ok(Summits { heights, curvatures, area: searched as f64 * dx * dy })
+    }
+
+    /// Summits per area \[1/m²\] of the points `step` apart, over all the grids of such points.
+    pub(crate) fn summit_density(&self, step: usize) -> Option<f64> {
+        let [dx, dy] = self.pixel_size();
+        let mut found = 0usize;
+        let searched = self.search(step, |_| found += 1);
+        let cell = (step * step) as f64 * dx * dy;
+        (searched > 0).then(|| found as f64 / (searched as f64 * cell))
+    }
+
+    /// Calls `found` with each summit and its neighbours `step` away; how many points have all
+    /// their neighbours.
+    fn search(&self, step: usize, mut found: impl FnMut([[f64; 3]; 3])) -> usize {
+        let (columns, rows) = (self.columns(), self.rows());
+        let (left, top) = if self.is_periodic() { (0, 0) } else { (step, step) };
+        if columns <= 2 * step || rows <= 2 * step {
+            return 0;
+        }
+        let row = |y: usize| &self.heights()[(y % rows) * columns..][..columns];
+        let mut searched = 0;
+        for y in top..rows - top {
+            let (up, middle, down) = (row(y + rows - step), row(y), row(y + step));
+            for x in left..columns - left {
+                let (a, b) = ((x + columns - step) % columns, (x + step) % columns);
+                let nine = [up, middle, down].map(|row| [row[a], row[x], row[b]]);
+                if nine.iter().flatten().any(|z| z.is_nan()) {
+                    continue;
+                }
+                searched += 1;
+                let [[p, q, r], [s, z, t], [u, v, w]] = nine;
+                let above_earlier = z >= p && z >= q && z >= r && z >= s;
+                if above_earlier && z > t && z > u && z > v && z > w {
+                    found(nine);
+                }
+            }
+        }
+        searched
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// cos x + cos y with `waves` periods each way over n × n points of 1 µm: waves² tops.
+    fn egg_box(n: usize, waves: f64, height: f64) -> Topography {
+        let turn = std::f64::consts::TAU * waves / n as f64;
+        let z = |i: usize| height * ((turn * (i % n) as f64).cos() + (turn * (i / n) as f64).cos());
+        Topography::new((0..n * n).map(z).collect(), n, [1e-6; 2]).unwrap().with_periodic(true)
+    }
+
+    #[test]
+    fn an_egg_box_has_its_tops() {
+        let summits = egg_box(120, 6.0, 1e-7).summits().unwrap();
+        assert_eq!(summits.heights.len(), 36);
+        assert!(summits.heights.iter().all(|z| (z / 2e-7 - 1.0).abs() < 1e-12));
+        // The quadric through nine points of two cosines: their second differences, that of one
+        // wave at the top and at a step from it averaged over three lines being the same.
+        let (k, dx) = (std::f64::consts::TAU / 20.0, 1e-6);
+        let expected = 1e-7 * 2.0 * (1.0 - k.cos()) / (dx * dx);
+        assert!(summits.curvatures.iter().all(|c| (c / expected - 1.0).abs() < 1e-9));
+        assert!((summits.area / 14400e-12 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_plateau_is_one_summit_and_a_flat_none() {
+        let mut heights = vec![0.0; 49];
+        assert!(
+            Topography::new(heights.clone(), 7, [1.0; 2])
+                .unwrap()
+                .summits()
+                .unwrap()
+                .heights
+                .is_empty()
+        );
+        for i in [24, 25, 31, 32] {
+            heights[i] = 1.0;
+        }
+        let summits = Topography::new(heights.clone(), 7, [1.0; 2]).unwrap().summits().unwrap();
+        assert_eq!(summits.heights, [1.0]);
+        heights[33] = f64::NAN;
+        let surface = Topography::new(heights, 7, [1.0; 2]).unwrap();
+        let summits = surface.summits().unwrap();
+        assert!(summits.heights.is_empty());
+        assert!((summits.area - 19.0).abs() < 1e-12, "{}", summits.area);
+    }
+
+    #[test]
+    fn few_summits_and_profiles_are_refused() {
+        let error = egg_box(40, 2.0, 1.0).summits().unwrap().surface().unwrap_err().to_string();
+        assert_eq!(error, "there are 4 summits: at least 10 were required");
+        let profile = Topography::new(vec![0.0, 1.0, 0.0], 3, [1.0; 2]).unwrap();
+        assert!(profile.summits().unwrap_err().to_string().contains("profile"));
+    }
+
+    #[test]
+    fn noise_has_a_summit_in_nine_points_at_any_sampling() {
+        let mut state = 1u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 * 1e-9
+        };
+        let noise = (0..90_000).map(|_| next()).collect();
+        let noise = Topography::new(noise, 300, [1.0; 2]).unwrap().with_periodic(true);
+        let fine = noise.summit_density(1).unwrap();
+        assert!((fine * 9.0 - 1.0).abs() < 0.02, "{fine}");
+        assert!((noise.summit_density(2).unwrap() * 36.0 - 1.0).abs() < 0.02);
+    }
 }

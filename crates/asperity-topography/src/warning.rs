@@ -4,8 +4,6 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::Estimator;
-
 /// Something a user should know of the statistics of a surface, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
@@ -27,8 +25,6 @@ pub enum Warning {
     },
     /// The estimator that was not asked for could not be applied.
     NoSecondEstimator {
-        /// The estimator.
-        estimator: Estimator,
         /// Why.
         reason: String,
     },
@@ -67,8 +63,8 @@ impl fmt::Display for Warning {
                 f,
                 "{parameter} is {moments:.4e} by the spectral moments and {summits:.4e} by the summits, more than a factor 2 apart: the surface is not an isotropic Gaussian one at this sampling; compare the results of both estimators"
             ),
-            Self::NoSecondEstimator { estimator, reason } => {
-                write!(f, "the estimator {estimator} could not be compared: {reason}")
+            Self::NoSecondEstimator { reason } => {
+                write!(f, "the two estimators could not be compared: {reason}")
             }
             Self::SummitsFollowSampling { fine, coarse } => write!(
                 f,

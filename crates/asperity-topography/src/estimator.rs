@@ -1,0 +1,61 @@
+//! The two ways to find asperities in a measured surface.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use crate::TopographyError;
+
+/// How asperities are found in a measured surface.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Estimator {
+    /// From the spectral moments of profiles, after McCool:
+    /// [`Surface::from_moments`](asperity_core::Surface::from_moments).
+    #[default]
+    Moments,
+    /// From the summits themselves: [`Topography::summits`](crate::Topography::summits).
+    Summits,
+}
+
+impl fmt::Display for Estimator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Moments => "moments",
+            Self::Summits => "summits",
+        })
+    }
+}
+
+impl FromStr for Estimator {
+    type Err = TopographyError;
+
+    fn from_str(name: &str) -> Result<Self, TopographyError> {
+        match name {
+            "moments" => Ok(Self::Moments),
+            "summits" => Ok(Self::Summits),
+            _ => Err(TopographyError::UnknownName {
+                field: "estimator",
+                found: name.to_owned(),
+                known: "moments, summits",
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_read_back() {
+        for estimator in [Estimator::Moments, Estimator::Summits] {
+            assert_eq!(estimator.to_string().parse::<Estimator>().unwrap(), estimator);
+            let json = serde_json::to_string(&estimator).unwrap();
+            assert_eq!(json, format!("\"{estimator}\""));
+        }
+        let error = "peaks".parse::<Estimator>().unwrap_err().to_string();
+        assert_eq!(error, "estimator is \"peaks\": one of moments, summits was required");
+    }
+}
