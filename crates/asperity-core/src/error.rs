@@ -18,6 +18,18 @@ pub enum ContactError {
         /// What would have been accepted.
         required: &'static str,
     },
+    /// A number in a table lies outside its range.
+    #[error("row {row}: {field} is {value:?}: {required} was required")]
+    InTable {
+        /// The row, counted from 1.
+        row: usize,
+        /// Name of the column.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What would have been accepted.
+        required: &'static str,
+    },
     /// An input that this model needs was not given.
     #[error("{field} is missing: {needed_by} needs it")]
     Missing {

@@ -1,0 +1,176 @@
+//! A measured density of heights: a table, linear between its points.
+
+use crate::error::positive;
+use crate::{ContactError, Heights};
+
+/// A density given at heights in metres: linear between the points, zero outside them, normalised.
+///
+/// Two points at the same height make a step. The heights keep their metres: what the engine sees
+/// is ζ = (z - mean)/unit, with the mean of the table itself, so that separations are measured
+/// from it. The unit is the table's own standard deviation, the natural `asperity_height_std` of a
+/// measured surface; a scene with another one takes [`in_units_of`](Self::in_units_of) it, or its
+/// lengths in metres would be stretched.
+///
+/// ```
+/// use asperity_core::{HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
+///
+/// let measured = [(-2e-6, 0.0), (0.0, 3e5), (0.5e-6, 3.5e5), (1.5e-6, 0.0)]; // m, 1/m
+/// let heights = TabulatedHeights::new("measured", &measured)?;
+/// let surface = Surface::new(3.6e-4, 1.1e8, heights.standard_deviation());
+/// let mut scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), surface, 3e-5);
+/// scene.heights = HeightDistribution::other(heights);
+/// # Ok::<(), asperity_core::ContactError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct TabulatedHeights {
+    name: String,
+    /// Heights above the mean \[m\].
+    heights: Vec<f64>,
+    /// Normalised densities \[1/m\].
+    densities: Vec<f64>,
+    mean: f64,
+    std: f64,
+    integral: f64,
+    /// One ζ \[m\].
+    unit: f64,
+    /// The heights over the unit, the first and the last apart.
+    breaks: Vec<f64>,
+}
+
+impl TabulatedHeights {
+    /// Points (height \[m\], density \[1/m\]), ascending; the density is normalised.
+    ///
+    /// # Errors
+    /// [`ContactError::InTable`] naming the point that is not finite, not ascending or negative,
+    /// and [`ContactError::OutOfRange`] when there are fewer than two points, or the table's
+    /// integral or standard deviation is not a finite number above 0.
+    pub fn new(name: impl Into<String>, points: &[(f64, f64)]) -> Result<Self, ContactError> {
+        check(points)?;
+        let segments = || points.windows(2).map(|pair| (pair[0], pair[1]));
+        let first = points.first().map_or(0.0, |point| point.0);
+        let area = |((a, f), (b, g)): (_, _)| 0.5 * (b - a) * (f + g);
+        let integral = positive("integral of density_per_m", segments().map(area).sum())?;
+        // Moments of each linear piece, about the first height and then about the mean.
+        let lever = |((a, f), (b, g)): ((f64, f64), (f64, f64))| {
+            let (a, b) = (a - first, b - first);
+            (b - a) * (f * (2.0 * a + b) + g * (a + 2.0 * b)) / 6.0
+        };
+        let mean = first + segments().map(lever).sum::<f64>() / integral;
+        let square = |((a, f), (b, g)): ((f64, f64), (f64, f64))| {
+            let (a, b) = (a - mean, b - mean);
+            let (aa, ab, bb) = (a * a, a * b, b * b);
+            (b - a) * (f * (3.0 * aa + 2.0 * ab + bb) + g * (aa + 2.0 * ab + 3.0 * bb)) / 12.0
+        };
+        let variance = segments().map(square).sum::<f64>() / integral;
+        let std = positive("standard deviation of height_m", variance.sqrt())?;
+        let table = Self {
+            name: name.into(),
+            heights: points.iter().map(|point| point.0 - mean).collect(),
+            densities: points.iter().map(|point| point.1 / integral).collect(),
+            mean,
+            std,
+            integral,
+            unit: std,
+            breaks: vec![],
+        };
+        table.in_units_of(std)
+    }
+
+    /// The same heights for a scene with this `asperity_height_std` \[m\]: lengths in metres stay.
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] unless it is a finite number above 0.
+    pub fn in_units_of(mut self, asperity_height_std: f64) -> Result<Self, ContactError> {
+        self.unit = positive("asperity_height_std", asperity_height_std)?;
+        self.breaks = self.heights.iter().map(|z| z / self.unit).collect();
+        let (bottom, top) = self.support();
+        self.breaks.retain(|z| *z > bottom && *z < top);
+        self.breaks.dedup();
+        Ok(self)
+    }
+
+    /// Mean of the heights \[m\], in the table's own coordinate: where separations begin.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        self.mean
+    }
+
+    /// Standard deviation of the heights \[m\].
+    #[must_use]
+    pub fn standard_deviation(&self) -> f64 {
+        self.std
+    }
+
+    /// Integral of the density as it was given, before it was normalised; 1 where it was one.
+    #[must_use]
+    pub fn integral(&self) -> f64 {
+        self.integral
+    }
+
+    /// The piece that holds a height above the mean \[m\]: the distances to its ends \[m\] and the
+    /// densities there; `None` outside the table.
+    fn piece(&self, z: f64) -> Option<[(f64, f64); 2]> {
+        let count = self.heights.len();
+        let after = self.heights.partition_point(|height| *height <= z);
+        // The last height belongs to the last piece.
+        let right = if after == count { count - 1 } else { after };
+        let left = right.checked_sub(1)?;
+        let (a, b) = (z - self.heights[left], self.heights[right] - z);
+        (a >= 0.0 && b >= 0.0).then_some([(a, self.densities[left]), (b, self.densities[right])])
+    }
+}
+
+fn check(points: &[(f64, f64)]) -> Result<(), ContactError> {
+    if points.len() < 2 {
+        let (field, value) = ("number of points", points.len() as f64);
+        return Err(ContactError::OutOfRange { field, value, required: "at least 2" });
+    }
+    let refused = |row, field, value, required| {
+        Err(ContactError::InTable { row: row + 1, field, value, required })
+    };
+    for (row, (height, density)) in points.iter().copied().enumerate() {
+        if !height.is_finite() {
+            return refused(row, "height_m", height, "a finite number");
+        }
+        if !(density.is_finite() && density >= 0.0) {
+            return refused(row, "density_per_m", density, "a finite number, at least 0,");
+        }
+        if row > 0 && height < points[row - 1].0 {
+            return refused(row, "height_m", height, "a height not below the one before");
+        }
+        if row > 1 && height <= points[row - 2].0 {
+            return refused(row, "height_m", height, "no more than two densities for one height");
+        }
+    }
+    Ok(())
+}
+
+impl Heights for TabulatedHeights {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn ln_density(&self, height: f64) -> f64 {
+        // Weighted with both distances, not with a slope: exact in relation to itself next to an
+        // end where the density is 0.
+        self.piece(height * self.unit).map_or(f64::NEG_INFINITY, |[(a, f), (b, g)]| {
+            (self.unit * (f * b + g * a) / (a + b)).ln()
+        })
+    }
+
+    fn ln_density_slope(&self, height: f64) -> f64 {
+        let piece = self.piece(height * self.unit);
+        let slope = piece.map_or(0.0, |[(a, f), (b, g)]| self.unit * (g - f) / (f * b + g * a));
+        // Where the density is 0 throughout, there is nothing to weight.
+        if slope.is_finite() { slope } else { 0.0 }
+    }
+
+    fn support(&self) -> (f64, f64) {
+        let end = |z: Option<&f64>| z.map_or(0.0, |z| z / self.unit);
+        (end(self.heights.first()), end(self.heights.last()))
+    }
+
+    fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+}

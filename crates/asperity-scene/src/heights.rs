@@ -1,0 +1,129 @@
+//! `heights`: how the asperities are spread, and the CSV file of a measured density.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use asperity::{ContactError, HeightDistribution, TabulatedHeights};
+
+use crate::document::Section;
+use crate::{Place, SceneError};
+
+/// Header of the CSV file: it states the units.
+const HEADER: [&str; 2] = ["height_m", "density_per_m"];
+/// No table of heights needs more points, and every one costs time in each evaluation.
+const MOST_POINTS: usize = 10_000;
+/// Nor does one need more bytes.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// The heights of a scene as its file states them.
+#[derive(Debug, Clone)]
+pub(crate) enum Spread {
+    Gaussian,
+    Exponential,
+    Table(Box<TabulatedHeights>),
+}
+
+impl Spread {
+    /// As the library takes them, for this `asperity_height_std` \[m\].
+    pub(crate) fn distribution(self, std: f64) -> Result<HeightDistribution, ContactError> {
+        Ok(match self {
+            Self::Gaussian => HeightDistribution::Gaussian,
+            Self::Exponential => HeightDistribution::Exponential,
+            Self::Table(table) => HeightDistribution::other(table.in_units_of(std)?),
+        })
+    }
+}
+
+pub(crate) fn spread(section: &Section<'_>) -> Result<Spread, SceneError> {
+    let Some(entry) = section.entry("heights") else { return Ok(Spread::Gaussian) };
+    if !entry.is_table() {
+        let words = [("gaussian", false), ("exponential", true)];
+        let named = entry.one_of(&words).map_err(|error| match error {
+            SceneError::Value { at, found, near, needed } => {
+                let needed = format!("{needed} or {{ file = \"pdf.csv\" }}");
+                SceneError::Value { at, found, near, needed }
+            }
+            other => other,
+        })?;
+        return Ok(if named { Spread::Exponential } else { Spread::Gaussian });
+    }
+    let table = entry.section("heights")?;
+    let needed = "the path of a CSV file with the columns height_m,density_per_m";
+    let file = table.entry("file").ok_or_else(|| table.missing("file", needed))?;
+    let path = section.document().path(file.text().ok_or_else(|| file.wrong(needed))?);
+    Ok(Spread::Table(Box::new(read(&path, &file.at)?)))
+}
+
+/// Reads a table; `named` is the place that names the file.
+fn read(path: &Path, named: &Place) -> Result<TabulatedHeights, SceneError> {
+    let unreadable = |reason: String| SceneError::Unreadable {
+        at: Box::new(Place { field: format!("{} = {path:?}", named.field), ..named.clone() }),
+        reason,
+    };
+    let file = File::open(path).map_err(|error| unreadable(error.to_string()))?;
+    let mut text = String::new();
+    file.take(MOST_BYTES + 1).read_to_string(&mut text).map_err(|e| unreadable(e.to_string()))?;
+    if text.len() as u64 > MOST_BYTES {
+        return Err(unreadable(format!("it has more than {MOST_BYTES} bytes")));
+    }
+    let name = path.file_name().map_or("table".into(), |name| name.to_string_lossy());
+    table(&text, &name, path)
+}
+
+/// The table of a CSV text.
+pub(crate) fn table(text: &str, name: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
+    let place = |line: Option<u64>, field: &str| {
+        Box::new(Place {
+            file: Some(path.to_path_buf()),
+            line: line.and_then(|line| usize::try_from(line).ok()),
+            field: field.into(),
+        })
+    };
+    let syntax = |error: csv::Error| SceneError::Syntax {
+        at: place(error.position().map(csv::Position::line), "CSV"),
+        reason: error.to_string(),
+    };
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let header = reader.headers().map_err(syntax)?;
+    if header.iter().ne(HEADER) {
+        return Err(SceneError::Value {
+            at: place(header.position().map(csv::Position::line), "the header"),
+            found: format!("{:.60?}", header.iter().collect::<Vec<_>>().join(",")),
+            near: None,
+            needed: format!("\"{}\", heights in m and densities in 1/m,", HEADER.join(",")),
+        });
+    }
+    let (mut points, mut lines) = (vec![], vec![]);
+    for record in reader.records() {
+        let record = record.map_err(syntax)?;
+        let line = record.position().map(csv::Position::line);
+        if points.len() == MOST_POINTS {
+            let reason = format!("there are more than {MOST_POINTS} points");
+            return Err(SceneError::Syntax { at: place(line, "CSV"), reason });
+        }
+        let number = |k: usize| {
+            let text = record.get(k).unwrap_or_default();
+            text.parse::<f64>().map_err(|_| SceneError::Value {
+                at: place(line, HEADER[k]),
+                found: format!("{text:.60?}"),
+                near: None,
+                needed: "a number".into(),
+            })
+        };
+        points.push((number(0)?, number(1)?));
+        lines.push(line);
+    }
+    TabulatedHeights::new(name, &points).map_err(|source| match source {
+        ContactError::InTable { row, field, value, required } => SceneError::Value {
+            at: place(lines.get(row - 1).copied().flatten(), field),
+            found: format!("{value:?}"),
+            near: None,
+            needed: required.trim_end_matches(',').into(),
+        },
+        other => SceneError::from_contact(other, |field| place(None, field)),
+    })
+}
