@@ -141,6 +141,19 @@ fn point(density: &Density, x: f64) -> Result<f64, QuadratureError> {
     Ok(total)
 }
 
+/// The heights that count for one s.
+struct Window {
+    low: f64,
+    high: f64,
+    /// Logarithm of the largest density.
+    peak: f64,
+    /// Variation of the density over its integral.
+    steepness: f64,
+}
+
+/// Where a density on an interval is looked at, beside its breaks.
+const STEPS: u32 = 64;
+
 /// Any other heights: each s is integrated anew, on panels that end at the kinks of the law and
 /// at the breaks of the density.
 #[derive(Debug)]
@@ -153,7 +166,7 @@ pub(crate) struct Other {
 
 impl Other {
     fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let Some((low, high, ln_scale)) = self.window(s) else {
+        let Some(Window { low, high, peak: ln_scale, steepness }) = self.window(s) else {
             // No asperity is as high as the flat: there is no contact, and that is exact.
             let none =
                 Moments { value: 0.0, slope: 0.0, sizes: [0.0; 2], ln_scale: 0.0, error: 0.0 };
@@ -167,7 +180,10 @@ impl Other {
         let weight =
             |x: f64| (self.heights.ln_density(s + x * self.scale) - ln_scale).exp() * self.scale;
         let window = ((low - s) / self.scale, (high - s) / self.scale);
-        let tolerance = 1e-15_f64.max(0.1 * self.tolerance);
+        // Heights are rounded against zero: that counts next to the top, and in steep densities.
+        let unit = f64::EPSILON * s.abs().max(high.abs());
+        let rounding = 16.0 * unit * steepness;
+        let tolerance = (0.1 * self.tolerance).max(rounding).max(1e-15);
         let masses = discretise(&self.density, window, &edges, &weight, tolerance)?;
         let (value, size) = sum(&masses);
         let (slope, slope_size) = self.slope(s, ln_scale, &masses)?;
@@ -176,7 +192,9 @@ impl Other {
             slope,
             sizes: [size, slope_size],
             ln_scale,
-            error: relative(masses.error, size, &self.density) + self.heights.error(),
+            error: relative(masses.error, size, &self.density)
+                + self.heights.error()
+                + if size > 0.0 { unit * slope_size / size } else { 0.0 },
         })
     }
 
@@ -207,29 +225,52 @@ impl Other {
         Ok((slope, size))
     }
 
-    /// Lowest and highest height that count, and the logarithm of the largest density there.
-    fn window(&self, s: f64) -> Option<(f64, f64, f64)> {
+    /// The heights that count.
+    fn window(&self, s: f64) -> Option<Window> {
         let (bottom, top) = self.heights.support();
         let low = s.max(bottom);
         if low >= top {
             return None;
         }
         let ln = |z: f64| self.heights.ln_density(z);
+        if top.is_finite() {
+            return self.interval(low, top);
+        }
         // Steps that double from a small one find the largest density, and where it has fallen by
         // exp(-CUT); refinement makes up for their coarseness.
         let mut peak = f64::NEG_INFINITY;
         let mut high = low;
         let mut step = 1e-3 / (1.0 + low.abs());
         for _ in 0..200 {
-            high = (high + step).min(top);
-            let inside = if high < top { high } else { high.next_down() };
-            peak = peak.max(ln(inside));
-            let fallen = ln(inside) < peak - CUT && high > 1.0;
-            if high >= top || fallen {
+            high += step;
+            peak = peak.max(ln(high));
+            if ln(high) < peak - CUT && high > 1.0 {
                 break;
             }
             step = (1.25 * step).min(1.0 + 0.1 * low.abs());
         }
-        peak.is_finite().then_some((low, high, peak))
+        peak.is_finite().then_some(Window { low, high, peak, steepness: 0.0 })
+    }
+
+    /// A density on an interval may fall and rise again, as measured ones do: nothing of it is left
+    /// out.
+    fn interval(&self, low: f64, high: f64) -> Option<Window> {
+        let steps = (0..=STEPS).map(|k| low + (high - low) * f64::from(k) / f64::from(STEPS));
+        let beside = self.heights.breaks().iter().flat_map(|z| [z.next_down(), *z]);
+        let end = high.next_down();
+        let mut inside: Vec<f64> =
+            steps.map(|z| z.min(end)).chain(beside.filter(|z| *z >= low && *z <= end)).collect();
+        // Two ascending runs: that is quick.
+        inside.sort_by(f64::total_cmp);
+        let ln: Vec<f64> = inside.iter().map(|z| self.heights.ln_density(*z)).collect();
+        let peak = ln.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let (mut variation, mut area) = (0.0, 0.0);
+        for (z, ln) in inside.windows(2).zip(ln.windows(2)) {
+            let (a, b) = ((ln[0] - peak).exp(), (ln[1] - peak).exp());
+            variation += (b - a).abs();
+            area += 0.5 * (a + b) * (z[1] - z[0]);
+        }
+        let steepness = if area > 0.0 { variation / area } else { 0.0 } + 1.0 / (high - low);
+        peak.is_finite().then_some(Window { low, high, peak, steepness })
     }
 }

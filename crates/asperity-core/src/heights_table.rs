@@ -174,3 +174,81 @@ impl Heights for TabulatedHeights {
         &self.breaks
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mean_and_standard_deviation_are_those_of_known_densities() {
+        // Triangular on a, c, b: (a+b+c)/3 and (a²+b²+c²-ab-ac-bc)/18.
+        let (a, c, b) = (1e-6, 2e-6, 5e-6);
+        let triangle = TabulatedHeights::new("t", &[(a, 0.0), (c, 7.0), (b, 0.0)]).unwrap();
+        assert!((triangle.mean() / ((a + b + c) / 3.0) - 1.0).abs() < 1e-14);
+        let variance = (a * a + b * b + c * c - a * b - a * c - b * c) / 18.0;
+        assert!((triangle.standard_deviation() / variance.sqrt() - 1.0).abs() < 1e-14);
+        assert!((triangle.integral() / 14e-6 - 1.0).abs() < 1e-14);
+        // A uniform density of width 1 far from zero.
+        let uniform = TabulatedHeights::new("u", &[(1000.0, 3.0), (1001.0, 3.0)]).unwrap();
+        assert!((uniform.standard_deviation() * 12f64.sqrt() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_density_is_normalised_in_the_unit_asked_for() {
+        let points = [(-1e-6, 0.0), (0.0, 1.0), (0.0, 3.0), (1e-6, 3.0), (2e-6, 0.0), (3e-6, 0.0)];
+        for unit in [None, Some(0.3e-6), Some(4e-6)] {
+            let table = TabulatedHeights::new("steps", &points).unwrap();
+            let table = unit.map_or(table.clone(), |u| table.in_units_of(u).unwrap());
+            let (low, high) = table.support();
+            let count = 100_000;
+            let step = (high - low) / f64::from(count);
+            let area: f64 = (0..count)
+                .map(|k| step * table.ln_density(low + step * (f64::from(k) + 0.5)).exp())
+                .sum();
+            assert!((area - 1.0).abs() < 1e-4, "{unit:?}: {area}");
+            let mean: f64 = (0..count)
+                .map(|k| low + step * (f64::from(k) + 0.5))
+                .map(|z| step * z * table.ln_density(z).exp())
+                .sum();
+            assert!(mean.abs() < 1e-4, "{unit:?}: {mean}");
+            assert_eq!(table.breaks().len(), 3, "the step is one break");
+        }
+    }
+
+    #[test]
+    fn slopes_are_those_of_the_density_and_zero_where_there_is_none() {
+        let points = [(0.0, 0.0), (1.0, 2.0), (2.0, 0.0), (3.0, 0.0), (4.0, 1.0)];
+        let table = TabulatedHeights::new("gap", &points).unwrap();
+        let at = |z: f64| (z - table.mean()) / table.standard_deviation();
+        for z in [0.3, 1.4, 3.2, 3.9] {
+            let h = 1e-5;
+            let [above, below] = [h, -h].map(|h| table.ln_density(at(z) + h));
+            let slope = table.ln_density_slope(at(z));
+            assert!((slope - (above - below) / (2.0 * h)).abs() < 1e-6 * slope.abs(), "{z}");
+        }
+        for z in [-0.1, 2.5, 4.1] {
+            assert!(table.ln_density(at(z)) == f64::NEG_INFINITY);
+            assert!(table.ln_density_slope(at(z)).abs() < f64::MIN_POSITIVE);
+        }
+    }
+
+    #[test]
+    fn tables_that_are_none_are_refused_with_row_and_value() {
+        let bad: [(&[(f64, f64)], &str); 8] = [
+            (&[], "number of points is 0.0: at least 2"),
+            (&[(0.0, 1.0)], "number of points is 1.0"),
+            (&[(0.0, 1.0), (f64::NAN, 1.0)], "row 2: height_m is NaN"),
+            (&[(0.0, -1.0), (1.0, 1.0)], "row 1: density_per_m is -1.0"),
+            (&[(0.0, 1.0), (1.0, 1.0), (0.5, 1.0)], "row 3: height_m is 0.5"),
+            (&[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)], "row 3: height_m is 0.0: no more than two"),
+            (&[(0.0, 0.0), (1.0, 0.0)], "integral of density_per_m is 0.0"),
+            (&[(-1e308, 1.0), (1e308, 1e10)], "integral of density_per_m is inf"),
+        ];
+        for (points, wanted) in bad {
+            let message = TabulatedHeights::new("bad", points).unwrap_err().to_string();
+            assert!(message.starts_with(wanted), "{message}");
+        }
+        let table = TabulatedHeights::new("t", &[(0.0, 1.0), (1.0, 1.0)]).unwrap();
+        assert!(table.in_units_of(0.0).unwrap_err().to_string().starts_with("asperity_height_std"));
+    }
+}
