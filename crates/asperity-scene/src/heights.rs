@@ -71,55 +71,44 @@ fn read(path: &Path, named: &Place) -> Result<TabulatedHeights, SceneError> {
     table(&text, &name, path)
 }
 
-/// The table of a CSV text.
-pub(crate) fn table(text: &str, name: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
-    let place = |line: Option<u64>, field: &str| {
-        Box::new(Place {
-            file: Some(path.to_path_buf()),
-            line: line.and_then(|line| usize::try_from(line).ok()),
-            field: field.into(),
-        })
+/// The table of a CSV text: two numbers a line below the header; lines that are empty or begin
+/// with # are skipped.
+fn table(text: &str, name: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
+    let place = |line: Option<usize>, field: &str| {
+        Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
     };
-    let syntax = |error: csv::Error| SceneError::Syntax {
-        at: place(error.position().map(csv::Position::line), "CSV"),
-        reason: error.to_string(),
+    let value = |line: usize, field: &str, found: &str, needed: &str| SceneError::Value {
+        at: place(Some(line), field),
+        found: format!("{found:.60?}"),
+        near: None,
+        needed: needed.into(),
     };
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let header = reader.headers().map_err(syntax)?;
-    if header.iter().ne(HEADER) {
-        return Err(SceneError::Value {
-            at: place(header.position().map(csv::Position::line), "the header"),
-            found: format!("{:.60?}", header.iter().collect::<Vec<_>>().join(",")),
-            near: None,
-            needed: format!("\"{}\", heights in m and densities in 1/m,", HEADER.join(",")),
-        });
+    let text = text.trim_start_matches('\u{feff}');
+    let numbered = text.lines().map(str::trim).enumerate().map(|(k, line)| (k + 1, line));
+    let mut rows = numbered.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let (line, header) = rows.next().unwrap_or((1, ""));
+    if header.split(',').map(str::trim).ne(HEADER) {
+        let needed = "\"height_m,density_per_m\", heights in m and densities in 1/m,";
+        return Err(value(line, "the header", header, needed));
     }
     let (mut points, mut lines) = (vec![], vec![]);
-    for record in reader.records() {
-        let record = record.map_err(syntax)?;
-        let line = record.position().map(csv::Position::line);
+    for (line, row) in rows {
         if points.len() == MOST_POINTS {
             let reason = format!("there are more than {MOST_POINTS} points");
-            return Err(SceneError::Syntax { at: place(line, "CSV"), reason });
+            return Err(SceneError::Syntax { at: place(Some(line), "CSV"), reason });
         }
-        let number = |k: usize| {
-            let text = record.get(k).unwrap_or_default();
-            text.parse::<f64>().map_err(|_| SceneError::Value {
-                at: place(line, HEADER[k]),
-                found: format!("{text:.60?}"),
-                near: None,
-                needed: "a number".into(),
-            })
+        let Some((height, density)) = row.split_once(',') else {
+            return Err(value(line, "the row", row, "two numbers with a comma between them"));
         };
-        points.push((number(0)?, number(1)?));
+        let number = |text: &str, field: &str| {
+            text.trim().parse::<f64>().map_err(|_| value(line, field, text.trim(), "a number"))
+        };
+        points.push((number(height, HEADER[0])?, number(density, HEADER[1])?));
         lines.push(line);
     }
     TabulatedHeights::new(name, &points).map_err(|source| match source {
         ContactError::InTable { row, field, value, required } => SceneError::Value {
-            at: place(lines.get(row - 1).copied().flatten(), field),
+            at: place(row.checked_sub(1).and_then(|row| lines.get(row)).copied(), field),
             found: format!("{value:?}"),
             near: None,
             needed: required.trim_end_matches(',').into(),
