@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::nearest;
+use crate::error::{nearest, quoted, shortened};
 use crate::{Place, SceneError};
 
 /// The keys of every section: what is not here is refused.
@@ -129,7 +129,7 @@ impl<'a> Section<'a> {
             None => format!("the keys here are {}", known.join(", ")),
         };
         let near = nearest(word, known.iter().copied()).filter(|_| elsewhere.is_none());
-        let at = document.place(key.span().start, section.field(word));
+        let at = document.place(key.span().start, section.field(&shortened(word)));
         Err(SceneError::UnknownKey { at, near: near.map(Into::into), allowed })
     }
 
@@ -209,7 +209,7 @@ impl<'a> Entry<'a> {
     /// What was found, for errors.
     fn found(&self) -> String {
         match self.value {
-            DeValue::String(text) => format!("the text {text:.60?}"),
+            DeValue::String(text) => format!("the text {}", quoted(text)),
             DeValue::Integer(number) => format!("{number:.60}"),
             DeValue::Float(number) => format!("{number:.60}"),
             DeValue::Boolean(value) => value.to_string(),
@@ -282,7 +282,7 @@ impl<'a> Entry<'a> {
         };
         let number = |(key, value): (&'a Spanned<_>, &'a Spanned<DeValue<'a>>)| {
             let key: &std::borrow::Cow<'a, str> = key.get_ref();
-            let field = format!("{}.{key}", self.at.field);
+            let field = format!("{}.{}", self.at.field, shortened(key));
             let offset = value.span().start;
             let at = self.document.place(offset, field);
             let entry = Entry { document: self.document, at, offset, value: value.get_ref() };

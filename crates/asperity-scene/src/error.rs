@@ -1,5 +1,6 @@
 //! Errors of scene files: where, what was found, what is needed.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -136,6 +137,19 @@ impl SceneError {
             }
             source => Self::Contact { at: at(""), source },
         }
+    }
+}
+
+/// A text from a file, for an error: quoted, on one line, and not longer than a line.
+pub(crate) fn quoted(text: &str) -> String {
+    format!("{:?}", shortened(text))
+}
+
+/// The beginning of a text that may be of any length.
+pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}...", &text[..end]).into(),
+        None => text.into(),
     }
 }
 

@@ -7,6 +7,7 @@ use std::path::Path;
 use asperity::{ContactError, HeightDistribution, TabulatedHeights};
 
 use crate::document::Section;
+use crate::error::quoted;
 use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.
@@ -79,7 +80,7 @@ fn table(text: &str, name: &str, path: &Path) -> Result<TabulatedHeights, SceneE
     };
     let value = |line: usize, field: &str, found: &str, needed: &str| SceneError::Value {
         at: place(Some(line), field),
-        found: format!("{found:.60?}"),
+        found: quoted(found),
         near: None,
         needed: needed.into(),
     };

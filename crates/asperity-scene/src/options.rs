@@ -10,7 +10,7 @@ use asperity::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::error::nearest;
+use crate::error::{nearest, quoted, shortened};
 use crate::{Place, SceneError};
 
 /// What the ids `jg`, `af`, `gao` and `at` stand for; the defaults are the models' own.
@@ -72,7 +72,7 @@ impl FromStr for OptionValue {
             });
             parsed.ok_or_else(|| SceneError::Value {
                 at: Place::field("option").into(),
-                found: format!("{pair:?}"),
+                found: quoted(pair),
                 near: None,
                 needed: "name=number".into(),
             })
@@ -279,9 +279,9 @@ fn word<T: Copy>(
             if let Some((_, value)) = words.iter().find(|(word, _)| word == found) {
                 return Ok(*value);
             }
-            (format!("{found:.60?}"), nearest(found, known()).map(Into::into))
+            (quoted(found), nearest(found, known()).map(Into::into))
         }
-        numbers @ OptionValue::Numbers(_) => (format!("{:.60}", numbers.to_string()), None),
+        numbers @ OptionValue::Numbers(_) => (shortened(&numbers.to_string()).into_owned(), None),
     };
     let numbers = (!or.is_empty()).then(|| or.to_string());
     let needed: Vec<String> = known().map(|word| format!("{word:?}")).chain(numbers).collect();
@@ -296,7 +296,7 @@ fn numbers<const N: usize>(
     if let Some(unknown) = given.keys().find(|name| !names.contains(&name.as_str())) {
         let near = nearest(unknown, names).map(Into::into);
         let allowed = format!("the keys here are {}", names.join(", "));
-        return Err(SceneError::UnknownKey { at: at.inside(unknown), near, allowed });
+        return Err(SceneError::UnknownKey { at: at.inside(&shortened(unknown)), near, allowed });
     }
     let mut values = [0.0; N];
     for (value, name) in values.iter_mut().zip(names) {
