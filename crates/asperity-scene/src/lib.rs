@@ -14,7 +14,8 @@
 //!   and differ by more than 1 %, there is a warning; by more than a factor of 10, an error, because
 //!   one of them is not in metres.
 //! * With `separation_from = "surface-mean"` the table's heights must be measured from the mean
-//!   plane of the surface: the mean of the table is then the offset.
+//!   plane of the surface: the mean of the table is then the offset. A table whose mean is 0 is
+//!   refused there, because it was measured from its own mean.
 //!
 //! This crate knows the models through the facade's registry alone, and does no arithmetic on
 //! results.

@@ -136,6 +136,12 @@ fn read(document: Document<'_>) -> Result<SceneFile, SceneError> {
         compare(table, std, &described, &mut warnings)?;
     }
     let separation_from = separation_from(&described, &spread)?;
+    if let (SeparationFrom::SurfaceMean, Spread::Table(table)) = (separation_from, &spread)
+        && table.mean().abs() < 1e-3 * table.standard_deviation()
+    {
+        let needed = "a table whose heights are measured from the mean plane of the surface (this one's mean is 0, as if from its own mean)";
+        return Err(described.conflict("separation_from", "heights", needed));
+    }
     let separation_offset = match (separation_from, &spread) {
         (SeparationFrom::AsperityMean, _) => 0.0,
         (SeparationFrom::SurfaceMean, Spread::Table(table)) => table.mean(),
