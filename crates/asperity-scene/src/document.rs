@@ -262,6 +262,16 @@ impl<'a> Entry<'a> {
         Section::new(self.document, name, self.at.field.clone(), self.offset, table)
     }
 
+    /// The values of a list, numbered from 1; `None` where this is none.
+    pub(crate) fn items(&self) -> Option<Vec<Self>> {
+        let item = |(k, item): (usize, &'a Spanned<DeValue<'a>>)| {
+            let (offset, field) = (item.span().start, format!("{}[{}]", self.at.field, k + 1));
+            let at = self.document.place(offset, field);
+            Entry { document: self.document, at, offset, value: item.get_ref() }
+        };
+        Some(self.value.as_array()?.iter().enumerate().map(item).collect())
+    }
+
     /// The tables of a list, `[[name]]`, numbered from 1 in their paths.
     pub(crate) fn sections(&self, name: &str) -> Result<Vec<Section<'a>>, SceneError> {
         let needed = || self.wrong(format!("one or two tables [[{}]]", self.at.field));

@@ -103,6 +103,14 @@ pub enum SceneError {
         /// What is needed.
         needed: String,
     },
+    /// A measured surface could not be read, or has no asperities.
+    #[error("{at}: {reason}")]
+    Measured {
+        /// The field that names its file.
+        at: Box<Place>,
+        /// The file, what was found in it, and what was required.
+        reason: String,
+    },
     /// The scene was read, and the library refuses it.
     #[error("{at}: {source}")]
     Contact {

@@ -1,0 +1,85 @@
+//! Scenes whose surface is a measured file.
+#![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use std::path::{Path, PathBuf};
+
+use asperity_scene::{SceneError, SceneFile, load};
+
+const HEAD: &str = "nominal_area = 1e-4
+rigid_counterface = true
+[[body]]
+youngs_modulus = 210e9
+poissons_ratio = 0.3
+hardness = 2e9
+[surface]
+";
+
+fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+fn read(directory: &Path, surface: &str) -> Result<SceneFile, SceneError> {
+    let path = directory.join("scene.toml");
+    std::fs::write(&path, format!("{HEAD}{surface}\n")).unwrap();
+    load(&path)
+}
+
+#[test]
+fn what_is_wrong_with_a_measured_surface_is_said_with_line_and_field() {
+    let directory = directory("measured-errors");
+    std::fs::write(directory.join("empty.txt"), "").unwrap();
+    let mut failures = String::new();
+    for (surface, wanted) in [
+        ("file = 3", ":8: surface.file is 3: the path of a measured surface was required"),
+        ("file = \"absent.x3p\"", ":8: surface.file: "),
+        ("file = \"absent.x3p\"", "absent.x3p"),
+        ("file = \"empty.txt\"", "empty.txt: "),
+        ("files = \"a\"", ":8: surface.files is the text \"a\": a list of two paths"),
+        ("files = [\"a\"]", ":8: surface.files is a list of 1: a list of two paths"),
+        ("files = [\"a\", 3]", "surface.files"),
+        ("files = [\"empty.txt\", \"b\"]", ":8: surface.files[1]: "),
+        (
+            "file = \"a\"\nfiles = [\"a\", \"b\"]",
+            "surface.file and surface.files (line 9) exclude each other",
+        ),
+        (
+            "file = \"a\"\nm0 = 1e-12",
+            "surface.m0 and surface.file (line 8) exclude each other: exactly one way",
+        ),
+        (
+            "file = \"a\"\nasperity_height_std = 1e-6",
+            "surface.asperity_height_std and surface.file (line 8)",
+        ),
+        (
+            "file = \"a\"\nunit = \"miles\"",
+            ":9: surface.unit is the text \"miles\": \"m\" or \"cm\" or",
+        ),
+        ("file = \"a\"\nunit = \"Um\"", "did you mean \"um\"?"),
+        (
+            "file = \"a\"\npixel_size = \"1 um\"",
+            ":9: surface.pixel_size is the text \"1 um\": a length in the unit",
+        ),
+        ("file = \"a\"\npixel_size = 0", "surface.pixel_size is 0: a finite length above 0"),
+        ("file = \"a\"\npixel_size = [1, 2, 3]", "surface.pixel_size is a list of 3: a length"),
+        (
+            "file = \"a\"\npixel_size = [1, nan]",
+            "surface.pixel_size is a list of 2: a finite length above 0",
+        ),
+        ("file = \"a\"\nestimator = \"sumits\"", "did you mean \"summits\"?"),
+        ("file = \"a\"\nlevel = \"plain\"", "did you mean \"plane\"?"),
+        ("file = \"a\"\nfilter = -1", ":9: surface.filter is -1.0: a finite number above 0"),
+        ("file = \"a\"\nmax_missing = 10", ":9: surface.max_missing is 10: a share from 0 to 1"),
+        (
+            "files = [\"a\", \"b\"]\nestimator = \"summits\"",
+            "surface.estimator and surface.files (line 8) exclude each other: estimator = \"moments\"",
+        ),
+    ] {
+        let message = read(&directory, surface).unwrap_err().to_string();
+        if !message.contains(wanted) || message.contains('\n') {
+            failures += &format!("{message}\n  lacks: {wanted}\n");
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}
