@@ -117,3 +117,51 @@ fn table(text: &str, name: &str, path: &Path) -> Result<TabulatedHeights, SceneE
         other => SceneError::from_contact(other, |field| place(None, field)),
     })
 }
+
+/// The CSV file of a density of heights, as points (height \[m\], density \[1/m\]): what
+/// `heights = { file = "..." }` reads back exactly.
+#[must_use]
+pub fn write_heights(points: &[(f64, f64)]) -> String {
+    let row = |(height, density): &(f64, f64)| format!("{height:e},{density:e}\n");
+    let rows: String = points.iter().map(row).collect();
+    format!("{}\n{rows}", HEADER.join(","))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn read_text(text: &str) -> Result<TabulatedHeights, SceneError> {
+        table(text, "any", Path::new("any.csv"))
+    }
+
+    #[test]
+    fn windows_files_and_notes_are_read() {
+        let table =
+            read_text("\u{feff}# scan 7\r\nheight_m, density_per_m\r\n0, 1\r\n\r\n1, 1\r\n");
+        assert!((table.unwrap().mean() - 0.5).abs() < 1e-15);
+    }
+
+    proptest! {
+        #[test]
+        fn written_tables_read_back(mut heights in prop::collection::vec(-1e-5f64..1e-5, 2..50), seed in 0f64..1.0) {
+            heights.sort_by(f64::total_cmp);
+            heights.dedup();
+            prop_assume!(heights.len() > 1);
+            let points: Vec<(f64, f64)> = heights.iter().map(|z| (*z, (z * 1e6 + seed).sin().abs())).collect();
+            let found = read_text(&write_heights(&points)).unwrap();
+            let wanted = TabulatedHeights::new("any", &points).unwrap();
+            prop_assert_eq!(format!("{found:?}"), format!("{wanted:?}"));
+        }
+
+        #[test]
+        fn any_table_is_read_or_refused_with_its_file(rows in "[-0-9eE.,#naif \n]{0,200}") {
+            for text in [format!("height_m,density_per_m\n{rows}"), rows] {
+                if let Err(error) = read_text(&text) {
+                    prop_assert!(error.to_string().starts_with("any.csv"), "{error}");
+                }
+            }
+        }
+    }
+}

@@ -31,6 +31,7 @@ mod surface;
 mod write;
 
 pub use error::{Place, SceneError};
+pub use heights::write_heights;
 pub use options::{ModelOptions, OptionValue};
 pub use scene_file::{LeftOut, SceneFile, SeparationFrom, load, parse};
 pub use write::{template, write};

@@ -40,7 +40,7 @@ fn named_attacks_end_in_an_error_soon() {
 
 #[test]
 fn numbers_at_the_ends_of_their_range_are_refused_or_answered() {
-    use asperity::{Quantity, Request};
+    use asperity::{Quantity, Request, Tolerance};
     for number in ["5e-324", "1e-300", "1e300", "1.7976931348623157e308", "-0.0", "inf", "nan", "0"]
     {
         for key in [
@@ -62,6 +62,7 @@ fn numbers_at_the_ends_of_their_range_are_refused_or_answered() {
             let Ok(file) = parse(&text, Path::new(".")) else { continue };
             for model in file.models().0 {
                 let request = Request::new([Quantity::Force]).at([1.0]);
+                let request = request.within(Tolerance::new(1e-3).unwrap());
                 if let Ok(answer) = model.solve(&file.scene, &request) {
                     assert!(!answer.values(Quantity::Force).unwrap()[0].is_nan(), "{key} {number}");
                 }
