@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::{nearest, quoted, shortened};
+use crate::words::{Words, meaning, nearest, quoted, shortened};
 use crate::{Place, SceneError};
 
 /// The keys of every section: what is not here is refused.
@@ -238,16 +238,18 @@ impl<'a> Entry<'a> {
         self.value.as_str()
     }
 
-    /// One word of a list, as the value it stands for.
-    pub(crate) fn one_of<T: Copy>(&self, words: &[(&str, T)]) -> Result<T, SceneError> {
-        let found = self.text().unwrap_or_default();
-        if let Some((_, value)) = words.iter().find(|(word, _)| *word == found) {
-            return Ok(*value);
-        }
-        let known = || words.iter().map(|(word, _)| *word);
-        let needed = known().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(" or ");
-        let near = nearest(found, known()).map(Into::into);
-        Err(SceneError::Value { at: self.at.clone(), found: self.found(), near, needed })
+    /// One word of a list, as what it stands for.
+    pub(crate) fn one_of<T: Copy>(&self, words: &Words<'_, T>) -> Result<T, SceneError> {
+        self.one_of_or(words, "")
+    }
+
+    /// The same, where something else is allowed beside the words.
+    pub(crate) fn one_of_or<T: Copy>(
+        &self,
+        words: &Words<'_, T>,
+        or: &str,
+    ) -> Result<T, SceneError> {
+        meaning(&self.at, self.text().ok_or_else(|| self.found()), words, or)
     }
 
     pub(crate) fn is_table(&self) -> bool {

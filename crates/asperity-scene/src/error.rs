@@ -1,6 +1,5 @@
 //! Errors of scene files: where, what was found, what is needed.
 
-use std::borrow::Cow;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -146,27 +145,4 @@ impl SceneError {
             source => Self::Contact { at: at(""), source },
         }
     }
-}
-
-/// A text from a file, for an error: quoted, on one line, and not longer than a line.
-pub(crate) fn quoted(text: &str) -> String {
-    format!("{:?}", shortened(text))
-}
-
-/// The beginning of a text that may be of any length.
-pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
-    match text.char_indices().nth(60) {
-        Some((end, _)) => format!("{}...", &text[..end]).into(),
-        None => text.into(),
-    }
-}
-
-/// The known word nearest to a mistyped one, if one is near: at most two slips, fewer in short
-/// words, whatever the case.
-pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let mistyped = word.to_lowercase();
-    let distance = |k: &str| strsim::osa_distance(&mistyped, &k.to_lowercase());
-    let allowed = (mistyped.chars().count() / 2).min(2);
-    let nearest = known.into_iter().min_by_key(|k| distance(k))?;
-    (distance(nearest) <= allowed).then_some(nearest)
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use asperity::{ContactError, HeightDistribution, TabulatedHeights};
 
 use crate::document::Section;
-use crate::error::quoted;
+use crate::words::quoted;
 use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.
@@ -40,14 +40,8 @@ pub(crate) fn spread(section: &Section<'_>) -> Result<Spread, SceneError> {
     let Some(entry) = section.entry("heights") else { return Ok(Spread::Gaussian) };
     if !entry.is_table() {
         let words = [("gaussian", false), ("exponential", true)];
-        let named = entry.one_of(&words).map_err(|error| match error {
-            SceneError::Value { at, found, near, needed } => {
-                let needed = format!("{needed} or {{ file = \"pdf.csv\" }}");
-                SceneError::Value { at, found, near, needed }
-            }
-            other => other,
-        })?;
-        return Ok(if named { Spread::Exponential } else { Spread::Gaussian });
+        let exponential = entry.one_of_or(&words, "{ file = \"pdf.csv\" }")?;
+        return Ok(if exponential { Spread::Exponential } else { Spread::Gaussian });
     }
     let table = entry.section("heights")?;
     let needed = "the path of a CSV file with the columns height_m,density_per_m";

@@ -28,6 +28,7 @@ mod measured;
 mod options;
 mod scene_file;
 mod surface;
+mod words;
 mod write;
 
 pub use error::{Place, SceneError};

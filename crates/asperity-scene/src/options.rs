@@ -10,7 +10,7 @@ use asperity::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::error::{nearest, quoted, shortened};
+use crate::words::{Words, meaning, nearest, quoted, shortened};
 use crate::{Place, SceneError};
 
 /// What the ids `jg`, `af`, `gao` and `at` stand for; the defaults are the models' own.
@@ -120,7 +120,7 @@ impl ModelOptions {
         "af_flow_pressure",
     ];
 
-    /// Sets one option.
+    /// Sets one option; where that fails, all stay as they were.
     ///
     /// # Errors
     /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a near match and what is allowed.
@@ -143,7 +143,7 @@ impl ModelOptions {
             "af_flow_pressure" => self.af_flow_pressure = word(at, value, &FLOW_PRESSURES, "")?,
             "angle_density" => {
                 const NUMBERS: &str = "{ a20 = -0.5, a21 = 1.0, b21 = 1.0 }";
-                self.lateral.angle_density = match value {
+                let density = match value {
                     OptionValue::Numbers(given) => {
                         let [a20, a21, b21] = numbers(at, given, ["a20", "a21", "b21"])?;
                         AngleDensity::Harmonic { a20, a21, b21 }
@@ -151,21 +151,19 @@ impl ModelOptions {
                     value => word(at, value, &ANGLES, NUMBERS)?,
                 };
                 let place = |field: &str| at.inside(field);
-                let checked = self.lateral.angle_density.check();
-                checked.map_err(|error| SceneError::from_contact(error, place))?;
+                density.check().map_err(|error| SceneError::from_contact(error, place))?;
+                self.lateral.angle_density = density;
             }
             "displacement" => {
                 self.lateral.displacement = match value {
                     OptionValue::Numbers(given) => {
                         let [zeta, xi] = numbers(at, given, ["zeta", "xi"])?;
+                        not_negative(at, "zeta", zeta)?;
+                        not_negative(at, "xi", xi)?;
                         Displacement::Given { zeta, xi }
                     }
                     value => word(at, value, &DISPLACEMENTS, "{ zeta = 0.1, xi = 0.1 }")?,
                 };
-                if let Displacement::Given { zeta, xi } = self.lateral.displacement {
-                    not_negative(at, "zeta", zeta)?;
-                    not_negative(at, "xi", xi)?;
-                }
             }
             _ => {
                 let near = nearest(name, Self::NAMES).map(Into::into);
@@ -270,22 +268,14 @@ fn spelled<T: PartialEq>(words: &[(&str, T)], value: T) -> OptionValue {
 fn word<T: Copy>(
     at: &Place,
     value: &OptionValue,
-    words: &[(&str, T)],
+    words: &Words<'_, T>,
     or: &str,
 ) -> Result<T, SceneError> {
-    let known = || words.iter().map(|(word, _)| *word);
-    let (found, near) = match value {
-        OptionValue::Word(found) => {
-            if let Some((_, value)) = words.iter().find(|(word, _)| word == found) {
-                return Ok(*value);
-            }
-            (quoted(found), nearest(found, known()).map(Into::into))
-        }
-        numbers @ OptionValue::Numbers(_) => (shortened(&numbers.to_string()).into_owned(), None),
+    let word = match value {
+        OptionValue::Word(word) => Ok(word.as_str()),
+        numbers => Err(shortened(&numbers.to_string()).into_owned()),
     };
-    let numbers = (!or.is_empty()).then(|| or.to_string());
-    let needed: Vec<String> = known().map(|word| format!("{word:?}")).chain(numbers).collect();
-    Err(SceneError::Value { at: Box::new(at.clone()), found, near, needed: needed.join(" or ") })
+    meaning(at, word, words, or)
 }
 
 fn numbers<const N: usize>(

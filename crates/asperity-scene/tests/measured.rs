@@ -52,10 +52,7 @@ fn what_is_wrong_with_a_measured_surface_is_said_with_line_and_field() {
             "file = \"a\"\nasperity_height_std = 1e-6",
             "surface.asperity_height_std and surface.file (line 8)",
         ),
-        (
-            "file = \"a\"\nunit = \"miles\"",
-            ":9: surface.unit is the text \"miles\": \"m\" or \"cm\" or",
-        ),
+        ("file = \"a\"\nunit = \"miles\"", ":9: surface.unit is \"miles\": \"m\" or \"cm\" or"),
         ("file = \"a\"\nunit = \"Um\"", "did you mean \"um\"?"),
         (
             "file = \"a\"\npixel_size = \"1 um\"",

@@ -128,6 +128,11 @@ fn keywords_serde_and_scene_files_are_one_door() {
     assert_eq!(serde_json::from_str::<ModelOptions>("{}").unwrap(), ModelOptions::default());
     let message = serde_json::from_str::<ModelOptions>("{\"stik\":\"x\"}").unwrap_err().to_string();
     assert!(message.contains("stik is not known (did you mean \"stick\"?)"), "{message}");
+    for bad in ["a20=5,a21=0,b21=0", "a20=nan,a21=0,b21=0", "a20=0,a21=0", "flat"] {
+        assert!(by_keyword.set("angle_density", &bad.parse().unwrap()).is_err(), "{bad}");
+        assert!(by_keyword.set("displacement", &"zeta=-1,xi=0".parse().unwrap()).is_err());
+        assert_eq!(by_keyword, from_file, "a refused option leaves all as they were");
+    }
     let changed = by_keyword.changed();
     assert!(changed.len() == 7 && ModelOptions::default().changed().is_empty());
     assert!("zeta=a".parse::<OptionValue>().unwrap_err().to_string().contains("name=number"));
