@@ -1,14 +1,19 @@
-//! `cargo xtask figures [--check]`.
+//! `cargo xtask figures [--check]` and `cargo xtask report [--quick] [--out DIR]`.
 
-use std::process::ExitCode;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 use xtask::files;
+use xtask::report::{self, Scope};
 
 const HELP: &str = "\
 cargo xtask figures            write figures/<name>.csv and figures/<name>.svg
 cargo xtask figures --check    fail, naming them, if committed files are stale; write nothing
 cargo xtask figures NAME ...   only these figures
+cargo xtask report             measure: write figures/speed-vs-error.* and figures/hard-cases.*
+cargo xtask report --quick     a few of all rows in seconds, to target/report
+cargo xtask report --out DIR   write there
 ";
 
 fn main() -> ExitCode {
@@ -25,6 +30,7 @@ fn run(arguments: Vec<String>) -> Result<()> {
     let mut words = arguments.iter().map(String::as_str);
     match words.next() {
         Some("figures") => figures(words.collect()),
+        Some("report") => report(&words.collect::<Vec<_>>()),
         Some("--help" | "-h" | "help") | None => {
             print!("{HELP}");
             Ok(())
@@ -54,4 +60,42 @@ fn figures(words: Vec<&str>) -> Result<()> {
         "stale: {}\nrun `cargo xtask figures`, look at the pictures, commit them",
         stale.join(", ")
     )
+}
+
+fn report(words: &[&str]) -> Result<()> {
+    let (mut scope, mut folder) = (Scope::Full, None);
+    let mut rest = words.iter();
+    while let Some(word) = rest.next() {
+        match *word {
+            "--quick" => scope = Scope::Quick,
+            "--out" => {
+                folder = Some(PathBuf::from(rest.next().context("--out DIR: DIR is missing")?))
+            }
+            other => bail!("{other:?} is no option of report\n\n{HELP}"),
+        }
+    }
+    if scope == Scope::Full && cfg!(debug_assertions) {
+        return again_with_optimisation(words);
+    }
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = folder.unwrap_or_else(|| match scope {
+        Scope::Full => files::figures_folder(),
+        Scope::Quick => workspace.join("target/report"),
+    });
+    for path in report::write(scope, &folder)? {
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+/// Times of a development build say nothing of what users get: the same command, in release.
+fn again_with_optimisation(words: &[&str]) -> Result<()> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let status = Command::new(cargo)
+        .args(["run", "--quiet", "--release", "--package", "xtask", "--", "report"])
+        .args(words)
+        .status()
+        .context("cargo")?;
+    ensure!(status.success(), "the release build's report failed: {status}");
+    Ok(())
 }

@@ -2,7 +2,7 @@
 
 mod angles;
 mod laws;
-mod models;
+pub(crate) mod models;
 mod paper;
 mod readings;
 mod shares;

@@ -1,0 +1,105 @@
+//! `cargo xtask report`: how fast and how accurate the integrals are, beside what else there is.
+//!
+//! Times, errors and numbers of evaluations of every method on the same points, in one process and
+//! one run: `speed-vs-error.{csv,svg,md}`; and where each method breaks: `hard-cases.{csv,svg}`.
+//! Errors and counts are the same in every run and guarded by tests; times are not.
+
+mod accuracy;
+mod builds;
+mod cases;
+mod external;
+mod hard;
+mod laws;
+mod machine;
+mod markdown;
+mod methods;
+mod pictures;
+mod problem;
+mod scope;
+mod speed;
+mod timing;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use indicatif::{ProgressBar, ProgressStyle};
+
+pub use scope::Scope;
+
+use laws::Laws;
+use speed::Run;
+
+/// Measures and writes; returns the paths written. The bar shows on a terminal only.
+///
+/// # Errors
+/// A reference table or another library that does not work, a case that is refused, a file that
+/// cannot be written.
+pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
+    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    let bar = ProgressBar::no_length();
+    bar.set_style(ProgressStyle::with_template("{elapsed} {wide_bar} {pos}/{len} {msg}")?);
+    bar.set_message("references");
+    let laws = Laws::default();
+    let cases = cases::read(&laws, &scope.models()?)?;
+    let workshop = external::Workshop::new()?;
+    let libraries = external::find(&workshop)?;
+    let tick = |what: &str| {
+        bar.set_message(what.to_owned());
+        bar.inc(1);
+    };
+    let run = Run { scope, laws: &laws, cases: &cases, tick: &tick };
+    let pairs = run.pairs()?;
+    let mut length = 0;
+    for (model, _) in &pairs {
+        let settings = |method| scope.settings(method, model).len();
+        length += methods::all().iter().map(settings).sum::<usize>();
+        length += 2 * scope.tolerances(model).len();
+    }
+    bar.set_length(length as u64);
+    let mut rows = vec![];
+    for (model, quantity) in &pairs {
+        rows.extend(run.own(model, *quantity, true)?);
+        rows.extend(run.builds(model, *quantity)?);
+    }
+    for library in &libraries {
+        let found = run.external(library)?;
+        rows.extend(found);
+    }
+    let speed = speed::csv(&rows)?;
+    bar.set_message("hard cases");
+    let hard = hard::csv(&laws, &cases, &libraries)?;
+    bar.finish_and_clear();
+
+    let machine = machine::description();
+    let texts = [
+        ("speed-vs-error.md", markdown::text(&speed, &hard, &libraries, &machine)?),
+        ("speed-vs-error.svg", pictures::frontier(&speed, &machine)?),
+        ("hard-cases.svg", pictures::hard_cases(&hard)?),
+        ("speed-vs-error.csv", speed),
+        ("hard-cases.csv", hard),
+    ];
+    let mut paths = vec![];
+    for (name, text) in texts {
+        let path = folder.join(name);
+        fs::write(&path, text).with_context(|| path.display().to_string())?;
+        paths.push(path);
+    }
+    Ok(paths)
+}
+
+/// What does not depend on the machine, for tests: the csv of errors and evaluations without
+/// times, and that of the hard cases, both without other libraries.
+///
+/// # Errors
+/// A reference table that does not work, or a case that is refused.
+pub fn accuracy(scope: Scope) -> Result<(String, String)> {
+    let laws = Laws::default();
+    let cases = cases::read(&laws, &scope.models()?)?;
+    let run = Run { scope, laws: &laws, cases: &cases, tick: &|_| {} };
+    let mut rows = vec![];
+    for (model, quantity) in run.pairs()? {
+        rows.extend(run.own(&model, quantity, false)?);
+    }
+    Ok((speed::csv(&rows)?, hard::csv(&laws, &cases, &[])?))
+}

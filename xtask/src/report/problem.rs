@@ -1,0 +1,177 @@
+//! One integral to be done: a law over the heights at one separation, as every method sees it.
+
+use std::sync::Arc;
+
+use asperity::{Form, HeightDistribution, Law, Model, Part, Quantity, Scene, StiffnessKind};
+use asperity_quadrature::{Sampler as _, reach};
+
+/// 1/√(2π).
+const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
+/// Densities are followed down to exp(-CUT) of their largest value, as the engine does.
+const CUT: f64 = 46.0;
+
+/// A model's quantity in a scene at one separation.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// The model.
+    pub model: Model,
+    /// What is asked.
+    pub quantity: Quantity,
+    /// The scene.
+    pub scene: Scene,
+    /// d/σ_z.
+    pub separation: f64,
+    /// The law behind the quantity; that of the force for a tangent.
+    pub law: Arc<Law>,
+}
+
+/// Whether a quantity is a slope of the force: then the integrand takes one more factor, and no
+/// method has to know the jumps of the law.
+#[must_use]
+pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
+    match quantity {
+        Quantity::Tangent => true,
+        Quantity::Stiffness => model.stiffness() == StiffnessKind::Tangent,
+        _ => false,
+    }
+}
+
+impl Problem {
+    /// Interference unit over σ_z.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        self.law.interference_unit / self.std()
+    }
+
+    /// σ_z [m].
+    #[must_use]
+    pub fn std(&self) -> f64 {
+        self.scene.surface.asperity_height_std
+    }
+
+    /// Whether the integrand takes the factor that makes it a slope.
+    #[must_use]
+    pub fn slope(&self) -> bool {
+        is_slope(&self.model, self.quantity)
+    }
+
+    /// Whether heights are exponential; Gaussian otherwise, and nothing else occurs here.
+    #[must_use]
+    pub fn exponential(&self) -> bool {
+        matches!(self.scene.heights, HeightDistribution::Exponential)
+    }
+
+    /// Whether normals are spread over angles: then the law is sampled from its table.
+    #[must_use]
+    pub fn lateral(&self) -> bool {
+        self.model.claims().angles
+    }
+
+    /// The law over its unit at x = w over the interference unit: the parts of one sign, or all.
+    #[must_use]
+    pub fn law_at(&self, x: f64, sign: Option<f64>) -> f64 {
+        let mut total = 0.0;
+        for part in self.law.parts.iter().filter(|p| p.range.contains(&x)) {
+            if sign.is_none_or(|sign| sign * part.sign > 0.0) {
+                total += part.sign * part_at(part, x);
+            }
+        }
+        total
+    }
+
+    /// The signs that occur among the parts of the law.
+    #[must_use]
+    pub fn signs(&self) -> Vec<f64> {
+        let occurs = |sign: &f64| self.law.parts.iter().any(|part| part.sign * sign > 0.0);
+        [1.0, -1.0].into_iter().filter(occurs).collect()
+    }
+
+    /// t = (z - d)/σ_z from which to which the scaled integrand counts, with the law's kinks and,
+    /// in overlap, the peak of the density between.
+    #[must_use]
+    pub fn breaks(&self) -> Vec<f64> {
+        let s = self.separation;
+        let (low, high) = match (self.exponential(), s >= 0.0) {
+            (false, _) => ((-s - (2.0 * CUT).sqrt()).max(0.0), reach(s)),
+            (true, true) => (0.0, CUT),
+            (true, false) => (-s, CUT - s),
+        };
+        let scale = self.scale();
+        let inside = self.law.kinks().into_iter().map(|x| x * scale).chain([-s]);
+        let mut breaks: Vec<f64> = inside.filter(|t| *t > low && *t < high).collect();
+        breaks.extend([low, high]);
+        breaks.sort_by(f64::total_cmp);
+        breaks
+    }
+
+    /// The density at s + t over its scale, exp(-s²/2) or exp(-s) for s > 0, and the factor of a slope.
+    #[must_use]
+    pub fn weight(&self, t: f64) -> f64 {
+        let s = self.separation;
+        if self.exponential() {
+            return (-(t + s.min(0.0))).exp();
+        }
+        let exponent = if s >= 0.0 { t * (s + 0.5 * t) } else { 0.5 * (s + t) * (s + t) };
+        let weight = (-exponent).exp() * INV_SQRT_2PI;
+        if self.slope() { weight * (s + t) } else { weight }
+    }
+
+    /// The plain integrand at height z [m], as a script would write it: no scale is taken out.
+    #[must_use]
+    pub fn plain_integrand(&self, z: f64) -> f64 {
+        let std = self.std();
+        let interference = z - self.separation * std;
+        if interference <= 0.0 {
+            return 0.0;
+        }
+        let zeta = z / std;
+        let density = if self.exponential() {
+            if zeta < 0.0 { 0.0 } else { (-zeta).exp() }
+        } else {
+            let density = (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI;
+            if self.slope() { density * zeta } else { density }
+        };
+        self.law_at(interference / self.law.interference_unit, None) * density / std
+    }
+
+    /// Lower end of the plain integral [m].
+    #[must_use]
+    pub fn plain_start(&self) -> f64 {
+        let start = self.separation * self.std();
+        if self.exponential() { start.max(0.0) } else { start }
+    }
+
+    /// An integral in SI units. Exponential heights in overlap: moving the surface also moves the
+    /// lowest asperity, which takes the law's value there off the slope.
+    #[must_use]
+    pub fn in_units(&self, integral: f64) -> f64 {
+        let lowest = if self.slope() && self.exponential() && self.separation < 0.0 {
+            self.law_at(-self.separation / self.scale(), None)
+        } else {
+            0.0
+        };
+        let per_height = if self.slope() { self.std() } else { 1.0 };
+        self.scene.asperities() * self.law.value_unit * (integral - lowest) / per_height
+    }
+
+    /// Logarithm of the scale, -max(s,0)²/2 or -max(s,0).
+    #[must_use]
+    pub fn ln_scale(&self) -> f64 {
+        let s = self.separation.max(0.0);
+        if self.exponential() { -s } else { -0.5 * s * s }
+    }
+}
+
+fn part_at(part: &Part, x: f64) -> f64 {
+    match &part.form {
+        Form::Powers(powers) => powers.iter().map(|p| p.value(x)).sum(),
+        Form::Function(sampler) => {
+            let mut value = [0.0];
+            match sampler.sample(&[x], &mut value) {
+                Ok(()) => value[0],
+                // Not a number is what a method then meets, and fails by.
+                Err(_) => f64::NAN,
+            }
+        }
+    }
+}
