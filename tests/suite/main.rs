@@ -14,6 +14,7 @@ mod plans;
 mod properties;
 mod published;
 mod reference;
+mod report;
 mod scenes;
 mod sweeps;
 mod tangents;

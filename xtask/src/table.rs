@@ -69,23 +69,29 @@ impl Table {
 /// Whether two texts agree: the same words, and numbers within the relative `tolerance`.
 #[must_use]
 pub fn agree(a: &str, b: &str, tolerance: f64) -> bool {
+    agree_by(a, b, |a, b| (a - b).abs() <= tolerance * a.abs().max(b.abs()))
+}
+
+/// Whether two texts agree: the same words, and numbers that are the `same`.
+#[must_use]
+pub fn agree_by(a: &str, b: &str, same: impl Fn(f64, f64) -> bool) -> bool {
     let mut lines = (a.lines(), b.lines());
     loop {
         match (lines.0.next(), lines.1.next()) {
             (None, None) => return true,
-            (Some(a), Some(b)) if line_agrees(a, b, tolerance) => {}
+            (Some(a), Some(b)) if line_agrees(a, b, &same) => {}
             _ => return false,
         }
     }
 }
 
-fn line_agrees(a: &str, b: &str, tolerance: f64) -> bool {
+fn line_agrees(a: &str, b: &str, same: &impl Fn(f64, f64) -> bool) -> bool {
     let (a, b): (Vec<&str>, Vec<&str>) = (a.split(',').collect(), b.split(',').collect());
     a.len() == b.len()
         && a.iter().zip(&b).all(|(a, b)| {
             a == b
                 || match (a.parse::<f64>(), b.parse::<f64>()) {
-                    (Ok(a), Ok(b)) => (a - b).abs() <= tolerance * a.abs().max(b.abs()),
+                    (Ok(a), Ok(b)) => same(a, b),
                     _ => false,
                 }
         })

@@ -208,6 +208,9 @@ pub enum Legend {
     Inside(Corner),
     /// Outside, to the right of the frame.
     Right,
+    /// No box: each name beside a point of its curve, for few points that stand apart. A curve
+    /// without a name gets none.
+    Direct,
     /// Not drawn.
     Hidden,
 }

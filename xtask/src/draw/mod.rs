@@ -26,6 +26,7 @@ mod clip;
 mod figure;
 mod layout;
 mod legend;
+mod matrix;
 mod panel;
 mod plot;
 mod room;
@@ -45,7 +46,9 @@ use anyhow::{Context, Result, bail};
 pub use figure::{
     Along, Arrangement, Axis, Band, Corner, Figure, Legend, Mark, Note, Panel, Scale,
 };
+pub use matrix::{Cell, Matrix, draw_matrix};
 pub use style::{Colour, CurveStyle, Dash, Marker, Shape};
+pub(crate) use text::power_of_ten;
 
 use canvas::{Canvas, FINE, Side, Type};
 use layout::{Layout, SMALL, TITLE, WIDTH};

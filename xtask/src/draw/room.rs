@@ -15,7 +15,7 @@ pub(crate) struct Taken {
 }
 
 /// Air around a box, in pixels.
-const AIR: f64 = 18.0;
+pub(crate) const AIR: f64 = 18.0;
 
 impl Taken {
     /// How many points of curves a box would cover, with air around it.
@@ -24,7 +24,8 @@ impl Taken {
         self.curves.iter().filter(|point| rect.contains(**point)).count()
     }
 
-    fn cost(&self, rect: &Rect) -> usize {
+    /// How bad a place for a box is: the less, the better.
+    pub(crate) fn cost(&self, rect: &Rect) -> usize {
         let wide = rect.grown(AIR);
         let lines = self.lines.iter().filter(|point| wide.contains(**point)).count();
         let boxes = self.boxes.iter().filter(|other| wide.overlaps(other)).count();

@@ -8,15 +8,18 @@ use super::figure::{Along, Corner, Legend};
 use super::layout::SMALL;
 use super::legend;
 use super::panel::Brush;
-use super::room::Taken;
+use super::room::{AIR, Taken};
+use super::series::Point;
 use super::style::Colour;
 use super::text::{self, CAPITAL, LINE};
+use super::trace::MARKER;
 
 impl Brush<'_, '_, '_> {
     pub(crate) fn legend(&self, taken: &mut Taken) -> Result<()> {
         let region = self.rect.grown(-SMALL * 0.7);
         let (made, rect): (legend::Box, Rect) = match self.plot.legend {
             Legend::Hidden => return Ok(()),
+            Legend::Direct => return self.direct_labels(taken),
             Legend::Right => {
                 let made = self.plot.legend_box(1, 520.0);
                 let rect =
@@ -46,6 +49,30 @@ impl Brush<'_, '_, '_> {
         }
         made.draw(self.canvas, rect.left, rect.top, self.plot.legend != Legend::Right)?;
         taken.boxes.push(rect);
+        Ok(())
+    }
+
+    /// Each name beside the point of its curve where it covers least.
+    fn direct_labels(&self, taken: &mut Taken) -> Result<()> {
+        let region = self.rect.grown(-12.0);
+        for series in self.plot.series.iter().filter(|series| !series.style.label.is_empty()) {
+            let (width, height) = block(std::slice::from_ref(&series.style.label));
+            let points: Vec<Point> =
+                series.pieces.iter().flatten().map(|point| self.frame.pixel(*point)).collect();
+            let beside = points.iter().flat_map(|point| around(*point, width, height));
+            let inside = beside.filter(|rect| {
+                region.contains((rect.left, rect.top)) && region.contains((rect.right, rect.bottom))
+            });
+            if let Some(rect) = inside.min_by_key(|rect| taken.cost(rect)) {
+                let face = Type::new(SMALL, Colour::BLACK, Side::Start);
+                self.canvas.text(
+                    &series.style.label,
+                    (rect.left, rect.top + 0.8 * height),
+                    face,
+                )?;
+                taken.boxes.push(rect);
+            }
+        }
         Ok(())
     }
 
@@ -144,6 +171,19 @@ impl Brush<'_, '_, '_> {
         }
         Ok(())
     }
+}
+
+/// Boxes of this size around a marker and clear of it: right and left of it, then above and below
+/// in the middle and flush with either side.
+fn around(point: Point, width: f64, height: f64) -> Vec<Rect> {
+    let gap = MARKER + AIR + 4.0;
+    let middle = point.1 - height / 2.0;
+    let mut places = vec![(point.0 + gap, middle), (point.0 - gap - width, middle)];
+    for top in [point.1 - gap - height, point.1 + gap] {
+        let lefts = [point.0 - width / 2.0, point.0 + MARKER - width, point.0 - MARKER];
+        places.extend(lefts.map(|left| (left, top)));
+    }
+    places.into_iter().map(|(left, top)| Rect::sized(left, top, width, height)).collect()
 }
 
 /// The size of a block of small text.

@@ -80,14 +80,16 @@ struct Row {
     ln_value: String,
 }
 
-/// The hard cases and the ordinary scenes of these models.
+/// The hard cases and the ordinary scenes of these models and quantities.
 ///
 /// # Errors
 /// A table that is missing or is not what its head says.
-pub fn read(laws: &Laws, models: &[Model]) -> Result<Vec<Case>> {
+pub fn read(laws: &Laws, models: &[Model], quantities: &[Quantity]) -> Result<Vec<Case>> {
     let mut rows = hard_rows()?;
     rows.extend(ordinary_rows()?);
-    rows.retain(|row| models.iter().any(|model| model.id() == row.model.id()));
+    rows.retain(|row| {
+        quantities.contains(&row.quantity) && models.iter().any(|m| m.id() == row.model.id())
+    });
     rows.into_par_iter().map(|row| case(laws, row)).collect()
 }
 
@@ -209,7 +211,7 @@ mod tests {
 
     #[test]
     fn errors_are_relative_to_the_sum_of_sizes_and_nothing_passes_for_an_answer() -> Result<()> {
-        let cases = read(&Laws::default(), &["gw".parse()?])?;
+        let cases = read(&Laws::default(), &["gw".parse()?], &Quantity::ALL)?;
         assert!(cases.iter().any(Case::on_hard_grid) && cases.len() > 60, "{}", cases.len());
         let case = Case { scaled: 2.0, size: 8.0, value: 1.0, ..cases[0].clone() };
         let found = |value, scaled| Ok(Outcome { value, scaled, evaluations: 1 });

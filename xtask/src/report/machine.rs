@@ -16,7 +16,11 @@ fn processor() -> String {
         let line = text.lines().find(|line| line.starts_with("model name"))?;
         Some(line.split_once(':')?.1.trim().to_owned())
     });
-    format!("{} ({})", name.unwrap_or_else(|| "unknown processor".into()), std::env::consts::ARCH)
+    format!(
+        "{} ({})",
+        name.unwrap_or_else(|| "unknown processor".into()),
+        std::env::consts::ARCH.replace('_', "-")
+    )
 }
 
 fn compiler() -> String {

@@ -13,9 +13,10 @@ mod laws;
 mod machine;
 mod markdown;
 mod methods;
-mod pictures;
+mod picture;
 mod problem;
 mod scope;
+mod sheet;
 mod speed;
 mod timing;
 
@@ -41,7 +42,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     bar.set_style(ProgressStyle::with_template("{elapsed} {wide_bar} {pos}/{len} {msg}")?);
     bar.set_message("references");
     let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.models()?)?;
+    let cases = cases::read(&laws, &scope.models()?, scope.quantities())?;
     let workshop = external::Workshop::new()?;
     let libraries = external::find(&workshop)?;
     let tick = |what: &str| {
@@ -72,20 +73,43 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     bar.finish_and_clear();
 
     let machine = machine::description();
-    let texts = [
-        ("speed-vs-error.md", markdown::text(&speed, &hard, &libraries, &machine)?),
-        ("speed-vs-error.svg", pictures::frontier(&speed, &machine)?),
-        ("hard-cases.svg", pictures::hard_cases(&hard)?),
-        ("speed-vs-error.csv", speed),
-        ("hard-cases.csv", hard),
+    let tables = [
+        ("speed-vs-error.md", markdown::text(&speed, &libraries, &machine)?),
+        ("speed-vs-error.csv", speed.clone()),
+        ("hard-cases.csv", hard.clone()),
     ];
-    let mut paths = vec![];
-    for (name, text) in texts {
+    // Numbers first: they took long, and a picture may fail.
+    let mut paths = save(folder, tables)?;
+    paths.extend(save(folder, pictures(&speed, &hard, &machine)?)?);
+    Ok(paths)
+}
+
+fn save<const N: usize>(folder: &Path, texts: [(&str, String); N]) -> Result<Vec<PathBuf>> {
+    let save = |(name, text): (&str, String)| {
         let path = folder.join(name);
         fs::write(&path, text).with_context(|| path.display().to_string())?;
-        paths.push(path);
-    }
-    Ok(paths)
+        Ok(path)
+    };
+    texts.into_iter().map(save).collect()
+}
+
+/// The pictures by name, from the texts of the two csv and the line that names the machine.
+///
+/// # Errors
+/// A csv that is none of the report's.
+pub fn pictures(speed: &str, hard: &str, machine: &str) -> Result<[(&'static str, String); 2]> {
+    Ok([
+        ("speed-vs-error.svg", picture::frontier(speed, machine)?),
+        ("hard-cases.svg", picture::hard_cases(hard)?),
+    ])
+}
+
+/// Whether two errors, or two numbers of evaluations, are the same as far as they do not hang on
+/// rounding: small errors are made of it, and differ from compiler to compiler.
+#[must_use]
+pub fn errors_agree(a: f64, b: f64) -> bool {
+    let (small, large) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
+    large <= 1.05 * small || large < 2e-14 || (large < 1e-10 && large <= 5.0 * small)
 }
 
 /// What does not depend on the machine, for tests: the csv of errors and evaluations without
@@ -95,7 +119,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
 /// A reference table that does not work, or a case that is refused.
 pub fn accuracy(scope: Scope) -> Result<(String, String)> {
     let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.models()?)?;
+    let cases = cases::read(&laws, &scope.models()?, scope.quantities())?;
     let run = Run { scope, laws: &laws, cases: &cases, tick: &|_| {} };
     let mut rows = vec![];
     for (model, quantity) in run.pairs()? {

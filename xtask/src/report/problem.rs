@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity::{Form, HeightDistribution, Law, Model, Part, Quantity, Scene, StiffnessKind};
-use asperity_quadrature::{Sampler as _, reach};
+use asperity_quadrature::reach;
 
 /// 1/√(2π).
 const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;

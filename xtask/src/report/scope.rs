@@ -52,8 +52,8 @@ impl Scope {
     #[must_use]
     pub fn tolerances(self, model: &Model) -> Vec<f64> {
         let all: &[f64] = match self {
-            Self::Full => &[1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13],
-            Self::Quick => &[1e-3, 1e-11],
+            Self::Full => &[1e-3, 1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-13],
+            Self::Quick => &[1e-3, 1e-10],
         };
         all.iter().copied().filter(|tolerance| *tolerance >= tightest(model)).collect()
     }
@@ -65,7 +65,7 @@ impl Scope {
             (Kind::Adaptive, _) => {
                 self.tolerances(model).into_iter().map(Setting::Tolerance).collect()
             }
-            (Kind::Panels, Self::Full) => [4, 8, 16, 32, 64, 128].map(Setting::Points).to_vec(),
+            (Kind::Panels, Self::Full) => [4, 8, 16, 32, 64].map(Setting::Points).to_vec(),
             (Kind::Panels, Self::Quick) => [16, 64].map(Setting::Points).to_vec(),
             (Kind::Fixed, _) => vec![Setting::Fixed],
         }

@@ -24,7 +24,7 @@ pub(super) const METHODS: [Method; 3] = [
     },
     Method {
         name: "gauss-legendre-split",
-        what: "4 to 128 points between kinks, scaled",
+        what: "4 to 64 points between kinks, scaled",
         kind: Kind::Panels,
         prepare: split,
     },

@@ -1,0 +1,74 @@
+//! The report's errors and evaluations do not change unseen, and what is committed of it is whole.
+
+use std::fs;
+
+use insta::Comparator;
+use insta::internals::SnapshotContents;
+use xtask::files::figures_folder;
+use xtask::report::{Scope, accuracy, errors_agree, pictures};
+use xtask::table::agree_by;
+
+/// Words agree exactly, errors and counts as far as they do not hang on rounding.
+#[derive(Clone)]
+struct Errors;
+
+impl Comparator for Errors {
+    fn matches(&self, reference: &insta::Snapshot, test: &insta::Snapshot) -> bool {
+        match (reference.contents(), test.contents()) {
+            (SnapshotContents::Text(a), SnapshotContents::Text(b)) => {
+                agree_by(&a.to_string(), &b.to_string(), errors_agree)
+            }
+            _ => false,
+        }
+    }
+
+    fn dyn_clone(&self) -> Box<dyn Comparator> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn errors_and_evaluations_agree_with_their_snapshots() {
+    let (speed, hard) = accuracy(Scope::Quick).unwrap();
+    // Each 5th hard case keeps the snapshot short.
+    let hard: Vec<&str> = hard.lines().step_by(5).collect();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_comparator(Box::new(Errors));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.bind(|| {
+        insta::assert_snapshot!("report-speed-vs-error", speed);
+        insta::assert_snapshot!("report-hard-cases", hard.join("\n"));
+    });
+}
+
+fn committed(name: &str) -> String {
+    fs::read_to_string(figures_folder().join(name)).unwrap()
+}
+
+#[test]
+fn our_committed_errors_are_below_their_tolerances() {
+    let csv = committed("speed-vs-error.csv");
+    let head = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations";
+    assert_eq!(csv.lines().next(), Some(head));
+    let mut rows = 0;
+    for line in csv.lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        if ["compiled", "rule"].contains(&fields[2]) {
+            let [tolerance, error] = [fields[3], fields[5]].map(|f| f.parse::<f64>().unwrap());
+            assert!(error <= tolerance, "{line}");
+            rows += 1;
+        }
+    }
+    // 8 models at 7 tolerances and 4 at 6, 4 quantities each.
+    assert!(rows >= 4 * (8 * 7 + 4 * 6), "{rows} rows");
+}
+
+#[test]
+fn the_committed_pictures_are_drawn_from_the_committed_numbers() {
+    let [speed, hard] = ["speed-vs-error.csv", "hard-cases.csv"].map(committed);
+    let text = committed("speed-vs-error.md");
+    let machine = text.split_once("measured on ").unwrap().1.split_once(". Times").unwrap().0;
+    for (name, svg) in pictures(&speed, &hard, machine).unwrap() {
+        assert!(committed(name) == svg, "{name}");
+    }
+}
