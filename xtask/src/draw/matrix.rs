@@ -37,8 +37,9 @@ pub struct Cell {
 const EDGE: f64 = 36.0;
 const ROW: f64 = 84.0;
 const NOTE: f64 = 27.0;
+const HEAD: f64 = 33.0;
 /// From this shade on text is white.
-const DARK: f64 = 0.66;
+const DARK: f64 = 0.55;
 
 /// Draws a matrix; gives the text of an SVG.
 ///
@@ -58,12 +59,12 @@ pub fn draw_matrix(matrix: &Matrix) -> Result<String> {
         .columns
         .iter()
         .map(|name| {
-            let lines = text::wrap(&name.replace('-', "- "), SMALL, width - 12.0);
+            let lines = text::wrap(&name.replace('-', "- "), HEAD, width - 12.0);
             lines.into_iter().map(|line| line.replace("- ", "-")).collect()
         })
         .collect();
     let tallest = heads.iter().map(Vec::len).max().unwrap_or(1) as f64;
-    let top = EDGE + TITLE * LINE + 30.0 + tallest * SMALL * LINE;
+    let top = EDGE + TITLE * LINE + 30.0 + tallest * HEAD * LINE;
     let foot = top + ROW * matrix.rows.len() as f64;
     let caption: Vec<String> =
         matrix.caption.iter().flat_map(|p| text::wrap(p, SMALL, WIDTH - 4.0 * EDGE)).collect();
@@ -76,9 +77,9 @@ pub fn draw_matrix(matrix: &Matrix) -> Result<String> {
     canvas.lines(std::slice::from_ref(&matrix.title), (WIDTH / 2.0, 40.0), TITLE * LINE, face)?;
     for (k, lines) in heads.iter().enumerate() {
         let x = left + (k as f64 + 0.5) * width;
-        let first = top - 10.0 - lines.len() as f64 * SMALL * LINE;
-        let face = Type::new(SMALL, Colour::BLACK, Side::Middle);
-        canvas.lines(lines, (x, first), SMALL * LINE, face)?;
+        let first = top - 10.0 - lines.len() as f64 * HEAD * LINE;
+        let face = Type::new(HEAD, Colour::BLACK, Side::Middle);
+        canvas.lines(lines, (x, first), HEAD * LINE, face)?;
     }
     for (k, (name, cells)) in matrix.rows.iter().zip(&matrix.cells).enumerate() {
         let y = top + k as f64 * ROW;

@@ -1,21 +1,18 @@
 //! Errors and numbers of evaluations: the same in every run, whatever the machine does meanwhile.
 
-use std::sync::Arc;
-
 use anyhow::Result;
 use asperity::{Model, Quantity};
 use rayon::prelude::*;
 
 use super::cases::Case;
 use super::laws::Laws;
-use super::methods::{Failure, Method, Setting};
-use super::problem::{Problem, is_slope};
+use super::methods::{Failure, Job, Method, Setting};
+use super::problem::is_slope;
 
 /// The worst of some errors: the largest, or the word of a failure.
 pub type Worst = Result<f64, Failure>;
 
 /// The larger error; a failure is worse than any, and 0 for what is not 0 is an error of 1.
-#[must_use]
 pub fn worse(a: Worst, b: Worst) -> Worst {
     let number = |worst: Worst| if worst == Err(Failure::Zero) { Ok(1.0) } else { worst };
     match (number(a), number(b)) {
@@ -42,30 +39,20 @@ pub fn hard_grid<'a>(cases: &'a [Case], model: &Model, quantity: Quantity) -> Ve
 /// # Errors
 /// When a case cannot be made ready.
 pub fn worst(laws: &Laws, method: &Method, setting: Setting, cases: &[&Case]) -> Result<Worst> {
-    let errors = cases
-        .par_iter()
-        .map(|case| Ok(case.error(method.prepare(laws, &case.problem, setting)?())))
-        .collect::<Result<Vec<Worst>>>()?;
-    Ok(errors.into_iter().fold(Ok(0.0), worse))
+    let error = |case: &&Case| -> Result<Option<Worst>> {
+        let job = method.prepare(laws, &case.problem, setting)?;
+        Ok(job.map(|job| case.error(job())))
+    };
+    let errors = cases.par_iter().map(error).collect::<Result<Vec<_>>>()?;
+    Ok(errors.into_iter().flatten().fold(Ok(0.0), worse))
 }
 
-/// Mean number of evaluations over some points; a point without an answer counts nothing.
-///
-/// # Errors
-/// When a point cannot be made ready.
-pub fn evaluations(
-    laws: &Laws,
-    method: &Method,
-    setting: Setting,
-    points: &[Arc<Problem>],
-) -> Result<Option<f64>> {
-    let mut counts = vec![];
-    for point in points {
-        if let Ok(outcome) = method.prepare(laws, point, setting)?() {
-            counts.push(outcome.evaluations as f64);
-        }
-    }
-    Ok((!counts.is_empty()).then(|| counts.iter().sum::<f64>() / counts.len() as f64))
+/// Mean number of evaluations; a job without an answer counts nothing.
+#[must_use]
+pub fn evaluations(jobs: &[Job]) -> Option<f64> {
+    let counts: Vec<f64> =
+        jobs.iter().filter_map(|job| Some(job().ok()?.evaluations as f64)).collect();
+    (!counts.is_empty()).then(|| counts.iter().sum::<f64>() / counts.len() as f64)
 }
 
 #[cfg(test)]

@@ -19,7 +19,7 @@ pub fn law(
     tolerance: f64,
     effort: Effort,
 ) -> Result<(f64, Option<f64>)> {
-    let scenes = scenes(model, quantity)?;
+    let scenes = scenes()?;
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
     let compiled = model.compile(&scenes[0], &request)?;
     let there = compiled.law(quantity)?;
@@ -55,7 +55,7 @@ pub fn scene(
     tolerance: f64,
     effort: Effort,
 ) -> Result<(f64, Option<f64>)> {
-    let scenes = scenes(model, quantity)?;
+    let scenes = scenes()?;
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at(SEPARATIONS);
     let base = model.compile(&scenes[0], &request)?;
     let mut samples = 0;

@@ -32,6 +32,8 @@ pub struct Case {
     scaled: f64,
     /// The integral of the law's absolute value, over the same scale: errors are relative to it.
     size: f64,
+    /// w_c/σ_z.
+    critical: f64,
 }
 
 impl Case {
@@ -63,7 +65,7 @@ impl Case {
         self.family != ORDINARY
             && !self.problem.exponential()
             && within(HARD_GRID.0, self.problem.separation)
-            && within(HARD_GRID.1, self.problem.scale())
+            && within(HARD_GRID.1, self.critical)
     }
 }
 
@@ -185,7 +187,8 @@ fn case(laws: &Laws, row: Row) -> Result<Case> {
     } else {
         value.signum() * over_scale(&ln_value, &problem)?
     };
-    Ok(Case { family, name, problem, value, scaled, size: evaluation.size })
+    let critical = problem.scene.asperity()?.critical_interference()? / problem.std();
+    Ok(Case { family, name, problem, value, scaled, size: evaluation.size, critical })
 }
 
 /// exp of (a logarithm given in many digits, less that of the scale): at s = 1e6 a double's

@@ -8,6 +8,7 @@ use super::external::External;
 use super::methods::{self, HARD_TOLERANCE};
 use super::sheet::Sheet;
 use super::speed::significant;
+use super::throughput::Throughput;
 
 /// The row of a csv that these cells tell apart.
 struct Rows<'a> {
@@ -62,7 +63,12 @@ impl<'a> Rows<'a> {
 ///
 /// # Errors
 /// A csv that is not `speed-vs-error.csv`.
-pub fn text(speed: &str, libraries: &[External], machine: &str) -> Result<String> {
+pub fn text(
+    speed: &str,
+    throughput: &[Throughput],
+    libraries: &[External],
+    machine: &str,
+) -> Result<String> {
     let rows = Rows::new(speed)?;
     let mut text = format!(
         "# Speed against error
@@ -91,6 +97,7 @@ Asked for {HARD_TOLERANCE:e} where a method takes a tolerance.
     }
     ratios(&mut text, &rows)?;
     builds(&mut text, &rows)?;
+    sweeps(&mut text, throughput)?;
     text.push_str("\n## Methods\n\n| method | what it is |\n|---|---|\n");
     for method in methods::all() {
         writeln!(text, "| `{}` | {} |", method.name, method.what)?;
@@ -156,6 +163,16 @@ fn builds(text: &mut String, rows: &Rows) -> Result<()> {
     Ok(())
 }
 
+fn sweeps(text: &mut String, throughput: &[Throughput]) -> Result<()> {
+    text.push_str("\n## Throughput\n\n| what | threads | million evaluations a second | memory it takes at its peak |\n|---|---|---|---|\n");
+    for line in throughput {
+        let millions = significant(line.per_second / 1e6);
+        let memory = line.memory.map_or("–".into(), |bytes| format!("{:.0} MB", bytes / 1e6));
+        writeln!(text, "| {} | {} | {millions} | {memory} |", line.what, line.threads)?;
+    }
+    Ok(())
+}
+
 /// A time [ns] in the unit that suits it.
 fn duration(ns: f64) -> String {
     let (number, unit) = match ns {
@@ -180,7 +197,7 @@ ke,force,simpson,,4000,1.0e0,201
 
     #[test]
     fn the_table_holds_the_asked_tolerance_and_the_ratios_are_of_it() -> Result<()> {
-        let text = text(CSV, &[], "a machine")?;
+        let text = text(CSV, &[], &[], "a machine")?;
         assert!(
             text.contains(
                 "| ke | force | 50.0 ns, 1e-15 | 5.00 µs, not-converged | 4.00 µs, 1.0e0 |"

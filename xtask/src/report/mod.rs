@@ -18,6 +18,7 @@ mod problem;
 mod scope;
 mod sheet;
 mod speed;
+mod throughput;
 mod timing;
 
 use std::fs;
@@ -67,6 +68,8 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
         let found = run.external(library)?;
         rows.extend(found);
     }
+    bar.set_message("throughput");
+    let throughput = throughput::measure(scope)?;
     let speed = speed::csv(&rows)?;
     bar.set_message("hard cases");
     let hard = hard::csv(&laws, &cases, &libraries)?;
@@ -74,7 +77,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
 
     let machine = machine::description();
     let tables = [
-        ("speed-vs-error.md", markdown::text(&speed, &libraries, &machine)?),
+        ("speed-vs-error.md", markdown::text(&speed, &throughput, &libraries, &machine)?),
         ("speed-vs-error.csv", speed.clone()),
         ("hard-cases.csv", hard.clone()),
     ];

@@ -65,8 +65,8 @@ impl Scope {
             (Kind::Adaptive, _) => {
                 self.tolerances(model).into_iter().map(Setting::Tolerance).collect()
             }
-            (Kind::Panels, Self::Full) => [4, 8, 16, 32, 64].map(Setting::Points).to_vec(),
-            (Kind::Panels, Self::Quick) => [16, 64].map(Setting::Points).to_vec(),
+            (Kind::Panels, Self::Full) => [16, 32, 64, 128].map(Setting::Points).to_vec(),
+            (Kind::Panels, Self::Quick) => [16, 128].map(Setting::Points).to_vec(),
             (Kind::Fixed, _) => vec![Setting::Fixed],
         }
     }
@@ -85,13 +85,12 @@ impl Scope {
 /// same on all.
 ///
 /// # Errors
-/// What the model refuses.
-pub fn scenes(model: &Model, quantity: Quantity) -> Result<Vec<Scene>> {
+/// None, as long as the asperity is the paper's.
+pub fn scenes() -> Result<Vec<Scene>> {
     let radius = 3.6e-4;
     let scene = |std: f64| Scene::new(interface(), Surface::new(radius, 1e8, std), NOMINAL_AREA);
-    let request = Request::new([quantity]).within(Tolerance::new(tightest(model))?);
-    let unit = model.compile(&scene(1e-6), &request)?.law(quantity)?.interference_unit;
-    Ok(SCALES.iter().map(|scale| scene(unit / scale)).collect())
+    let critical = scene(1e-6).asperity()?.critical_interference()?;
+    Ok(SCALES.iter().map(|scale| scene(critical / scale)).collect())
 }
 
 /// The points on which times are taken, scrambled.
@@ -99,7 +98,7 @@ pub fn scenes(model: &Model, quantity: Quantity) -> Result<Vec<Scene>> {
 /// # Errors
 /// What the model refuses.
 pub fn points(model: &Model, quantity: Quantity) -> Result<Vec<Arc<Problem>>> {
-    let scenes = scenes(model, quantity)?;
+    let scenes = scenes()?;
     let request = Request::new([quantity]).within(Tolerance::new(tightest(model))?);
     let law = Arc::new(model.compile(&scenes[0], &request)?.law(quantity)?.clone());
     let count = scenes.len() * SEPARATIONS.len();
@@ -122,12 +121,13 @@ mod tests {
     #[test]
     fn the_points_are_the_whole_grid_each_once() -> Result<()> {
         let points = points(&"jg".parse()?, Quantity::Force)?;
+        let critical = points[0].scene.asperity()?.critical_interference()?;
         let mut seen: Vec<String> =
-            points.iter().map(|p| format!("{:.3e} {}", p.scale(), p.separation)).collect();
+            points.iter().map(|p| format!("{:.1e} {}", critical / p.std(), p.separation)).collect();
         seen.sort();
         seen.dedup();
         assert!(seen.len() == 56, "{}", seen.len());
-        assert!(seen.contains(&"3.000e-3 -1".into()) && seen.contains(&"3.000e0 6".into()));
+        assert!(seen.contains(&"3.0e-3 -1".into()) && seen.contains(&"3.0e0 6".into()));
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! The table of times against errors: `speed-vs-error.csv`.
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use asperity::{Model, Quantity};
 
 use super::accuracy::{Worst, evaluations, hard_grid, worse, worst};
@@ -65,12 +65,13 @@ impl Run<'_> {
     /// When the library refuses a case.
     pub fn own(&self, model: &Model, quantity: Quantity, timed: bool) -> Result<Vec<Row>> {
         let (points, hard) = (points(model, quantity)?, hard_grid(self.cases, model, quantity));
+        ensure!(!hard.is_empty(), "no hard case of {model} {quantity}");
         let mut rows = vec![];
         for method in methods::all() {
             for setting in self.scope.settings(&method, model) {
                 let jobs = points
                     .iter()
-                    .map(|point| method.prepare(self.laws, point, setting))
+                    .filter_map(|point| method.prepare(self.laws, point, setting).transpose())
                     .collect::<Result<Vec<Job>>>()?;
                 rows.push(Row {
                     model: model.id().into(),
@@ -82,7 +83,7 @@ impl Run<'_> {
                     },
                     median_ns: timed.then(|| self.scope.effort().of_jobs(&jobs)),
                     worst: Some(worst(self.laws, &method, setting, &hard)?),
-                    evaluations: evaluations(self.laws, &method, setting, &points)?,
+                    evaluations: evaluations(&jobs),
                 });
                 (self.tick)(method.name);
             }

@@ -24,7 +24,7 @@ pub(super) const METHODS: [Method; 3] = [
     },
     Method {
         name: "gauss-legendre-split",
-        what: "4 to 64 points between kinks, scaled",
+        what: "16 to 128 points between kinks, scaled",
         kind: Kind::Panels,
         prepare: split,
     },
@@ -42,10 +42,10 @@ fn tolerance(setting: Setting) -> Result<f64> {
 
 /// Parts of different sign are integrated by themselves, so that a tolerance relative to each can
 /// be met where they cancel.
-fn kronrod(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+fn kronrod(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
     let (problem, tolerance) = (problem.clone(), tolerance(setting)?);
     let signs = problem.signs();
-    Ok(Box::new(move || {
+    Ok(Some(Box::new(move || {
         let (breaks, scale) = (problem.breaks(), problem.scale());
         let (mut value, mut evaluations) = (0.0, 0);
         for sign in &signs {
@@ -57,12 +57,12 @@ fn kronrod(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
             evaluations += found.evaluations;
         }
         Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations })
-    }))
+    })))
 }
 
-fn tanh_sinh(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+fn tanh_sinh(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
     let (problem, tolerance) = (problem.clone(), tolerance(setting)?);
-    Ok(Box::new(move || {
+    Ok(Some(Box::new(move || {
         let (breaks, scale) = (problem.breaks(), problem.scale());
         let rules = TanhSinh::shared();
         let (mut value, mut evaluations) = (0.0, 0);
@@ -73,13 +73,13 @@ fn tanh_sinh(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> 
             evaluations += found.evaluations;
         }
         Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations })
-    }))
+    })))
 }
 
-fn split(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+fn split(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
     let Setting::Points(points) = setting else { bail!("{setting:?} is no number of points") };
     let (problem, rule) = (problem.clone(), legendre(points));
-    Ok(Box::new(move || {
+    Ok(Some(Box::new(move || {
         let (breaks, scale) = (problem.breaks(), problem.scale());
         let (mut value, mut evaluations) = (0.0, 0);
         for ends in breaks.windows(2).filter(|ends| ends[1] > ends[0]) {
@@ -91,5 +91,5 @@ fn split(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
             evaluations += points;
         }
         Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations })
-    }))
+    })))
 }

@@ -16,7 +16,7 @@ pub(super) const METHOD: Method = Method {
     prepare,
 };
 
-fn prepare(laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+fn prepare(laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
     let Setting::Tolerance(tolerance) = setting else {
         anyhow::bail!("{setting:?} is no tolerance")
     };
@@ -26,8 +26,8 @@ fn prepare(laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job>
     let plan = compiled.plan(&request)?;
     // Exponential heights have one integral and no nodes.
     let evaluations = plan.steps.first().and_then(|step| step.nodes).map_or(1, |(_, most)| most);
-    Ok(Box::new(move || match compiled.evaluate(quantity, separation) {
+    Ok(Some(Box::new(move || match compiled.evaluate(quantity, separation) {
         Ok(found) => Ok(Outcome { value: found.scaled, scaled: true, evaluations }),
         Err(_) => Err(Failure::NotConverged),
-    }))
+    })))
 }

@@ -78,8 +78,11 @@ pub struct Method {
     pub what: &'static str,
     /// What it can be set to.
     pub kind: Kind,
-    prepare: fn(&Laws, &Arc<Problem>, Setting) -> Result<Job>,
+    prepare: Prepare,
 }
+
+/// Turns a problem into a job, if the method can do it at all.
+type Prepare = fn(&Laws, &Arc<Problem>, Setting) -> Result<Option<Job>>;
 
 /// What a method can be set to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,11 +96,16 @@ pub enum Kind {
 }
 
 impl Method {
-    /// Makes a problem ready.
+    /// Makes a problem ready; nothing if the method is not for it.
     ///
     /// # Errors
     /// What the library refuses; a published method refuses nothing.
-    pub fn prepare(&self, laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+    pub fn prepare(
+        &self,
+        laws: &Laws,
+        problem: &Arc<Problem>,
+        setting: Setting,
+    ) -> Result<Option<Job>> {
         (self.prepare)(laws, problem, setting)
     }
 
@@ -115,13 +123,12 @@ impl Method {
 /// What is asked of the methods that take a tolerance, on the hard cases.
 pub const HARD_TOLERANCE: f64 = 1e-10;
 /// Points a panel, on the hard cases.
-pub const HARD_POINTS: usize = 64;
+pub const HARD_POINTS: usize = 128;
 
 /// All methods of this process, ours first.
 #[must_use]
 pub fn all() -> Vec<Method> {
-    let mut methods = vec![compiled::METHOD];
-    methods.extend(rule::method());
+    let mut methods = vec![compiled::METHOD, rule::METHOD];
     methods.extend(classical::METHODS);
     methods.extend(naive::METHODS);
     methods

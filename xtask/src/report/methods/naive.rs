@@ -49,26 +49,26 @@ fn job(
     })
 }
 
-fn gauss_legendre(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
+fn gauss_legendre(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> {
     let rule = legendre(64);
-    Ok(job(problem, 8.0, 64, move |problem, start, width| {
+    Ok(Some(job(problem, 8.0, 64, move |problem, start, width| {
         let terms = rule.nodes.iter().zip(&rule.weights);
         terms.map(|(x, w)| width * w * problem.plain_integrand(start + width * x)).sum()
-    }))
+    })))
 }
 
-fn trapezoid(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
-    Ok(job(problem, 6.0, 1001, |problem, start, width| {
+fn trapezoid(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> {
+    Ok(Some(job(problem, 6.0, 1001, |problem, start, width| {
         let step = width / 1000.0;
         let inner: f64 =
             (1..1000).map(|k| problem.plain_integrand(start + f64::from(k) * step)).sum();
         let ends = problem.plain_integrand(start) + problem.plain_integrand(start + width);
         step * (inner + 0.5 * ends)
-    }))
+    })))
 }
 
-fn simpson(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
-    Ok(job(problem, 6.0, 201, |problem, start, width| {
+fn simpson(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> {
+    Ok(Some(job(problem, 6.0, 201, |problem, start, width| {
         let step = width / 200.0;
         let inner: f64 = (1..200)
             .map(|k| {
@@ -78,5 +78,5 @@ fn simpson(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
             .sum();
         let ends = problem.plain_integrand(start) + problem.plain_integrand(start + width);
         step / 3.0 * (inner + ends)
-    }))
+    })))
 }
