@@ -5,7 +5,7 @@ use std::process::{Command, ExitCode};
 
 use anyhow::{Context, Result, bail, ensure};
 use xtask::files;
-use xtask::report::{self, Scope};
+use xtask::report::{self, Scope, throughput};
 
 const HELP: &str = "\
 cargo xtask figures            write figures/<name>.csv and figures/<name>.svg
@@ -31,6 +31,10 @@ fn run(arguments: Vec<String>) -> Result<()> {
     match words.next() {
         Some("figures") => figures(words.collect()),
         Some("report") => report(&words.collect::<Vec<_>>()),
+        Some(throughput::TASK) => {
+            println!("{}", throughput::run(&words.collect::<Vec<_>>())?);
+            Ok(())
+        }
         Some("--help" | "-h" | "help") | None => {
             print!("{HELP}");
             Ok(())

@@ -1,13 +1,15 @@
 //! Errors and numbers of evaluations: the same in every run, whatever the machine does meanwhile.
 
+use std::sync::Arc;
+
 use anyhow::Result;
 use asperity::{Model, Quantity};
 use rayon::prelude::*;
 
 use super::cases::Case;
 use super::laws::Laws;
-use super::methods::{Failure, Job, Method, Setting};
-use super::problem::is_slope;
+use super::methods::{Failure, Method, Setting};
+use super::problem::{Problem, is_slope};
 
 /// The worst of some errors: the largest, or the word of a failure.
 pub type Worst = Result<f64, Failure>;
@@ -39,20 +41,31 @@ pub fn hard_grid<'a>(cases: &'a [Case], model: &Model, quantity: Quantity) -> Ve
 /// # Errors
 /// When a case cannot be made ready.
 pub fn worst(laws: &Laws, method: &Method, setting: Setting, cases: &[&Case]) -> Result<Worst> {
-    let error = |case: &&Case| -> Result<Option<Worst>> {
-        let job = method.prepare(laws, &case.problem, setting)?;
-        Ok(job.map(|job| case.error(job())))
-    };
-    let errors = cases.par_iter().map(error).collect::<Result<Vec<_>>>()?;
-    Ok(errors.into_iter().flatten().fold(Ok(0.0), worse))
+    let error = |case: &&Case| Ok(case.error(method.prepare(laws, &case.problem, setting)?()));
+    let errors = cases.par_iter().map(error).collect::<Result<Vec<Worst>>>()?;
+    Ok(errors.into_iter().fold(Ok(0.0), worse))
 }
 
-/// Mean number of evaluations; a job without an answer counts nothing.
+/// Mean number of evaluations over some points; one without an answer counts nothing.
+///
+/// # Errors
+/// When a point cannot be made ready.
+pub fn evaluations(
+    laws: &Laws,
+    method: &Method,
+    setting: Setting,
+    points: &[Arc<Problem>],
+) -> Result<Option<f64>> {
+    let count = |point| method.evaluations(laws, point, setting);
+    let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
+    Ok(mean(counts.into_iter().flatten()))
+}
+
+/// The mean, if there is anything.
 #[must_use]
-pub fn evaluations(jobs: &[Job]) -> Option<f64> {
-    let counts: Vec<f64> =
-        jobs.iter().filter_map(|job| Some(job().ok()?.evaluations as f64)).collect();
-    (!counts.is_empty()).then(|| counts.iter().sum::<f64>() / counts.len() as f64)
+pub fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
+    let (count, sum) = counts.fold((0, 0), |(count, sum), n| (count + 1, sum + n));
+    (count > 0).then(|| sum as f64 / f64::from(count))
 }
 
 #[cfg(test)]

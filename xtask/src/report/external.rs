@@ -181,7 +181,7 @@ fn answers<'a>(group: &Group, lines: &mut impl Iterator<Item = &'a str>) -> Resu
         let [value, evaluations, converged] = fields[..] else { bail!("answer {line:?}") };
         let value = problem.in_units(value.parse()?);
         outcomes.push(if converged == "1" {
-            Ok(Outcome { value, scaled: true, evaluations: evaluations.parse()? })
+            Ok(Outcome { value, scaled: true, evaluations: Some(evaluations.parse()?) })
         } else {
             Err(Failure::NotConverged)
         });

@@ -33,7 +33,7 @@ pub fn csv(laws: &Laws, cases: &[Case], libraries: &[External]) -> Result<String
     for method in methods::all() {
         let error = |case: &Case| -> Result<Option<Worst>> {
             let job = method.prepare(laws, &case.problem, method.on_hard_cases())?;
-            Ok(job.map(|job| case.error(job())))
+            Ok(Some(case.error(job())))
         };
         let errors = cases.par_iter().map(error).collect::<Result<_>>()?;
         columns.push(Column { name: method.name, errors });

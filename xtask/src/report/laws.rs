@@ -1,20 +1,16 @@
-//! Laws, compiled scenes and rules, each built once however many methods and points ask for it.
+//! Laws and compiled scenes, each built once however many methods and points ask for it.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::Result;
 use asperity::{Compiled, Model, Quantity, Request, Scene, Tolerance};
-use asperity_quadrature::AnyScale;
 
 use super::problem::is_slope;
 
 /// What has been built, by all that it depends on.
 #[derive(Debug, Default)]
-pub struct Laws {
-    compiled: Shelf<Compiled>,
-    rules: Shelf<AnyScale>,
-}
+pub struct Laws(Mutex<HashMap<String, Arc<Compiled>>>);
 
 impl Laws {
     /// The compiled scene; laws are shared between scenes of the same asperity.
@@ -28,59 +24,36 @@ impl Laws {
         scene: &Scene,
         tolerance: f64,
     ) -> Result<Arc<Compiled>> {
-        let law = law_key(model, quantity, scene, tolerance)?;
-        self.compiled.find_or(format!("{law} {scene:?}"), || {
-            let first = self.compiled.find_or(law, || {
-                // All that comes of one law, so that it is built once for all.
-                let same = |other: &Quantity| {
-                    *other == quantity
-                        || (is_slope(model, quantity) || quantity == Quantity::Force)
-                            && (is_slope(model, *other) || *other == Quantity::Force)
-                };
-                let quantities = Quantity::ALL.into_iter().filter(same);
-                let request = Request::new(quantities).within(Tolerance::new(tolerance)?);
-                Ok(model.compile(scene, &request)?)
-            })?;
-            Ok(first.on(scene)?)
-        })
+        let key = format!("{} {scene:?}", law_key(model, quantity, scene, tolerance)?);
+        self.find_or(key, || Ok(self.law(model, quantity, scene, tolerance)?.on(scene)?))
     }
 
-    /// The rules of a law for every scene of its asperity.
+    /// Some compiled scene of the same asperity: its law is built.
     ///
     /// # Errors
     /// Those of [`asperity::ContactModel::compile`].
-    pub fn rules(
+    pub fn law(
         &self,
         model: &Model,
         quantity: Quantity,
         scene: &Scene,
         tolerance: f64,
-    ) -> Result<Arc<AnyScale>> {
-        self.rules.find_or(law_key(model, quantity, scene, tolerance)?, || {
-            let compiled = self.compiled(model, quantity, scene, tolerance)?;
-            Ok(AnyScale::new(compiled.law(quantity)?.density(), tolerance))
+    ) -> Result<Arc<Compiled>> {
+        self.find_or(law_key(model, quantity, scene, tolerance)?, || {
+            // All that comes of one law, so that it is built once for all.
+            let same = |other: &Quantity| law_of(model, *other) == law_of(model, quantity);
+            let quantities = Quantity::ALL.into_iter().filter(same);
+            let request = Request::new(quantities).within(Tolerance::new(tolerance)?);
+            Ok(model.compile(scene, &request)?)
         })
     }
-}
 
-/// What a law depends on.
-fn law_key(model: &Model, quantity: Quantity, scene: &Scene, tolerance: f64) -> Result<String> {
-    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
-    Ok(format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?))
-}
-
-#[derive(Debug)]
-struct Shelf<T>(Mutex<HashMap<String, Arc<T>>>);
-
-impl<T> Default for Shelf<T> {
-    fn default() -> Self {
-        Self(Mutex::default())
-    }
-}
-
-impl<T> Shelf<T> {
     /// What is there, or what is made; should two threads make the same, what came first stays.
-    fn find_or(&self, key: String, make: impl FnOnce() -> Result<T>) -> Result<Arc<T>> {
+    fn find_or(
+        &self,
+        key: String,
+        make: impl FnOnce() -> Result<Compiled>,
+    ) -> Result<Arc<Compiled>> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
         if let Some(known) = known {
             return Ok(known);
@@ -89,4 +62,15 @@ impl<T> Shelf<T> {
         let mut shelf = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(shelf.entry(key).or_insert(made).clone())
     }
+}
+
+/// The quantity whose law a quantity comes of.
+fn law_of(model: &Model, quantity: Quantity) -> Quantity {
+    if is_slope(model, quantity) { Quantity::Force } else { quantity }
+}
+
+/// What a law depends on.
+fn law_key(model: &Model, quantity: Quantity, scene: &Scene, tolerance: f64) -> Result<String> {
+    let law = law_of(model, quantity);
+    Ok(format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?))
 }

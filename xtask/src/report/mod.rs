@@ -18,7 +18,7 @@ mod problem;
 mod scope;
 mod sheet;
 mod speed;
-mod throughput;
+pub mod throughput;
 mod timing;
 
 use std::fs;

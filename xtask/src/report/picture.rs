@@ -160,7 +160,7 @@ pub fn hard_cases(csv: &str) -> Result<String> {
         title: "Where each method breaks: worst relative error".into(),
         caption: vec![
             "Below it, in how many cases of the family the error is above 10⁻⁶ or there is no number. “zero”: 0 for what is not 0; “not-converged”: the method says so itself. Errors are relative to the sum of the sizes of signed parts, against references computed another way. “Ordinary” are three scenes of engineering surfaces; their references for Gao and AT hold 5·10⁻¹³.".into(),
-            "Asked of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do. rule is for Gaussian heights; scipy and gsl have the laws that are sums of powers.".into(),
+            "Asked of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do. scipy and gsl have the laws that are sums of powers.".into(),
         ],
         columns: methods.iter().map(|(_, name)| (*name).to_owned()).collect(),
         rows: families.iter().map(|name| (*name).to_owned()).collect(),

@@ -165,7 +165,7 @@ impl Problem {
 fn part_at(part: &Part, x: f64) -> f64 {
     match &part.form {
         Form::Powers(powers) => powers.iter().map(|p| p.value(x)).sum(),
-        Form::Function(sampler) => {
+        Form::Function { sampler, .. } => {
             let mut value = [0.0];
             match sampler.sample(&[x], &mut value) {
                 Ok(()) => value[0],

@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 use asperity::{Model, Quantity};
 
-use super::accuracy::{Worst, evaluations, hard_grid, worse, worst};
+use super::accuracy::{Worst, evaluations, hard_grid, mean, worse, worst};
 use super::builds;
 use super::cases::Case;
 use super::external::{self, External, Group};
@@ -71,7 +71,7 @@ impl Run<'_> {
             for setting in self.scope.settings(&method, model) {
                 let jobs = points
                     .iter()
-                    .filter_map(|point| method.prepare(self.laws, point, setting).transpose())
+                    .map(|point| method.prepare(self.laws, point, setting))
                     .collect::<Result<Vec<Job>>>()?;
                 rows.push(Row {
                     model: model.id().into(),
@@ -83,7 +83,7 @@ impl Run<'_> {
                     },
                     median_ns: timed.then(|| self.scope.effort().of_jobs(&jobs)),
                     worst: Some(worst(self.laws, &method, setting, &hard)?),
-                    evaluations: evaluations(&jobs),
+                    evaluations: evaluations(self.laws, &method, setting, &points)?,
                 });
                 (self.tick)(method.name);
             }
@@ -144,8 +144,7 @@ impl Run<'_> {
             asked.into_iter().zip(grids).zip(answers.chunks(2))
         {
             let [timed, errors] = pair else { continue };
-            let found = timed.outcomes.iter().flatten().map(|outcome| outcome.evaluations as f64);
-            let (count, sum) = found.fold((0.0, 0.0), |(count, sum), n| (count + 1.0, sum + n));
+            let counts = timed.outcomes.iter().flatten().filter_map(|found| found.evaluations);
             let errors = hard.iter().zip(&errors.outcomes).map(|(case, found)| case.error(*found));
             rows.push(Row {
                 model: model.id().into(),
@@ -154,7 +153,7 @@ impl Run<'_> {
                 tolerance: Some(tolerance),
                 median_ns: timed.median_ns,
                 worst: Some(errors.fold(Ok(0.0), worse)),
-                evaluations: (count > 0.0).then_some(sum / count),
+                evaluations: mean(counts),
             });
             (self.tick)(library.name);
         }

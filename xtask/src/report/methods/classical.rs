@@ -5,7 +5,7 @@ use std::sync::Arc;
 use anyhow::{Result, bail};
 use asperity_quadrature::{TanhSinh, gauss_kronrod, legendre};
 
-use super::{Failure, Job, Kind, Method, Outcome, Setting};
+use super::{Failure, Job, Kind, Method, Outcome, Setting, tolerance};
 use crate::report::laws::Laws;
 use crate::report::problem::Problem;
 
@@ -15,37 +15,33 @@ pub(super) const METHODS: [Method; 3] = [
         what: "adaptive, 21 points, scaled, split at the kinks",
         kind: Kind::Adaptive,
         prepare: kronrod,
+        count: None,
     },
     Method {
         name: "tanh-sinh",
         what: "levels until they agree, scaled, split at the kinks",
         kind: Kind::Adaptive,
         prepare: tanh_sinh,
+        count: None,
     },
     Method {
         name: "gauss-legendre-split",
         what: "16 to 128 points between kinks, scaled",
         kind: Kind::Panels,
         prepare: split,
+        count: None,
     },
 ];
 
 /// More evaluations than this for one integral are no method.
 const LIMIT: usize = 20_000;
 
-fn tolerance(setting: Setting) -> Result<f64> {
-    match setting {
-        Setting::Tolerance(tolerance) => Ok(tolerance),
-        other => bail!("{other:?} is no tolerance"),
-    }
-}
-
 /// Parts of different sign are integrated by themselves, so that a tolerance relative to each can
 /// be met where they cancel.
-fn kronrod(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
+fn kronrod(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
     let (problem, tolerance) = (problem.clone(), tolerance(setting)?);
     let signs = problem.signs();
-    Ok(Some(Box::new(move || {
+    Ok(Box::new(move || {
         let (breaks, scale) = (problem.breaks(), problem.scale());
         let (mut value, mut evaluations) = (0.0, 0);
         for sign in &signs {
@@ -56,13 +52,13 @@ fn kronrod(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<
             value += found.value;
             evaluations += found.evaluations;
         }
-        Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations })
-    })))
+        Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations: Some(evaluations) })
+    }))
 }
 
-fn tanh_sinh(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
+fn tanh_sinh(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
     let (problem, tolerance) = (problem.clone(), tolerance(setting)?);
-    Ok(Some(Box::new(move || {
+    Ok(Box::new(move || {
         let (breaks, scale) = (problem.breaks(), problem.scale());
         let rules = TanhSinh::shared();
         let (mut value, mut evaluations) = (0.0, 0);
@@ -72,14 +68,14 @@ fn tanh_sinh(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Optio
             value += found.value;
             evaluations += found.evaluations;
         }
-        Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations })
-    })))
+        Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations: Some(evaluations) })
+    }))
 }
 
-fn split(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
+fn split(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
     let Setting::Points(points) = setting else { bail!("{setting:?} is no number of points") };
     let (problem, rule) = (problem.clone(), legendre(points));
-    Ok(Some(Box::new(move || {
+    Ok(Box::new(move || {
         let (breaks, scale) = (problem.breaks(), problem.scale());
         let (mut value, mut evaluations) = (0.0, 0);
         for ends in breaks.windows(2).filter(|ends| ends[1] > ends[0]) {
@@ -90,6 +86,6 @@ fn split(_: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Jo
             }
             evaluations += points;
         }
-        Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations })
-    })))
+        Ok(Outcome { value: problem.in_units(value), scaled: true, evaluations: Some(evaluations) })
+    }))
 }

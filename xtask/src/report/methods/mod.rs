@@ -7,7 +7,7 @@ mod rule;
 
 use std::sync::Arc;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use asperity_quadrature::QuadratureError;
 
 use super::laws::Laws;
@@ -20,8 +20,8 @@ pub struct Outcome {
     pub value: f64,
     /// Whether the value is over its scale, exp of [`Problem::ln_scale`].
     pub scaled: bool,
-    /// Evaluations of the integrand; of an exponential, for a rule that has the law in its weight.
-    pub evaluations: usize,
+    /// Evaluations of the integrand; nothing where they are counted apart.
+    pub evaluations: Option<usize>,
 }
 
 /// Why a method gave no number.
@@ -79,10 +79,14 @@ pub struct Method {
     /// What it can be set to.
     pub kind: Kind,
     prepare: Prepare,
+    /// Counts evaluations where outcomes do not tell them.
+    count: Option<Count>,
 }
 
-/// Turns a problem into a job, if the method can do it at all.
-type Prepare = fn(&Laws, &Arc<Problem>, Setting) -> Result<Option<Job>>;
+/// Nodes for a problem.
+type Count = fn(&Laws, &Problem, Setting) -> Result<usize>;
+/// Turns a problem into a job.
+type Prepare = fn(&Laws, &Arc<Problem>, Setting) -> Result<Job>;
 
 /// What a method can be set to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,17 +100,29 @@ pub enum Kind {
 }
 
 impl Method {
-    /// Makes a problem ready; nothing if the method is not for it.
+    /// Makes a problem ready.
     ///
     /// # Errors
     /// What the library refuses; a published method refuses nothing.
-    pub fn prepare(
+    pub fn prepare(&self, laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+        (self.prepare)(laws, problem, setting)
+    }
+
+    /// Evaluations of the integrand for a problem, or of an exponential, for a rule that has the
+    /// law in its weight; nothing where the method gives no answer.
+    ///
+    /// # Errors
+    /// What the library refuses.
+    pub fn evaluations(
         &self,
         laws: &Laws,
         problem: &Arc<Problem>,
         setting: Setting,
-    ) -> Result<Option<Job>> {
-        (self.prepare)(laws, problem, setting)
+    ) -> Result<Option<usize>> {
+        match self.count {
+            Some(count) => count(laws, problem, setting).map(Some),
+            None => Ok(self.prepare(laws, problem, setting)?().ok().and_then(|o| o.evaluations)),
+        }
     }
 
     /// How it is set on the hard cases, where each method runs once.
@@ -124,6 +140,14 @@ impl Method {
 pub const HARD_TOLERANCE: f64 = 1e-10;
 /// Points a panel, on the hard cases.
 pub const HARD_POINTS: usize = 128;
+
+/// The tolerance of a setting that is one.
+fn tolerance(setting: Setting) -> Result<f64> {
+    match setting {
+        Setting::Tolerance(tolerance) => Ok(tolerance),
+        other => bail!("{other:?} is no tolerance"),
+    }
+}
 
 /// All methods of this process, ours first.
 #[must_use]

@@ -16,18 +16,21 @@ pub(super) const METHODS: [Method; 3] = [
         what: "64 points on [d, d+8σ], plain doubles",
         kind: Kind::Fixed,
         prepare: gauss_legendre,
+        count: None,
     },
     Method {
         name: "trapezoid-1001",
         what: "1001 points on [d, d+6σ], plain doubles",
         kind: Kind::Fixed,
         prepare: trapezoid,
+        count: None,
     },
     Method {
         name: "simpson",
         what: "composite, 200 intervals on [d, d+6σ], plain doubles",
         kind: Kind::Fixed,
         prepare: simpson,
+        count: None,
     },
 ];
 
@@ -45,30 +48,30 @@ fn job(
         if !value.is_finite() {
             return Err(Failure::NotFinite);
         }
-        Ok(Outcome { value, scaled: false, evaluations })
+        Ok(Outcome { value, scaled: false, evaluations: Some(evaluations) })
     })
 }
 
-fn gauss_legendre(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> {
+fn gauss_legendre(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
     let rule = legendre(64);
-    Ok(Some(job(problem, 8.0, 64, move |problem, start, width| {
+    Ok(job(problem, 8.0, 64, move |problem, start, width| {
         let terms = rule.nodes.iter().zip(&rule.weights);
         terms.map(|(x, w)| width * w * problem.plain_integrand(start + width * x)).sum()
-    })))
+    }))
 }
 
-fn trapezoid(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> {
-    Ok(Some(job(problem, 6.0, 1001, |problem, start, width| {
+fn trapezoid(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
+    Ok(job(problem, 6.0, 1001, |problem, start, width| {
         let step = width / 1000.0;
         let inner: f64 =
             (1..1000).map(|k| problem.plain_integrand(start + f64::from(k) * step)).sum();
         let ends = problem.plain_integrand(start) + problem.plain_integrand(start + width);
         step * (inner + 0.5 * ends)
-    })))
+    }))
 }
 
-fn simpson(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> {
-    Ok(Some(job(problem, 6.0, 201, |problem, start, width| {
+fn simpson(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Job> {
+    Ok(job(problem, 6.0, 201, |problem, start, width| {
         let step = width / 200.0;
         let inner: f64 = (1..200)
             .map(|k| {
@@ -78,5 +81,5 @@ fn simpson(_: &Laws, problem: &Arc<Problem>, _: Setting) -> Result<Option<Job>> 
             .sum();
         let ends = problem.plain_integrand(start) + problem.plain_integrand(start + width);
         step / 3.0 * (inner + ends)
-    })))
+    }))
 }

@@ -1,40 +1,45 @@
-//! Our plan without a compiled scene: rules of the law alone, which serve every scene.
+//! Our plan without a compiled scene: the law is built, and its rules serve every scene.
 
 use std::sync::Arc;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
+use asperity_quadrature::AnyScale;
 
-use super::{Failure, Job, Kind, Method, Outcome, Setting};
+use super::{Failure, Job, Kind, Method, Outcome, Setting, tolerance};
 use crate::report::laws::Laws;
 use crate::report::problem::Problem;
 
 pub(super) const METHOD: Method = Method {
     name: "rule",
-    what: "ours, law built, scene not compiled: rules that serve any w_c/σ_z; Gaussian heights",
+    what: "ours, law built, scene not compiled (`Compiled::evaluate_on`)",
     kind: Kind::Adaptive,
     prepare,
+    count: Some(count),
 };
 
-fn prepare(laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Option<Job>> {
-    let Setting::Tolerance(tolerance) = setting else { bail!("{setting:?} is no tolerance") };
-    if problem.exponential() {
-        return Ok(None);
-    }
-    let Problem { model, quantity, scene, .. } = &**problem;
-    let rules = laws.rules(model, *quantity, scene, tolerance)?;
-    let evaluations = match rules.nodes(problem.separation, problem.scale())? {
+fn prepare(laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+    let Problem { model, quantity, scene, separation, .. } = &**problem;
+    let law = laws.law(model, *quantity, scene, tolerance(setting)?)?;
+    let (problem, quantity, separation) = (problem.clone(), *quantity, *separation);
+    Ok(Box::new(move || match law.evaluate_on(&problem.scene, quantity, separation) {
+        Ok(found) => Ok(Outcome { value: found.scaled, scaled: true, evaluations: None }),
+        Err(_) => Err(Failure::NotConverged),
+    }))
+}
+
+/// Nodes of the rule, from rules of our own that are the same; samples of the law where none
+/// serves and the point is integrated anew.
+fn count(laws: &Laws, problem: &Problem, setting: Setting) -> Result<usize> {
+    let Problem { model, quantity, scene, separation, .. } = problem;
+    let tolerance = tolerance(setting)?;
+    let law = laws.law(model, *quantity, scene, tolerance)?;
+    let rules = AnyScale::new(law.law(*quantity)?.density(), tolerance);
+    match rules.nodes(*separation, problem.scale())? {
         0 => {
-            // No rule serves this point, which is integrated anew: what counts is the law's samples.
             let before = rules.evaluations();
-            rules.value(problem.separation, problem.scale())?;
-            rules.evaluations() - before
+            rules.value(*separation, problem.scale())?;
+            Ok(rules.evaluations() - before)
         }
-        nodes => nodes,
-    };
-    let (problem, slope) = (problem.clone(), problem.slope());
-    Ok(Some(Box::new(move || {
-        let (s, scale) = (problem.separation, problem.scale());
-        let integral = if slope { rules.at(s, scale)?.slope } else { rules.value(s, scale)?.value };
-        Ok::<_, Failure>(Outcome { value: problem.in_units(integral), scaled: true, evaluations })
-    })))
+        nodes => Ok(nodes),
+    }
 }
