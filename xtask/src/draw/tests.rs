@@ -149,3 +149,15 @@ fn a_legend_without_room_inside_goes_to_the_right() -> Result<()> {
     assert!(automatic == draw(&figure, &csv)?);
     Ok(())
 }
+
+#[test]
+fn direct_names_stand_beside_their_points_inside_the_frame() -> Result<()> {
+    let mut figure = figure(&["a", "b"], false);
+    figure.panels[0].legend = Legend::Direct;
+    figure.panels[0].curves[1].label = "second name".to_owned();
+    let svg = draw(&figure, CSV)?;
+    assert_eq!(svg.matches("second name").count(), 1);
+    figure.panels[0].curves[1].label = String::new();
+    assert!(!draw(&figure, CSV)?.contains("second name"));
+    Ok(())
+}

@@ -55,7 +55,11 @@ impl Brush<'_, '_, '_> {
     /// Each name beside the point of its curve where it covers least.
     fn direct_labels(&self, taken: &mut Taken) -> Result<()> {
         let region = self.rect.grown(-12.0);
-        for series in self.plot.series.iter().filter(|series| !series.style.label.is_empty()) {
+        let named = self.plot.series.iter().filter(|series| !series.style.label.is_empty());
+        let mut named: Vec<_> = named.collect();
+        // Those with the fewest points have the least choice.
+        named.sort_by_key(|series| series.pieces.iter().map(Vec::len).sum::<usize>());
+        for series in named {
             let (width, height) = block(std::slice::from_ref(&series.style.label));
             let points: Vec<Point> =
                 series.pieces.iter().flatten().map(|point| self.frame.pixel(*point)).collect();
