@@ -8,7 +8,7 @@ use asperity::{ContactError, Law, Model, Quantity, Request, Tolerance};
 use super::scope::{SEPARATIONS, scenes};
 use super::timing::Effort;
 
-/// Time [ns] to build the law behind a quantity, its tables included: they are filled where they
+/// Time \[ns\] to build the law behind a quantity, its tables included: they are filled where they
 /// are first sampled, so the time of sampling a law that is there is taken off.
 ///
 /// # Errors
@@ -44,7 +44,7 @@ fn sample(law: &Law) -> Result<f64, ContactError> {
     Ok(total)
 }
 
-/// Time [ns] to make a scene ready at all separations of the speed table, with its law built, and
+/// Time \[ns\] to make a scene ready at all separations of the speed table, with its law built, and
 /// how often the law is sampled for it.
 ///
 /// # Errors

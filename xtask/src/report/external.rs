@@ -37,7 +37,7 @@ pub struct Group {
 
 /// What came back for a group.
 pub struct Answers {
-    /// Median time of one integral [ns], if it was taken.
+    /// Median time of one integral \[ns\], if it was taken.
     pub median_ns: Option<f64>,
     /// One for each problem.
     pub outcomes: Vec<Result<Outcome, Failure>>,

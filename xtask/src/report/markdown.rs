@@ -18,7 +18,7 @@ struct Rows<'a> {
     evaluations: usize,
 }
 
-/// Time [ns], error or word, and evaluations, as they stand in the csv.
+/// Time \[ns\], error or word, and evaluations, as they stand in the csv.
 #[derive(Clone, Copy)]
 struct Entry<'a> {
     time: f64,
@@ -173,7 +173,7 @@ fn sweeps(text: &mut String, throughput: &[Throughput]) -> Result<()> {
     Ok(())
 }
 
-/// A time [ns] in the unit that suits it.
+/// A time \[ns\] in the unit that suits it.
 fn duration(ns: f64) -> String {
     let (number, unit) = match ns {
         ns if ns < 1e3 => (ns, "ns"),

@@ -130,3 +130,23 @@ pub fn accuracy(scope: Scope) -> Result<(String, String)> {
     }
     Ok((speed::csv(&rows)?, hard::csv(&laws, &cases, &[])?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::errors_agree;
+
+    #[test]
+    fn rounding_passes_and_a_lost_digit_does_not() {
+        for (a, b, same) in [
+            (1.0, 1.04, true),
+            (1.0, 1.2, false),
+            (2e-6, 2e-5, false),
+            (1e-12, 4e-12, true),
+            (1e-12, 9e-12, false),
+            (0.0, 1e-14, true),
+            (0.0, 1e-12, false),
+        ] {
+            assert!(errors_agree(a, b) == same && errors_agree(b, a) == same, "{a} {b}");
+        }
+    }
+}

@@ -43,7 +43,7 @@ impl Problem {
         self.law.interference_unit / self.std()
     }
 
-    /// σ_z [m].
+    /// σ_z \[m\].
     #[must_use]
     pub fn std(&self) -> f64 {
         self.scene.surface.asperity_height_std
@@ -116,7 +116,7 @@ impl Problem {
         if self.slope() { weight * (s + t) } else { weight }
     }
 
-    /// The plain integrand at height z [m], as a script would write it: no scale is taken out.
+    /// The plain integrand at height z \[m\], as a script would write it: no scale is taken out.
     #[must_use]
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();
@@ -134,7 +134,7 @@ impl Problem {
         self.law_at(interference / self.law.interference_unit, None) * density / std
     }
 
-    /// Lower end of the plain integral [m].
+    /// Lower end of the plain integral \[m\].
     #[must_use]
     pub fn plain_start(&self) -> f64 {
         let start = self.separation * self.std();

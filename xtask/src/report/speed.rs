@@ -27,7 +27,7 @@ pub struct Row {
     pub method: &'static str,
     /// What it was asked for, if it can be asked.
     pub tolerance: Option<f64>,
-    /// Median time of one evaluation or of one build [ns], if it was taken.
+    /// Median time of one evaluation or of one build \[ns\], if it was taken.
     pub median_ns: Option<f64>,
     /// Worst error on the hard grid; nothing for a build.
     pub worst: Option<Worst>,

@@ -22,7 +22,7 @@ pub struct Throughput {
     pub threads: usize,
     /// Evaluations in a second.
     pub per_second: f64,
-    /// Peak of the process's resident memory [bytes], where the system tells it.
+    /// Peak of the process's resident memory \[bytes\], where the system tells it.
     pub memory: Option<f64>,
 }
 
@@ -113,7 +113,7 @@ fn case(base: &Scene, k: usize, materials: bool) -> Case {
     Case { scene, separation: -1.0 + 7.0 * share(0.605_551) }
 }
 
-/// The most memory this process has had resident [bytes]; Linux only.
+/// The most memory this process has had resident \[bytes\]; Linux only.
 fn peak_memory() -> Option<f64> {
     let text = fs::read_to_string("/proc/self/status").ok()?;
     let rest = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

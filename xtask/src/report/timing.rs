@@ -24,7 +24,7 @@ impl Effort {
     pub const QUICK: Self =
         Self { repeats: 3, batch: Duration::from_micros(50), most: Duration::from_millis(5) };
 
-    /// Median time of one call [ns].
+    /// Median time of one call \[ns\].
     #[must_use]
     pub fn median_ns(&self, mut call: impl FnMut()) -> f64 {
         let time = |call: &mut dyn FnMut(), calls: u32| {
@@ -45,7 +45,7 @@ impl Effort {
         median(&mut batches)
     }
 
-    /// Median time of one of these jobs [ns], all run in turn.
+    /// Median time of one of these jobs \[ns\], all run in turn.
     #[must_use]
     pub fn of_jobs(&self, jobs: &[Job]) -> f64 {
         let all = || {
