@@ -40,7 +40,7 @@ impl Topography {
         columns: usize,
         pixel_size: [f64; 2],
     ) -> Result<Self, TopographyError> {
-        if heights.is_empty() || columns == 0 || heights.len() % columns != 0 {
+        if heights.is_empty() || columns == 0 || !heights.len().is_multiple_of(columns) {
             return Err(TopographyError::Shape { heights: heights.len(), columns });
         }
         if heights.len() > MAX_POINTS {

@@ -1,48 +1,94 @@
 //! Files and bytes to surfaces.
 
+mod npy;
+mod options;
+mod points;
+mod sample;
+mod scan;
+mod sur;
+mod table;
+mod text;
+mod x3p;
+
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
-use crate::{LengthUnit, Topography, TopographyError};
+pub use options::ReadOptions;
+
+use crate::{Topography, TopographyError};
 
 /// The largest file that is read: 2 GiB.
 pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
-/// What a file may leave open.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ReadOptions {
-    /// Unit of the heights, and of `pixel_size` where that is given. A file that states its unit
-    /// must agree.
-    pub unit: Option<LengthUnit>,
-    /// Distance of neighbouring points along a row and along a column, in `unit` (in the unit the
-    /// file states for its heights where `unit` is not given). A file that states it must agree.
-    pub pixel_size: Option<[f64; 2]>,
-    /// The largest share of missing points that is accepted, 0 to 1; 0.1 by default.
-    pub max_missing: f64,
-}
-
-impl Default for ReadOptions {
-    fn default() -> Self {
-        Self { unit: None, pixel_size: None, max_missing: 0.1 }
-    }
-}
-
-/// The surface in a file. Its format is told by its first bytes; text by its number of columns.
+/// The surface in a file.
+///
+/// The first bytes tell NumPy, X3P and SUR files; all else is text, told by its number of columns:
+///
+/// | columns | |
+/// |---|---|
+/// | 1 | a profile: heights at a distance of `pixel_size` |
+/// | 2 | a profile: equidistant places and heights |
+/// | 3 | points x y z of a regular grid, in any order |
+/// | 4 and more | a matrix: a row of heights to a line |
+///
+/// Columns are parted by semicolons, tabs, commas or spaces, whichever the first row of numbers
+/// has, in this order; decimals by points. Lines before that row are a header. It may name units
+/// over the columns (`x [mm], z [µm]` or `x_mm, z_um`), and for a matrix the size
+/// (`Width: 10 µm`, `Height: 10 µm`: n pixels of 10/n µm) and the unit of the heights
+/// (`Value units: nm`). `nan`, `bad`, `***`, `--` and empty fields are missing points.
 ///
 /// # Errors
 /// [`TopographyError::File`] with the path and what was wrong.
-pub fn read(path: &Path, _options: &ReadOptions) -> Result<Topography, TopographyError> {
-    let source = Box::new(TopographyError::UnknownFormat);
-    Err(TopographyError::File { path: path.to_owned(), source })
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Topography, TopographyError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    all_bytes(path)
+        .and_then(|bytes| scan(&name, bytes)?.topography(options))
+        .map_err(|error| TopographyError::File { path: path.to_owned(), source: Box::new(error) })
 }
 
-/// The surface in the bytes of a file called `name`.
+/// The surface in the bytes of a file called `name`: see [`read`].
 ///
 /// # Errors
 /// [`TopographyError`] with what was wrong.
 pub fn read_bytes(
-    _name: &str,
-    _bytes: &[u8],
-    _options: &ReadOptions,
+    name: &str,
+    bytes: &[u8],
+    options: &ReadOptions,
 ) -> Result<Topography, TopographyError> {
-    Err(TopographyError::UnknownFormat)
+    scan(name, bytes)?.topography(options)
+}
+
+/// Takes the bytes, so that those of a file are let go before the surface is measured.
+fn scan(name: &str, bytes: impl AsRef<[u8]>) -> Result<scan::Scan, TopographyError> {
+    let bytes = bytes.as_ref();
+    let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("npy") => npy::scan(bytes),
+        Some("x3p") => x3p::scan(bytes),
+        Some("sur") => sur::scan(bytes),
+        _ if bytes.starts_with(npy::MAGIC) => npy::scan(bytes),
+        _ if bytes.starts_with(x3p::MAGIC) => x3p::scan(bytes),
+        _ if bytes.starts_with(sur::MAGIC) || bytes.starts_with(sur::COMPRESSED) => {
+            sur::scan(bytes)
+        }
+        _ => text::scan(bytes),
+    }
+}
+
+fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {
+    let file = File::open(path)?;
+    let size = file.metadata()?.len();
+    let mut bytes = Vec::new();
+    if size <= MAX_FILE_BYTES {
+        bytes.reserve_exact(size as usize);
+        // Devices and growing files have no size that could be believed.
+        file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+    }
+    let size = size.max(bytes.len() as u64);
+    if size > MAX_FILE_BYTES {
+        let what = "the number of bytes of the file";
+        return Err(TopographyError::TooLarge { what, size, limit: MAX_FILE_BYTES });
+    }
+    Ok(bytes)
 }

@@ -1,0 +1,192 @@
+//! Scattered places to a regular grid.
+
+use super::scan;
+use crate::TopographyError;
+
+/// How far a place may lie from its grid point, over the distance of grid points: files print
+/// places with few digits.
+const SLACK: f64 = 0.1;
+
+/// The distance of places that ascend or descend by equal steps.
+pub(super) fn equidistant(places: &[f64]) -> Result<f64, TopographyError> {
+    let wrong = |found: String| TopographyError::Grid {
+        field: "x",
+        found,
+        required: "at least two places at equal distances".to_owned(),
+    };
+    let (Some(first), Some(last)) = (places.first(), places.last()) else {
+        return Err(wrong("no place".to_owned()));
+    };
+    let step = (last - first) / (places.len().max(2) - 1) as f64;
+    if !(step.abs() > 0.0 && step.is_finite()) {
+        return Err(wrong(format!("{} places from {first} to {last}", places.len())));
+    }
+    for (i, place) in places.iter().enumerate() {
+        let expected = first + step * i as f64;
+        if place.is_nan() || (place - expected).abs() > SLACK * step.abs() {
+            let found = format!(
+                "{place} as place {} of {}, where equal distances have {expected}",
+                i + 1,
+                places.len()
+            );
+            return Err(wrong(found));
+        }
+    }
+    Ok(step.abs())
+}
+
+/// Heights, columns and pixel size of x, y, z, x, y, z...: points of a regular grid, in any order,
+/// NaN where none was.
+pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), TopographyError> {
+    let across = Axis::of(&values, 0, "x")?;
+    let along = Axis::of(&values, 1, "y")?;
+    let n = scan::points(across.n, along.n)?;
+    let given = values.len() / 3;
+    // A grid far larger than its points is no grid, and its memory nobody's wish.
+    if n / 1000 > given {
+        return Err(TopographyError::Grid {
+            field: "x and y",
+            found: format!("{given} points on a grid of {} x {}", across.n, along.n),
+            required: "points that fill a thousandth of their grid".to_owned(),
+        });
+    }
+    let mut heights = vec![f64::NAN; n];
+    let mut taken = vec![false; n];
+    let columns = across.n as usize;
+    for point in values.chunks_exact(3) {
+        let index = across.index(point[0])? + columns * along.index(point[1])?;
+        if taken[index] {
+            return Err(TopographyError::Grid {
+                field: "x and y",
+                found: format!("a second point at {}, {}", point[0], point[1]),
+                required: "one point at each place".to_owned(),
+            });
+        }
+        taken[index] = true;
+        heights[index] = point[2];
+    }
+    Ok((heights, columns, [across.step, along.step]))
+}
+
+/// The grid points along one coordinate.
+struct Axis {
+    field: &'static str,
+    first: f64,
+    step: f64,
+    n: u64,
+}
+
+impl Axis {
+    fn of(values: &[f64], offset: usize, field: &'static str) -> Result<Self, TopographyError> {
+        let mut places: Vec<f64> = values.iter().skip(offset).step_by(3).copied().collect();
+        let wrong = |found: String| TopographyError::Grid {
+            field,
+            found,
+            required: "at least two places of a regular grid".to_owned(),
+        };
+        if places.iter().any(|place| place.is_nan()) {
+            return Err(wrong("a point without a place".to_owned()));
+        }
+        places.sort_unstable_by(f64::total_cmp);
+        places.dedup();
+        let (first, last) = match places[..] {
+            [first, .., last] if (last - first).is_finite() => (first, last),
+            _ => return Err(wrong(format!("{} places", places.len()))),
+        };
+        let whole = Self {
+            field,
+            first,
+            step: (last - first) / (places.len() - 1) as f64,
+            n: places.len() as u64,
+        };
+        if places.iter().all(|place| whole.index(*place).is_ok()) {
+            return Ok(whole);
+        }
+        // Some rows or columns have no point at all: the usual distance tells the grid.
+        let mut steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let middle = (steps.len() - 1) / 2;
+        let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let intervals = ((last - first) / usual).round();
+        // Compared as numbers: a quotient may be beyond any whole one.
+        if !(intervals >= 1.0 && intervals < crate::MAX_POINTS as f64) {
+            return Err(wrong(format!("places from {first} to {last}, mostly {usual} apart")));
+        }
+        let axis = Self { field, first, step: (last - first) / intervals, n: intervals as u64 + 1 };
+        places.iter().try_for_each(|place| axis.index(*place).map(|_| ()))?;
+        Ok(axis)
+    }
+
+    /// Which grid point a place is.
+    fn index(&self, place: f64) -> Result<usize, TopographyError> {
+        let at = (place - self.first) / self.step;
+        let nearest = at.round();
+        if (at - nearest).abs() <= SLACK && nearest >= 0.0 && nearest < self.n as f64 {
+            return Ok(nearest as usize);
+        }
+        Err(TopographyError::Grid {
+            field: self.field,
+            found: format!("a point at {place}, {at:.3} steps of {:e} from the first", self.step),
+            required: "points of a regular grid".to_owned(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_in_any_order_find_their_place() {
+        // 4 x 3 points with places printed to two digits; one point is not there.
+        let mut values = Vec::new();
+        for i in (0..12).map(|i| (i * 5) % 12).filter(|i| *i != 7) {
+            let x = (f64::from(i % 4) * 12.7656).round() / 100.0;
+            values.extend([x, -0.3 * f64::from(i / 4), f64::from(i)]);
+        }
+        let (heights, columns, pixel_size) = grid(values).unwrap();
+        assert_eq!((heights.len(), columns), (12, 4));
+        assert!((pixel_size[0] - 0.1267).abs() < 1e-3 && (pixel_size[1] - 0.3).abs() < 1e-12);
+        // y descends in the file and ascends in the rows.
+        assert!(heights[4 + 3].is_nan());
+        assert_eq!((heights[0], heights[1], heights[8]), (8.0, 9.0, 0.0));
+    }
+
+    #[test]
+    fn columns_without_points_are_missing() {
+        let mut values = Vec::new();
+        for i in (0..40).filter(|i| i % 10 != 4) {
+            values.extend([f64::from(i % 10) * 0.1, f64::from(i / 10), 1.0]);
+        }
+        let (heights, columns, _) = grid(values).unwrap();
+        assert_eq!(columns, 10);
+        assert_eq!(heights.iter().filter(|z| z.is_nan()).count(), 4);
+    }
+
+    #[test]
+    fn what_is_no_grid_is_refused() {
+        let message = |values: &[f64]| grid(values.to_vec()).unwrap_err().to_string();
+        assert!(message(&[0.0, 0.0, 1.0]).contains("1 places was found"));
+        assert!(
+            message(&[0., 0., 1., 1., 0., 1., 0., 1., 1., 1., 0., 2.]).contains("a second point")
+        );
+        let uneven = [0., 0., 1., 1., 1., 1., 2.4, 2., 1., 3., 3., 1.];
+        assert!(message(&uneven).contains("2.400 steps"), "{}", message(&uneven));
+        let far = [0., 0., 1., 1., 1., 1., 2., 2., 1., 1e30, 3., 1.];
+        assert!(message(&far).starts_with("x: "), "{}", message(&far));
+        let nan = [0., 0., 1., f64::NAN, 1., 1.];
+        assert!(message(&nan).contains("without a place"));
+        let diagonal: Vec<f64> =
+            (0..5000).flat_map(|i| [f64::from(i), f64::from(i), 1.0]).collect();
+        assert!(message(&diagonal).contains("thousandth"));
+    }
+
+    #[test]
+    fn profiles_have_equal_steps() {
+        assert!((equidistant(&[3.0, 2.0, 1.01, 0.0]).unwrap() - 1.0).abs() < 1e-12);
+        let message = |places: &[f64]| equidistant(places).unwrap_err().to_string();
+        assert!(message(&[0.0, 1.0, 3.0]).contains("1 as place 2 of 3"));
+        assert!(message(&[1.0]).contains("1 places"));
+        assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as place 2"));
+        assert!(message(&[0.0, f64::NAN]).contains("from 0 to NaN"));
+    }
+}

@@ -1,0 +1,149 @@
+//! What a reader found, and how options complete it.
+
+use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
+
+/// What the file says of the distance of its points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PixelSize {
+    /// Nothing.
+    Unknown,
+    /// A number in the unit of the heights.
+    InUnit([f64; 2]),
+    /// A length \[m\].
+    Metres([f64; 2]),
+}
+
+/// A surface as its file has it.
+#[derive(Debug)]
+pub(super) struct Scan {
+    /// In the unit; NaN where missing.
+    pub(super) heights: Vec<f64>,
+    pub(super) columns: usize,
+    /// Unit of the heights, where the file states it.
+    pub(super) unit: Option<LengthUnit>,
+    pub(super) pixel_size: PixelSize,
+}
+
+impl Scan {
+    /// The surface in metres.
+    pub(super) fn topography(self, options: &ReadOptions) -> Result<Topography, TopographyError> {
+        let limit = options.max_missing;
+        if !(0.0..=1.0).contains(&limit) {
+            let (field, required) = ("max_missing", "a share from 0 to 1");
+            return Err(TopographyError::OutOfRange { field, value: limit, required });
+        }
+        let unit = self.unit(options)?.metres();
+        let pixel_size = self.pixel_size(options, unit)?;
+        let Self { mut heights, columns, .. } = self;
+        for height in &mut heights {
+            *height *= unit;
+        }
+        let topography = Topography::new(heights, columns, pixel_size)?;
+        let share = topography.missing_share();
+        if share > limit {
+            return Err(TopographyError::TooManyMissing { share, limit });
+        }
+        Ok(topography)
+    }
+
+    fn unit(&self, options: &ReadOptions) -> Result<LengthUnit, TopographyError> {
+        match (options.unit, self.unit) {
+            (Some(given), Some(in_file)) if given != in_file => {
+                Err(TopographyError::Contradiction {
+                    option: "unit",
+                    given: given.to_string(),
+                    in_file: in_file.to_string(),
+                })
+            }
+            (given, in_file) => given.or(in_file).ok_or(TopographyError::UnitMissing),
+        }
+    }
+
+    fn pixel_size(&self, options: &ReadOptions, unit: f64) -> Result<[f64; 2], TopographyError> {
+        let given = options.pixel_size.map(|size| size.map(|size| size * unit));
+        let in_file = match self.pixel_size {
+            PixelSize::Unknown => None,
+            PixelSize::InUnit(size) => Some(size.map(|size| size * unit)),
+            PixelSize::Metres(size) => Some(size),
+        };
+        if let (Some(given), Some(in_file)) = (given, in_file) {
+            // Of a profile only the first counts.
+            let axes = if self.heights.len() == self.columns { 1 } else { 2 };
+            for (given, in_file) in given.into_iter().zip(in_file).take(axes) {
+                if given.is_nan() || (given - in_file).abs() > 1e-3 * in_file {
+                    return Err(TopographyError::Contradiction {
+                        option: "pixel_size",
+                        given: format!("{given:e} m"),
+                        in_file: format!("{in_file:e} m"),
+                    });
+                }
+            }
+        }
+        in_file.or(given).ok_or(TopographyError::PixelSizeMissing)
+    }
+}
+
+/// The product of two counts that a file declares, if it may be held in memory.
+pub(super) fn points(columns: u64, rows: u64) -> Result<usize, TopographyError> {
+    let (size, limit) = (columns.saturating_mul(rows), MAX_POINTS as u64);
+    if size > limit {
+        return Err(TopographyError::TooLarge { what: "the number of points", size, limit });
+    }
+    Ok(size as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scan(unit: Option<LengthUnit>, pixel_size: PixelSize) -> Scan {
+        Scan { heights: vec![1.0, 2.0, f64::NAN, 4.0], columns: 2, unit, pixel_size }
+    }
+
+    fn message(scan: Scan, options: &ReadOptions) -> String {
+        scan.topography(options).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_is_not_known_is_asked_for() {
+        let options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
+        let unit = Some(LengthUnit::Nanometre);
+        assert!(message(scan(None, PixelSize::Unknown), &options).contains("--unit"));
+        assert!(message(scan(unit, PixelSize::Unknown), &options).contains("--pixel-size"));
+        // The unit of the heights is that of the pixel size given.
+        let options = ReadOptions { pixel_size: Some([2.0, 3.0]), ..options };
+        let surface = scan(unit, PixelSize::Unknown).topography(&options).unwrap();
+        assert!((surface.pixel_size()[1] / 3e-9 - 1.0).abs() < 1e-15);
+        assert!((surface.heights()[3] / 4e-9 - 1.0).abs() < 1e-15);
+        assert!(surface.heights()[2].is_nan());
+    }
+
+    #[test]
+    fn what_contradicts_the_file_is_refused() {
+        let options = ReadOptions {
+            unit: Some(LengthUnit::Micrometre),
+            pixel_size: Some([2.0, 2.0]),
+            max_missing: 0.5,
+        };
+        let in_nm = scan(Some(LengthUnit::Nanometre), PixelSize::Unknown);
+        assert!(message(in_nm, &options).contains("unit is um, but the file says nm"));
+        let finer = scan(None, PixelSize::Metres([2e-6, 1e-6]));
+        assert!(message(finer, &options).contains("pixel_size is 2e-6 m, but the file says 1e-6"));
+        let same = scan(Some(LengthUnit::Micrometre), PixelSize::InUnit([2.0004, 2.0]));
+        let surface = same.topography(&options).unwrap();
+        assert!((surface.pixel_size()[0] / 2.0004e-6 - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn missing_points_are_refused_above_their_share() {
+        let some = |max_missing| {
+            let options = ReadOptions { max_missing, ..ReadOptions::default() };
+            scan(Some(LengthUnit::Metre), PixelSize::InUnit([1.0; 2])).topography(&options)
+        };
+        assert!(some(0.25).is_ok());
+        assert!(
+            some(0.1).unwrap_err().to_string().starts_with("the share of missing points is 0.2500")
+        );
+        assert!(some(f64::NAN).unwrap_err().to_string().starts_with("max_missing is NaN"));
+    }
+}

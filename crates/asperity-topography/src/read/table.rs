@@ -1,0 +1,227 @@
+//! Text to a table of numbers: a header, then rows of equal length.
+
+use crate::{MAX_POINTS, TopographyError};
+
+/// A table of numbers; NaN where a field says that it is missing.
+pub(super) struct Table {
+    /// Lines before the first row, with their numbers.
+    pub(super) header: Vec<(usize, String)>,
+    pub(super) values: Vec<f64>,
+    pub(super) columns: usize,
+    pub(super) delimiter: Delimiter,
+}
+
+/// What parts the fields of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Delimiter {
+    Semicolon,
+    Tab,
+    Comma,
+    Space,
+}
+
+impl Delimiter {
+    /// Of the first row. A line of numbers with semicolons or tabs may have commas only as
+    /// decimals, which are refused, not as delimiters.
+    fn of(line: &[u8]) -> Self {
+        let has = |byte| line.contains(&byte);
+        match () {
+            () if has(b';') => Self::Semicolon,
+            () if line.trim_ascii().contains(&b'\t') => Self::Tab,
+            () if has(b',') => Self::Comma,
+            () => Self::Space,
+        }
+    }
+
+    fn parts(self, byte: u8) -> bool {
+        match self {
+            Self::Semicolon => byte == b';',
+            Self::Tab => byte == b'\t',
+            Self::Comma => byte == b',',
+            Self::Space => byte.is_ascii_whitespace(),
+        }
+    }
+
+    /// The fields of a line, without the spaces around them.
+    pub(super) fn fields(self, line: &[u8]) -> impl Iterator<Item = &[u8]> {
+        line.split(move |byte| self.parts(*byte))
+            .map(<[u8]>::trim_ascii)
+            .filter(move |field| self != Self::Space || !field.is_empty())
+    }
+
+    /// A line without the delimiter that ends it.
+    fn open(self, line: &[u8]) -> Option<&[u8]> {
+        let (last, rest) = line.split_last()?;
+        (self != Self::Space && self.parts(*last)).then_some(rest)
+    }
+}
+
+impl Table {
+    /// # Errors
+    /// When there is no row of numbers, when a row has another length than the first, when a field
+    /// is neither a number nor a mark for a missing point, when there are too many.
+    pub(super) fn parse(bytes: &[u8]) -> Result<Self, TopographyError> {
+        let mut header = Vec::new();
+        let mut rows: Option<Rows> = None;
+        for (index, line) in bytes.split(|byte| *byte == b'\n').enumerate() {
+            let (number, line) = (index + 1, line.strip_suffix(b"\r").unwrap_or(line));
+            if line.trim_ascii().is_empty() {
+                continue;
+            }
+            match &mut rows {
+                Some(rows) if line.starts_with(b"#") => {}
+                Some(rows) => rows.add(number, line)?,
+                None if is_row(line) => {
+                    let mut first = Rows::of(line, bytes.len());
+                    first.add(number, line)?;
+                    rows = Some(first);
+                }
+                None => header.push((number, decoded(line))),
+            }
+        }
+        let Some(rows) = rows else {
+            let (line, found) = header.into_iter().next().unwrap_or((1, String::new()));
+            let required = "a row of numbers here or below".to_owned();
+            return Err(TopographyError::Line { line, found: excerpt(&found), required });
+        };
+        let Rows { values, columns, delimiter, .. } = rows;
+        Ok(Self { header, values, columns, delimiter })
+    }
+}
+
+/// Rows in the making.
+struct Rows {
+    values: Vec<f64>,
+    columns: usize,
+    delimiter: Delimiter,
+    /// Whether a delimiter ends each row.
+    closed: bool,
+}
+
+impl Rows {
+    /// Shaped by the first row.
+    fn of(line: &[u8], bytes: usize) -> Self {
+        let delimiter = Delimiter::of(line);
+        let open = delimiter.open(line);
+        let closed = open.is_some();
+        let columns = delimiter.fields(open.unwrap_or(line)).count();
+        // Memory for as many rows as would fit, were all as long as the first: no row has more
+        // fields than bytes.
+        let expected = (bytes / (line.len() + 1) + 1) * columns;
+        let values = Vec::with_capacity(expected.min(MAX_POINTS));
+        Self { values, columns, delimiter, closed }
+    }
+
+    fn add(&mut self, number: usize, line: &[u8]) -> Result<(), TopographyError> {
+        let start = self.values.len();
+        let open = if self.closed { self.delimiter.open(line) } else { None };
+        for field in self.delimiter.fields(open.unwrap_or(line)) {
+            self.values.push(value(field).ok_or_else(|| TopographyError::Line {
+                line: number,
+                found: excerpt(&decoded(field)),
+                required: "a finite number with a decimal point, or nan,".to_owned(),
+            })?);
+        }
+        let found = self.values.len() - start;
+        if found != self.columns {
+            let required = format!("{} as in the first row", self.columns);
+            let found = format!("{found} numbers");
+            return Err(TopographyError::Line { line: number, found, required });
+        }
+        let (size, limit) = (self.values.len() as u64, 3 * MAX_POINTS as u64);
+        if size > limit {
+            let what = "the number of values in the text";
+            return Err(TopographyError::TooLarge { what, size, limit });
+        }
+        Ok(())
+    }
+}
+
+/// Whether a line can be the first row: fields that all have a value, and not only marks such as
+/// `---`, which underline a header too.
+fn is_row(line: &[u8]) -> bool {
+    let fields = || Delimiter::of(line).fields(line);
+    fields().all(|field| value(field).is_some())
+        && fields().any(|field| field.iter().any(u8::is_ascii_alphanumeric))
+}
+
+/// A finite number, NaN for a missing point, nothing for anything else.
+fn value(field: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(field).ok()?;
+    match text.parse::<f64>() {
+        Ok(number) if number.is_infinite() => None,
+        Ok(number) => Some(number),
+        Err(_) => {
+            let marks = field.iter().all(|byte| matches!(byte, b'*' | b'-'));
+            let word = ["bad", "null", "none", "na", "n/a"];
+            let missing = marks || word.iter().any(|word| text.eq_ignore_ascii_case(word));
+            missing.then_some(f64::NAN)
+        }
+    }
+}
+
+/// UTF-8, or Latin 1 where it is not: instruments write µ in either.
+fn decoded(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+    }
+}
+
+/// The beginning of a text, for a message.
+fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(text: &str) -> (usize, Vec<f64>) {
+        let table = Table::parse(text.as_bytes()).unwrap();
+        (table.columns, table.values)
+    }
+
+    fn message(bytes: &[u8]) -> String {
+        Table::parse(bytes).err().unwrap().to_string()
+    }
+
+    #[test]
+    fn delimiters_are_those_of_the_first_row() {
+        for text in [
+            "1 2.5  3\n-4 5e1 6",
+            "1,2.5,3\r\n-4, 5e1 ,6\r\n",
+            "1\t2.5\t3\n-4\t5e1\t6\n",
+            "1;2.5;3;\n-4;5e1;6;\n",
+        ] {
+            assert_eq!(values(text), (3, vec![1.0, 2.5, 3.0, -4.0, 50.0, 6.0]), "{text}");
+        }
+    }
+
+    #[test]
+    fn missing_points_have_many_names() {
+        let (columns, found) = values("head, er\n1,nan,,NaN\n***,2,bad,--\n# later\n1,2,3,4");
+        assert_eq!((columns, found.len()), (4, 12));
+        let missing: Vec<_> = found.iter().map(|value| value.is_nan()).collect();
+        assert_eq!(missing[..8], [false, true, true, true, true, false, true, true]);
+        // A row of nan is a row, a row of dashes a header.
+        assert_eq!(values("nan nan\n1 2").1.len(), 4);
+        assert_eq!(values("a b\n--- ---\n1 2").1.len(), 2);
+    }
+
+    #[test]
+    fn what_is_no_table_is_refused_with_its_line() {
+        assert!(message(b"").starts_with("line 1: \"\" was found, a row of numbers"));
+        assert!(message(b"some\nwords").starts_with("line 1: \"some\""));
+        let ragged = message(b"h\n1 2 3\n1 2\n");
+        assert_eq!(ragged, "line 3: \"2 numbers\" was found, 3 as in the first row was required");
+        assert!(message(b"1 2\n3 inf\n").starts_with("line 2: \"inf\" was found, a finite number"));
+        assert!(message(b"1 2\n3 1e999\n").starts_with("line 2: \"1e999\""));
+        assert!(message(b"1;2\n3;1,5\n").starts_with("line 2: \"1,5\" was found"));
+        assert!(message(b"1 2\n3 \xff\xfe\n").starts_with("line 2: \"ÿþ\""));
+        assert!(message(b"\x00\x00\n").starts_with("line 1: \"\\0\\0\""));
+    }
+}
