@@ -11,7 +11,7 @@
 //! * The heights are used as they are, in metres about their own mean. `asperity_height_std` is
 //!   then no more than the unit of separations (and what a `plasticity_index` refers to).
 //! * It may be left out; the table's own standard deviation takes its place. Where both are known
-//!   and differ by more than 1 %, there is a warning; by more than a factor of 10, an error, because
+//!   and differ by more than 5 %, there is a warning; by more than a factor of 10, an error, because
 //!   one of them is not in metres.
 //! * With `separation_from = "surface-mean"` the table's heights must be measured from the mean
 //!   plane of the surface: the mean of the table is then the offset. A table whose mean is 0 is

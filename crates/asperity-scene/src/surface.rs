@@ -9,6 +9,8 @@ use crate::document::Section;
 #[derive(Debug, Clone)]
 pub(crate) struct Described {
     pub(crate) surface: Surface,
+    /// Mean of the asperity heights above the mean plane \[m\].
+    pub(crate) mean_plane_offset: f64,
     pub(crate) notes: Vec<String>,
 }
 
@@ -78,5 +80,5 @@ pub(crate) fn surface(
         _ => return crate::measured::surface(section),
     };
     surface.check().map_err(section.refused())?;
-    Ok(Described { surface, notes: vec![] })
+    Ok(Described { surface, mean_plane_offset: surface.mean_plane_offset(), notes: vec![] })
 }
