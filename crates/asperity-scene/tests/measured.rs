@@ -3,7 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity::{Quantity, Request};
 use asperity_scene::{SceneError, SceneFile, load};
+use asperity_topography::{Estimator, Level, ReadOptions, Statistics, read};
 
 const HEAD: &str = "nominal_area = 1e-4
 rigid_counterface = true
@@ -20,7 +22,7 @@ fn directory(name: &str) -> PathBuf {
     directory
 }
 
-fn read(directory: &Path, surface: &str) -> Result<SceneFile, SceneError> {
+fn scene(directory: &Path, surface: &str) -> Result<SceneFile, SceneError> {
     let path = directory.join("scene.toml");
     std::fs::write(&path, format!("{HEAD}{surface}\n")).unwrap();
     load(&path)
@@ -73,10 +75,63 @@ fn what_is_wrong_with_a_measured_surface_is_said_with_line_and_field() {
             "surface.estimator and surface.files (line 8) exclude each other: estimator = \"moments\"",
         ),
     ] {
-        let message = read(&directory, surface).unwrap_err().to_string();
+        let message = scene(&directory, surface).unwrap_err().to_string();
         if !message.contains(wanted) || message.contains('\n') {
             failures += &format!("{message}\n  lacks: {wanted}\n");
         }
     }
     assert!(failures.is_empty(), "{failures}");
+}
+
+/// Heights \[nm\] of 96 x 96 points, as text: waves in many directions.
+fn scan(phase: f64) -> String {
+    let waves: Vec<[f64; 3]> = (0..40)
+        .map(|k| {
+            let (turn, size) = (2.399_963 * f64::from(k), 0.2 + 0.4 * f64::from(k % 7) / 7.0);
+            [size * turn.cos(), size * turn.sin(), phase * f64::from(k * k)]
+        })
+        .collect();
+    let height = |x: i32, y: i32| {
+        let wave = |[a, b, c]: &[f64; 3]| (a * f64::from(x) + b * f64::from(y) + c).cos();
+        100.0 * waves.iter().map(wave).sum::<f64>()
+    };
+    let row = |y| (0..96).map(|x| format!("{:.4}", height(x, y))).collect::<Vec<_>>().join("\t");
+    (0..96).map(|y| row(y) + "\n").collect()
+}
+
+#[test]
+fn files_become_the_surfaces_that_topography_makes_of_them() {
+    let directory = directory("measured-files");
+    let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
+    std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
+    std::fs::write(directory.join("b.txt"), header.to_string() + &scan(2.7)).unwrap();
+    std::fs::write(directory.join("bare.txt"), scan(5.1)).unwrap();
+
+    let statistics = |name: &str| {
+        let topography = read(&directory.join(name), &ReadOptions::default()).unwrap();
+        topography.level(Level::Plane).unwrap().statistics(Estimator::Moments).unwrap()
+    };
+    let (a, b) = (statistics("a.txt"), statistics("b.txt"));
+    let one = scene(&directory, "file = \"a.txt\"").unwrap();
+    assert_eq!(one.scene.surface, a.surface());
+    assert!(one.warnings.len() == a.warnings.len());
+    let both = scene(&directory, "files = [\"a.txt\", \"b.txt\"]").unwrap();
+    assert_eq!(both.scene.surface, Statistics::combined(&a, &b).unwrap().surface());
+
+    let bare = scene(&directory, "file = \"bare.txt\"").unwrap_err().to_string();
+    assert!(bare.contains("scene.toml:8: surface.file: ") && bare.contains("bare.txt"), "{bare}");
+    let told = scene(&directory, "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = 1000").unwrap();
+    assert!((told.scene.surface.asperity_radius / a.asperity_radius - 1.0).abs() < 1e-9);
+    let wide = "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = [1000, 2000]";
+    let wide = scene(&directory, wide).unwrap().scene.surface;
+    assert!(wide.asperity_radius > 1.1 * a.asperity_radius);
+
+    let from = scene(&directory, "file = \"a.txt\"\nseparation_from = \"surface-mean\"").unwrap();
+    assert!((from.separation_offset - a.surface().mean_plane_offset()).abs() < 1e-15);
+    assert!(
+        from.model("ke")
+            .unwrap()
+            .solve(&from.scene, &Request::new([Quantity::Force]).at([1.0]))
+            .is_ok()
+    );
 }
