@@ -21,6 +21,29 @@ pub enum Warning {
         /// The value there, in SI units.
         value: f64,
     },
+    /// A value is below the smallest number a double can hold, and reads as 0; its logarithm is
+    /// not lost.
+    Underflow {
+        /// The model.
+        model: String,
+        /// The quantity.
+        quantity: Quantity,
+        /// At how many of the asked separations.
+        count: usize,
+        /// The first of these separations, over σ_z.
+        separation: f64,
+        /// Natural logarithm of the absolute value there.
+        ln_value: f64,
+    },
+    /// No asperity is high enough to touch, so that ratios have no value.
+    NoContact {
+        /// The model.
+        model: String,
+        /// At how many of the asked separations.
+        count: usize,
+        /// The first of these separations, over σ_z.
+        separation: f64,
+    },
     /// The angle density that a model's paper prints is negative for some directions. No result
     /// depends on the terms that make it so.
     NegativeAngleDensity {
@@ -38,6 +61,14 @@ impl fmt::Display for Warning {
                 f,
                 "{model}: the {quantity} is negative at {count} of the separations, first at {separation} asperity_height_std ({value:.4e} {}): the model subtracts more than it adds there",
                 quantity.unit()
+            ),
+            Self::Underflow { model, quantity, count, separation, ln_value } => write!(
+                f,
+                "{model}: the {quantity} is too small for a double at {count} of the separations, first at {separation} asperity_height_std, and reads 0 there: its natural logarithm is {ln_value:.6}"
+            ),
+            Self::NoContact { model, count, separation } => write!(
+                f,
+                "{model}: no asperity touches at {count} of the separations, first at {separation} asperity_height_std: shares and the mean pressure have no value there"
             ),
             Self::NegativeAngleDensity { model, minimum } => write!(
                 f,

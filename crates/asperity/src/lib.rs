@@ -1,5 +1,7 @@
 #![doc = include_str!("../../../README.md")]
 
+mod output;
+mod readout;
 mod recommend;
 mod registry;
 
@@ -13,5 +15,7 @@ pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;
+pub use output::{Output, UnknownOutput};
+pub use readout::{Readout, ReadoutColumn, Value};
 pub use recommend::{Comparison, Recommendation, recommend};
 pub use registry::Model;
