@@ -1,5 +1,6 @@
 #![doc = include_str!("../../../README.md")]
 
+mod contact_table;
 mod output;
 mod readout;
 mod recommend;
@@ -15,6 +16,7 @@ pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;
+pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
 pub use output::{Output, UnknownOutput};
 pub use readout::{Readout, ReadoutColumn, Value};
 pub use recommend::{Comparison, Recommendation, recommend};

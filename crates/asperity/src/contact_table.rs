@@ -1,0 +1,374 @@
+//! Pressure against separation as a table that a finite-element code can interpolate.
+
+use crate::{Compiled, ContactError, Model, Quantity, Request, Scene, Tolerance, linspace};
+
+/// More nodes than this are not added to meet an error.
+const MOST_NODES: usize = 100_000;
+/// Points at which each interval is compared with the model.
+const PROBES: usize = 7;
+
+/// What a finite-element code makes of the space between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Straight lines: the pressure is continuous, its slope is not.
+    Linear,
+    /// Cubics through pressures and stiffnesses (Hermite): both are continuous, as Newton's method
+    /// needs.
+    Hermite,
+}
+
+/// One node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactNode {
+    /// d/σ_z, from the mean of the asperity heights.
+    pub separation: f64,
+    /// Force over nominal area \[Pa\].
+    pub pressure: f64,
+    /// -dp/dd \[Pa/m\], jumps of the law included.
+    pub stiffness: f64,
+}
+
+/// Pressure and stiffness at nodes, and how far what is interpolated between them is off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactTable {
+    /// Ascending separations; pressure falls, all pressures and stiffnesses are positive.
+    pub nodes: Vec<ContactNode>,
+    /// How it is meant to be read between the nodes.
+    pub interpolation: Interpolation,
+    /// Largest relative error of the pressure, measured at seven points between any two nodes.
+    pub pressure_error: f64,
+    /// Largest relative error of the stiffness, measured at the same points.
+    pub stiffness_error: f64,
+    /// σ_z \[m\].
+    pub asperity_height_std: f64,
+}
+
+/// Why there is no table.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TableError {
+    /// The model refused.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// The range is empty.
+    #[error("range is {first} to {last}: a first separation below the last was required")]
+    Range {
+        /// Smallest separation over σ_z.
+        first: f64,
+        /// Largest.
+        last: f64,
+    },
+    /// A solver cannot use a pressure that does not fall as the surfaces part.
+    #[error(
+        "{model}: at a separation of {separation} asperity_height_std the pressure is {pressure:e} Pa and its stiffness {stiffness:e} Pa/m: both above 0 were required, at every separation of the range"
+    )]
+    NotFalling {
+        /// The model.
+        model: String,
+        /// Separation over σ_z.
+        separation: f64,
+        /// Pressure \[Pa\].
+        pressure: f64,
+        /// Stiffness \[Pa/m\].
+        stiffness: f64,
+    },
+    /// The cubic between two nodes would rise and fall.
+    #[error(
+        "{nodes} nodes are too few: the cubic between separations {from} and {to} is not monotone; more nodes were required"
+    )]
+    Overshoot {
+        /// Number of nodes.
+        nodes: usize,
+        /// Separation of one node over σ_z.
+        from: f64,
+        /// Of the next.
+        to: f64,
+    },
+    /// An error that cannot be met.
+    #[error(
+        "error is {error:e}: one that 100000 nodes and the tolerance of the integrals can meet was required"
+    )]
+    TooFine {
+        /// The relative error asked for.
+        error: f64,
+    },
+}
+
+impl ContactTable {
+    /// `count` ≥ 2 nodes at equal distances.
+    ///
+    /// # Errors
+    /// [`TableError`]; the integrals are done to `tolerance`.
+    pub fn even(
+        model: &Model,
+        scene: &Scene,
+        tolerance: Tolerance,
+        (first, last, count): (f64, f64, usize),
+        interpolation: Interpolation,
+    ) -> Result<Self, TableError> {
+        let builder = Builder::new(model, scene, tolerance, interpolation)?;
+        builder.table(builder.even(first, last, count)?)
+    }
+
+    /// As [`even`](Self::even), with nodes added between those until no interpolated pressure is
+    /// off by more than a relative `error`.
+    ///
+    /// ```
+    /// use asperity::{ContactTable, Interface, Interpolation, Scene, Surface, Tolerance};
+    ///
+    /// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
+    /// let (range, cubic) = ((0.0, 4.0, 2), Interpolation::Hermite);
+    /// let table =
+    ///     ContactTable::within(&"ke".parse()?, &scene, Tolerance::default(), range, 1e-6, cubic)?;
+    /// assert!(table.pressure_error <= 1e-6 && table.nodes.len() < 100);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TableError`]; the integrals are done to `tolerance`, below which `error` cannot be met.
+    pub fn within(
+        model: &Model,
+        scene: &Scene,
+        tolerance: Tolerance,
+        (first, last, count): (f64, f64, usize),
+        error: f64,
+        interpolation: Interpolation,
+    ) -> Result<Self, TableError> {
+        crate::positive("error", error)?;
+        let builder = Builder::new(model, scene, tolerance, interpolation)?;
+        let even = builder.even(first, last, count)?;
+        let mut nodes = vec![even[0]];
+        // Intervals still to be looked at, the next one on top.
+        let mut ahead: Vec<ContactNode> = even[1..].iter().rev().copied().collect();
+        while let (Some(&from), Some(&to)) = (nodes.last(), ahead.last()) {
+            if builder.monotone(&from, &to) && builder.errors(&from, &to)?.0 <= error {
+                nodes.push(to);
+                ahead.pop();
+                continue;
+            }
+            let middle = 0.5 * (from.separation + to.separation);
+            if nodes.len() + ahead.len() >= MOST_NODES || !(from.separation < middle) {
+                return Err(TableError::TooFine { error });
+            }
+            ahead.push(builder.node(middle)?);
+        }
+        builder.table(nodes)
+    }
+
+    /// The separation over σ_z at which the tangent of the last node reaches pressure 0: a table
+    /// that ends there has no kink at the last node. The model's own pressure beyond the last node
+    /// is below that node's.
+    #[must_use]
+    pub fn cut_off(&self) -> Option<f64> {
+        let last = self.nodes.last()?;
+        Some(last.separation + last.pressure / last.stiffness / self.asperity_height_std)
+    }
+}
+
+struct Builder {
+    compiled: Compiled,
+    nominal_area: f64,
+    interpolation: Interpolation,
+}
+
+impl Builder {
+    fn new(
+        model: &Model,
+        scene: &Scene,
+        tolerance: Tolerance,
+        interpolation: Interpolation,
+    ) -> Result<Self, TableError> {
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let compiled = model.compile(scene, &request)?;
+        Ok(Self { compiled, nominal_area: scene.nominal_area, interpolation })
+    }
+
+    fn node(&self, separation: f64) -> Result<ContactNode, TableError> {
+        let value = |quantity| -> Result<f64, ContactError> {
+            Ok(self.compiled.evaluate(quantity, separation)?.value() / self.nominal_area)
+        };
+        let (pressure, stiffness) = (value(Quantity::Force)?, value(Quantity::Tangent)?);
+        if pressure > 0.0 && stiffness > 0.0 {
+            return Ok(ContactNode { separation, pressure, stiffness });
+        }
+        let model = self.compiled.model().into();
+        Err(TableError::NotFalling { model, separation, pressure, stiffness })
+    }
+
+    fn even(&self, first: f64, last: f64, count: usize) -> Result<Vec<ContactNode>, TableError> {
+        if !(first < last) {
+            return Err(TableError::Range { first, last });
+        }
+        linspace(first, last, count.max(2)).into_iter().map(|s| self.node(s)).collect()
+    }
+
+    fn table(&self, nodes: Vec<ContactNode>) -> Result<ContactTable, TableError> {
+        let (mut pressure_error, mut stiffness_error) = (0.0, 0.0);
+        for pair in nodes.windows(2) {
+            let (from, to) = (&pair[0], &pair[1]);
+            if !self.monotone(from, to) {
+                let nodes = nodes.len();
+                return Err(TableError::Overshoot {
+                    nodes,
+                    from: from.separation,
+                    to: to.separation,
+                });
+            }
+            let (pressure, stiffness) = self.errors(from, to)?;
+            pressure_error = f64::max(pressure_error, pressure);
+            stiffness_error = f64::max(stiffness_error, stiffness);
+        }
+        Ok(ContactTable {
+            nodes,
+            interpolation: self.interpolation,
+            pressure_error,
+            stiffness_error,
+            asperity_height_std: self.compiled.asperity_height_std(),
+        })
+    }
+
+    /// Slopes at both ends over the secant's: positive, because the pressure falls.
+    fn slopes(&self, from: &ContactNode, to: &ContactNode) -> (f64, f64) {
+        let width = (to.separation - from.separation) * self.compiled.asperity_height_std();
+        let secant = (from.pressure - to.pressure) / width;
+        (from.stiffness / secant, to.stiffness / secant)
+    }
+
+    /// Whether what is interpolated falls all the way: the exact condition for cubics of Fritsch
+    /// and Carlson (1980). \[recalled, and checked against the extrema of cubics below\]
+    fn monotone(&self, from: &ContactNode, to: &ContactNode) -> bool {
+        if to.pressure >= from.pressure {
+            return false;
+        }
+        let (a, b) = self.slopes(from, to);
+        self.interpolation == Interpolation::Linear || cubic_is_monotone(a, b)
+    }
+
+    /// The largest relative errors of pressure and stiffness between two nodes.
+    fn errors(&self, from: &ContactNode, to: &ContactNode) -> Result<(f64, f64), TableError> {
+        let fall = from.pressure - to.pressure;
+        let (a, b) = match self.interpolation {
+            Interpolation::Linear => (1.0, 1.0),
+            Interpolation::Hermite => self.slopes(from, to),
+        };
+        let width = to.separation - from.separation;
+        let (mut pressure_error, mut stiffness_error): (f64, f64) = (0.0, 0.0);
+        for k in 1..=PROBES {
+            let t = k as f64 / (PROBES + 1) as f64;
+            let exact = self.node(from.separation + t * width)?;
+            let pressure = from.pressure - fall * cubic(a, b, t);
+            let secant = fall / (width * self.compiled.asperity_height_std());
+            let stiffness = secant * cubic_slope(a, b, t);
+            pressure_error = pressure_error.max((pressure / exact.pressure - 1.0).abs());
+            stiffness_error = stiffness_error.max((stiffness / exact.stiffness - 1.0).abs());
+        }
+        Ok((pressure_error, stiffness_error))
+    }
+}
+
+/// The cubic from 0 at t = 0 to 1 at t = 1 with slopes a and b there.
+fn cubic(a: f64, b: f64, t: f64) -> f64 {
+    t * (a + t * ((3.0 - 2.0 * a - b) + t * (a + b - 2.0)))
+}
+
+fn cubic_slope(a: f64, b: f64, t: f64) -> f64 {
+    a + t * (2.0 * (3.0 - 2.0 * a - b) + 3.0 * t * (a + b - 2.0))
+}
+
+fn cubic_is_monotone(a: f64, b: f64) -> bool {
+    let (excess, lean) = (a + b - 2.0, 2.0 * a + b - 3.0);
+    a >= 0.0
+        && b >= 0.0
+        && (excess <= 0.0 || lean <= 0.0 || a + 2.0 * b <= 3.0 || 3.0 * a * excess >= lean * lean)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Interface, Surface};
+
+    fn scene() -> Scene {
+        let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+        interface.equivalent_shear_modulus = Some(41e9);
+        Scene::new(interface, Surface::new(3.59e-4, 1.11e8, 1e-6), 3e-5)
+    }
+
+    fn even(count: usize, interpolation: Interpolation) -> ContactTable {
+        let (model, tolerance) = ("ke".parse().unwrap(), Tolerance::default());
+        ContactTable::even(&model, &scene(), tolerance, (0.0, 4.0, count), interpolation).unwrap()
+    }
+
+    #[test]
+    fn errors_fall_as_the_interpolation_promises() {
+        // Halving the intervals divides the error by 2² for lines and by 2⁴ for cubics.
+        for (interpolation, order) in [(Interpolation::Linear, 4.0), (Interpolation::Hermite, 16.0)]
+        {
+            let (coarse, fine) = (even(81, interpolation), even(161, interpolation));
+            let ratio = coarse.pressure_error / fine.pressure_error;
+            assert!((ratio / order - 1.0).abs() < 0.15, "{interpolation:?}: {ratio}");
+        }
+    }
+
+    #[test]
+    fn an_asked_error_is_met_with_few_nodes() {
+        let (model, tolerance) = ("ke".parse().unwrap(), Tolerance::default());
+        for (interpolation, most) in [(Interpolation::Linear, 700), (Interpolation::Hermite, 90)] {
+            let range = (-1.0, 4.0, 2);
+            let within = |error| {
+                ContactTable::within(&model, &scene(), tolerance, range, error, interpolation)
+            };
+            let table = within(1e-4).unwrap();
+            assert!(
+                table.pressure_error <= 1e-4 && table.nodes.len() <= most,
+                "{}",
+                table.nodes.len()
+            );
+            assert!(
+                table
+                    .nodes
+                    .is_sorted_by(|a, b| a.separation < b.separation && a.pressure > b.pressure)
+            );
+            assert!(within(1e-17).is_err());
+        }
+    }
+
+    #[test]
+    fn the_tangent_of_the_last_node_ends_the_table() {
+        let table = even(41, Interpolation::Linear);
+        let (last, end) = (table.nodes[40], table.cut_off().unwrap());
+        let slope = last.pressure / ((end - last.separation) * 1e-6);
+        assert!(end > 4.0 && (slope / last.stiffness - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_a_solver_cannot_use_is_refused() {
+        let interface = scene().interface;
+        let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
+        let odd = Scene { surface, ..scene() };
+        let table = |scene: &Scene, id: &str, range| {
+            let (model, cubic) = (id.parse().unwrap(), Interpolation::Hermite);
+            ContactTable::even(&model, scene, Tolerance::default(), range, cubic)
+        };
+        let message = table(&odd, "at", (0.0, 4.0, 9)).unwrap_err().to_string();
+        assert!(message.starts_with("AT: at a separation of") && message.contains("required"));
+        let message = table(&scene(), "ke", (0.0, 6.0, 2)).unwrap_err().to_string();
+        assert!(message.starts_with("2 nodes are too few"), "{message}");
+        assert!(table(&scene(), "ke", (1.0, 1.0, 5)).is_err());
+    }
+
+    #[test]
+    fn the_condition_for_cubics_is_that_their_slope_has_no_root_inside() {
+        for i in 0..80 {
+            for k in 0..80 {
+                let (a, b) = (0.06 * f64::from(i), 0.06 * f64::from(k));
+                let least = (0..=1000)
+                    .map(|t| cubic_slope(a, b, f64::from(t) / 1000.0))
+                    .fold(f64::INFINITY, f64::min);
+                // Within what 1001 points can tell of a parabola.
+                if least.abs() > 1e-4 {
+                    assert_eq!(cubic_is_monotone(a, b), least > 0.0, "{a} {b} {least}");
+                }
+            }
+        }
+    }
+}
