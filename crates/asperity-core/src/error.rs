@@ -87,13 +87,15 @@ pub enum ContactError {
     },
     /// No separation that is looked at carries this load.
     #[error(
-        "load is {load:e} N: a load of at most {largest:e} N, the force at -64 asperity_height_std, was required"
+        "load is {load:?} N: a load above 0 and at most {largest:e} N, the force at a separation of {separation:?} asperity_height_std, was required"
     )]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
         /// The largest force \[N\].
         largest: f64,
+        /// Where it is, over σ_z: the smallest separation that can be evaluated.
+        separation: f64,
     },
     /// The integral could not be computed.
     #[error("{quantity} at separation {separation} (in asperity_height_std): {source}")]

@@ -4,8 +4,11 @@ use asperity_quadrature::bracketed_root;
 
 use crate::{Compiled, ContactError, Quantity};
 
-/// The smallest separation that is looked at, over σ_z.
-const DEEPEST: f64 = -64.0;
+/// The smallest separation that can be evaluated, over σ_z.
+const DEEPEST: f64 = -1e6;
+/// Down to here, crossings are looked for where the force need not be monotone; deeper down all
+/// asperities are in contact, and none is known to turn around.
+const DEEP: f64 = -64.0;
 /// Where the force need not be monotone, crossings nearer to each other than this may be missed.
 const STEP: f64 = 0.1;
 
@@ -13,9 +16,10 @@ impl Compiled {
     /// The separations d/σ_z at which the force is `load` \[N\], ascending: one for a model whose
     /// force is monotone, possibly several for others (AT as printed rises and falls).
     ///
-    /// Any load that a double can hold is met, far tails included, to the last digits of d;
-    /// separations are sought from -64 on, and where the force is not monotone, from the first
-    /// separation above which it falls below the load for good down to -64 in steps of 0.1.
+    /// Any load that a double can hold is met, far tails included, to the last digits of d, down
+    /// to a separation of -1e6. Where the force is not monotone, crossings are sought in steps of
+    /// 0.1 from the first separation above which it falls below the load for good down to -64, and
+    /// in steps that double further down.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a load that is not positive, [`ContactError::OutOfReach`]
@@ -28,12 +32,6 @@ impl Compiled {
             let force = self.evaluate(Quantity::Force, s)?;
             Ok(if force.scaled > 0.0 { force.ln_value() - ln_load } else { -f64::MAX })
         };
-        let root = |low: f64, high: f64| -> Result<Option<f64>, ContactError> {
-            // The ends have been evaluated; inside, nothing new can go wrong.
-            above(low)?;
-            above(high)?;
-            Ok(bracketed_root(|s| above(s).unwrap_or(f64::NAN), low, high))
-        };
         let mut high = 1.0;
         // Whatever its sign, the force must be below the load from there on.
         while self.evaluate(Quantity::Force, high)?.ln_value() > ln_load {
@@ -41,23 +39,31 @@ impl Compiled {
             high *= 2.0;
         }
         let mut found = vec![];
+        let mut above_high = above(high)?;
         let mut step = if self.monotone() { 1.0 } else { STEP };
         while high > DEEPEST {
-            let low = (high - step).max(DEEPEST);
-            if above(low)? * above(high)? <= 0.0 {
-                found.extend(root(low, high)?);
-                if self.monotone() {
-                    break;
-                }
+            let low = if high > DEEP && !self.monotone() {
+                (high - step).max(DEEP)
+            } else if found.is_empty() {
+                step = (2.0 * step).max(1.0);
+                (high - step).max(DEEPEST)
+            } else {
+                break;
+            };
+            let above_low = match above(low) {
+                // Where the integrals end, so does what can be carried.
+                Err(ContactError::Integral { .. }) if low < DEEP => break,
+                other => other?,
+            };
+            if above_low * above_high <= 0.0 {
+                // The ends have been evaluated; inside, nothing new can go wrong.
+                found.extend(bracketed_root(|s| above(s).unwrap_or(f64::NAN), low, high));
             }
-            high = low;
-            if self.monotone() {
-                step *= 2.0;
-            }
+            (high, above_high) = (low, above_low);
         }
         if found.is_empty() {
-            let largest = self.evaluate(Quantity::Force, DEEPEST)?.value();
-            return Err(ContactError::OutOfReach { load, largest });
+            let largest = self.evaluate(Quantity::Force, high)?.value();
+            return Err(ContactError::OutOfReach { load, largest, separation: high });
         }
         found.sort_by(f64::total_cmp);
         found.dedup();
@@ -107,6 +113,18 @@ mod tests {
                 found.len() == 1 && (found[0] - s).abs() < 1e-12 * (1.0 + s.abs()),
                 "{s}: {found:?}"
             );
+        }
+    }
+
+    #[test]
+    fn loads_that_press_all_asperities_flat_are_met_too() {
+        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
+        let compiled = Hertz.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        for s in [-70.0, -1e5] {
+            let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
+            let found = compiled.separations_at(load).unwrap();
+            // Each force is integrated anew there, to the tolerance of 1e-10.
+            assert!(found.len() == 1 && (found[0] / s - 1.0).abs() < 1e-9, "{s}: {found:?}");
         }
     }
 

@@ -35,6 +35,18 @@ pub enum Warning {
         /// Natural logarithm of the absolute value there.
         ln_value: f64,
     },
+    /// The asperities' contacts would cover more than there is: such a load or approach is beyond
+    /// what asperities that do not feel each other can describe.
+    AreaAboveNominal {
+        /// The model.
+        model: String,
+        /// At how many of the asked separations.
+        count: usize,
+        /// The first of these separations, over σ_z.
+        separation: f64,
+        /// Real over nominal area there.
+        fraction: f64,
+    },
     /// No asperity is high enough to touch, so that ratios have no value.
     NoContact {
         /// The model.
@@ -65,6 +77,10 @@ impl fmt::Display for Warning {
             Self::Underflow { model, quantity, count, separation, ln_value } => write!(
                 f,
                 "{model}: the {quantity} is too small for a double at {count} of the separations, first at {separation} asperity_height_std, and reads 0 there: its natural logarithm is {ln_value:.6}"
+            ),
+            Self::AreaAboveNominal { model, count, separation, fraction } => write!(
+                f,
+                "{model}: the area is above the nominal area at {count} of the separations, first at {separation} asperity_height_std ({fraction:.4} times): asperities that do not feel each other cannot describe this"
             ),
             Self::NoContact { model, count, separation } => write!(
                 f,

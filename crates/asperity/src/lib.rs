@@ -1,6 +1,8 @@
 #![doc = include_str!("../../../README.md")]
 
 mod contact_table;
+mod counting;
+mod cubic;
 mod output;
 mod readout;
 mod recommend;
@@ -19,5 +21,5 @@ pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
 pub use output::{Output, UnknownOutput};
 pub use readout::{Readout, ReadoutColumn, Value};
-pub use recommend::{Comparison, Recommendation, recommend};
+pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;

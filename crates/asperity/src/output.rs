@@ -93,6 +93,18 @@ impl Output {
         }
     }
 
+    /// How far a value is from a reference: relative to the reference, but the difference for
+    /// logarithms and shares; `None` where that is no number.
+    #[must_use]
+    pub fn deviation(self, value: f64, reference: f64) -> Option<f64> {
+        let deviation = match self {
+            Self::LnForce | Self::LnArea => value - reference,
+            _ if self.regime().is_some() => value - reference,
+            _ => value / reference - 1.0,
+        };
+        deviation.is_finite().then_some(deviation)
+    }
+
     /// The regime whose share it is.
     #[must_use]
     pub fn regime(self) -> Option<Regime> {
@@ -170,6 +182,14 @@ mod tests {
             assert_eq!(output.to_string().parse(), Ok(output));
             assert_eq!(output.to_string().replace('-', "_").to_uppercase().parse(), Ok(output));
         }
+    }
+
+    #[test]
+    fn deviations_are_relative_where_sizes_are_compared() {
+        assert_eq!(Output::Force.deviation(3.0, 2.0), Some(0.5));
+        assert_eq!(Output::LnForce.deviation(-3.0, -2.0), Some(-1.0));
+        assert_eq!(Output::PlasticShare.deviation(0.0, 0.5), Some(-0.5));
+        assert_eq!(Output::Force.deviation(0.0, 0.0), None);
     }
 
     #[test]

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use crate::counting::Counting;
 use crate::{
-    Asperity, Compiled, ContactError, ContactModel, Evaluation, Law, Model, Output, Power,
-    Provenance, Quantity, Request, Scene, Source, Tolerance, Warning,
+    Compiled, ContactError, ContactModel, Evaluation, Model, Output, Quantity, Request, Scene,
+    Warning,
 };
 
 /// A value with a bound on its error.
@@ -171,6 +172,15 @@ impl Readout {
         if let Some((count, separation)) = odd(|f| f.value.value.is_none()) {
             warnings.push(Warning::NoContact { model: model(), count, separation });
         }
+        if matches!(output, Output::Area | Output::AreaFraction) {
+            let nominal = if output == Output::Area { self.nominal_area } else { 1.0 };
+            let fraction = |f: &Found| f.value.value.unwrap_or(0.0) / nominal;
+            let mut above = found.iter().zip(separations).filter(|(f, _)| fraction(f) > 1.0);
+            if let Some((first, &separation)) = above.next() {
+                let (model, count, fraction) = (model(), above.count() + 1, fraction(first));
+                warnings.push(Warning::AreaAboveNominal { model, count, separation, fraction });
+            }
+        }
         // Logarithms and shares hide the sign: it is that of the quantity behind them.
         if let Some((count, separation)) = odd(|f| f.negative) {
             for &quantity in output.needs() {
@@ -240,28 +250,6 @@ impl Found {
     }
 }
 
-/// Asperities that all answer 1: their force is the number of contacts.
-#[derive(Debug)]
-struct Counting;
-
-impl ContactModel for Counting {
-    fn source(&self) -> &Source {
-        &Source {
-            id: "contacts",
-            name: "contacts",
-            authors: "",
-            year: 0,
-            title: "",
-            provenance: Provenance::Derived,
-        }
-    }
-
-    fn law(&self, asperity: &Asperity, _: Quantity, _: Tolerance) -> Result<Law, ContactError> {
-        let one = [Power::new(1.0, 0.0)];
-        Ok(Law::in_units(asperity.radius, 1.0).elastic(0.0..f64::INFINITY, one))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -321,6 +309,17 @@ mod tests {
         let text = column.warnings.iter().map(ToString::to_string).collect::<String>();
         assert!(text.contains("too small for a double at 1 of the separations, first at 400"));
         assert!(readout.column(Output::LnForce, &[400.0], || ()).unwrap().warnings.is_empty());
+    }
+
+    #[test]
+    fn more_contact_than_there_is_room_for_is_warned_of() {
+        let readout = readout("gw", &scene());
+        for output in [Output::Area, Output::AreaFraction] {
+            let warnings = readout.column(output, &[-40.0, 0.0], || ()).unwrap().warnings;
+            assert!(
+                matches!(warnings[..], [Warning::AreaAboveNominal { count: 1, fraction, .. }] if fraction > 1.0)
+            );
+        }
     }
 
     #[test]

@@ -65,13 +65,28 @@ pub fn recommend(
     reference: &Model,
     within: f64,
 ) -> Result<Recommendation, ContactError> {
+    recommend_among(Model::all(), scene, request, reference, within)
+}
+
+/// As [`recommend`], among these models, in the order of preference: those with a scene's options,
+/// say, or with some of your own.
+///
+/// # Errors
+/// Those of [`recommend`].
+pub fn recommend_among(
+    models: Vec<Model>,
+    scene: &Scene,
+    request: &Request,
+    reference: &Model,
+    within: f64,
+) -> Result<Recommendation, ContactError> {
     crate::positive("within", within)?;
     if request.separations.is_empty() {
         let (field, required) = ("number of separations", "at least 1");
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
     }
     let wanted = logarithms(reference, scene, request)?;
-    let comparisons: Vec<Comparison> = Model::all()
+    let comparisons: Vec<Comparison> = models
         .into_iter()
         .map(|model| {
             let deviations = logarithms(&model, scene, request).map(|found| {
