@@ -1,0 +1,10 @@
+//! One command a file.
+
+pub mod compare;
+pub mod curve;
+pub mod export;
+pub mod init;
+pub mod models;
+pub mod plan;
+pub mod recommend;
+pub mod solve;

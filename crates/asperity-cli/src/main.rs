@@ -1,0 +1,129 @@
+//! The program `asperity`: rough contact from a scene file.
+//!
+//! Data goes to the standard output, words to the standard error; exit code 0, 1 for bad input,
+//! 2 for bad usage. Parsing and printing only: what is computed is computed by the libraries.
+
+mod args;
+mod commands;
+mod number;
+mod numbers;
+mod output;
+mod plot;
+mod progress;
+mod reading;
+mod scene;
+mod table;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+
+use commands::{compare, curve, export, init, models, plan, recommend, solve};
+
+/// Rough surfaces in contact: force, real area and stiffness by nine published models
+#[derive(Debug, Parser)]
+#[command(name = "asperity", version, arg_required_else_help = true)]
+#[command(after_help = "Examples:
+  asperity init --output scene.toml
+  asperity curve scene.toml --model gw,ke --separation 0:4:5 --format table
+  asperity solve scene.toml --model ke --load 100
+
+Data goes to standard output, words to standard error.
+Exit code: 0 done, 1 bad input, 2 bad usage.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Curve(curve::Curve),
+    Solve(solve::Solve),
+    Compare(compare::Compare),
+    Plan(plan::Plan),
+    Recommend(recommend::Recommend),
+    Models(models::Models),
+    Init(init::Init),
+    Export(export::Export),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse_from(with_negative_numbers(std::env::args_os())).command {
+        Command::Curve(command) => command.run(),
+        Command::Solve(command) => command.run(),
+        Command::Compare(command) => command.run(),
+        Command::Plan(command) => command.run(),
+        Command::Recommend(command) => command.run(),
+        Command::Models(command) => command.run(),
+        Command::Init(command) => command.run(),
+        Command::Export(command) => command.run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) if output::is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            output::say("error", &format!("{error:#}"));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// `--separation -1:4:11` as `--separation=-1:4:11`: clap takes words that begin with a dash for
+/// flags, unless it is told to swallow flags as well.
+fn with_negative_numbers(words: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut joined: Vec<OsString> = vec![];
+    let mut flags_end = false;
+    for word in words {
+        let bytes = word.as_encoded_bytes();
+        let is_negative = matches!(bytes, [b'-', b'0'..=b'9' | b'.', ..]);
+        flags_end |= bytes == b"--";
+        match joined.last_mut() {
+            Some(flag) if is_negative && !flags_end && is_bare_flag(flag) => {
+                flag.push("=");
+                flag.push(word);
+            }
+            _ => joined.push(word),
+        }
+    }
+    joined
+}
+
+fn is_bare_flag(word: &OsString) -> bool {
+    let bytes = word.as_encoded_bytes();
+    bytes.len() > 2 && bytes.starts_with(b"--") && !bytes.contains(&b'=')
+}
+
+/// Ends the program as clap does for arguments that it refuses.
+fn usage_error(subcommand: &str, kind: ErrorKind, text: &str) -> ! {
+    let mut command = Cli::command();
+    command.build();
+    match command.find_subcommand_mut(subcommand) {
+        Some(command) => command.error(kind, text).exit(),
+        None => command.error(kind, text).exit(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clap_accepts_the_definitions() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn negative_numbers_belong_to_the_flag_before_them_and_nothing_else_does() {
+        let joined = |text: &str| {
+            let words = with_negative_numbers(text.split(' ').map(OsString::from));
+            words.iter().map(|w| w.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(joined("a --separation -1:4:11 b"), "a --separation=-1:4:11 b");
+        assert_eq!(joined("a --separation -.5 -- --x -1"), "a --separation=-.5 -- --x -1");
+        for same in ["a --separation --model ke", "a --x=1 -1", "a b -1", "a --x 1 -1", "a -- -1"] {
+            assert_eq!(joined(same), same);
+        }
+    }
+}
