@@ -1,0 +1,111 @@
+//! A folder with a scene in it, and the program run there.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use asperity_scene::SceneFile;
+
+/// A scene without a shear modulus.
+pub const NO_SHEAR: &str = "nominal_area = 3e-5
+[interface]
+equivalent_modulus = 116e9
+poissons_ratio = 0.31
+hardness = 1.12e9
+[surface]
+asperity_radius = 3.59e-4
+asperity_density = 1.11e8
+asperity_height_std = 1e-6
+";
+
+/// A scene whose printed AT force is negative around a separation of 1.
+pub const NEGATIVE: &str = "nominal_area = 3e-5
+[interface]
+equivalent_modulus = 116e9
+equivalent_shear_modulus = 41e9
+poissons_ratio = 0.31
+hardness = 1.12e9
+[surface]
+plasticity_index = 2.0
+roughness_parameter = 0.04
+asperity_height_std = 1e-6
+";
+
+pub struct Bench {
+    folder: tempfile::TempDir,
+}
+
+/// What a run left behind.
+pub struct Run {
+    pub code: Option<i32>,
+    pub out: String,
+    pub words: String,
+}
+
+impl Bench {
+    /// With the template as `scene.toml`.
+    pub fn new() -> Self {
+        let bench = Self { folder: tempfile::tempdir().unwrap() };
+        bench.write("scene.toml", asperity_scene::template());
+        bench
+    }
+
+    pub fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder().join(name)
+    }
+
+    pub fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    pub fn command(&self) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_asperity"));
+        command.current_dir(self.folder());
+        command
+    }
+
+    /// Runs words that are separated by blanks.
+    pub fn run(&self, words: &str) -> Run {
+        Run::of(self.command().args(words.split_whitespace()).output().unwrap())
+    }
+
+    /// The data of a run that succeeds.
+    pub fn data(&self, words: &str) -> String {
+        let run = self.run(words);
+        assert_eq!(run.code, Some(0), "asperity {words}\n{}", run.words);
+        run.out
+    }
+
+    pub fn scene(&self, name: &str) -> SceneFile {
+        asperity_scene::load(&self.path(name)).unwrap()
+    }
+}
+
+impl Run {
+    pub fn of(output: Output) -> Self {
+        let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
+        Self { code: output.status.code(), out: text(output.stdout), words: text(output.stderr) }
+    }
+}
+
+/// A csv: its head, and its rows.
+pub fn csv(text: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let head = lines.next().unwrap().split(',').collect();
+    (head, lines.map(|line| line.split(',').collect()).collect())
+}
+
+/// The numbers of one column.
+pub fn column(text: &str, name: &str) -> Vec<f64> {
+    let (head, rows) = csv(text);
+    let place = head.iter().position(|h| *h == name).unwrap_or_else(|| panic!("no {name}"));
+    rows.iter().map(|row| row[place].parse().unwrap()).collect()
+}

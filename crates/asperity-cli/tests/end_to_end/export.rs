@@ -1,0 +1,83 @@
+//! `export`: the tables say how good they are, and are.
+
+use asperity::{Model, Quantity, Request};
+
+use crate::bench::{Bench, NEGATIVE, column};
+
+/// Pressures of the model itself at clearances in metres.
+fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
+    let scene = bench.scene("scene.toml").scene;
+    let std = scene.surface.asperity_height_std;
+    let request = Request::new([Quantity::Force]).at_metres(clearances.iter().copied(), std);
+    let answer = "ke".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
+    answer.values(Quantity::Force).unwrap().iter().map(|f| f / scene.nominal_area).collect()
+}
+
+fn stated_error(table: &str, before: &str) -> f64 {
+    let (_, after) = table.split_once(before).unwrap();
+    after.split_whitespace().next().unwrap().trim_end_matches(',').parse().unwrap()
+}
+
+#[test]
+fn cubics_through_the_csv_are_as_good_as_it_says() {
+    let bench = Bench::new();
+    let table = bench.data("export scene.toml --model ke --as csv --range -1:4:51");
+    let [x, p, k] =
+        ["clearance_m", "pressure_pa", "stiffness_pa_per_m"].map(|name| column(&table, name));
+    assert_eq!(x.len(), 51);
+    let stated = stated_error(&table, "nodes: pressure ");
+    assert!(stated > 1e-7 && stated < 1e-3, "{stated}");
+    let mut worst: f64 = 0.0;
+    for i in 0..50 {
+        // Bernstein form: the same cubic by another road.
+        let h = x[i + 1] - x[i];
+        let control = [p[i], p[i] - k[i] * h / 3.0, p[i + 1] + k[i + 1] * h / 3.0, p[i + 1]];
+        for t in [0.1, 0.35, 0.5, 0.8] {
+            let s: f64 = 1.0 - t;
+            let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
+            let cubic: f64 = weights.iter().zip(control).map(|(w, c)| w * c).sum();
+            let exact = pressures(&bench, &[x[i] + t * h])[0];
+            worst = worst.max((cubic / exact - 1.0).abs());
+        }
+    }
+    assert!(worst <= 1.02 * stated && worst > 0.5 * stated, "{worst} {stated}");
+}
+
+#[test]
+fn lines_through_the_abaqus_pairs_meet_the_error_asked_for() {
+    let bench = Bench::new();
+    let table =
+        bench.data("export scene.toml --model ke --as abaqus --range -1:4 --max-error 1e-2");
+    assert!(table.contains("\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n"));
+    let pairs: Vec<(f64, f64)> = table
+        .lines()
+        .filter(|line| !line.starts_with('*'))
+        .map(|line| {
+            let (p, h) = line.split_once(", ").unwrap();
+            (p.parse().unwrap(), h.parse().unwrap())
+        })
+        .collect();
+    assert!(pairs.len() > 20 && pairs[0].0 == 0.0);
+    assert!(pairs.is_sorted_by(|a, b| a.0 < b.0 && a.1 < b.1));
+    assert!(stated_error(&table, "largest relative error ") <= 1e-2);
+    for pair in pairs[1..].windows(2) {
+        let ((p0, h0), (p1, h1)) = (pair[0], pair[1]);
+        let exact = pressures(&bench, &[-0.5 * (h0 + h1)])[0];
+        assert!((0.5 * (p0 + p1) / exact - 1.0).abs() < 1.001e-2);
+    }
+    // No kink where the cut-off meets the curve.
+    let slope = |k: usize| (pairs[k + 1].0 - pairs[k].0) / (pairs[k + 1].1 - pairs[k].1);
+    assert!((slope(0) / slope(1) - 1.0).abs() < 0.15, "{} {}", slope(0), slope(1));
+}
+
+#[test]
+fn what_a_solver_cannot_use_is_refused() {
+    let bench = Bench::new();
+    bench.write("scene.toml", NEGATIVE);
+    let run = bench.run("export scene.toml --model at --as csv --range 0:3:31");
+    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
+    assert!(run.words.contains("both above 0 were required"), "{}", run.words);
+    let coarse = bench.run("export scene.toml --model ke --as csv --range 0:6:2");
+    assert_eq!(coarse.code, Some(1));
+    assert!(coarse.words.contains("2 nodes are too few"), "{}", coarse.words);
+}

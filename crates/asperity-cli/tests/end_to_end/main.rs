@@ -1,0 +1,11 @@
+//! The built program, driven from outside.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests: a panic is the failure")]
+
+mod bench;
+mod curve;
+mod export;
+mod files;
+mod help;
+mod solve;
+mod usage;
+mod words;

@@ -1,0 +1,89 @@
+//! What is wrong on the command line ends with 2, what is wrong in a file with 1.
+
+use crate::bench::Bench;
+
+#[test]
+fn bad_usage_ends_with_2_and_says_what_is_expected() {
+    let bench = Bench::new();
+    for (words, said) in [
+        ("curv scene.toml", "similar subcommand exists: 'curve'"),
+        ("curve", "<SCENE>"),
+        ("curve scene.toml extra.toml", "unexpected argument 'extra.toml'"),
+        ("curve scene.toml --modle gw", "'--model'"),
+        ("curve scene.toml --model zcm", "did you mean \"zmc\"?"),
+        ("curve scene.toml --model gw ke", "unexpected argument 'ke'"),
+        ("curve scene.toml --model gw,,ke", "model \"\" is not known"),
+        ("curve scene.toml --model", "a value is required"),
+        ("curve scene.toml --model --errors", "a value is required"),
+        ("curve scene.toml --quantity stifness", "did you mean \"stiffness\"?"),
+        ("curve scene.toml --separation", "a value is required"),
+        ("curve scene.toml --separation --errors", "a value is required"),
+        ("curve scene.toml --separation 4:0:11", "A below B"),
+        ("curve scene.toml --separation 0:4:1", "a whole number from 2"),
+        ("curve scene.toml --separation 0:4", "A:B:N"),
+        ("curve scene.toml --separation 1,two", "\"two\" is not a number"),
+        ("curve scene.toml --separation nan", "finite"),
+        ("curve scene.toml --separation-unit mm", "sigma"),
+        ("curve scene.toml --tolerance 0", "1e-15 to 0.1"),
+        ("curve scene.toml --format xml", "[possible values: csv, json, table]"),
+        ("solve scene.toml --model ke", "--load"),
+        ("solve scene.toml --load 5", "--model"),
+        ("solve scene.toml --model ke --load -5", "-5 is not above 0"),
+        ("solve scene.toml --model ke --load 5 --pressure 5", "cannot be used with"),
+        ("compare scene.toml --separation 1 --load 5", "cannot be used with"),
+        ("recommend scene.toml --quantity pressure", "force, area, stiffness or tangent"),
+        ("export scene.toml --model ke --as csv --range 0:4", "needs --max-error"),
+        ("export scene.toml --model ke --as ansys --range 0:4:5", "abaqus"),
+        ("export scene.toml --model ke --as csv --range 4:0:5", "A below B"),
+    ] {
+        let run = bench.run(words);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "asperity {words}\n{}", run.words);
+        assert!(run.words.starts_with("error: "), "asperity {words}\n{}", run.words);
+        assert!(run.words.contains(said), "asperity {words}\n{}", run.words);
+    }
+    let run = bench.run("");
+    assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
+    assert!(run.words.contains("Usage: asperity <COMMAND>"), "{}", run.words);
+}
+
+#[test]
+fn bad_input_ends_with_1_and_says_where_it_stands() {
+    let bench = Bench::new();
+    let template = asperity_scene::template();
+    let commands = [
+        "curve bad.toml",
+        "solve bad.toml --model ke --load 1",
+        "compare bad.toml",
+        "plan bad.toml",
+        "recommend bad.toml",
+        "export bad.toml --model ke --as csv --range 0:4:9",
+    ];
+    for (from, to, said) in [
+        ("nominal_area =", "nominal_aera =", &["bad.toml:", "did you mean \"nominal_area\"?"][..]),
+        ("poissons_ratio = 0.3", "poissons_ratio = 0.7", &["bad.toml:", "poissons_ratio", "0.7"]),
+        ("poissons_ratio = 0.3", "poissons_ratio = \"x\"", &["bad.toml:", "poissons_ratio", "x"]),
+        ("asperity_radius = 2e-4", "", &["bad.toml:", "surface", "asperity_radius"]),
+        ("nominal_area = 1e-4", "nominal_area = ", &["bad.toml:"]),
+    ] {
+        bench.write("bad.toml", &template.replacen(from, to, 1));
+        for words in commands {
+            let run = bench.run(words);
+            assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "asperity {words}: {to}");
+            assert!(run.words.starts_with("error: "), "{}", run.words);
+            for said in said {
+                assert!(run.words.contains(said), "asperity {words}: {to}\n{}", run.words);
+            }
+        }
+    }
+    let run = bench.run("curve nowhere.toml");
+    assert_eq!(run.code, Some(1));
+    assert!(run.words.contains("nowhere.toml"), "{}", run.words);
+}
+
+#[test]
+fn values_beyond_what_can_be_integrated_are_bad_input() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model ke --separation 2e9");
+    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
+    assert!(run.words.contains("ke: separation is 2000000000.0"), "{}", run.words);
+}
