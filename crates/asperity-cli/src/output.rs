@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use tempfile::Builder;
 
 /// What `--output` says: a file, or `-` for the standard output.
@@ -57,6 +57,14 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     out.flush()?;
     drop(out);
     file.persist(&target).map_err(|refused| refused.error)?;
+    Ok(())
+}
+
+/// A scene may hold an hour's work: it is replaced only when that is asked for.
+pub fn refuse_to_replace(path: &Path, force: bool) -> Result<()> {
+    if !force && fs::metadata(path).is_ok_and(|found| found.is_file() && found.len() > 0) {
+        bail!("{} exists: another name, or --force to replace it, was required", path.display());
+    }
     Ok(())
 }
 

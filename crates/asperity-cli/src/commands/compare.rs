@@ -16,15 +16,13 @@ use crate::table::{Format, Table};
 
 /// Models beside each other at one separation or load, with their deviation from a reference
 #[derive(Debug, Args)]
-#[command(
-    after_help = "Deviations are relative to the reference (differences, for logarithms and \
+#[command(after_help = "Deviations are relative to the reference (differences, for logarithms and
 shares). At a load, each model is at its own separation.
 
 Examples:
   asperity compare scene.toml
   asperity compare scene.toml --load 100 --reference jg --quantity area,mean-pressure
-  asperity compare scene.toml --separation -0.5 --model gw,ke,gao --format csv"
-)]
+  asperity compare scene.toml --separation -0.5 --model gw,ke,gao --format csv")]
 pub struct Compare {
     #[command(flatten)]
     scene: SceneArgs,

@@ -15,13 +15,15 @@ use crate::{output, plot};
 
 /// Quantities against separation
 #[derive(Debug, Args)]
-#[command(after_help = "Columns: model, separation_over_sigma, separation_m, then the quantities \
-as asked, in SI units.
+#[command(
+    after_help = "Columns: model, separation_over_sigma, separation_m, then the quantities as
+asked, in SI units.
 
 Examples:
   asperity curve scene.toml --format table --model gw,ke --separation -1:4:6
   asperity curve scene.toml --quantity mean-pressure --output curve.csv --plot curve.svg
-  asperity curve scene.toml --model jg --separation 1e-6,2e-6 --separation-unit m --errors")]
+  asperity curve scene.toml --model jg --separation 1e-6,2e-6 --separation-unit m --errors"
+)]
 pub struct Curve {
     #[command(flatten)]
     scene: SceneArgs,

@@ -18,11 +18,12 @@ use crate::scene::LoadedScene;
 /// Pressure against clearance as a table for a finite-element code
 #[derive(Debug, Args)]
 #[command(
-    after_help = "csv holds pressure and stiffness (its exact slope) at every node: read as \
-cubics (Hermite), pressure and stiffness are both continuous, as Newton's method needs. abaqus \
-holds *SURFACE BEHAVIOR with pairs of pressure and overclosure, which the code joins by straight \
-lines. Both state the interpolation error, measured between the nodes; --max-error adds nodes \
-until it is met.
+    after_help = "csv holds pressure and stiffness (its exact slope) at every node. Read as cubics
+(Hermite), both are continuous, as Newton's method needs.
+abaqus holds *SURFACE BEHAVIOR with pairs of pressure and overclosure, which the
+code joins by straight lines.
+Both state the interpolation error, measured between the nodes; --max-error adds
+nodes until it is met.
 
 Examples:
   asperity export scene.toml --model ke --as csv --range 0:4:41

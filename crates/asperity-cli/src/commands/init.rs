@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::Args;
 
 use crate::output;
@@ -23,11 +23,8 @@ pub struct Init {
 
 impl Init {
     pub fn run(self) -> Result<()> {
-        if let Some(path) = self.output.as_deref().filter(|path| path.exists() && !self.force) {
-            bail!(
-                "{} exists: another name, or --force to replace it, was required",
-                path.display()
-            );
+        if let Some(path) = &self.output {
+            output::refuse_to_replace(path, self.force)?;
         }
         output::write(self.output.as_deref(), |out| {
             out.write_all(asperity_scene::template().as_bytes())

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::{Output, Quantity, Request, recommend_among};
+use asperity::{Comparison, Output, Quantity, Request, recommend_among};
 use clap::Args;
 
 use crate::args::{SceneArgs, SeparationUnit, model_id, once};
@@ -75,14 +75,19 @@ impl Recommend {
 
         let all = &advice.comparisons;
         let mut table = Table::default();
+        // To the eye, what is below the tolerance is rounding and nothing else.
+        let eye = self.format == Format::Table;
+        let noise = if eye { request.tolerance.relative() } else { 0.0 };
         table.words("model", all.iter().map(|c| c.model.id().into()).collect());
         for (k, quantity) in request.quantities.iter().enumerate() {
-            let deviation =
-                |c: &asperity::Comparison| c.deviations.as_ref().ok()?.get(k).map(|d| d.1);
-            let values = all.iter().map(deviation).map(|d| d.filter(|d| d.is_finite())).collect();
+            let deviation = |c: &Comparison| {
+                let found = c.deviations.as_ref().ok()?.get(k)?.1;
+                found.is_finite().then(|| if found < noise { 0.0 } else { found })
+            };
+            let values = all.iter().map(deviation).collect();
             table.numbers(&format!("{quantity}_deviation"), "", values);
         }
-        let verdict = |c: &asperity::Comparison| match &c.deviations {
+        let verdict = |c: &Comparison| match &c.deviations {
             Err(error) => error.to_string(),
             Ok(_) if c.model.id() == advice.simplest.id() => "recommended".into(),
             Ok(_) if c.largest() <= advice.within => "near enough".into(),

@@ -12,9 +12,10 @@ use crate::table::Table;
 
 /// The separations that carry a load, and the quantities there
 #[derive(Debug, Args)]
-#[command(after_help = "Columns: model, load_n, separation_over_sigma, separation_m, then the \
-quantities as asked, in SI units. A model whose force rises and falls (at) may have several \
-separations for one load: each is a row.
+#[command(after_help = "Columns: model, load_n, separation_over_sigma, separation_m, then the
+quantities as asked, in SI units.
+A model whose force rises and falls (at) may have several separations for one
+load: each is a row.
 
 Examples:
   asperity solve scene.toml --model ke --load 100

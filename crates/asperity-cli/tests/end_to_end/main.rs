@@ -6,6 +6,7 @@ mod curve;
 mod export;
 mod files;
 mod help;
+mod readme;
 mod solve;
 mod usage;
 mod words;
