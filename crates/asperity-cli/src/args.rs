@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::{Model, Output, Request, Tolerance};
+use asperity::{Model, Output, Request, Tolerance, linspace};
 use clap::{ArgAction, Args, ValueEnum};
 
 use crate::numbers::{Numbers, numbers, positive_numbers};
@@ -60,13 +60,13 @@ pub enum SeparationUnit {
 /// Which separations.
 #[derive(Debug, Args)]
 pub struct SeparationArgs {
-    /// Separations: A:B:N for N from A to B, or v,v,...
+    /// Separations: A:B:N for N from A to B, or v,v,... [default: 0:4:401 in sigma]
     #[arg(long = "separation", value_name = "A:B:N|v,v", value_parser = numbers)]
-    #[arg(action = ArgAction::Append, default_value = "0:4:401")]
-    pub separations: Vec<Numbers>,
+    #[arg(action = ArgAction::Append)]
+    separations: Vec<Numbers>,
     /// Unit of the separations
     #[arg(long = "separation-unit", value_name = "UNIT", default_value = "sigma")]
-    pub unit: SeparationUnit,
+    unit: SeparationUnit,
 }
 
 /// Loads, one way or the other.
@@ -102,14 +102,19 @@ impl QuantityArgs {
 }
 
 impl SeparationArgs {
-    /// The separations as given.
-    pub fn given(&self) -> Vec<f64> {
-        flat(&self.separations)
+    /// The separations as given and their unit; the default ones are multiples of sigma, whatever
+    /// the unit.
+    pub fn given(&self) -> (Vec<f64>, SeparationUnit) {
+        match &self.separations[..] {
+            [] => (linspace(0.0, 4.0, 401), SeparationUnit::Sigma),
+            lists => (flat(lists), self.unit),
+        }
     }
 
     /// A request for them.
     pub fn request(&self, scene: &LoadedScene, tolerance: Tolerance) -> Request {
-        scene.request(&self.given(), self.unit).within(tolerance)
+        let (given, unit) = self.given();
+        scene.request(&given, unit).within(tolerance)
     }
 }
 

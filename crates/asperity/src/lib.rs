@@ -20,6 +20,6 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
 pub use output::{Output, UnknownOutput};
-pub use readout::{Readout, ReadoutColumn, Value};
+pub use readout::{OutputColumn, OutputValue, Readout};
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;

@@ -10,7 +10,7 @@ use crate::{
 
 /// A value with a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value {
+pub struct OutputValue {
     /// In SI units; `None` where a ratio has no value because nothing touches.
     pub value: Option<f64>,
     /// Bound on the error: relative, but absolute for logarithms and shares.
@@ -19,11 +19,11 @@ pub struct Value {
 
 /// One output at many separations.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ReadoutColumn {
+pub struct OutputColumn {
     /// Which.
     pub output: Output,
     /// One for each separation.
-    pub values: Vec<Value>,
+    pub values: Vec<OutputValue>,
     /// What deserves a word; the values stand.
     pub warnings: Vec<Warning>,
 }
@@ -91,7 +91,7 @@ impl Readout {
     /// # Errors
     /// [`ContactError::NotRequested`] for what was not asked of [`new`](Self::new), and those of
     /// [`Compiled::evaluate`].
-    pub fn value(&self, output: Output, separation: f64) -> Result<Value, ContactError> {
+    pub fn value(&self, output: Output, separation: f64) -> Result<OutputValue, ContactError> {
         Ok(self.found(output, separation)?.value)
     }
 
@@ -104,7 +104,7 @@ impl Readout {
         output: Output,
         separations: &[f64],
         mut done: impl FnMut(),
-    ) -> Result<ReadoutColumn, ContactError> {
+    ) -> Result<OutputColumn, ContactError> {
         let found: Vec<Found> = separations
             .iter()
             .map(|&separation| {
@@ -113,7 +113,7 @@ impl Readout {
             })
             .collect::<Result<_, _>>()?;
         let warnings = self.warnings(output, separations, &found)?;
-        Ok(ReadoutColumn { output, values: found.iter().map(|f| f.value).collect(), warnings })
+        Ok(OutputColumn { output, values: found.iter().map(|f| f.value).collect(), warnings })
     }
 
     fn found(&self, output: Output, separation: f64) -> Result<Found, ContactError> {
@@ -143,7 +143,8 @@ impl Readout {
 
     fn share(&self, output: Output, separation: f64) -> Result<Found, ContactError> {
         let force = self.compiled.evaluate(Quantity::Force, separation)?;
-        let mut found = Found { value: Value { value: None, error: 0.0 }, ..Found::of(&force) };
+        let mut found =
+            Found { value: OutputValue { value: None, error: 0.0 }, ..Found::of(&force) };
         if found.touches {
             let shares = self.compiled.shares(Quantity::Force, separation)?;
             let of_regime = shares.iter().filter(|share| Some(share.regime) == output.regime());
@@ -151,7 +152,7 @@ impl Readout {
                 .fold((0.0, 0.0), |(sum, size), part| (sum + part.share, size + part.share.abs()));
             // Each part is as good as the tolerance, and so is what it is divided by.
             let error = size * (self.tolerance + force.relative_error());
-            found.value = Value { value: Some(share), error };
+            found.value = OutputValue { value: Some(share), error };
         }
         Ok(found)
     }
@@ -205,7 +206,7 @@ impl Readout {
 /// A value, and what is odd about it.
 #[derive(Debug, Clone, Copy)]
 struct Found {
-    value: Value,
+    value: OutputValue,
     touches: bool,
     negative: bool,
     underflows: bool,
@@ -214,7 +215,10 @@ struct Found {
 impl Found {
     fn of(evaluation: &Evaluation) -> Self {
         Self {
-            value: Value { value: Some(evaluation.value()), error: evaluation.relative_error() },
+            value: OutputValue {
+                value: Some(evaluation.value()),
+                error: evaluation.relative_error(),
+            },
             touches: evaluation.size != 0.0,
             negative: evaluation.scaled < 0.0,
             underflows: false,
@@ -239,7 +243,7 @@ impl Found {
     fn ratio(above: &Evaluation, below: &Evaluation) -> Self {
         let ratio = above.scaled / below.scaled * (above.ln_scale - below.ln_scale).exp();
         Self {
-            value: Value {
+            value: OutputValue {
                 value: ratio.is_finite().then_some(ratio),
                 error: above.relative_error() + below.relative_error(),
             },

@@ -31,10 +31,10 @@ pub struct Compare {
     /// The model that the others are compared with
     #[arg(long, value_name = "M", value_parser = model_id, default_value = "ke")]
     reference: String,
-    /// Separation at which they are compared
+    /// Separation at which they are compared [default: 2 in sigma]
     #[arg(long, value_name = "D", value_parser = number)]
-    #[arg(default_value = "2", conflicts_with_all = ["load", "pressure"])]
-    separation: f64,
+    #[arg(conflicts_with_all = ["load", "pressure"])]
+    separation: Option<f64>,
     /// Unit of the separation
     #[arg(long = "separation-unit", value_name = "UNIT", default_value = "sigma")]
     unit: SeparationUnit,
@@ -62,9 +62,13 @@ impl Compare {
         let outputs = self.quantities.outputs();
         let (_, reference) = scene.model(&self.reference)?;
         let load = self.load.or(self.pressure.map(|pressure| scene.load_at(pressure)));
+        let (given, unit) = match self.separation {
+            Some(separation) => (vec![separation], self.unit),
+            None => (vec![2.0], SeparationUnit::Sigma),
+        };
         let request = match load {
             Some(_) => Request::new([Quantity::Force]),
-            None => scene.request(&[self.separation], self.unit),
+            None => scene.request(&given, unit),
         };
         let request = request.within(self.quantities.tolerance);
 
@@ -89,7 +93,7 @@ impl Compare {
             part.words("model", vec![id.clone(); separations.len()]);
             match load {
                 Some(_) => scene.found(&separations).columns(&mut part),
-                None => scene.places(&[self.separation], self.unit).columns(&mut part),
+                None => scene.places(&given, unit).columns(&mut part),
             }
             for ((&output, values), wanted) in outputs.iter().zip(columns).zip(&wanted) {
                 // Where the reference has several separations, the first on approach is meant.

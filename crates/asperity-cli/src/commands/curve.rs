@@ -50,7 +50,8 @@ impl Curve {
         let models = scene.models(&self.models.models)?;
         let outputs = self.quantities.outputs();
         let request = self.separations.request(&scene, self.quantities.tolerance);
-        let places = scene.places(&self.separations.given(), self.separations.unit);
+        let (given, unit) = self.separations.given();
+        let places = scene.places(&given, unit);
 
         let points = request.separations.len();
         let progress = Progress::new("curves", models.len() * outputs.len() * points);

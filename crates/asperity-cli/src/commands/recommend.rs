@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::{Comparison, Output, Quantity, Request, recommend_among};
+use asperity::{Comparison, Output, Quantity, Request, Tolerance, recommend_among};
 use clap::Args;
 
-use crate::args::{SceneArgs, SeparationUnit, model_id, once};
-use crate::numbers::{Numbers, numbers, positive_number};
+use crate::args::{SceneArgs, SeparationArgs, model_id, once};
+use crate::numbers::positive_number;
 use crate::output;
 use crate::progress::Progress;
 use crate::scene::LoadedScene;
@@ -35,13 +35,8 @@ pub struct Recommend {
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', value_parser = quantity)]
     #[arg(default_value = "force,area")]
     quantities: Vec<Quantity>,
-    /// Separations: A:B:N for N from A to B, or v,v,...
-    #[arg(long = "separation", value_name = "A:B:N|v,v", value_parser = numbers)]
-    #[arg(default_value = "0:4:41")]
-    separations: Vec<Numbers>,
-    /// Unit of the separations
-    #[arg(long = "separation-unit", value_name = "UNIT", default_value = "sigma")]
-    unit: SeparationUnit,
+    #[command(flatten)]
+    separations: SeparationArgs,
     /// Form of the answer
     #[arg(long, value_name = "FORM", default_value = "table")]
     format: Format,
@@ -62,8 +57,7 @@ impl Recommend {
         let scene = LoadedScene::load(&self.scene.scene)?;
         let models = scene.models(&[])?;
         let (_, reference) = scene.model(&self.reference)?;
-        let given: Vec<f64> = self.separations.into_iter().flat_map(|list| list.0).collect();
-        let request = scene.request(&given, self.unit);
+        let request = self.separations.request(&scene, Tolerance::default());
         let request = Request { quantities: once(&self.quantities), ..request };
         let progress = Progress::new("models", 0);
         let models = models.into_iter().map(|(_, model)| model).collect();
@@ -82,7 +76,7 @@ impl Recommend {
         for (k, quantity) in request.quantities.iter().enumerate() {
             let deviation = |c: &Comparison| {
                 let found = c.deviations.as_ref().ok()?.get(k)?.1;
-                found.is_finite().then(|| if found < noise { 0.0 } else { found })
+                found.is_finite().then_some(if found < noise { 0.0 } else { found })
             };
             let values = all.iter().map(deviation).collect();
             table.numbers(&format!("{quantity}_deviation"), "", values);

@@ -172,3 +172,12 @@ fn pictures_have_a_curve_for_every_model_and_nothing_that_is_no_number() {
     assert!(svg.contains("at: values of 0 and below are not on this logarithmic axis"));
     assert_eq!(bench.read("out.csv").lines().count(), 1 + 12 * 50);
 }
+
+#[test]
+fn the_default_separations_are_multiples_of_sigma_whatever_the_unit() {
+    let bench = Bench::new();
+    let sigmas = bench.data("curve scene.toml --model gw");
+    assert_eq!(bench.data("curve scene.toml --model gw --separation-unit m"), sigmas);
+    let two = bench.data("compare scene.toml --model gw --format csv --separation-unit m");
+    assert_eq!(column(&two, "separation_over_sigma"), [2.0]);
+}
