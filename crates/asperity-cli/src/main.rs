@@ -20,7 +20,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{compare, curve, export, init, models, plan, recommend, solve};
+use commands::{compare, curve, export, init, models, plan, recommend, solve, surface};
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
 #[derive(Debug, Parser)]
@@ -46,6 +46,7 @@ enum Command {
     Recommend(recommend::Recommend),
     Models(models::Models),
     Init(init::Init),
+    Surface(surface::Surface),
     Export(export::Export),
 }
 
@@ -58,13 +59,14 @@ fn main() -> ExitCode {
         Command::Recommend(command) => command.run(),
         Command::Models(command) => command.run(),
         Command::Init(command) => command.run(),
+        Command::Surface(command) => command.run(),
         Command::Export(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if output::is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            output::say("error", &format!("{error:#}"));
+            output::say("error", &output::told(&error));
             ExitCode::FAILURE
         }
     }

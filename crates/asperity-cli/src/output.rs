@@ -95,6 +95,17 @@ pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
     })
 }
 
+/// An error and its causes, each told once: most messages of the libraries end with their cause's.
+pub fn told(error: &anyhow::Error) -> String {
+    let mut text = String::new();
+    for cause in error.chain().map(ToString::to_string) {
+        if !text.ends_with(&cause) {
+            text = if text.is_empty() { cause } else { format!("{text}: {cause}") };
+        }
+    }
+    text
+}
+
 /// A line of words on the standard error; that it may be closed is no reason to stop.
 pub fn say(kind: &str, text: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {text}");
@@ -116,6 +127,12 @@ mod tests {
         assert!(failing.is_err());
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn causes_that_have_been_told_are_not_told_again() {
+        let error = anyhow::anyhow!("no rain").context("it is dry: no rain").context("scene.toml");
+        assert_eq!(told(&error), "scene.toml: it is dry: no rain");
     }
 
     #[cfg(unix)]

@@ -8,3 +8,4 @@ pub mod models;
 pub mod plan;
 pub mod recommend;
 pub mod solve;
+pub mod surface;

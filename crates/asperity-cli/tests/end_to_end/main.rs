@@ -8,5 +8,6 @@ mod files;
 mod help;
 mod readme;
 mod solve;
+mod surface;
 mod usage;
 mod words;

@@ -1,0 +1,164 @@
+//! `surface`: scans become numbers, and scenes that run.
+
+use asperity_topography::{Estimator, Level, ReadOptions, read};
+
+use crate::bench::{Bench, column};
+
+/// A rough surface of waves in all directions, in um, as text without a head.
+pub fn scan(seed: f64) -> String {
+    let n = 96;
+    let mut text = String::new();
+    for row in 0..n {
+        let heights = (0..n).map(|column| {
+            let height: f64 = (1..40)
+                .map(|k| {
+                    let k = f64::from(k) + seed;
+                    // Directions and phases that never come back.
+                    let (angle, phase) = (2.399_963 * k, 7.1 * k * k);
+                    let wave = 0.035 * (k + 6.0);
+                    let (x, y) = (f64::from(column) * angle.cos(), f64::from(row) * angle.sin());
+                    (wave * (x + y) + phase).cos() / (1.0 + 0.1 * k)
+                })
+                .sum();
+            format!("{:.5}", 0.3 * height)
+        });
+        text.push_str(&heights.collect::<Vec<_>>().join(" "));
+        text.push('\n');
+    }
+    text
+}
+
+const KEYS: [&str; 13] = [
+    "sq",
+    "ssk",
+    "sku",
+    "m0",
+    "m2",
+    "m4",
+    "alpha",
+    "asperity_density",
+    "asperity_radius",
+    "asperity_height_std",
+    "beta",
+    "beta_z",
+    "missing_share",
+];
+
+fn json(bench: &Bench, words: &str) -> serde_json::Value {
+    serde_json::from_str(&bench.data(&format!("surface {words} --format json"))).unwrap()
+}
+
+#[test]
+fn the_numbers_are_the_librarys_under_the_names_asked_for() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let text = bench.data(
+        "surface scan.txt --unit um --pixel-size 0.5 --level quadratic --estimator summits --format json",
+    );
+    let places: Vec<usize> =
+        KEYS.iter().map(|key| text.find(&format!("\"{key}\"")).expect(key)).collect();
+    assert!(places.is_sorted(), "{text}");
+    let options = ReadOptions {
+        unit: Some("um".parse().unwrap()),
+        pixel_size: Some([0.5; 2]),
+        ..ReadOptions::default()
+    };
+    let surface = read(&bench.path("scan.txt"), &options).unwrap();
+    let found = surface.level(Level::Quadratic).unwrap().statistics(Estimator::Summits).unwrap();
+    let printed: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(printed.as_object().unwrap().len(), KEYS.len());
+    assert_eq!(printed["sq"].as_f64(), Some(found.sq));
+    assert_eq!(printed["asperity_density"].as_f64(), Some(found.asperity_density));
+    assert_eq!(printed["beta_z"].as_f64(), Some(found.beta_z));
+}
+
+#[test]
+fn units_and_pixels_scale_as_lengths_do() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let um = json(&bench, "scan.txt --unit um --pixel-size 0.5");
+    let nm = json(&bench, "scan.txt --unit nm --pixel-size 0.5,0.5");
+    for (key, power) in [("sq", 1), ("m0", 2), ("m2", 0), ("m4", -2), ("asperity_radius", 1)] {
+        let ratio = um[key].as_f64().unwrap() / nm[key].as_f64().unwrap();
+        assert!((ratio / 1e3f64.powi(power) - 1.0).abs() < 1e-9, "{key}: {ratio}");
+    }
+    let filtered = json(&bench, "scan.txt --unit um --pixel-size 0.5 --filter 1e-5");
+    assert!(filtered["sq"].as_f64() < um["sq"].as_f64());
+}
+
+#[test]
+fn moments_of_two_surfaces_add() {
+    let bench = Bench::new();
+    bench.write("a.txt", &scan(0.0));
+    bench.write("b.txt", &scan(0.37));
+    let [a, b, both] = ["a.txt", "b.txt", "a.txt b.txt"]
+        .map(|f| json(&bench, &format!("{f} --unit um --pixel-size 0.5")));
+    for key in ["m0", "m2", "m4"] {
+        let sum = a[key].as_f64().unwrap() + b[key].as_f64().unwrap();
+        assert!((both[key].as_f64().unwrap() / sum - 1.0).abs() < 1e-12, "{key}");
+    }
+}
+
+#[test]
+fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let words = "surface scan.txt --unit um --pixel-size 0.5 --scene made.toml";
+    let run = bench.run(words);
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert!(run.words.contains("note: made.toml: its materials"), "{}", run.words);
+    let statistics = json(&bench, "scan.txt --unit um --pixel-size 0.5");
+    let surface = bench.scene("made.toml").scene.surface;
+    assert_eq!(statistics["asperity_height_std"].as_f64(), Some(surface.asperity_height_std));
+    assert_eq!(column(&bench.data("curve made.toml --model ke --separation 1"), "force").len(), 1);
+    let again = bench.run(words);
+    assert_eq!((again.code, again.out.as_str()), (Some(1), ""));
+    assert!(again.words.contains("made.toml exists"), "{}", again.words);
+    bench.data(&format!("{words} --force"));
+}
+
+#[test]
+fn a_measured_density_takes_the_place_of_the_gaussian() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    bench.data(
+        "surface scan.txt --unit um --pixel-size 0.5 --estimator summits --heights pdf.csv --scene made.toml",
+    );
+    assert!(bench.read("pdf.csv").starts_with("height_m,density_per_m\n"));
+    assert!(bench.read("made.toml").contains("heights = { file = \"pdf.csv\" }"));
+    // A table ends: beyond its last point nothing touches.
+    let data = bench.data("curve made.toml --model gw --separation 1,40 --quantity ln-force");
+    assert!(column(&data, "ln_force")[1].is_infinite(), "{data}");
+    let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 1 --heights p.csv");
+    assert_eq!(two.code, Some(2), "{}", two.words);
+}
+
+#[test]
+fn nothing_is_guessed_and_nothing_odd_is_taken() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let holes: Vec<String> = scan(0.0).lines().map(|row| format!("nan {}", &row[8..])).collect();
+    bench.write("holes.txt", &holes.join("\n"));
+    bench.write("empty.txt", "");
+    bench.write("words.txt", "these are no heights\n");
+    for (words, code, said) in [
+        ("scan.txt", 1, "--unit"),
+        ("scan.txt --unit um", 1, "--pixel-size"),
+        ("empty.txt --unit um --pixel-size 1", 1, "empty.txt"),
+        ("words.txt --unit um --pixel-size 1", 1, "words.txt"),
+        ("nowhere.txt --unit um --pixel-size 1", 1, "nowhere.txt"),
+        ("scan.txt --unit furlong --pixel-size 1", 2, "m, cm, mm, um, nm"),
+        ("scan.txt --unit um --pixel-size 0", 2, "0 is not above 0"),
+        ("scan.txt --unit um --pixel-size 1,2,3", 2, "DX or DX,DY"),
+        ("scan.txt --unit um --pixel-size 1 --max-missing 2", 2, "0 to 1"),
+        ("scan.txt scan.txt scan.txt --unit um", 2, "error"),
+        ("", 2, "<FILE>"),
+    ] {
+        let run = bench.run(&format!("surface {words}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{words}\n{}", run.words);
+        assert!(run.words.contains(said), "{words}\n{}", run.words);
+    }
+    let refused = bench.run("surface holes.txt --unit um --pixel-size 0.5 --max-missing 0.001");
+    assert_eq!(refused.code, Some(1));
+    assert_eq!(refused.words.matches("--max-missing").count(), 1, "{}", refused.words);
+}
