@@ -128,6 +128,11 @@ impl LoadArgs {
 }
 
 impl OutputArgs {
+    /// Whether the answer goes to the standard output.
+    pub fn is_standard(&self) -> bool {
+        crate::output::is_standard(self.output.as_deref())
+    }
+
     /// Writes a table.
     pub fn write(&self, table: &Table) -> Result<()> {
         crate::output::write(self.output.as_deref(), |out| table.write(self.format, out))

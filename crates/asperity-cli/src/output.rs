@@ -7,13 +7,18 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use tempfile::Builder;
 
+/// Whether this is the standard output: nothing named, or `-`.
+pub fn is_standard(path: Option<&Path>) -> bool {
+    path.is_none_or(|path| path == Path::new("-"))
+}
+
 /// What `--output` says: a file, or `-` for the standard output.
 pub fn write(
     path: Option<&Path>,
     data: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<()> {
     match path {
-        Some(path) if path != Path::new("-") => {
+        Some(path) if !is_standard(Some(path)) => {
             to_file(path, data).with_context(|| format!("cannot write {}", path.display()))
         }
         _ => {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use asperity::Readout;
 use clap::Args;
+use clap::error::ErrorKind;
 
 use crate::args::{ModelArgs, OutputArgs, QuantityArgs, SceneArgs, SeparationArgs};
 use crate::progress::Progress;
@@ -46,6 +47,13 @@ pub struct Curve {
 
 impl Curve {
     pub fn run(self) -> Result<()> {
+        if self.plot.is_some()
+            && output::is_standard(self.plot.as_deref())
+            && self.output.is_standard()
+        {
+            let text = "--plot - leaves no place for the data: name a file with --output";
+            crate::usage_error("curve", ErrorKind::ArgumentConflict, text);
+        }
         let scene = LoadedScene::load(&self.scene.scene)?;
         let models = scene.models(&self.models.models)?;
         let outputs = self.quantities.outputs();

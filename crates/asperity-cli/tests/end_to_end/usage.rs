@@ -25,6 +25,7 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --separation nan", "finite"),
         ("curve scene.toml --separation-unit mm", "sigma"),
         ("curve scene.toml --tolerance 0", "1e-15 to 0.1"),
+        ("curve scene.toml --plot -", "leaves no place for the data"),
         ("curve scene.toml --format xml", "[possible values: csv, json, table]"),
         ("solve scene.toml --model ke", "--load"),
         ("solve scene.toml --load 5", "--model"),
