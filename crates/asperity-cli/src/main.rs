@@ -26,7 +26,7 @@ use commands::{compare, curve, export, init, models, plan, recommend, solve, sur
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, arg_required_else_help = true)]
 #[command(after_help = "Examples:
-  asperity init --output scene.toml
+  asperity init scene.toml
   asperity curve scene.toml --model gw,ke --separation 0:4:5 --format table
   asperity solve scene.toml --model ke --load 100
 

@@ -11,10 +11,12 @@ use crate::output;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   asperity init
-  asperity init --output my-scene.toml")]
+  asperity init my-scene.toml")]
 pub struct Init {
-    /// Write to a file in place of the standard output
-    #[arg(long, value_name = "FILE")]
+    /// Write to this file in place of the standard output
+    file: Option<PathBuf>,
+    /// The same, as with the other commands
+    #[arg(long, value_name = "FILE", conflicts_with = "file")]
     output: Option<PathBuf>,
     /// Replace the file if it exists
     #[arg(long)]
@@ -23,10 +25,11 @@ pub struct Init {
 
 impl Init {
     pub fn run(self) -> Result<()> {
-        if let Some(path) = &self.output {
+        let file = self.file.or(self.output);
+        if let Some(path) = &file {
             output::refuse_to_replace(path, self.force)?;
         }
-        output::write(self.output.as_deref(), |out| {
+        output::write(file.as_deref(), |out| {
             out.write_all(asperity_scene::template().as_bytes())
         })
     }
