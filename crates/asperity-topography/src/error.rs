@@ -47,6 +47,16 @@ pub enum TopographyError {
         /// What should.
         required: String,
     },
+    /// A row of a text file is longer or shorter than the first.
+    #[error("line {line} has {found} numbers: {required}, as the first row has, were required")]
+    RowLength {
+        /// Its number, from 1.
+        line: usize,
+        /// How many numbers it has.
+        found: usize,
+        /// How many the first row has.
+        required: usize,
+    },
     /// A field of a binary or XML file.
     #[error("{format} {field}: {found} was found, {required} was required")]
     Field {
@@ -113,7 +123,7 @@ pub enum TopographyError {
     },
     /// A height is infinite or absurd.
     #[error(
-        "the height in row {row}, column {column} (from 0) is {value} m: a number of at most 1e9 m in size, or NaN for a missing point, was required"
+        "the height in row {row}, column {column} (from 0) is {value:e} m: a number of at most 1e9 m in size, or NaN for a missing point, was required"
     )]
     Height {
         /// Its row, from 0.
@@ -180,4 +190,12 @@ pub enum TopographyError {
     /// The numbers of the asperities make no surface.
     #[error(transparent)]
     Contact(#[from] ContactError),
+}
+
+/// The beginning of a text, for a message: files may have megabytes where a word should be.
+pub(crate) fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
 }

@@ -15,14 +15,18 @@
 //! use asperity_topography::{Estimator, Level, ReadOptions, read_bytes};
 //!
 //! let mut scan = String::from("# Width: 64 um\n# Height: 64 um\n# Value units: nm\n");
-//! for row in 0..64_i32 {
-//!     let heights = (0..64_i32).map(|column| format!("{}", (row * row + 7 * column * row) % 101));
-//!     scan.push_str(&heights.collect::<Vec<_>>().join("\t"));
-//!     scan.push('\n');
+//! for y in 0..64 {
+//!     for x in 0..64 {
+//!         let (x, y) = (f64::from(x), f64::from(y));
+//!         let z = 20.0 * (0.3 * x).sin() + 20.0 * (0.4 * y).cos() + 5.0 * (1.3 * x + 1.1 * y).sin();
+//!         scan += &format!("{z:.3}\t");
+//!     }
+//!     scan += "\n";
 //! }
-//! let topography = read_bytes("scan.txt", scan.as_bytes(), &ReadOptions::default())?;
-//! let statistics = topography.level(Level::Plane)?.statistics(Estimator::Moments)?;
-//! assert!((statistics.surface().asperity_height_std - 27e-9).abs() < 2e-9);
+//! let surface = read_bytes("scan.txt", scan.as_bytes(), &ReadOptions::default())?;
+//! let statistics = surface.level(Level::Plane)?.statistics(Estimator::Moments)?;
+//! assert_eq!(format!("{:.3e} m", statistics.sq), "2.000e-8 m");
+//! assert_eq!(format!("{:.3e} m", statistics.surface().asperity_height_std), "1.840e-8 m");
 //! # Ok::<(), asperity_topography::TopographyError>(())
 //! ```
 

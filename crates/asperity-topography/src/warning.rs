@@ -55,9 +55,13 @@ pub enum Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::RoughnessParameter { beta } if *beta > 0.1 => write!(
+                f,
+                "beta = eta R Sq is {beta:.4}, rough surfaces are found between 0.02 and 0.1: form and waviness raise Sq, noise raises eta; level with quadratic, filter with a cut-off, or smooth the scan"
+            ),
             Self::RoughnessParameter { beta } => write!(
                 f,
-                "beta = eta R Sq is {beta:.4}, rough surfaces are found between 0.02 and 0.1: remove form (level quadratic, or a filter with a cut-off) where it is too large, noise (every second point, a smoother scan) where the moments grow as the pixels shrink"
+                "beta = eta R Sq is {beta:.4}, rough surfaces are found between 0.02 and 0.1: the scan is smoothed, too coarse for the asperities, or of a regular surface; scan finer, with more points to the asperity"
             ),
             Self::EstimatorsDisagree { parameter, moments, summits } => write!(
                 f,

@@ -6,6 +6,7 @@
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, points};
 use crate::TopographyError;
+use crate::error::excerpt;
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 /// What NumPy itself accepts by default.
@@ -147,6 +148,6 @@ fn sample(descr: &str) -> Result<Sample, TopographyError> {
 }
 
 fn bad(field: &'static str, found: &str, required: &str) -> TopographyError {
-    let (found, required) = (found.to_owned(), required.to_owned());
+    let (found, required) = (excerpt(found), required.to_owned());
     TopographyError::Field { format: "npy", field, found, required }
 }

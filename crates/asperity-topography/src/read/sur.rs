@@ -5,6 +5,7 @@
 
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, points};
+use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
@@ -110,6 +111,6 @@ impl Header<'_> {
 }
 
 fn bad(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
-    let (found, required) = (found.to_string(), required.to_owned());
+    let (found, required) = (excerpt(&found.to_string()), required.to_owned());
     TopographyError::Field { format: "sur", field, found, required }
 }

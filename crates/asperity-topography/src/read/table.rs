@@ -1,5 +1,6 @@
 //! Text to a table of numbers: a header, then rows of equal length.
 
+use crate::error::excerpt;
 use crate::{MAX_POINTS, TopographyError};
 
 /// A table of numbers; NaN where a field says that it is missing.
@@ -124,9 +125,8 @@ impl Rows {
         }
         let found = self.values.len() - start;
         if found != self.columns {
-            let required = format!("{} as in the first row", self.columns);
-            let found = format!("{found} numbers");
-            return Err(TopographyError::Line { line: number, found, required });
+            let required = self.columns;
+            return Err(TopographyError::RowLength { line: number, found, required });
         }
         let (size, limit) = (self.values.len() as u64, 3 * MAX_POINTS as u64);
         if size > limit {
@@ -165,14 +165,6 @@ fn decoded(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
-    }
-}
-
-/// The beginning of a text, for a message.
-fn excerpt(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
     }
 }
 
@@ -217,7 +209,7 @@ mod tests {
         assert!(message(b"").starts_with("line 1: \"\" was found, a row of numbers"));
         assert!(message(b"some\nwords").starts_with("line 1: \"some\""));
         let ragged = message(b"h\n1 2 3\n1 2\n");
-        assert_eq!(ragged, "line 3: \"2 numbers\" was found, 3 as in the first row was required");
+        assert_eq!(ragged, "line 3 has 2 numbers: 3, as the first row has, were required");
         assert!(message(b"1 2\n3 inf\n").starts_with("line 2: \"inf\" was found, a finite number"));
         assert!(message(b"1 2\n3 1e999\n").starts_with("line 2: \"1e999\""));
         assert!(message(b"1;2\n3;1,5\n").starts_with("line 2: \"1,5\" was found"));

@@ -3,6 +3,7 @@
 use super::points::grid;
 use super::scan::{PixelSize, Scan, points};
 use super::table::{Delimiter, Table};
+use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
@@ -83,7 +84,7 @@ impl Header {
             let value = value.trim().trim_end_matches('"');
             let wrong = |required: &str| TopographyError::Line {
                 line: *line,
-                found: bare.chars().take(60).collect(),
+                found: excerpt(bare),
                 required: required.to_owned(),
             };
             match key.trim().to_ascii_lowercase().as_str() {

@@ -7,6 +7,7 @@ use zip::ZipArchive;
 
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, points};
+use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
@@ -210,6 +211,6 @@ fn words<'a>(node: Node<'a, '_>) -> &'a str {
 }
 
 fn bad(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
-    let (found, required) = (found.to_string(), required.to_owned());
+    let (found, required) = (excerpt(&found.to_string()), required.to_owned());
     TopographyError::Field { format: "x3p", field, found, required }
 }

@@ -1,0 +1,50 @@
+//! What a file declares costs no memory before it is there. One test, alone in its process: the
+//! peak is that of the process.
+
+#![cfg(target_os = "linux")]
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use asperity_topography::{ReadOptions, read_bytes};
+
+mod files;
+use files::{Sur, X3p, archive, x3p_of};
+
+/// Resident memory (`VmRSS`) or its peak (`VmHWM`) \[kB\].
+fn memory(name: &str) -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap();
+    let line = status.lines().find(|line| line.starts_with(name)).unwrap();
+    line.split_whitespace().nth(1).unwrap().parse().unwrap()
+}
+
+#[test]
+fn bombs_are_refused_in_little_memory() {
+    let zeros = vec![0; 96 << 20];
+    let xml = X3p::default().xml();
+    let bombs = [
+        // 20 points are declared; 96 MiB would come out.
+        ("a.x3p", archive(&[("main.xml", xml.as_bytes()), ("bindata/data.bin", &zeros)])),
+        ("a.x3p", archive(&[("main.xml", &zeros)])),
+        // 100 million points declared, one there.
+        ("a.x3p", x3p_of(&X3p { size: [10_000, 10_000], data: vec![0; 8], ..X3p::default() })),
+        ("a.sur", Sur { size: [10_000, 10_000], ..Sur::default() }.bytes(&[0.0])),
+        ("a.npy", b"\x93NUMPY\x01\x00\x45\x00{'descr': '<f8', 'fortran_order': False, 'shape': (10000, 10000), } ".to_vec()),
+        ("a.npy", b"\x93NUMPY\x02\x00\xff\xff\xff\x7f{'descr': ".to_vec()),
+        ("a.xyz", b"0 0 1\n1 1 1\n9999 9999 1\n2 2 1\n".to_vec()),
+    ];
+    assert!(bombs[0].1.len() < 1 << 20);
+    drop(zeros);
+    // The peak so far is that of making the bombs: filled up, nothing that follows hides below it.
+    let mut ballast = Vec::new();
+    while memory("VmRSS") + 1024 < memory("VmHWM") {
+        ballast.push(vec![1u8; 1 << 20]);
+    }
+    let before = memory("VmHWM");
+    for (name, bytes) in &bombs {
+        let options = ReadOptions { max_missing: 1.0, ..ReadOptions::default() };
+        let error = read_bytes(name, bytes, &options).unwrap_err().to_string();
+        assert!(error.contains("required"), "{error}");
+    }
+    let grown = memory("VmHWM") - before;
+    assert!(grown < 24 << 10, "{grown} kB");
+    drop(ballast);
+}
