@@ -1,4 +1,4 @@
-//! The Gaussian filter of ISO 16610-21 (profiles) and 16610-61 (areal).
+//! The Gaussian filter of ISO 16610-21 (profiles) and 16610-61 (areal). \[recalled\]
 
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;

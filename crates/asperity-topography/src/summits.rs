@@ -44,7 +44,8 @@ impl Summits {
 impl Topography {
     /// The summits: points above their eight neighbours, of neighbours as high as they only the
     /// last in reading order. The curvature is that of the least-squares quadric through the nine
-    /// points. Points at the edge or next to a missing one are not searched.
+    /// points: where an asperity has few of them, it is blunter than the second difference of
+    /// [`Topography::moments`]. Points at the edge or next to a missing one are not searched.
     ///
     /// # Errors
     /// [`TopographyError::SummitsOfProfile`] for a profile.

@@ -1,4 +1,6 @@
 //! ISO 25178-72 `.x3p`: a zip archive with `main.xml` and the heights beside it, in metres.
+//!
+//! The layout is that of the reader of SurfaceTopography; the standard itself was not at hand.
 
 use std::io::{Cursor, Read};
 
