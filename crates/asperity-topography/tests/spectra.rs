@@ -191,6 +191,32 @@ fn missing_points_change_little_and_are_reported() {
 }
 
 #[test]
+fn a_load_on_the_density_is_the_load_on_the_summits() {
+    // ⟨(z - d)^1.5⟩ over z > d, what the Greenwood-Williamson force is proportional to.
+    let summits = broad().surface(4).summits().unwrap();
+    let std = summits.surface().unwrap().asperity_height_std;
+    let n = summits.heights.len() as f64;
+    let mean = summits.heights.iter().sum::<f64>() / n;
+    let density = summits.height_density().unwrap();
+    for (d, tolerance) in [(-1.0, 0.005), (0.0, 0.01), (1.0, 0.03)] {
+        let load = |z: f64| (z - d * std).max(0.0).powf(1.5);
+        let direct = summits.heights.iter().map(|z| load(z - mean)).sum::<f64>() / n;
+        let (z, g) = (&density.heights_m, &density.density_per_m);
+        let steps = 2000;
+        let mut smooth = 0.0;
+        for i in 1..z.len() {
+            for k in 0..steps {
+                let t = (f64::from(k) + 0.5) / f64::from(steps);
+                let here = g[i - 1] + t * (g[i] - g[i - 1]);
+                smooth += here * load(z[i - 1] + t * (z[i] - z[i - 1])) * (z[i] - z[i - 1])
+                    / f64::from(steps);
+            }
+        }
+        close(smooth, direct, tolerance);
+    }
+}
+
+#[test]
 fn a_stretched_surface_is_warned_of() {
     let surface = broad().surface(9);
     let stretched = Topography::new(surface.heights().to_vec(), 768, [1e-6, 3e-6]).unwrap();
