@@ -100,21 +100,25 @@ impl<'m> Sweep<'m> {
     /// What `deliver` refuses: the stream ends there.
     pub fn stream<E>(
         &self,
-        cases: impl IntoIterator<Item = Case>,
+        cases: impl IntoIterator<Item = Case, IntoIter: Send>,
         mut deliver: impl FnMut(usize, Result<Vec<Evaluation>, ContactError>) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut cases = cases.into_iter();
         let mut count = 0;
-        loop {
-            let held: Vec<Case> = cases.by_ref().take(HELD).collect();
-            if held.is_empty() {
-                return Ok(());
-            }
-            for answer in self.evaluate_all(&held) {
+        let mut held: Vec<Case> = cases.by_ref().take(HELD).collect();
+        while !held.is_empty() {
+            // The next cases are made while these are answered.
+            let (answers, next) = rayon::join(
+                || self.evaluate_all(&held),
+                || cases.by_ref().take(HELD).collect::<Vec<_>>(),
+            );
+            for answer in answers {
                 deliver(count, answer)?;
                 count += 1;
             }
+            held = next;
         }
+        Ok(())
     }
 
     /// The shape of a part, new or known.
