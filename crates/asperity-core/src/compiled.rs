@@ -157,6 +157,22 @@ impl Compiled {
         Ok(self.evaluation(channel, quantity, s, &moments))
     }
 
+    /// Force \[N\] and tangent -dF/dd \[N/m\] at a separation d/σ_z, in one pass over the same nodes:
+    /// for codes that step in time.
+    ///
+    /// # Errors
+    /// Those of [`evaluate`](Self::evaluate); either of the two must have been asked for.
+    pub fn force_and_tangent(
+        &self,
+        separation: f64,
+    ) -> Result<(Evaluation, Evaluation), ContactError> {
+        let channel = self.channel(Quantity::Force).or_else(|_| self.channel(Quantity::Tangent))?;
+        let s = checked_separation(separation)?;
+        let moments = channel.total.at(s).map_err(failed(Quantity::Force, s))?;
+        let of = |quantity| self.evaluation(channel, quantity, s, &moments);
+        Ok((of(Quantity::Force), of(Quantity::Tangent)))
+    }
+
     /// A quantity on another scene of the same asperities, at its separation d/σ_z: another
     /// roughness, density, nominal area or kind of heights. Nothing is prepared for the scene.
     ///

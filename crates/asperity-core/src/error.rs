@@ -65,6 +65,14 @@ pub enum ContactError {
         "the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew"
     )]
     OtherAsperity,
+    /// A model from outside this project refused.
+    #[error("{model}: {reason}")]
+    Refused {
+        /// The model.
+        model: String,
+        /// Its own words.
+        reason: String,
+    },
     /// A name that no model has.
     #[error("model {name:?} is not known{}: the models are {known}", suggestion(.near))]
     UnknownModel {

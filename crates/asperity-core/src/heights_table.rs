@@ -24,6 +24,8 @@ use crate::{ContactError, Heights};
 #[derive(Debug, Clone)]
 pub struct TabulatedHeights {
     name: String,
+    /// As they were given.
+    points: Vec<(f64, f64)>,
     /// Heights above the mean \[m\].
     heights: Vec<f64>,
     /// Normalised densities \[1/m\].
@@ -65,6 +67,7 @@ impl TabulatedHeights {
         let std = positive("standard deviation of height_m", variance.sqrt())?;
         let table = Self {
             name: name.into(),
+            points: points.to_vec(),
             heights: points.iter().map(|point| point.0 - mean).collect(),
             densities: points.iter().map(|point| point.1 / integral).collect(),
             mean,
@@ -87,6 +90,12 @@ impl TabulatedHeights {
         self.breaks.retain(|z| *z > bottom && *z < top);
         self.breaks.dedup();
         Ok(self)
+    }
+
+    /// The points as they were given: height \[m\] and density \[1/m\], not normalised.
+    #[must_use]
+    pub fn points(&self) -> &[(f64, f64)] {
+        &self.points
     }
 
     /// Mean of the heights \[m\], in the table's own coordinate: where separations begin.

@@ -26,6 +26,13 @@ pub(crate) enum Spread {
 }
 
 impl Spread {
+    pub(crate) fn table(&self) -> Option<&TabulatedHeights> {
+        match self {
+            Self::Table(table) => Some(table),
+            _ => None,
+        }
+    }
+
     /// As the library takes them, for this `asperity_height_std` \[m\].
     pub(crate) fn distribution(self, std: f64) -> Result<HeightDistribution, ContactError> {
         Ok(match self {

@@ -4,13 +4,17 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use asperity::{ContactError, Model, Quantity, Scene, Tolerance};
+use asperity::{
+    ContactError, HeightDistribution, Interface, Model, Quantity, Scene, Surface, TabulatedHeights,
+    Tolerance,
+};
 
 use crate::document::{Document, Section};
 use crate::heights::{Spread, spread};
+use crate::interface::interface;
 use crate::options::OptionValue;
 use crate::surface::surface;
-use crate::{ModelOptions, Place, SceneError, interface};
+use crate::{ModelOptions, Place, SceneError};
 
 /// No scene needs more bytes than this.
 const MOST_BYTES: u64 = 1 << 20;
@@ -46,6 +50,8 @@ pub struct SceneFile {
     /// How far the library's zero of separation lies above the plane of `separation_from` \[m\];
     /// 0 for [`SeparationFrom::AsperityMean`].
     pub separation_offset: f64,
+    /// The table of heights, where there is one: what `scene.heights` was made of.
+    pub table: Option<TabulatedHeights>,
     /// What was read, and still deserves a word.
     pub warnings: Vec<String>,
 }
@@ -123,7 +129,7 @@ fn read(document: Document<'_>) -> Result<SceneFile, SceneError> {
     }
     let needed = "[surface] says what the asperities are";
     let described = top.section("surface")?.ok_or_else(|| top.missing("surface", needed))?;
-    let (interface, interface_section) = interface::interface(&top)?;
+    let (interface, interface_section) = interface(&top)?;
     let nominal_area = top.required("nominal_area", "the apparent area of contact in m^2")?;
     asperity::positive("nominal_area", nominal_area).map_err(top.refused())?;
 
@@ -145,15 +151,12 @@ fn read(document: Document<'_>) -> Result<SceneFile, SceneError> {
         let needed = "a table whose heights are measured from the mean plane of the surface (this one's mean is 0, as if from its own mean)";
         return Err(described.conflict("separation_from", "heights", needed));
     }
-    let separation_offset = match (separation_from, &spread) {
-        (SeparationFrom::AsperityMean, _) => 0.0,
-        (SeparationFrom::SurfaceMean, Spread::Table(table)) => table.mean(),
-        (SeparationFrom::SurfaceMean, _) => read.mean_plane_offset,
-    };
+    let separation_offset = offset(separation_from, read.mean_plane_offset, spread.table());
     let mut scene = Scene::new(interface, read.surface, nominal_area);
+    let table = spread.table().cloned();
     scene.heights = spread.distribution(std).map_err(described.refused())?;
     scene.asperity().map_err(interface_section.refused())?;
-    Ok(SceneFile { scene, options, separation_from, separation_offset, warnings })
+    Ok(SceneFile { scene, options, separation_from, separation_offset, table, warnings })
 }
 
 fn separation_from(section: &Section<'_>, spread: &Spread) -> Result<SeparationFrom, SceneError> {
@@ -204,6 +207,21 @@ fn compare(
     Ok(())
 }
 
+impl From<Scene> for SceneFile {
+    /// A scene that no file describes, with the models' own options and separations from the mean
+    /// of the asperity heights.
+    fn from(scene: Scene) -> Self {
+        Self {
+            scene,
+            options: ModelOptions::default(),
+            separation_from: SeparationFrom::AsperityMean,
+            separation_offset: 0.0,
+            table: None,
+            warnings: vec![],
+        }
+    }
+}
+
 impl SceneFile {
     /// The model of an id, with the scene's options.
     ///
@@ -239,5 +257,53 @@ impl SceneFile {
     #[must_use]
     pub fn from_asperity_mean(&self, separation: f64) -> f64 {
         separation + self.separation_offset / self.scene.surface.asperity_height_std
+    }
+
+    /// A length \[m\] as a multiple of σ_z.
+    #[must_use]
+    pub fn over_height_std(&self, length: f64) -> f64 {
+        length / self.scene.surface.asperity_height_std
+    }
+
+    /// A multiple of σ_z as a length \[m\].
+    #[must_use]
+    pub fn in_metres(&self, multiple: f64) -> f64 {
+        multiple * self.scene.surface.asperity_height_std
+    }
+
+    /// The same options, heights and plane of separations with other numbers: a table of heights
+    /// keeps its metres, and the mean plane follows the surface.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn with_numbers(
+        &self,
+        interface: Interface,
+        surface: Surface,
+        nominal_area: f64,
+    ) -> Result<Self, ContactError> {
+        let mut scene = Scene::new(interface, surface, nominal_area);
+        scene.asperity()?;
+        scene.heights = match &self.table {
+            Some(table) => {
+                HeightDistribution::other(table.clone().in_units_of(surface.asperity_height_std)?)
+            }
+            None => self.scene.heights.clone(),
+        };
+        let separation_offset = if surface == self.scene.surface {
+            self.separation_offset
+        } else {
+            offset(self.separation_from, surface.mean_plane_offset(), self.table.as_ref())
+        };
+        Ok(Self { scene, separation_offset, warnings: vec![], ..self.clone() })
+    }
+}
+
+/// How far the library's zero of separation lies above the plane chosen \[m\]; `mean_plane` is the
+/// mean of the asperity heights above the mean plane, where no table tells it.
+fn offset(from: SeparationFrom, mean_plane: f64, table: Option<&TabulatedHeights>) -> f64 {
+    match from {
+        SeparationFrom::AsperityMean => 0.0,
+        SeparationFrom::SurfaceMean => table.map_or(mean_plane, TabulatedHeights::mean),
     }
 }
