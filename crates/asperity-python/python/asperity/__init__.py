@@ -1,0 +1,66 @@
+"""Rough surfaces in contact: nine published models of force, real area and stiffness.
+
+A scene is what is in contact, a model says how one asperity answers, and a curve is what comes
+back. Units are SI; separations are multiples of the standard deviation of the asperity heights,
+unless ``separation_unit="m"``.
+
+>>> import asperity
+>>> steel = asperity.Body(210e9, 0.3, hardness=2e9)
+>>> scene = asperity.Scene(
+...     interface=asperity.Interface.between(steel, steel),
+...     surface=asperity.Surface(asperity_radius=2e-4, asperity_density=2e8, asperity_height_std=1e-6),
+...     nominal_area=1e-4,
+... )
+>>> curve = asperity.model("ke").solve(scene, separation=[1, 2, 3], quantities=["force", "area"])
+>>> [f"{force:.2f} N" for force in curve.force]
+['2104.51 N', '216.94 N', '10.57 N']
+>>> bool((curve.error("force") < 1e-10).all())
+True
+"""
+
+from importlib.metadata import version as _version
+
+from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
+from asperity._asperity import (
+    Asperity,
+    Body,
+    Contact,
+    ContactWarning,
+    Interface,
+    NotConverged,
+    Scene,
+    Scenes,
+    Surface,
+    Topography,
+    template,
+)
+from asperity._curve import Curve
+from asperity._model import AsperityLaws, Model, model, models
+from asperity._surfaces import topography
+
+__version__ = _version("asperity")
+
+__all__ = [
+    "Asperity",
+    "AsperityLaws",
+    "Body",
+    "Contact",
+    "ContactWarning",
+    "Curve",
+    "Interface",
+    "Model",
+    "NotConverged",
+    "Plan",
+    "PlanStep",
+    "Recommendation",
+    "Scene",
+    "Scenes",
+    "Surface",
+    "Topography",
+    "model",
+    "models",
+    "plan",
+    "recommend",
+    "template",
+    "topography",
+]

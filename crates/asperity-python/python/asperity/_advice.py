@@ -1,0 +1,133 @@
+"""What a model does for a scene, and which model a scene needs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy.typing as npt
+
+from asperity._arguments import floats, in_metres, quantity_names
+from asperity._asperity import Scene
+from asperity._asperity import recommend as _recommend
+from asperity._model import Model
+
+
+@dataclass(frozen=True)
+class PlanStep:
+    """One integral of a plan."""
+
+    #: Whose law is integrated: the force's for the tangent.
+    law: str
+    #: The quantities that come of it.
+    quantities: tuple[str, ...]
+    #: How.
+    method: str
+    #: Nodes of the smallest and the largest rule, where there are rules.
+    nodes: tuple[int, int] | None
+    #: How often the law was sampled for them.
+    samples: int
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How a model answers on a scene; ``print`` it."""
+
+    steps: tuple[PlanStep, ...]
+    text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True)
+class Recommendation:
+    """All models against a reference; ``print`` it."""
+
+    #: Id of the simplest model that is near enough.
+    simplest: str
+    #: Id of the model that the others are compared with.
+    reference: str
+    #: Largest relative deviation that was allowed.
+    within: float
+    #: Largest relative deviation of each quantity, by model.
+    deviations: dict[str, dict[str, float]]
+    #: Why a model could not answer, by model.
+    refused: dict[str, str]
+    text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def _model(model: str | Model) -> Model:
+    return model if isinstance(model, Model) else Model(model)
+
+
+def plan(
+    model: str | Model,
+    scene: Scene,
+    separation: npt.ArrayLike,
+    quantities: str | Sequence[str] = ("force",),
+    rtol: float = 1e-10,
+    separation_unit: str = "asperity_height_std",
+) -> Plan:
+    """What is integrated for a request, with how many nodes, and what is left out.
+
+    >>> import asperity
+    >>> scene = asperity.Scene.parse(asperity.template())
+    >>> print(asperity.plan("ke", scene, [0.0, 2.0]))
+    KE, gaussian heights, 2 separations from 0 to 2, relative tolerance 1e-10
+      force from the force law: Gauss rules with the law as weight
+        8 to 8 nodes, law sampled 1320 times
+        elastic: sum of powers
+        elastic-plastic: sum of powers
+        elastic-plastic 2: sum of powers
+        plastic: sum of powers
+    """
+    metres = in_metres(separation_unit)
+    contact = _model(model).compile(scene, quantity_names(quantities), rtol)
+    text, rows = contact.plan(floats(separation).ravel(), metres)
+    steps = (
+        PlanStep(law, tuple(names), method, nodes, samples)
+        for law, names, method, nodes, samples in rows
+    )
+    return Plan(tuple(steps), text.rstrip("\n"))
+
+
+def recommend(
+    scene: Scene,
+    separation: npt.ArrayLike,
+    quantities: str | Sequence[str] = ("force", "area"),
+    reference: str | Model = "ke",
+    within: float = 0.05,
+    rtol: float = 1e-10,
+    separation_unit: str = "asperity_height_std",
+) -> Recommendation:
+    """The simplest model that stays within a relative deviation of the reference.
+
+    >>> import asperity
+    >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
+    >>> smooth = asperity.Surface.from_plasticity_index(0.3, 0.04, 1e-7, interface)
+    >>> scene = asperity.Scene(interface, smooth, nominal_area=1e-4)
+    >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
+    'gw'
+    """
+    against = _model(reference)
+    text, simplest, rows = _recommend(
+        scene,
+        against._engine,
+        quantity_names(quantities),
+        floats(separation).ravel().tolist(),
+        in_metres(separation_unit),
+        within,
+        rtol,
+    )
+    return Recommendation(
+        simplest=simplest,
+        reference=against.id,
+        within=within,
+        deviations={model: dict(found) for model, found, refusal in rows if refusal is None},
+        refused={model: refusal for model, _, refusal in rows if refusal is not None},
+        text=text.rstrip("\n"),
+    )
