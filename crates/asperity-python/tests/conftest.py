@@ -1,0 +1,26 @@
+"""Scenes that many tests use."""
+
+from __future__ import annotations
+
+import asperity
+import pytest
+
+
+@pytest.fixture
+def scene() -> asperity.Scene:
+    """Steel on steel, machined: every model allows it."""
+    return asperity.Scene.parse(asperity.template())
+
+
+@pytest.fixture
+def soft_steel() -> asperity.Scene:
+    """The AT paper's scene, where AT as printed turns negative."""
+    interface = asperity.Interface(
+        116e9,
+        0.31,
+        hardness=1.12e9,
+        equivalent_shear_modulus=41e9,
+        pressure_factor=0.58,
+    )
+    surface = asperity.Surface.from_plasticity_index(6.0, 0.04, 1e-6, interface)
+    return asperity.Scene(interface, surface, nominal_area=3e-5)
