@@ -291,17 +291,12 @@ impl Compiled {
     ) -> Evaluation {
         let units = Units { factor: channel.factor, height_std: self.height_std };
         // A channel's own quantity is its integral; what else comes of it is a slope.
-        let mut evaluation = if quantity == channel.quantity {
+        let evaluation = if quantity == channel.quantity {
             Evaluation::of_value(moments, units)
         } else {
             Evaluation::of_slope(moments, units)
         };
-        if self.separation_rounding > 0.0 && moments.value != 0.0 {
-            // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more.
-            let steepness = (moments.slope / moments.value).abs() + 1.0;
-            evaluation.error += self.separation_rounding * separation.abs() * steepness;
-        }
-        evaluation
+        evaluation.with_rounding(self.separation_rounding, separation, moments)
     }
 
     /// Whether the laws hold on another scene.

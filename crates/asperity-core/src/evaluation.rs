@@ -75,6 +75,16 @@ impl Evaluation {
         Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
     }
 
+    /// With what a relative rounding of the separation s does to it in the bound.
+    pub(crate) fn with_rounding(mut self, rounding: f64, s: f64, moments: &Moments) -> Self {
+        if rounding > 0.0 && moments.value != 0.0 {
+            // d ln I/ds times the rounding of s; the slope's own is one more power of s, no more.
+            let steepness = (moments.slope / moments.value).abs() + 1.0;
+            self.error += rounding * s.abs() * steepness;
+        }
+        self
+    }
+
     /// -dQ/dd.
     pub(crate) fn of_slope(moments: &Moments, units: Units) -> Self {
         let [scaled, size] =

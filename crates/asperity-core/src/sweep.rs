@@ -56,6 +56,7 @@ pub struct Sweep<'m> {
     model: &'m dyn ContactModel,
     quantities: Vec<Quantity>,
     tolerance: Tolerance,
+    separation_rounding: f64,
     shapes: RwLock<Vec<Arc<Shape>>>,
 }
 
@@ -72,7 +73,16 @@ impl<'m> Sweep<'m> {
     /// Prepares nothing: laws are built for the scenes that come.
     #[must_use]
     pub fn new(model: &'m dyn ContactModel, quantities: &[Quantity], tolerance: Tolerance) -> Self {
-        Self { model, quantities: quantities.to_vec(), tolerance, shapes: RwLock::default() }
+        let (quantities, shapes) = (quantities.to_vec(), RwLock::default());
+        Self { model, quantities, tolerance, separation_rounding: 0.0, shapes }
+    }
+
+    /// For separations with this relative rounding error, as in
+    /// [`Request::separation_rounding`](crate::Request): bounds include what it does to values.
+    #[must_use]
+    pub fn with_separation_rounding(mut self, relative: f64) -> Self {
+        self.separation_rounding = relative;
+        self
     }
 
     /// The quantities at one separation of one scene, in the order of the sweep's.
@@ -162,7 +172,7 @@ impl<'s> Worker<'s> {
     }
 
     fn evaluate(&mut self, case: &Case) -> Result<Vec<Evaluation>, ContactError> {
-        let Sweep { model, quantities, tolerance, .. } = self.sweep;
+        let Sweep { model, quantities, tolerance, separation_rounding, .. } = self.sweep;
         let asperity = case.scene.asperity()?;
         let s = checked_separation(case.separation)?;
         let height_std = case.scene.surface.asperity_height_std;
@@ -176,14 +186,16 @@ impl<'s> Worker<'s> {
             check_scales(quantity, factor, scale, height_std)?;
             let value = quantity == of_law;
             let moments = if matches!(case.scene.heights, HeightDistribution::Gaussian) {
-                self.moments(&law, &mut place, (s, scale), value)
+                let value_only = value && *separation_rounding <= 0.0;
+                self.moments(&law, &mut place, (s, scale), value_only)
             } else {
                 let tolerance = tolerance.relative();
                 HeightIntegral::new(law.density(), scale, &case.scene.heights, tolerance).at(s)
             };
             let moments = moments.map_err(failed(quantity, s))?;
             let evaluation = if value { Evaluation::of_value } else { Evaluation::of_slope };
-            answers.push(evaluation(&moments, Units { factor, height_std }));
+            let evaluation = evaluation(&moments, Units { factor, height_std });
+            answers.push(evaluation.with_rounding(*separation_rounding, s, &moments));
         }
         Ok(answers)
     }

@@ -178,9 +178,15 @@ impl Engine {
         let scenes = ManyScenes::of(scenes)?;
         let (index, separations) = (index.as_slice()?.to_vec(), separations.as_slice()?.to_vec());
         let (quantities, tolerance) = (quantities(&names)?, tolerance(rtol)?);
-        let aspect = Aspect::named(aspect)?.of();
-        let Some(model) = self.model_of_all(&scenes)? else { return Ok((vec![], vec![])) };
-        let sweep = Sweep::new(&*model, &quantities, tolerance);
+        let aspect = Aspect::named(aspect)?;
+        let Some(model) = self.model_of_all(&scenes)? else {
+            let nothing = names.iter().map(|_| PyArray1::from_vec(py, vec![])).collect();
+            return Ok((nothing, vec![]));
+        };
+        let rounded = aspect == Aspect::Error && scenes.round_separations(in_metres);
+        let rounding = if rounded { f64::EPSILON } else { 0.0 };
+        let sweep = Sweep::new(&*model, &quantities, tolerance).with_separation_rounding(rounding);
+        let aspect = aspect.of();
         let mut columns = vec![Vec::with_capacity(index.len()); quantities.len()];
         let case = |k: usize| {
             scenes.with(index[k] as usize, |file| Case {
@@ -250,7 +256,7 @@ impl Engine {
 impl Engine {
     /// The one model that this is on all scenes; none where there are no scenes.
     fn model_of_all(&self, scenes: &ManyScenes) -> PyResult<Option<Model>> {
-        let files = scenes.with_options();
+        let files = scenes.given();
         let Some(first) = files.first().filter(|_| scenes.size() > 0) else { return Ok(None) };
         if let Kind::Named { given, .. } = &*self.0 {
             let options = with_options(first, given)?;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity::ContactError;
-use asperity_scene::SceneFile;
+use asperity_scene::{SceneFile, SeparationFrom};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
@@ -214,8 +214,14 @@ impl ManyScenes {
         })
     }
 
-    /// Those whose options decide what the model is.
-    pub(crate) fn with_options(&self) -> &[Arc<SceneFile>] {
+    /// Whether a separation is rounded on its way to the library.
+    pub(crate) fn round_separations(&self, in_metres: bool) -> bool {
+        let moved = |file: &Arc<SceneFile>| file.separation_from != SeparationFrom::AsperityMean;
+        in_metres || self.given().iter().any(moved)
+    }
+
+    /// Those that were given: each, or the one that all are like.
+    pub(crate) fn given(&self) -> &[Arc<SceneFile>] {
         match self {
             Self::List(list) => list,
             Self::Columns(columns) => std::slice::from_ref(columns.base()),

@@ -14,13 +14,12 @@ def scene() -> asperity.Scene:
 
 @pytest.fixture
 def soft_steel() -> asperity.Scene:
-    """The AT paper's scene, where AT as printed turns negative."""
+    """The AT paper's steel, less rough: AT as printed turns negative there."""
     interface = asperity.Interface(
         116e9,
         0.31,
         hardness=1.12e9,
         equivalent_shear_modulus=41e9,
-        pressure_factor=0.58,
     )
-    surface = asperity.Surface.from_plasticity_index(6.0, 0.04, 1e-6, interface)
+    surface = asperity.Surface.from_plasticity_index(2.0, 0.04, 1e-6, interface)
     return asperity.Scene(interface, surface, nominal_area=3e-5)

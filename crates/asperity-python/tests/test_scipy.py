@@ -10,8 +10,8 @@ import scipy.stats
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-# Where every formula of every model may change, over the critical interference.
-KINKS = [1.0, 1.9, 6.0, 54.0, 80.0, 110.0, 170.0]
+# Where formulas of most models change, over the critical interference; quad finds the others.
+KINKS = [1.0, 1.9, 6.0, 110.0, 170.0]
 
 
 @st.composite
@@ -54,13 +54,13 @@ def integral(
     for low, high in zip(sorted(edges), sorted(edges)[1:], strict=False):
         # t = low + width v^2: laws may begin with a square root.
         width = high - low
-        total += scipy.integrate.fixed_quad(
-            lambda v, low=low, width=width: np.array(
-                [2.0 * width * x * integrand(low + width * x * x) for x in np.atleast_1d(v)]
-            ),
+        total += scipy.integrate.quad(
+            lambda v, low=low, width=width: 2.0 * width * v * integrand(low + width * v * v),
             0.0,
             1.0,
-            n=24,
+            epsabs=0.0,
+            epsrel=1e-10,
+            limit=400,
         )[0]
     return float(scene.asperities * total)
 

@@ -1,0 +1,343 @@
+"""Arguments in, arrays out: shapes, types, errors, warnings, copies."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+import threading
+import time
+import warnings
+from pathlib import Path
+from typing import Any
+
+import asperity
+import numpy as np
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "asperity-scene" / "examples"
+
+
+def refusal(call: Any, *arguments: Any, **named: Any) -> str:
+    with pytest.raises(ValueError) as caught:
+        call(*arguments, **named)
+    return str(caught.value)
+
+
+def test_scenes_by_file_and_by_keyword_are_the_same() -> None:
+    text = """
+        nominal_area = 3e-5
+        [interface]
+        equivalent_modulus = 116e9
+        poissons_ratio = 0.31
+        hardness = 1.12e9
+        [surface]
+        asperity_radius = 3.6e-4
+        asperity_density = 1.1e8
+        asperity_height_std = 1e-6
+        heights = "exponential"
+        [options]
+        at_reading = "overlap"
+        displacement = { zeta = 0.1, xi = 0.2 }
+    """
+    scene = asperity.Scene(
+        interface=asperity.Interface(116e9, 0.31, hardness=1.12e9),
+        surface=asperity.Surface(3.6e-4, 1.1e8, 1e-6),
+        nominal_area=3e-5,
+        heights="exponential",
+        options={"at_reading": "overlap", "displacement": {"zeta": 0.1, "xi": 0.2}},
+    )
+    assert asperity.Scene.parse(text) == scene
+    assert scene != scene.replace(nominal_area=1.0)
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
+def test_example_files_are_read(path: Path) -> None:
+    scene = asperity.Scene.from_toml(path)
+    assert asperity.Scene.from_toml(str(path)) == scene
+    assert "gw" in scene.models()
+
+
+def test_results_are_contiguous_doubles_in_the_broadcast_shape(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    every_second = np.linspace(0, 4, 18, dtype=np.float32).reshape(3, 6)[:, ::2]
+    curve = ke.solve(scene, every_second, ["force", "area"])
+    for values in (curve.force, curve.area, curve.error("force"), curve.ln("area")):
+        assert values.shape == (3, 3) and values.dtype == np.float64
+        assert values.flags.c_contiguous and values.flags.writeable
+    assert curve.quantities == ("force", "area")
+    assert ke.solve(scene, 1).force.shape == ()
+    assert ke.solve(scene, []).force.shape == (0,)
+    assert ke.separation_at(scene, [[1.0], [2.0]]).shape == (2, 1)
+
+
+def test_scenes_broadcast_against_separations_and_loads(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    stds = np.array([1e-6, 1.5e-6, 2e-6])
+    scenes = scene.vary(asperity_height_std=stds, hardness=[[2e9], [3e9]])
+    assert scenes.shape == (2, 3) and len(scenes) == 2
+    assert scenes[1, 2] == scene.replace(asperity_height_std=2e-6, hardness=3e9)
+    curve = ke.solve(scenes, separation=[0.0, 1.0, 2.0], quantities=["force", "tangent"])
+    listed = ke.solve([[scenes[i, j] for j in range(3)] for i in range(2)], [0.0, 1.0, 2.0])
+    assert curve.force.shape == (2, 3)
+    np.testing.assert_array_equal(curve.force, listed.force)
+    one = ke.solve(scenes[1, 2], 2.0, ["force", "tangent"])
+    np.testing.assert_allclose(curve.force[1, 2], one.force, rtol=1e-13)
+    np.testing.assert_allclose(curve.tangent[1, 2], one.tangent, rtol=1e-13)
+    outer = ke.solve(scenes.reshape(-1, 1), np.linspace(0, 1, 5))
+    assert outer.force.shape == (6, 5)
+    loads = ke.separation_at(scenes, curve.force)
+    np.testing.assert_allclose(loads, np.broadcast_to([0.0, 1.0, 2.0], (2, 3)), atol=1e-12)
+    shares = curve.shares("force")
+    np.testing.assert_allclose(sum(shares.values()), 1.0, rtol=1e-12)
+    assert ke.solve([], []).force.shape == (0,)
+
+
+def test_separations_in_metres_and_from_the_surface_mean(scene: asperity.Scene) -> None:
+    ke, std = asperity.model("ke"), scene.surface.asperity_height_std
+    in_stds = ke.solve(scene, [0.5, 2.0])
+    in_metres = ke.solve(scene, np.array([0.5, 2.0]) * std, separation_unit="m")
+    np.testing.assert_allclose(in_metres.force, in_stds.force, rtol=1e-14)
+    # What rounding a separation does to the value is in the bound.
+    assert (in_metres.error("force") > in_stds.error("force")).all()
+    many = ke.solve([scene], np.array([0.5, 2.0]) * std, separation_unit="m")
+    assert (many.error("force") > ke.solve([scene], [0.5, 2.0]).error("force")).all()
+
+    plane = asperity.Scene(
+        scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
+    )
+    offset = plane.separation_offset
+    assert offset == scene.surface.mean_plane_offset
+    shifted = ke.solve(plane, np.array([0.5, 2.0]) * std + offset, separation_unit="m")
+    np.testing.assert_allclose(shifted.force, in_stds.force, rtol=1e-13)
+    back = ke.separation_at(plane, in_stds.force, separation_unit="m")
+    np.testing.assert_allclose(back, np.array([0.5, 2.0]) * std + offset, rtol=1e-12)
+
+
+def test_tabulated_heights_keep_their_metres() -> None:
+    z = np.array([-2e-6, 0.0, 0.5e-6, 1.5e-6])
+    density = np.array([0.0, 3e5, 3.5e5, 0.0])
+    interface, surface = asperity.Interface(116e9, 0.31, 1.12e9), asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+    scene = asperity.Scene(interface, surface, 3e-5, heights=(z, density))
+    again = pickle.loads(pickle.dumps(scene))
+    assert again == scene
+    np.testing.assert_array_equal(again.heights[0], z)
+    gw = asperity.model("gw")
+    wider = scene.replace(asperity_height_std=2e-6)
+    gaps = np.array([-1e-6, 0.0, 1e-6])
+    one = gw.solve(scene, gaps, separation_unit="m").force
+    np.testing.assert_allclose(gw.solve(wider, gaps, separation_unit="m").force, one, rtol=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore::asperity.ContactWarning")
+def test_a_scenes_options_count_where_none_are_given(soft_steel: asperity.Scene) -> None:
+    additive = asperity.Scene(
+        soft_steel.interface,
+        soft_steel.surface,
+        soft_steel.nominal_area,
+        options={"at_reading": "additive"},
+    )
+    assert asperity.model("at").solve(additive, 2.0).model == "AT additive"
+    overlap = asperity.model("at", at_reading="overlap")
+    assert overlap.solve(additive, 2.0).model == overlap.name == "AT overlap"
+    message = refusal(asperity.model("at").solve, [soft_steel, additive], 2.0)
+    assert message.startswith("scene 1 has other options than scene 0")
+
+
+def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    assert "did you mean \"zmc\"?" in refusal(asperity.model, "zcm")
+    assert "did you mean \"at_reading\"?" in refusal(asperity.model, "at", at_reding="additive")
+    assert refusal(asperity.Surface, 1e-4, -1.0, 1e-6).startswith("asperity_density is -1.0: ")
+    assert refusal(asperity.Body, 1e9, 0.6, 1e8).startswith("poissons_ratio is 0.6: ")
+    assert refusal(asperity.Interface, 1e9, 0.3).startswith("hardness is missing")
+    assert refusal(ke.solve, scene, [0.0, np.nan]).startswith("separation is NaN: ")
+    assert "\"forc\" is no quantity" in refusal(ke.solve, scene, 0.0, "forc")
+    assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")
+    assert refusal(ke.solve, scene, 0.0, []).startswith("quantities is empty")
+    assert refusal(ke.solve, scene, 0.0, separation_unit="mm").startswith("separation_unit is 'mm'")
+    assert refusal(ke.separation_at, scene, [1.0, 1e30]).startswith("load is 1e30 N: ")
+    assert refusal(scene.replace, hardnes=1.0).startswith("hardnes is not an input")
+    assert refusal(scene.vary, hardnes=[1.0]).startswith("hardnes is not an input")
+    many = scene.vary(hardness=[1e9, 2e9, -3.0, -4.0])
+    assert refusal(ke.solve, many, 1.0).startswith("scene 2: hardness is -3.0: ")
+    assert refusal(asperity.Scene.from_toml, "no such file.toml").startswith("no such file.toml: ")
+    assert refusal(asperity.Scene.parse, "nominal_aera = 1").startswith("line 1: nominal_aera ")
+    table = ([0.0, 1.0], [1.0])
+    assert "2 heights and 1 densities" in refusal(
+        asperity.Scene, scene.interface, scene.surface, 1.0, (np.array(table[0]), np.array(table[1]))
+    )
+    rubber = scene.replace(hardness=1e12)
+    assert refusal(ke.solve, rubber, 1.0).startswith("hardness is ")
+    bare = asperity.Interface(116e9, 0.31, hardness=1e9)
+    bare_scene = asperity.Scene(bare, scene.surface, 1e-4)
+    assert "Gao needs it" in refusal(asperity.model("gao").solve, bare_scene, 1.0)
+
+
+def test_what_is_of_the_wrong_kind_is_a_type_error(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    for arguments in [(scene, 1j), (scene, "one"), ([scene, "scene"], 1.0), (None, 1.0)]:
+        with pytest.raises(TypeError):
+            ke.solve(*arguments)  # type: ignore[arg-type]
+    with pytest.raises(TypeError):
+        asperity.model(Laws, at_reading="printed")
+    with pytest.raises(ValueError, match="shape mismatch"):
+        ke.solve([scene, scene], [1.0, 2.0, 3.0])
+    curve = ke.solve(scene, 1.0)
+    with pytest.raises(AttributeError, match="area was not requested"):
+        _ = curve.area
+    with pytest.raises(KeyError, match="area was not requested"):
+        _ = curve["area"]
+
+
+class Laws:
+    """A module-level class, for pickle."""
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        self.one = one
+
+    def force(self, w: Any) -> Any:
+        return self.one.critical_force * w
+
+    def area(self, w: Any) -> Any:
+        return self.one.radius * w
+
+
+class Noise:
+    """No integral of this converges to many digits."""
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        self.one = one
+
+    def force(self, w: Any) -> Any:
+        return w * (1.5 + np.sin(1e15 * w / self.one.radius))
+
+    def area(self, w: Any) -> Any:
+        return w
+
+
+def test_what_does_not_converge_is_an_error_of_its_own(scene: asperity.Scene) -> None:
+    with pytest.raises(asperity.NotConverged, match="not converged: relative error"):
+        asperity.model(Noise).solve(scene, 1.0, rtol=1e-13)
+    assert not issubclass(asperity.NotConverged, ValueError)
+
+
+def test_odd_answers_come_with_a_warning(soft_steel: asperity.Scene) -> None:
+    printed = asperity.model("at")
+    with pytest.warns(asperity.ContactWarning, match="the force is negative at 1 of the sep") as seen:
+        curve = printed.solve(soft_steel, [-9.0, 1.0])
+    assert curve.force[0] > 0.0 > curve.force[1]
+    # The caller's line, not the package's.
+    assert {warning.filename for warning in seen} == {__file__}
+    with pytest.warns(asperity.ContactWarning, match="negative at 1 of the values"):
+        printed.solve([soft_steel], [-9.0, 1.0])
+    with pytest.warns(asperity.ContactWarning, match="have several separations"):
+        largest = printed.separation_at(soft_steel, 1e-4)
+    everything = printed.separations_at(soft_steel, [1e-4])
+    assert len(everything[0]) == 3 and everything[0][-1] == largest
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        asperity.model("ke").solve(soft_steel, [0.0, 1.0])
+
+
+def test_copies_and_pickles_are_equal(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    scenes = scene.vary(hardness=[[1e9], [2e9]], asperity_height_std=[1e-6, 2e-6, 3e-6])
+    curve = ke.solve(scene, [0.0, 1.0])
+    values: list[Any] = [
+        asperity.Body(1e9, 0.3, yield_strength=1e8),
+        scene.interface,
+        scene.surface,
+        scene,
+        scenes,
+        ke,
+        asperity.model("at", displacement={"zeta": 0.1, "xi": 0.2}),
+        asperity.model(Laws),
+        ke.compile(scene),
+        asperity.model(Laws).compile(scene),
+        curve,
+    ]
+    for value in values:
+        for again in (pickle.loads(pickle.dumps(value)), copy.copy(value), copy.deepcopy(value)):
+            assert repr(again) == repr(value)
+            if type(value).__eq__ is not object.__eq__:
+                assert again == value
+    again = pickle.loads(pickle.dumps(curve))
+    np.testing.assert_array_equal(again.force, curve.force)
+    np.testing.assert_array_equal(again.error("force"), curve.error("force"))
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(scenes))[1, 2].surface, scenes[1, 2].surface)
+
+
+def test_representations_show_what_matters(scene: asperity.Scene) -> None:
+    assert repr(scene).startswith("Scene(Interface(equivalent_modulus=115384615384.61537")
+    assert eval(repr(scene), vars(asperity)) == scene
+    assert repr(asperity.model("ke")) == "<asperity.Model 'ke': Kogut & Etsion (2002)>"
+    assert repr(asperity.model(Laws)) == "<asperity.Model 'Laws': written in Python>"
+    assert "KE: force, tangent; rtol=1e-10" in repr(asperity.model("ke").compile(scene))
+    assert asperity.model("ke").source.startswith("Kogut & Etsion (2002), ")
+
+
+def test_tables_have_units_in_their_heads(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    table = ke.solve(scene, [1e-6, 2e-6], ["force", "tangent"], separation_unit="m").to_dataframe()
+    assert list(table.columns) == ["separation_m", "force_N", "tangent_N_per_m"]
+    many = ke.solve(scene.vary(hardness=[[1e9], [2e9]]), [1.0, 2.0]).to_dataframe()
+    assert list(many.columns) == ["scene", "separation", "force_N"]
+    assert list(many["scene"]) == [0, 0, 1, 1]
+
+
+def test_plans_and_recommendations(scene: asperity.Scene) -> None:
+    plan = asperity.plan("ke", scene, np.linspace(0, 4, 9), ["force", "tangent", "area"])
+    assert [(step.law, step.quantities) for step in plan.steps] == [
+        ("force", ("force", "tangent")),
+        ("area", ("area",)),
+    ]
+    assert plan.steps[0].nodes is not None and plan.steps[0].nodes[1] <= 16
+    advice = asperity.recommend(scene, [0.0, 1.0, 2.0], reference=asperity.model("zmc"), within=1e-6)
+    assert advice.simplest == advice.reference == "zmc" and not advice.refused
+    assert advice.deviations["zmc"] == {"force": 0.0, "area": 0.0}
+    assert "ZMC is the simplest" in str(advice)
+    bare = asperity.Scene(asperity.Interface(116e9, 0.31, 1e9), scene.surface, 1e-4)
+    assert "equivalent_shear_modulus is missing" in asperity.recommend(bare, [1.0]).refused["gao"]
+
+
+def test_all_ids_make_models() -> None:
+    ids = [model.id for model in asperity.models()]
+    assert len(ids) == len(set(ids)) == 12
+    assert all(asperity.model(one.upper()).id == one for one in ids)
+
+
+def test_the_interpreter_is_free_during_long_calls(scene: asperity.Scene) -> None:
+    separations = np.linspace(0, 4, 4_000_000)
+    counts: list[int] = []
+    done = threading.Event()
+
+    def count() -> None:
+        k = 0
+        while not done.is_set():
+            k += 1
+            time.sleep(0)
+        counts.append(k)
+
+    other = threading.Thread(target=count)
+    other.start()
+    asperity.model("ke").solve(scene, separations)
+    done.set()
+    other.join()
+    assert counts[0] > 100
+
+
+def test_threads_share_a_contact(scene: asperity.Scene) -> None:
+    contact = asperity.model("ke").compile(scene)
+    wanted = asperity.model("ke").compile(scene).force(np.linspace(0, 4e-6, 5000))
+    found: dict[int, Any] = {}
+
+    def work(k: int) -> None:
+        found[k] = contact.force(np.linspace(0, 4e-6, 5000))
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for values in found.values():
+        np.testing.assert_array_equal(values, wanted)

@@ -1,0 +1,262 @@
+"""Models written in Python: the same engine, the same contract, and once built the same speed."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+import timeit
+from typing import Any
+
+import asperity
+import numpy as np
+import pytest
+
+SEPARATIONS = np.linspace(-1.0, 5.0, 61)
+QUANTITIES = ["force", "area", "stiffness", "tangent"]
+
+
+class KogutEtsion:
+    """KE, as its paper's table has it."""
+
+    force_monotone = True
+    regimes = ("elastic", "elastic-plastic", "elastic-plastic 2", "plastic")
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        self.one, self.unit = one, one.critical_interference
+        self.kinks = [self.unit, 6 * self.unit, 110 * self.unit]
+        self.calls = 0
+
+    def pick(self, w: Any, *values: Any) -> Any:
+        x = w / self.unit
+        return np.select([x < 1, x < 6, x < 110], [v(x) for v in values[:3]], values[3](x))
+
+    def force(self, w: Any) -> Any:
+        self.calls += 1
+        plastic = 3 / self.one.pressure_factor
+        return self.one.critical_force * self.pick(
+            w,
+            lambda x: x**1.5,
+            lambda x: 1.03 * x**1.425,
+            lambda x: 1.4 * x**1.263,
+            lambda x: plastic * x,
+        )
+
+    def area(self, w: Any) -> Any:
+        return (
+            np.pi
+            * self.one.radius
+            * self.unit
+            * self.pick(
+                w,
+                lambda x: x,
+                lambda x: 0.93 * x**1.136,
+                lambda x: 0.94 * x**1.146,
+                lambda x: 2 * x,
+            )
+        )
+
+
+class Undeclared(KogutEtsion):
+    """The same without a word on where its formulas change."""
+
+    regimes = None  # type: ignore[assignment]
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        super().__init__(one)
+        del self.kinks
+
+
+class OwnStiffness(KogutEtsion):
+    """With a stiffness that is not the tangent of the force."""
+
+    def stiffness(self, w: Any) -> Any:
+        return self.force(w) / w
+
+
+@pytest.mark.parametrize("heights", ["gaussian", "exponential"])
+@pytest.mark.parametrize("own", [KogutEtsion, Undeclared])
+def test_the_same_laws_give_the_same_values(
+    own: type[KogutEtsion], heights: str, scene: asperity.Scene
+) -> None:
+    scene = asperity.Scene(scene.interface, scene.surface, scene.nominal_area, heights=heights)  # type: ignore[arg-type]
+    at = SEPARATIONS[::6] if heights == "exponential" else SEPARATIONS
+    mine = asperity.model(own).solve(scene, at, QUANTITIES, rtol=1e-12)
+    theirs = asperity.model("ke").solve(scene, at, QUANTITIES, rtol=1e-12)
+    for quantity in QUANTITIES:
+        error = np.abs(mine[quantity] / theirs[quantity] - 1.0)
+        bound = mine.error(quantity) + theirs.error(quantity)
+        assert (error <= bound).all() and bound.max() < 1e-11, quantity
+    if own is KogutEtsion:
+        for part, share in theirs.shares("force").items():
+            np.testing.assert_allclose(mine.shares("force")[part], share, rtol=1e-9)
+    else:
+        assert list(mine.shares("force")) == ["law"]
+
+
+def test_once_built_a_python_model_is_as_fast_and_never_called(scene: asperity.Scene) -> None:
+    laws: list[KogutEtsion] = []
+
+    def made(one: asperity.Asperity) -> KogutEtsion:
+        laws.append(KogutEtsion(one))
+        return laws[-1]
+
+    made.force = None  # type: ignore[attr-defined]
+    mine, theirs = (asperity.model(m).compile(scene) for m in (made, "ke"))
+    gaps = np.linspace(-1e-6, 4e-6, 100_000)
+    np.testing.assert_allclose(mine.force(gaps), theirs.force(gaps), rtol=1e-10)
+    calls = sum(one.calls for one in laws)
+    assert 0 < calls < 1000
+    seconds = [min(timeit.repeat(lambda: c.force(gaps), number=1, repeat=7)) for c in (mine, theirs)]
+    assert sum(one.calls for one in laws) == calls
+    assert seconds[0] < 2.0 * seconds[1]
+
+
+def test_a_stiffness_of_its_own_is_integrated(scene: asperity.Scene) -> None:
+    curve = asperity.model(OwnStiffness).solve(scene, [0.0, 1.0], QUANTITIES)
+    assert (np.abs(curve.stiffness / curve.tangent - 1.0) > 0.1).all()
+    w = scene.surface.asperity_height_std
+    law = asperity.model(OwnStiffness).law(scene, "stiffness", [w, 2 * w])
+    force = asperity.model("ke").law(scene, "force", [w, 2 * w])
+    np.testing.assert_allclose(law, force / [w, 2 * w], rtol=1e-14)
+
+
+def test_loads_lead_to_separations(scene: asperity.Scene) -> None:
+    loads = [0.1, 10.0, 1000.0]
+    wanted = asperity.model("ke").separation_at(scene, loads)
+    for own in (KogutEtsion, Undeclared):
+        np.testing.assert_allclose(asperity.model(own).separation_at(scene, loads), wanted, atol=1e-9)
+
+
+def test_many_scenes_share_what_recurs(scene: asperity.Scene) -> None:
+    scenes = scene.vary(asperity_height_std=np.linspace(0.5e-6, 2e-6, 2000))
+    mine = asperity.model(KogutEtsion).solve(scenes, 1.0, QUANTITIES[:2])
+    theirs = asperity.model("ke").solve(scenes, 1.0, QUANTITIES[:2])
+    np.testing.assert_allclose(mine.force, theirs.force, rtol=2e-10)
+    np.testing.assert_allclose(mine.area, theirs.area, rtol=2e-10)
+
+
+def test_the_kit_tells_what_is_wrong(scene: asperity.Scene) -> None:
+    class Wrong(KogutEtsion):
+        kinks = ()  # type: ignore[assignment]
+        regimes = None  # type: ignore[assignment]
+
+        def __init__(self, one: asperity.Asperity) -> None:
+            self.one, self.unit, self.calls = one, one.critical_interference, 0
+
+        def area(self, w: Any) -> Any:
+            return super().area(w) + self.one.radius**2
+
+    assert asperity.model(KogutEtsion).check(scene) == []
+    findings = asperity.model(Wrong).check(scene)
+    assert any("undeclared kink" in finding for finding in findings)
+    assert any(finding.startswith("area: ") for finding in findings)
+
+
+class Broken:
+    """Refuses in as many ways as there are."""
+
+    what: Any = None
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        if self.what == "init":
+            raise LookupError("no such asperity")
+
+    @property
+    def kinks(self) -> Any:
+        return ["one"] if self.what == "kinks" else []
+
+    def force(self, w: Any) -> Any:
+        if isinstance(self.what, Exception):
+            raise self.what
+        return {"scalar": 1.0, "shape": w[1:], "nan": w * np.nan, "text": ["a"] * len(w)}.get(
+            str(self.what), w
+        )
+
+    def area(self, w: Any) -> Any:
+        return w
+
+
+@pytest.mark.parametrize(
+    ("what", "error", "message"),
+    [
+        ("init", LookupError, "no such asperity"),
+        ("kinks", (TypeError, ValueError), ""),
+        ("scalar", ValueError, r"Broken.force\(w\) has shape \[\] for 20 interferences"),
+        ("shape", ValueError, r"has shape \[19\] for 20 interferences"),
+        ("nan", ValueError, r"Broken.force\(w\) is NaN at w = .* m: a finite number was required"),
+        ("text", ValueError, r"Broken.force\(w\): numbers were required"),
+        (ZeroDivisionError("mine"), ZeroDivisionError, "mine"),
+    ],
+)
+def test_what_python_raises_comes_back(
+    what: Any, error: Any, message: str, scene: asperity.Scene
+) -> None:
+    model = asperity.model(type("Broken", (Broken,), {"what": what}))
+    with pytest.raises(error, match=message):
+        model.solve(scene, np.linspace(0, 1, 3))
+    with pytest.raises(error, match=message):
+        model.solve([scene, scene], 1.0)
+    with pytest.raises(error, match=message):
+        model.separation_at(scene, 1.0)
+
+
+def test_what_is_no_model_is_refused() -> None:
+    for thing in (3, object, type("NoArea", (), {}), np.sin):
+        with pytest.raises(ValueError, match="is no model: an id, or a class with"):
+            asperity.model(thing)  # type: ignore[arg-type]
+
+
+def test_an_exception_does_not_stay(scene: asperity.Scene) -> None:
+    class Moody(KogutEtsion):
+        good = False
+
+        def force(self, w: Any) -> Any:
+            if not Moody.good:
+                raise KeyboardInterrupt
+            return super().force(w)
+
+    contact = asperity.model(Moody).compile(scene)
+    for _ in range(2):
+        with pytest.raises(KeyboardInterrupt):
+            contact.force(1e-6)
+    Moody.good = True
+    wanted = asperity.model("ke").compile(scene).force(1e-6)
+    assert contact.force(1e-6) == pytest.approx(wanted, rel=1e-10)
+
+
+def test_threads_build_one_model_without_waiting_for_each_other_forever(
+    scene: asperity.Scene,
+) -> None:
+    class Slow(KogutEtsion):
+        def force(self, w: Any) -> Any:
+            time.sleep(1e-4)
+            return super().force(w)
+
+    contact = asperity.model(Slow).compile(scene)
+    found: list[float] = []
+    threads = [
+        threading.Thread(target=lambda: found.append(contact.force(1e-6)), daemon=True)
+        for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=20)
+    assert len(found) == 4 and len(set(found)) == 1
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
+@pytest.mark.parametrize("many", [False, True])
+def test_ctrl_c_ends_a_long_call(many: bool, scene: asperity.Scene) -> None:
+    # Some 5 s on two cores, if nobody stops it.
+    separations = np.linspace(0, 4, 200_000_000 if not many else 8_000_000)
+    scenes: Any = [scene] if many else scene
+    begun = time.monotonic()
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        asperity.model("ke").solve(scenes, separations)
+    timer.join()
+    assert time.monotonic() - begun < 5.0
