@@ -6,6 +6,7 @@ use asperity::{Compiled, ContactError, Quantity, Request, Warning};
 use asperity_scene::SceneFile;
 use numpy::{AllowTypeChange, PyArray1, PyArrayLikeDyn, PyArrayMethods, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyInt, PyTuple};
 
@@ -91,13 +92,28 @@ impl Contact {
             let gap: f64 = gap.extract()?;
             return scalar(py.detach(|| at(gap)).map_err(|e| self.raise(py, &e))?);
         }
-        let gaps: PyArrayLikeDyn<'py, f64, AllowTypeChange> = gap.extract()?;
+        let gaps = real_numbers(gap)?;
         let gaps = gaps.as_array();
         let flat: Vec<f64> = gaps.iter().copied().collect();
         let raise = |_, error: ContactError| self.raise(py, &error);
         let found = arrays::collect(py, flat.len(), |k| at(flat[k]), raise)?;
         array(found, gaps.shape())
     }
+}
+
+/// Numbers in any shape; texts, which NumPy would read as numbers, are none.
+fn real_numbers<'py>(
+    numbers: &Bound<'py, PyAny>,
+) -> PyResult<PyArrayLikeDyn<'py, f64, AllowTypeChange>> {
+    let array = numbers.py().import("numpy")?.call_method1("asarray", (numbers,))?;
+    let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+    if !matches!(kind.as_str(), "f" | "i" | "u" | "b") {
+        let kind = array.getattr("dtype")?.str()?;
+        return Err(PyTypeError::new_err(format!(
+            "numbers of type {kind} were given: real ones were required"
+        )));
+    }
+    array.extract()
 }
 
 fn compiled(

@@ -119,9 +119,14 @@ impl PythonModel {
     }
 }
 
+/// An attribute that may be missing, or None.
+fn given<'py>(laws: &Bound<'py, PyAny>, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
+    Ok(laws.getattr_opt(name)?.filter(|value| !value.is_none()))
+}
+
 /// `kinks` of the laws: interferences [m], for all quantities or by quantity; none if not given.
 fn kinks(laws: &Bound<'_, PyAny>, quantity: &str) -> PyResult<Vec<f64>> {
-    let Some(kinks) = laws.getattr_opt("kinks")? else { return Ok(vec![]) };
+    let Some(kinks) = given(laws, "kinks")? else { return Ok(vec![]) };
     let kinks = if kinks.is_callable() { kinks.call0()? } else { kinks };
     let kinks = match kinks.cast::<PyDict>() {
         Ok(by_quantity) => match by_quantity.get_item(quantity)? {
@@ -138,7 +143,7 @@ type Parts = Vec<(String, Regime, std::ops::Range<f64>, Vec<f64>)>;
 
 /// One part, or one for each of the `regimes` that the kinks bound.
 fn parts(laws: &Bound<'_, PyAny>, kinks: Vec<f64>) -> PyResult<Parts> {
-    let Some(regimes) = laws.getattr_opt("regimes")? else {
+    let Some(regimes) = given(laws, "regimes")? else {
         return Ok(vec![("law".into(), Regime::ElasticPlastic, 0.0..f64::INFINITY, kinks)]);
     };
     let regimes: Vec<String> = regimes.extract()?;

@@ -221,6 +221,7 @@ def test_what_does_not_converge_is_an_error_of_its_own(scene: asperity.Scene) ->
     assert not issubclass(asperity.NotConverged, ValueError)
 
 
+@pytest.mark.filterwarnings("ignore:.*angle density")
 def test_odd_answers_come_with_a_warning(soft_steel: asperity.Scene) -> None:
     printed = asperity.model("at")
     with pytest.warns(asperity.ContactWarning, match="the force is negative at 1 of the sep") as seen:

@@ -14,7 +14,12 @@ pub struct Legendre {
     tail: [Vec<f64>; 3],
     /// The same for degrees n/2+1, n/2, n/2-1.
     middle: [Vec<f64>; 3],
+    /// Rows that turn samples into the series' values next to 0 and next to 1.
+    ends: [Vec<f64>; 2],
 }
+
+/// How far inside [0, 1] the points are that [`Legendre::at_ends`] is for.
+pub const INSET: f64 = 1e-7;
 
 const LARGEST: usize = 128;
 
@@ -69,7 +74,16 @@ impl Legendre {
         };
         let rows = |top: usize| [0, 1, 2].map(|k| row(top.saturating_sub(k)));
         let (tail, middle) = (rows(n - 1), rows(n / 2 + 1));
-        Self { nodes, weights, tail, middle }
+        let end = |x: f64| -> Vec<f64> {
+            let mut sum = row(0);
+            for degree in 1..n {
+                let p = polynomial(degree, 2.0 * x - 1.0).0;
+                sum.iter_mut().zip(row(degree)).for_each(|(sum, r)| *sum += p * r);
+            }
+            sum
+        };
+        let ends = [end(INSET), end(1.0 - INSET)];
+        Self { nodes, weights, tail, middle, ends }
     }
 
     /// The largest of the last three Legendre coefficients of the function with these samples:
@@ -94,6 +108,14 @@ impl Legendre {
         let middle = self.middle(samples);
         let fall = if middle > tail { tail / middle } else { 1.0 };
         10.0 * tail * fall
+    }
+
+    /// The Legendre series of the function with these samples, [`INSET`] inside 0 and 1: where the
+    /// function itself is elsewhere, a kink hides beyond the outermost nodes.
+    #[must_use]
+    pub fn at_ends(&self, samples: &[f64]) -> [f64; 2] {
+        let at = |row: &Vec<f64>| row.iter().zip(samples).map(|(r, f)| r * f).sum();
+        [at(&self.ends[0]), at(&self.ends[1])]
     }
 
     /// The largest of three Legendre coefficients around degree n/2, to judge how the tail falls.

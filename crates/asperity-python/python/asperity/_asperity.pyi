@@ -7,13 +7,30 @@ from typing import Any, Literal, SupportsFloat, SupportsIndex, TypeAlias, final,
 import numpy as np
 import numpy.typing as npt
 
+__all__ = [
+    "Asperity",
+    "Body",
+    "Contact",
+    "ContactWarning",
+    "Engine",
+    "Interface",
+    "NotConverged",
+    "Scene",
+    "Scenes",
+    "Surface",
+    "Topography",
+    "model_ids",
+    "recommend",
+    "template",
+]
+
 _Floats: TypeAlias = npt.NDArray[np.float64]
 _Float: TypeAlias = SupportsFloat | SupportsIndex
 _Heights: TypeAlias = Literal["gaussian", "exponential"] | tuple[_Floats, _Floats]
 _Plane: TypeAlias = Literal["asperity-mean", "surface-mean"]
 _Options: TypeAlias = dict[str, str | dict[str, float]]
 
-Aspect: TypeAlias = Literal["value", "ln_value", "error"]
+_Aspect: TypeAlias = Literal["value", "ln_value", "error"]
 
 class NotConverged(RuntimeError): ...
 class ContactWarning(UserWarning): ...
@@ -221,7 +238,7 @@ class Contact:
     @overload
     def evaluate(self, quantity: str, gap: npt.ArrayLike) -> _Floats: ...
     def column(
-        self, quantity: str, separations: _Floats, in_metres: bool, aspect: Aspect
+        self, quantity: str, separations: _Floats, in_metres: bool, aspect: _Aspect
     ) -> _Floats: ...
     def shares(
         self, quantity: str, separations: _Floats, in_metres: bool
@@ -257,7 +274,7 @@ class Engine:
         in_metres: bool,
         names: Sequence[str],
         rtol: _Float,
-        aspect: Aspect,
+        aspect: _Aspect,
     ) -> tuple[list[_Floats], list[str]]: ...
     def law(
         self, scene: Scene, quantity: str, interferences: _Floats, rtol: _Float

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from asperity._asperity import Contact, Engine
 if TYPE_CHECKING:
     import pandas as pd
 
-    from asperity._asperity import Aspect
+Aspect: TypeAlias = Literal["value", "ln_value", "error"]
 
 
 class Curve:
