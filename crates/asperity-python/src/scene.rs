@@ -32,6 +32,9 @@ use crate::surface::Surface;
 /// separation_from : "asperity-mean" or "surface-mean"
 ///     The plane that separations are measured from: the mean of the asperity heights (for
 ///     exponential heights: the lowest asperity), or the mean plane of the surface.
+/// separation_offset : float, optional
+///     With "surface-mean": how far the mean of the asperity heights lies above the mean plane
+///     [m]; when not given, that of the table of heights, or of an isotropic Gaussian surface.
 /// options : dict, optional
 ///     Options of the models, as in the section [options] of a scene file.
 ///
@@ -55,19 +58,27 @@ pub(crate) enum HeightsArgument<'py> {
 }
 
 /// What a scene is made of, in the order of its arguments.
-type Arguments<'py> =
-    (Interface, Surface, f64, Bound<'py, PyAny>, &'static str, BTreeMap<String, Bound<'py, PyAny>>);
+type Arguments<'py> = (
+    Interface,
+    Surface,
+    f64,
+    Bound<'py, PyAny>,
+    &'static str,
+    Option<f64>,
+    BTreeMap<String, Bound<'py, PyAny>>,
+);
 
 #[pymethods]
 impl Scene {
     #[new]
-    #[pyo3(signature = (interface, surface, nominal_area, heights=None, separation_from="asperity-mean", options=None))]
+    #[pyo3(signature = (interface, surface, nominal_area, heights=None, separation_from="asperity-mean", separation_offset=None, options=None))]
     fn new(
         interface: &Interface,
         surface: &Surface,
         nominal_area: f64,
         heights: Option<HeightsArgument<'_>>,
         separation_from: &str,
+        separation_offset: Option<f64>,
         options: Option<Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let mut file = SceneFile::from(asperity::Scene::new(interface.0, surface.0, nominal_area));
@@ -110,6 +121,19 @@ impl Scene {
             _ => {
                 return Err(value_error(format!(
                     "separation_from is {separation_from:?}: \"asperity-mean\" or \"surface-mean\" was required"
+                )));
+            }
+        };
+        file.separation_offset = match (file.separation_from, separation_offset) {
+            (SeparationFrom::SurfaceMean, Some(offset)) if offset.is_finite() => offset,
+            (SeparationFrom::SurfaceMean, None) => match &file.table {
+                Some(table) => table.mean(),
+                None => surface.0.mean_plane_offset(),
+            },
+            (_, None) => 0.0,
+            (_, Some(offset)) => {
+                return Err(value_error(format!(
+                    "separation_offset is {offset:?}: a finite number, with separation_from \"surface-mean\", was required"
                 )));
             }
         };
@@ -243,7 +267,10 @@ impl Scene {
             None => text += &format!(", heights='{}'", file.scene.heights.name()),
         }
         if file.separation_from != SeparationFrom::AsperityMean {
-            text += ", separation_from='surface-mean'";
+            text += &format!(
+                ", separation_from='surface-mean', separation_offset={:?}",
+                file.separation_offset
+            );
         }
         let options = file.options.changed();
         if !options.is_empty() {
@@ -263,6 +290,7 @@ impl Scene {
             && a.scene.heights.name() == b.scene.heights.name()
             && a.options == b.options
             && a.separation_from == b.separation_from
+            && a.separation_offset.total_cmp(&b.separation_offset).is_eq()
             && table(a) == table(b)
     }
 
@@ -273,6 +301,8 @@ impl Scene {
             self.nominal_area(),
             self.heights(py)?,
             self.separation_from(),
+            (self.0.separation_from == SeparationFrom::SurfaceMean)
+                .then_some(self.0.separation_offset),
             self.options(py)?,
         ))
     }

@@ -183,8 +183,8 @@ class Broken:
     [
         ("init", LookupError, "no such asperity"),
         ("kinks", (TypeError, ValueError), None),
-        ("scalar", ValueError, r"Broken.force\(w\) has shape \[\] for 20 interferences"),
-        ("shape", ValueError, r"has shape \[19\] for 20 interferences"),
+        ("scalar", ValueError, r"Broken.force\(w\) has shape \[\] for 2. interferences"),
+        ("shape", ValueError, r"has shape \[..\] for 2. interferences"),
         ("nan", ValueError, r"Broken.force\(w\) is NaN at w = .* m: a finite number was required"),
         ("text", ValueError, r"Broken.force\(w\): numbers were required"),
         (ZeroDivisionError("mine"), ZeroDivisionError, "mine"),

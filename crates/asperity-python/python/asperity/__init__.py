@@ -13,7 +13,7 @@ unless ``separation_unit="m"``.
 ... )
 >>> curve = asperity.model("ke").solve(scene, separation=[1, 2, 3], quantities=["force", "area"])
 >>> [f"{force:.2f} N" for force in curve.force]
-['2104.51 N', '216.94 N', '10.57 N']
+['2319.85 N', '216.94 N', '9.05 N']
 >>> bool((curve.error("force") < 1e-10).all())
 True
 """

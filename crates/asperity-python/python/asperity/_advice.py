@@ -79,7 +79,7 @@ def plan(
     >>> print(asperity.plan("ke", scene, [0.0, 2.0]))
     KE, gaussian heights, 2 separations from 0 to 2, relative tolerance 1e-10
       force from the force law: Gauss rules with the law as weight
-        8 to 8 nodes, law sampled 1320 times
+        8 nodes: exponentials a value; 320 samples of the law, once
         elastic: sum of powers
         elastic-plastic: sum of powers
         elastic-plastic 2: sum of powers

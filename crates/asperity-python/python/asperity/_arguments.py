@@ -13,7 +13,7 @@ from asperity._asperity import Scene, Scenes
 Floats: TypeAlias = npt.NDArray[np.float64]
 Shape: TypeAlias = tuple[int, ...]
 #: One scene, or many in any shape.
-SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | npt.NDArray[Any]
+SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
 
 UNITS = {"force": "N", "area": "m2", "stiffness": "N_per_m", "tangent": "N_per_m"}
 SEPARATION_UNITS = ("asperity_height_std", "m")
@@ -50,9 +50,10 @@ class Many:
     def __init__(self, scenes: SceneLike, numbers: npt.ArrayLike) -> None:
         self.numbers = floats(numbers)
         self.one: Scene | None = None
+        self._scenes_shape: Shape = ()
         self.scenes: Scenes | list[Scene]
         if isinstance(scenes, Scene):
-            self.one, self.scenes, self._scenes_shape = scenes, [scenes], ()
+            self.one, self.scenes = scenes, [scenes]
         elif isinstance(scenes, Scenes):
             self.scenes, self._scenes_shape = scenes, scenes.shape
         else:
@@ -61,7 +62,6 @@ class Many:
             for k, scene in enumerate(self.scenes):
                 if not isinstance(scene, Scene):
                     raise TypeError(f"scene {k} is {scene!r}: a Scene was required")
-        self._scenes_shape: Shape
         self.shape: Shape = np.broadcast_shapes(self._scenes_shape, self.numbers.shape)
 
     @property

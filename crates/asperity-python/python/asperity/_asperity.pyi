@@ -153,6 +153,7 @@ class Scene:
         nominal_area: _Float,
         heights: _Heights | None = None,
         separation_from: _Plane = "asperity-mean",
+        separation_offset: _Float | None = None,
         options: _Options | None = None,
     ) -> Scene: ...
     @staticmethod
@@ -186,7 +187,7 @@ class Scene:
     def __ne__(self, other: object, /) -> bool: ...
     def __getnewargs__(
         self,
-    ) -> tuple[Interface, Surface, float, _Heights, _Plane, _Options]: ...
+    ) -> tuple[Interface, Surface, float, _Heights, _Plane, float | None, _Options]: ...
 
 @final
 class Scenes:

@@ -27,9 +27,9 @@ class Curve:
     >>> curve
     <asperity.Curve of KE: force at 3 separations from 0 to 60 asperity_height_std, rtol=1e-10>
     >>> curve.force.shape, float(curve.force[2]), round(float(curve.ln("force")[2]), 3)
-    ((3,), 0.0, -1796.246)
+    ((3,), 0.0, -1800.189)
     >>> {part: round(float(share[1]), 4) for part, share in curve.shares("force").items()}
-    {'elastic': 0.0042, 'elastic-plastic': 0.0577, 'elastic-plastic 2': 0.8828, 'plastic': 0.0553}
+    {'elastic': 0.0022, 'elastic-plastic': 0.1221, 'elastic-plastic 2': 0.8757, 'plastic': 0.0}
     """
 
     def __init__(

@@ -151,7 +151,7 @@ class Model:
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
         >>> asperity.model("ke").separation_at(scene, load=[1, 10, 100]).round(4)
-        array([3.6993, 3.0162, 2.2733])
+        array([3.5715, 2.9723, 2.2698])
         """
         many, everything = self._separations(scene, load, rtol, separation_unit)
         several = sum(len(found) > 1 for found in everything)
@@ -204,7 +204,7 @@ class Model:
         >>> contact = asperity.model("ke").compile(scene)
         >>> force, tangent = contact.force_and_tangent(2e-6)  # N and N/m at a gap in m
         >>> f"{force:.2f} N, {tangent:.3e} N/m"
-        '216.94 N, 5.480e+08 N/m'
+        '216.94 N, 5.988e+08 N/m'
         """
         return self._engine.compile(scene, quantity_names(quantities), rtol)
 

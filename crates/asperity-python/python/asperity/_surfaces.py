@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from asperity._asperity import Topography
 
 
@@ -11,22 +13,43 @@ def topography(surface: Any, unit: str | None = None) -> Topography:
     """A measured surface from an object of SurfaceTopography or surfalize.
 
     The objects know their pixel size and, mostly, their unit; where one does not, ``unit`` says it.
-    Neither package is needed for anything else.
+    Neither package is needed for anything else, and neither is imported here.
     """
     home = type(surface).__module__.partition(".")[0]
     if home == "SurfaceTopography":
         return _from_surface_topography(surface, unit)
     if home == "surfalize":
-        return _from_surfalize(surface)
+        return _from_surfalize(surface, unit)
     raise TypeError(
         f"{type(surface).__name__} is no surface that is known: one of SurfaceTopography or "
         "surfalize was required; heights in an array go to asperity.Topography(heights, dx, unit)"
     )
 
 
+def _one_unit(own: str | None, given: str | None, what: str) -> str:
+    if own is None and given is None:
+        raise ValueError(f"unit is missing: {what} has none")
+    if own is not None and given is not None and own != given:
+        raise ValueError(f"unit is {given!r}: {what} is in {own!r} already")
+    return str(own if own is not None else given)
+
+
 def _from_surface_topography(surface: Any, unit: str | None) -> Topography:
-    raise NotImplementedError
+    if not surface.is_uniform:
+        raise ValueError(
+            f"{type(surface).__name__} has points at unequal distances: a uniform surface was "
+            "required, as of surface.to_uniform()"
+        )
+    # Its first axis is x; missing points are masked.
+    heights = np.ma.filled(np.ma.asarray(surface.heights(), dtype=np.float64), np.nan).T
+    dx, dy = (*surface.pixel_size, surface.pixel_size[0])[:2]
+    found = _one_unit(surface.unit, unit, "this surface of SurfaceTopography")
+    return Topography(heights, (dx, dy), found, periodic=bool(surface.is_periodic))
 
 
-def _from_surfalize(surface: Any) -> Topography:
-    raise NotImplementedError
+def _from_surfalize(surface: Any, unit: str | None) -> Topography:
+    # Micrometres throughout; rows are y, missing points are NaN.
+    found = _one_unit("um", unit, "this surface of surfalize")
+    if hasattr(surface, "step_x"):
+        return Topography(surface.data, (surface.step_x, surface.step_y), found)
+    return Topography(surface.data, surface.step, found)

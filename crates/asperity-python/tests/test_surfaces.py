@@ -1,0 +1,107 @@
+"""Measured surfaces: arrays, and the objects of other packages where these are installed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import asperity
+import numpy as np
+import pytest
+
+RNG = np.random.default_rng(7)
+
+
+def rough(rows: int, columns: int) -> Any:
+    """A Gaussian surface, smooth on a scale of some pixels [um], one pixel being 1 um."""
+    noise = RNG.standard_normal((rows, columns))
+    ky, kx = np.meshgrid(np.fft.fftfreq(rows), np.fft.fftfreq(columns), indexing="ij")
+    smooth = np.fft.ifft2(np.fft.fft2(noise) * np.exp(-120.0 * (kx**2 + ky**2))).real
+    return smooth / smooth.std()
+
+
+HEIGHTS = rough(128, 192)
+
+
+def test_units_are_those_of_heights_and_spacing() -> None:
+    metres = asperity.Topography(HEIGHTS * 1e-6, 1e-6, "m")
+    for unit, factor in [("um", 1.0), ("nm", 1e3), ("mm", 1e-3)]:
+        other = asperity.Topography(HEIGHTS * factor, (factor, factor), unit)
+        assert other.shape == (128, 192)
+        np.testing.assert_allclose(other.heights, metres.heights, rtol=1e-14)
+        np.testing.assert_allclose(other.pixel_size, (1e-6, 1e-6), rtol=1e-14)
+
+
+def test_statistics_are_those_of_numpy() -> None:
+    periodic = asperity.Topography(HEIGHTS, 1.0, "um", periodic=True)
+    found = periodic.statistics(level="none")
+    assert found["sq"] == pytest.approx(1e-6 * HEIGHTS.std(), rel=1e-12)
+    skewness = (((HEIGHTS - HEIGHTS.mean()) / HEIGHTS.std()) ** 3).mean()
+    assert found["ssk"] == pytest.approx(skewness, rel=1e-9)
+    # The slope of a smooth surface, whatever the formula for it: by Fourier.
+    kx = 2 * np.pi * np.fft.fftfreq(192)
+    slope = np.fft.ifft(1j * kx * np.fft.fft(HEIGHTS, axis=1), axis=1).real
+    assert found["m2"] == pytest.approx((slope**2).mean(), rel=0.1)
+
+
+def test_a_scan_becomes_a_surface_and_a_force() -> None:
+    surface = asperity.Topography(HEIGHTS, 1.0, "um").surface()
+    interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+    scene = asperity.Scene(interface, surface, nominal_area=1e-8)
+    assert asperity.model("ke").solve(scene, 1.0).force > 0.0
+    summits = asperity.Topography(HEIGHTS, 1.0, "um").surface(estimator="summits")
+    assert 0.3 < summits.asperity_density / surface.asperity_density < 3.0
+
+
+def test_what_is_no_surface_is_refused() -> None:
+    with pytest.raises(ValueError, match="unit is .furlong."):
+        asperity.Topography(HEIGHTS, 1.0, "furlong")
+    with pytest.raises(ValueError, match="heights has 3 dimensions"):
+        asperity.Topography(np.zeros((2, 2, 2)), 1.0, "um")
+    with pytest.raises(ValueError, match="pixel_size is "):
+        asperity.Topography(HEIGHTS, 0.0, "um")
+    with pytest.raises(ValueError, match="level is .cubic."):
+        asperity.Topography(HEIGHTS, 1.0, "um").statistics(level="cubic")
+    with pytest.raises(TypeError, match="ndarray is no surface that is known"):
+        asperity.topography(HEIGHTS)
+
+
+def test_surfaces_of_surface_topography() -> None:
+    theirs: Any = pytest.importorskip("SurfaceTopography", reason="SurfaceTopography is optional")
+    # Its first axis is x.
+    surface = theirs.Topography(HEIGHTS.T, (192.0, 256.0), unit="um", periodic=True)
+    mine = asperity.topography(surface)
+    assert mine.shape == (128, 192)
+    np.testing.assert_allclose(mine.pixel_size, (1e-6, 2e-6))
+    np.testing.assert_allclose(mine.heights, HEIGHTS * 1e-6)
+    ours = asperity.topography(theirs.Topography(HEIGHTS.T, (192.0, 128.0), unit="um", periodic=True))
+    found = ours.statistics(level="none")
+    assert found["sq"] == pytest.approx(1e-6 * HEIGHTS.std(), rel=1e-9)
+
+    holes = np.ma.masked_greater(HEIGHTS.T, 1.0)
+    masked = theirs.Topography(holes, (192.0, 128.0))
+    with pytest.raises(ValueError, match="unit is missing"):
+        asperity.topography(masked)
+    mine = asperity.topography(masked, unit="nm")
+    assert mine.missing_share == pytest.approx(np.ma.getmaskarray(holes).mean())
+
+    scan = theirs.UniformLineScan(HEIGHTS[0], 192.0, unit="um")
+    mine = asperity.topography(scan)
+    assert mine.shape == (1, 192) and mine.pixel_size == pytest.approx((1e-6, 1e-6))
+    with pytest.raises(ValueError, match="unit is 'nm': .* in 'um' already"):
+        asperity.topography(scan, unit="nm")
+    uneven = theirs.NonuniformLineScan(np.arange(9.0) ** 2, HEIGHTS[0, :9], unit="um")
+    with pytest.raises(ValueError, match="points at unequal distances"):
+        asperity.topography(uneven)
+
+
+def test_surfaces_of_surfalize() -> None:
+    theirs: Any = pytest.importorskip("surfalize", reason="surfalize is optional")
+    surface = theirs.Surface(HEIGHTS, 1.0, 1.0)
+    mine = asperity.topography(surface)
+    np.testing.assert_allclose(mine.heights, HEIGHTS * 1e-6)
+    assert mine.pixel_size == (1e-6, 1e-6)
+    assert mine.statistics(level="none")["sq"] == pytest.approx(1e-6 * surface.Sq(), rel=1e-9)
+    with pytest.raises(ValueError, match="unit is 'nm'"):
+        asperity.topography(surface, unit="nm")
+    profile = theirs.Profile(HEIGHTS[0], 1.0)
+    assert asperity.topography(profile).shape == (1, 192)
