@@ -63,8 +63,14 @@ impl<'a> Document<'a> {
     /// Reads the text; nothing but its syntax is looked at.
     pub(crate) fn table(&self) -> Result<Spanned<DeTable<'a>>, SceneError> {
         DeTable::parse(self.text).map_err(|error| {
-            let at = self.place(error.span().map_or(0, |span| span.start), "TOML");
-            SceneError::Syntax { at, reason: error.message().replace('\n', ", ") }
+            let offset = error.span().map_or(0, |span| span.start);
+            let at = self.place(offset, "TOML");
+            let found = self.text.lines().nth(at.line.map_or(0, |line| line - 1)).unwrap_or("");
+            let reason = error.message().replace('\n', ", ");
+            SceneError::Syntax {
+                at,
+                reason: format!("{reason}: {} was found", quoted(found.trim())),
+            }
         })
     }
 

@@ -19,7 +19,7 @@ pub(crate) fn interface<'a>(top: &Section<'a>) -> Result<(Interface, Section<'a>
             }
             Ok((equivalent(&section)?, section))
         }
-        (None, None) => Err(top.missing("interface", EITHER)),
+        (None, None) => Err(top.missing("interface", EITHER.trim_end_matches(','))),
         (None, Some(entry)) => {
             let mut sections = entry.sections("body")?.into_iter();
             let (first, second) = (sections.next(), sections.next());

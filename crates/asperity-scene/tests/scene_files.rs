@@ -177,7 +177,10 @@ fn every_error_names_line_and_field_and_what_is_needed() {
             text("", &format!("{INTERFACE}{bodies}"), SURFACE),
             &["line 3: interface and body (line 8) exclude each other: either [interface]"],
         ),
-        (text("", "", SURFACE), &["interface is missing: either [interface]"]),
+        (
+            text("", "", SURFACE),
+            &["interface is missing: either [interface]", "(one with rigid_counterface = true)"],
+        ),
         (text("", INTERFACE, ""), &["surface is missing"]),
         (
             text("surface = 3", INTERFACE, ""),
@@ -255,7 +258,10 @@ fn every_error_names_line_and_field_and_what_is_needed() {
             &["options.force is 3: a word in quotes"],
         ),
         (text("", INTERFACE, &with("[options]\nat_readin = 3")), &["did you mean \"at_reading\"?"]),
-        (text("", INTERFACE, &with("asperity_radius = 1")), &["line 13: TOML: duplicate key"]),
+        (
+            text("", INTERFACE, &with("asperity_radius = 1")),
+            &["line 13: TOML: duplicate key: \"asperity_radius = 1\" was found"],
+        ),
         ("nominal_area = ".into(), &["line 1: TOML: "]),
         (String::new(), &["line 1: surface is missing"]),
         (format!("{INTERFACE}{SURFACE}"), &["nominal_area is missing"]),

@@ -144,7 +144,9 @@ pub enum TopographyError {
         required: usize,
     },
     /// All heights are the same.
-    #[error("the {points} heights are all the same: a rough surface was required")]
+    #[error(
+        "the {points} heights are all the same, levelled if asked to be: a rough surface was required"
+    )]
     Flat {
         /// How many heights there are.
         points: usize,

@@ -22,7 +22,7 @@ impl Topography {
     /// [`TopographyError::OutOfRange`] when the cut-off is below two pixels or above the size of
     /// the surface.
     pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
-        let mean = self.gaussian_mean(cutoff)?;
+        let mean = self.gaussian_mean("filter", cutoff)?;
         for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
             *height -= mean;
         }
@@ -35,7 +35,7 @@ impl Topography {
     /// # Errors
     /// As [`Topography::filter`].
     pub fn smooth(mut self, cutoff: f64) -> Result<Self, TopographyError> {
-        let mean = self.gaussian_mean(cutoff)?;
+        let mean = self.gaussian_mean("smooth", cutoff)?;
         for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
             if !height.is_nan() {
                 *height = mean;
@@ -44,9 +44,11 @@ impl Topography {
         Ok(self)
     }
 
-    /// The weighted mean about every point \[m\]; anything where nothing is in reach.
+    /// The weighted mean about every point \[m\]; anything where nothing is in reach. `field` is
+    /// what the cut-off is called where it is refused.
     fn gaussian_mean(
         &self,
+        field: &'static str,
         cutoff: f64,
     ) -> Result<impl Iterator<Item = f64> + use<>, TopographyError> {
         let [dx, dy] = self.pixel_size();
@@ -56,7 +58,7 @@ impl Topography {
                 return Ok(Line::new(n, cutoff / step, self.is_periodic()));
             }
             let required = "a length of at least two pixels and at most the size of the surface";
-            Err(TopographyError::OutOfRange { field: "filter", value: cutoff, required })
+            Err(TopographyError::OutOfRange { field, value: cutoff, required })
         };
         let mean = self.mean();
         // Heights and their weights are real: one complex number holds both.
@@ -203,6 +205,8 @@ mod tests {
         for cutoff in [f64::NAN, -1.0, 0.0, 1.9, 10.1, f64::INFINITY] {
             let error = surface.clone().filter(cutoff).unwrap_err().to_string();
             assert!(error.starts_with("filter is") && error.contains("two pixels"), "{error}");
+            let error = surface.clone().smooth(cutoff).unwrap_err().to_string();
+            assert!(error.starts_with("smooth is"), "{error}");
         }
     }
 }

@@ -64,6 +64,10 @@ impl Level {
 /// to 1 a full grid of three by three points has 0.02.
 const DETERMINED: f64 = 1e-9;
 
+/// What is left below this share of the largest height is the rounding of the fit: it has some
+/// three roundings a height.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 impl Topography {
     /// The surface without its least-squares plane or quadric; missing points stay missing.
     ///
@@ -75,6 +79,7 @@ impl Topography {
         if terms.is_empty() {
             return Ok(self);
         }
+        let largest = self.largest();
         let (columns, rows) = (self.columns(), self.rows());
         let along: Vec<f64> = (0..columns).map(|x| scaled(x, columns)).collect();
         let mean = self.mean();
@@ -107,7 +112,17 @@ impl Topography {
                 *height -= c0 + u * (c1 + u * c2);
             }
         }
+        if self.largest() <= ROUNDING * largest {
+            // An exact plane leaves rounding, which has summits of its own.
+            let there = self.heights_mut().iter_mut().filter(|height| !height.is_nan());
+            there.for_each(|height| *height = 0.0);
+        }
         Ok(self)
+    }
+
+    /// Size of the height furthest from 0 \[m\].
+    fn largest(&self) -> f64 {
+        self.heights().iter().fold(0.0, |largest, height| f64::max(largest, height.abs()))
     }
 }
 
@@ -159,6 +174,22 @@ mod tests {
                 assert!(after.is_nan() || after.abs() < 1e-19, "{after:e}");
             }
         }
+    }
+
+    #[test]
+    fn an_exact_plane_has_no_asperities_of_rounding() {
+        let plane = |rough: f64| {
+            let height = |i: i32| {
+                let (x, y) = (f64::from(i % 50), f64::from(i / 50));
+                0.1 * x + 0.3 * y + rough * (7.0 * x * x + 3.0 * y * x).sin()
+            };
+            let surface = Topography::new((0..2500).map(height).collect(), 50, [1.0; 2]).unwrap();
+            surface.level(Level::Plane).unwrap()
+        };
+        let error = plane(0.0).statistics(crate::Estimator::Moments).unwrap_err().to_string();
+        assert!(error.contains("2500 heights are all the same"), "{error}");
+        let sq = plane(1e-12).moments().unwrap().profile.m0.sqrt();
+        assert!((0.5e-12..1e-12).contains(&sq), "{sq:e}");
     }
 
     #[test]

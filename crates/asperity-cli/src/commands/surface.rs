@@ -139,6 +139,14 @@ impl Surface {
             let text = "--heights takes one FILE: the heights of two surfaces do not add";
             crate::usage_error("surface", ErrorKind::ArgumentConflict, text);
         }
+        if let (Some(smooth), Some(filter)) = (self.smooth, self.filter)
+            && smooth >= filter
+        {
+            let text = format!(
+                "--smooth {smooth} takes away what --filter {filter} keeps: a smaller cut-off was expected of --smooth"
+            );
+            crate::usage_error("surface", ErrorKind::ArgumentConflict, &text);
+        }
         let progress = Progress::new("surface", 0);
         let (mut each, mut densities) = (vec![], vec![]);
         for path in &self.files {
@@ -237,14 +245,13 @@ impl Surface {
     }
 }
 
-/// The path of a file as a scene file at `scene` names it.
+/// The path of a file as a scene file at `scene` names it: from the scene's own folder where the
+/// file is there or below, so that both can be moved together.
 fn beside(scene: &Path, file: &Path) -> Result<String> {
-    let folder = |path: &Path| path.parent().map(Path::to_path_buf).unwrap_or_default();
-    let named = if folder(scene) == folder(file) {
-        file.file_name().map(PathBuf::from).unwrap_or_default()
-    } else {
-        std::path::absolute(file)?
-    };
+    let scene = std::path::absolute(scene)?;
+    let file = std::path::absolute(file)?;
+    let folder = scene.parent().unwrap_or(Path::new(""));
+    let named = file.strip_prefix(folder).unwrap_or(&file).to_path_buf();
     let text = named.into_os_string().into_string();
     text.map_err(|name| anyhow!("{} is no text, which a scene file needs", name.display()))
 }

@@ -162,3 +162,37 @@ fn nothing_is_guessed_and_nothing_odd_is_taken() {
     assert_eq!(refused.code, Some(1));
     assert_eq!(refused.words.matches("--max-missing").count(), 1, "{}", refused.words);
 }
+
+#[test]
+fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    std::fs::create_dir_all(bench.path("made/heights")).unwrap();
+    bench.data(
+        "surface scan.txt --unit um --pixel-size 0.5 --estimator summits --heights made/heights/pdf.csv --scene made/rough.toml",
+    );
+    assert!(bench.read("made/rough.toml").contains("{ file = \"heights/pdf.csv\" }"));
+    std::fs::rename(bench.path("made"), bench.path("moved")).unwrap();
+    let run = bench.run("curve moved/rough.toml --model gw --separation 1");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    // No word of a density that is wider than its summits.
+    assert_eq!(run.words, "");
+}
+
+#[test]
+fn filters_that_leave_nothing_are_refused_by_name() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let of =
+        |words: &str| bench.run(&format!("surface scan.txt --unit um --pixel-size 0.5 {words}"));
+    let crossed = of("--filter 2e-6 --smooth 4e-6");
+    assert_eq!(crossed.code, Some(2), "{}", crossed.words);
+    assert!(
+        crossed.words.contains("a smaller cut-off was expected of --smooth"),
+        "{}",
+        crossed.words
+    );
+    let short = of("--smooth 1e-9");
+    assert_eq!(short.code, Some(1), "{}", short.words);
+    assert!(short.words.contains("smooth is 1e-9"), "{}", short.words);
+}
