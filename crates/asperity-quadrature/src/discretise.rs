@@ -1,7 +1,7 @@
 //! From a density times a smooth weight to point masses, on panels refined until resolved.
 
 use crate::legendre::{INSET, Legendre, legendre};
-use crate::{Density, QuadratureError};
+use crate::{Density, Piece, QuadratureError};
 
 /// Points of the rule on each panel.
 const POINTS: usize = 20;
@@ -101,7 +101,10 @@ impl Panel {
         // Kinks of formulas that are sums of powers are known: their ends need no look. Nor does the
         // end where the map begins: next to nothing is there.
         let (low, high) = self.ends;
-        let judged = density.active(low, high).any(|piece| piece.origin.is_none());
+        // So are those of tables, whose own error, known only while they grow, must not decide.
+        let unknown =
+            |piece: &Piece| piece.origin.is_none() && piece.sampler.relative_error() <= 0.0;
+        let judged = density.active(low, high).any(unknown);
         let range = match (judged, self.low > 0.0) {
             (true, true) => 0..POINTS + 2,
             (true, false) => 1..POINTS + 2,
@@ -123,7 +126,7 @@ impl Panel {
         self.error = width * rule.error(&self.masses);
         if judged {
             let ends = [0, POINTS + 1].map(|k| range.contains(&k).then_some(values[k]));
-            self.error += width * hidden(rule, &self.masses, ends, density.relative_error());
+            self.error += width * hidden(rule, &self.masses, ends);
         }
         for (mass, w) in self.masses.iter_mut().zip(&rule.weights) {
             *mass *= w * width;
@@ -138,9 +141,9 @@ impl Panel {
 
 /// What a kink or jump beyond the outermost nodes hides, at most: the share of the panel out there
 /// times how far the function is, at its ends, from the series through the nodes.
-fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2], error: f64) -> f64 {
+fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2]) -> f64 {
     let largest = samples.iter().chain(ends.iter().flatten()).fold(0.0, |m: f64, f| m.max(f.abs()));
-    let rounding = 1e-12_f64.max(10.0 * error) * largest;
+    let rounding = 1e-12 * largest;
     let off = |(series, value): (f64, Option<f64>)| value.map_or(0.0, |v| (series - v).abs());
     let off = rule.at_ends(samples).into_iter().zip(ends).map(off).fold(0.0, f64::max);
     if off > rounding { rule.nodes[0] * off } else { 0.0 }
