@@ -7,8 +7,8 @@ use crate::{ContactError, Interface};
 
 /// σ_z² = σ² - SUMMIT_VARIANCE/(ηR)² for an isotropic Gaussian surface. \[seen, derived\]
 const SUMMIT_VARIANCE: f64 = 3.716_954_9e-4;
-/// Mean of the asperity heights above the surface's mean plane, times ηR. \[seen, derived\]
-const SUMMIT_MEAN: f64 = 0.045_944_074_6;
+/// Mean of the asperity heights above the surface's mean plane, times ηR: 1/(4√3 π). \[seen, derived\]
+const SUMMIT_MEAN: f64 = 0.045_944_074_618_482_67;
 /// σ_z² = (1 - `BANDWIDTH_LOSS`/α) m₀. \[derived\]
 const BANDWIDTH_LOSS: f64 = 0.896_805_8;
 
