@@ -154,7 +154,7 @@ impl Compiled {
         let total = &channel.total;
         let moments = if needs_slope { total.at(s) } else { total.value(s) };
         let moments = moments.map_err(failed(quantity, s))?;
-        Ok(self.evaluation(channel, quantity, s, &moments))
+        self.evaluation(channel, quantity, s, &moments)
     }
 
     /// Force \[N\] and tangent -dF/dd \[N/m\] at a separation d/σ_z, in one pass over the same nodes:
@@ -170,7 +170,7 @@ impl Compiled {
         let s = checked_separation(separation)?;
         let moments = channel.total.at(s).map_err(failed(Quantity::Force, s))?;
         let of = |quantity| self.evaluation(channel, quantity, s, &moments);
-        Ok((of(Quantity::Force), of(Quantity::Tangent)))
+        Ok((of(Quantity::Force)?, of(Quantity::Tangent)?))
     }
 
     /// A quantity on another scene of the same asperities, at its separation d/σ_z: another
@@ -201,8 +201,11 @@ impl Compiled {
             HeightIntegral::new(law.density(), scale, &scene.heights, channel.tolerance).at(s)
         };
         let moments = moments.map_err(failed(quantity, s))?;
-        let evaluation = if is_value { Evaluation::of_value } else { Evaluation::of_slope };
-        Ok(evaluation(&moments, units))
+        if is_value {
+            Evaluation::of_value(&moments, units).held(moments.sizes[0], quantity)
+        } else {
+            Evaluation::of_slope(&moments, units).held(moments.sizes[1], quantity)
+        }
     }
 
     /// d²Q/dd² \[unit of Q over m²\] of a quantity that has a law of its own, from the nodes of its
@@ -226,10 +229,11 @@ impl Compiled {
             return Err(ContactError::NoSecondDerivative { quantity });
         };
         let Curvature { value, size, ln_scale, error } = curvature.map_err(failed(quantity, s))?;
+        let integral = size;
         // Divided twice, so that no square of a small number underflows.
         let [scaled, size] =
             [value, size].map(|x| x * channel.factor / self.height_std / self.height_std);
-        Ok(Evaluation { scaled, ln_scale, size, error })
+        Evaluation { scaled, ln_scale, size, error }.held(integral, quantity)
     }
 
     /// The share of every part of the law in a quantity (in the force, for the tangent).
@@ -288,15 +292,15 @@ impl Compiled {
         quantity: Quantity,
         separation: f64,
         moments: &Moments,
-    ) -> Evaluation {
+    ) -> Result<Evaluation, ContactError> {
         let units = Units { factor: channel.factor, height_std: self.height_std };
         // A channel's own quantity is its integral; what else comes of it is a slope.
         let evaluation = if quantity == channel.quantity {
-            Evaluation::of_value(moments, units)
+            Evaluation::of_value(moments, units).held(moments.sizes[0], quantity)?
         } else {
-            Evaluation::of_slope(moments, units)
+            Evaluation::of_slope(moments, units).held(moments.sizes[1], quantity)?
         };
-        evaluation.with_rounding(self.separation_rounding, separation, moments)
+        Ok(evaluation.with_rounding(self.separation_rounding, separation, moments))
     }
 
     /// Whether the laws hold on another scene.

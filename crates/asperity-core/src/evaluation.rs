@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use asperity_quadrature::Moments;
 
-use crate::Regime;
+use crate::{ContactError, Quantity, Regime};
 
 /// A value that may be too small for a plain number, with a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,6 +70,14 @@ pub(crate) struct Units {
 }
 
 impl Evaluation {
+    /// The evaluation, if its size is a number that a double holds: never an infinity, and no 0 for
+    /// an integral that is none.
+    #[inline]
+    pub(crate) fn held(self, integral: f64, quantity: Quantity) -> Result<Self, ContactError> {
+        let held = self.size < f64::INFINITY && (self.size > 0.0 || integral == 0.0);
+        if held { Ok(self) } else { Err(ContactError::Scale { quantity, scale: self.size }) }
+    }
+
     pub(crate) fn of_value(moments: &Moments, units: Units) -> Self {
         let [scaled, size] = [moments.value, moments.sizes[0]].map(|x| x * units.factor);
         Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
@@ -90,5 +98,30 @@ impl Evaluation {
         let [scaled, size] =
             [moments.slope, moments.sizes[1]].map(|x| x / units.height_std * units.factor);
         Self { scaled, ln_scale: moments.ln_scale, size, error: moments.error }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn moments(value: f64) -> Moments {
+        Moments { value, slope: 0.0, sizes: [value, 0.0], ln_scale: 0.0, error: 0.0 }
+    }
+
+    #[test]
+    fn what_a_double_cannot_hold_is_refused() {
+        let large = moments(1e10);
+        for (factor, held) in [(1e290, true), (1e300, false), (1e-300, true)] {
+            let units = Units { factor, height_std: 1e-6 };
+            let value = Evaluation::of_value(&large, units).held(1e10, Quantity::Force);
+            assert_eq!(value.is_ok(), held, "{value:?}");
+        }
+        let units = Units { factor: 1e-300, height_std: 1.0 };
+        let tiny = Evaluation::of_value(&moments(1e-30), units);
+        let message = tiny.held(1e-30, Quantity::Force).unwrap_err().to_string();
+        assert!(message.starts_with("the scale of the force is 0e0"), "{message}");
+        let none = Evaluation::of_value(&moments(0.0), units);
+        assert!(none.held(0.0, Quantity::Force).is_ok(), "no contact is no error");
     }
 }

@@ -88,8 +88,9 @@ fn sum(masses: &Discretised) -> (f64, f64) {
     (masses.masses.iter().sum(), masses.masses.iter().map(|m| m.abs()).sum())
 }
 
-fn relative(error: f64, size: f64, density: &Density) -> f64 {
-    (if size > 0.0 { 4.0 * error / size } else { 0.0 }) + ROUNDING + density.relative_error()
+fn relative(masses: &Discretised, size: f64, density: &Density) -> f64 {
+    let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
+    error + ROUNDING + density.relative_error(&masses.points)
 }
 
 /// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
@@ -117,7 +118,10 @@ impl Exponential {
         let window = (-s / self.scale, (CUT - s) / self.scale);
         let edges = [0.02, 0.07, 0.2, 0.45, 0.7].map(|share| (share * CUT - s) / self.scale);
         let weight = |x: f64| (-(s + x * self.scale)).exp() * self.scale;
-        let masses = discretise(&self.density, window, &edges, &weight, 0.1 * self.tolerance)?;
+        // s + x c is a difference of large numbers: far below, the weight is known no better.
+        let rounding = f64::EPSILON * s.abs();
+        let tolerance = (0.1 * self.tolerance).max(16.0 * rounding);
+        let masses = discretise(&self.density, window, &edges, &weight, tolerance)?;
         let (value, size) = sum(&masses);
         let lowest = if s < 0.0 { point(&self.density, -s / self.scale)? } else { 0.0 };
         Ok(Moments {
@@ -125,7 +129,7 @@ impl Exponential {
             slope: value - lowest,
             sizes: [size, size + lowest.abs()],
             ln_scale: 0.0,
-            error: relative(masses.error, size, &self.density),
+            error: relative(&masses, size, &self.density) + rounding,
         })
     }
 }
@@ -192,7 +196,7 @@ impl Other {
             slope,
             sizes: [size, slope_size],
             ln_scale,
-            error: relative(masses.error, size, &self.density)
+            error: relative(&masses, size, &self.density)
                 + self.heights.error()
                 + if size > 0.0 { unit * slope_size / size } else { 0.0 },
         })
@@ -238,18 +242,34 @@ impl Other {
         }
         // Steps that double from a small one find the largest density, and where it has fallen by
         // exp(-CUT); refinement makes up for their coarseness.
+        let mut seen = vec![];
         let mut peak = f64::NEG_INFINITY;
         let mut high = low;
         let mut step = 1e-3 / (1.0 + low.abs());
-        for _ in 0..200 {
+        for _ in 0..1000 {
+            let reached = high;
             high += step;
-            peak = peak.max(ln(high));
-            if ln(high) < peak - CUT && high > 1.0 {
+            let here = ln(high);
+            peak = peak.max(here);
+            seen.push((reached, high, here));
+            if here < peak - CUT && high > 1.0 {
                 break;
             }
-            step = (1.25 * step).min(1.0 + 0.1 * low.abs());
+            // From far below, steps shrink again on the way to the mean, or would miss all of it.
+            step = (1.25 * step).min(0.5 + 0.1 * high.abs());
         }
-        peak.is_finite().then_some(Window { low, high, peak, steepness: 0.0 })
+        // What lies as far below the peak counts as little.
+        let low =
+            seen.iter().find(|(.., ln)| *ln >= peak - CUT).map_or(low, |(before, ..)| *before);
+        let (mut variation, mut area, mut last) = (0.0, 0.0, 0.0f64);
+        for (from, to, ln) in seen {
+            let here = (ln - peak).exp();
+            variation += (here - last).abs();
+            area += here * (to - from);
+            last = here;
+        }
+        let steepness = if area > 0.0 { variation / area } else { 0.0 };
+        peak.is_finite().then_some(Window { low, high, peak, steepness })
     }
 
     /// A density on an interval may fall and rise again, as measured ones do: nothing of it is left
@@ -272,5 +292,31 @@ impl Other {
         }
         let steepness = if area > 0.0 { variation / area } else { 0.0 } + 1.0 / (high - low);
         peak.is_finite().then_some(Window { low, high, peak, steepness })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Law, Power, StandardisedHeights};
+    use statrs::distribution::Normal;
+
+    /// ∫ t g(s + t) dt far below is the mean of z - s.
+    fn linear(heights: HeightDistribution, s: f64) -> Moments {
+        let law = Law::in_units(1.0, 1.0).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.0)]);
+        HeightIntegral::new(law.density(), 1.0, &heights, 1e-13).at(s).unwrap()
+    }
+
+    #[test]
+    fn no_heights_are_missed_from_far_below_them() {
+        let normal = StandardisedHeights::new("normal", Normal::new(0.0, 1.0).unwrap()).unwrap();
+        let normal = HeightDistribution::other(normal);
+        for s in [-10.0, -100.0, -1e3, -1e4, -1e6] {
+            for (heights, mean) in [(&normal, 0.0), (&HeightDistribution::Exponential, 1.0)] {
+                let found = linear(heights.clone(), s);
+                let error = (found.value * found.ln_scale.exp() / (mean - s) - 1.0).abs();
+                assert!(error < found.error && found.error < 1e-7, "{s}: {found:?}");
+            }
+        }
     }
 }

@@ -161,10 +161,10 @@ impl Sampler for Form {
         }
     }
 
-    fn relative_error(&self) -> f64 {
+    fn relative_error(&self, x: &[f64]) -> f64 {
         match self {
             Self::Powers(_) => 0.0,
-            Self::Function { sampler, .. } => sampler.relative_error(),
+            Self::Function { sampler, .. } => sampler.relative_error(x),
         }
     }
 }

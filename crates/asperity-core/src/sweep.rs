@@ -193,8 +193,12 @@ impl<'s> Worker<'s> {
                 HeightIntegral::new(law.density(), scale, &case.scene.heights, tolerance).at(s)
             };
             let moments = moments.map_err(failed(quantity, s))?;
-            let evaluation = if value { Evaluation::of_value } else { Evaluation::of_slope };
-            let evaluation = evaluation(&moments, Units { factor, height_std });
+            let units = Units { factor, height_std };
+            let evaluation = if value {
+                Evaluation::of_value(&moments, units).held(moments.sizes[0], quantity)
+            } else {
+                Evaluation::of_slope(&moments, units).held(moments.sizes[1], quantity)
+            }?;
             answers.push(evaluation.with_rounding(*separation_rounding, s, &moments));
         }
         Ok(answers)

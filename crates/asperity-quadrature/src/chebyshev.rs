@@ -1,7 +1,6 @@
 //! A costly function of x > 0, tabulated once as Chebyshev series between its kinks.
 
 use std::fmt;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use crate::{QuadratureError, Sampler};
@@ -23,7 +22,7 @@ const STALLED: u32 = 3;
 type Function = dyn Fn(f64) -> Result<f64, QuadratureError> + Send + Sync;
 
 /// What has been tabulated of a cell, if anything.
-type Cell = OnceLock<Result<Vec<Series>, QuadratureError>>;
+type Cell = OnceLock<Result<Table, QuadratureError>>;
 
 /// A function of x > 0 that is smooth in ln x between its kinks, where it may have fractional
 /// powers of the distance. Cells are built when first needed, and shared by all threads.
@@ -31,8 +30,6 @@ pub struct Tabulated {
     function: Arc<Function>,
     kinks: Vec<f64>,
     tolerance: f64,
-    /// Bits of the largest relative tail that was left: all tails are positive.
-    reached: AtomicU64,
     cells: Box<[Cell]>,
 }
 
@@ -68,6 +65,13 @@ enum Map {
     Right,
 }
 
+/// A cell: its series, ascending, and the largest relative tail that was left.
+#[derive(Debug, Default)]
+struct Table {
+    series: Vec<Series>,
+    reached: f64,
+}
+
 #[derive(Debug)]
 struct Series {
     low: f64,
@@ -92,7 +96,7 @@ impl Tabulated {
         // Kinks closer than this are one: the strip between them carries nothing.
         kinks.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * *a);
         let cells = (0..CELLS).map(|_| Cell::new()).collect();
-        Self { function, kinks, tolerance, reached: AtomicU64::new(0), cells }
+        Self { function, kinks, tolerance, cells }
     }
 
     /// The kinks, ascending.
@@ -106,14 +110,12 @@ impl Tabulated {
     /// # Errors
     /// What the function refuses; x outside 1e-37 ... 1e37.
     pub fn value(&self, x: f64) -> Result<f64, QuadratureError> {
-        let octave = (x.to_bits() >> 52) as i64 - 1023;
-        let index = octave.div_euclid(OCTAVES) + CELLS as i64 / 2;
-        let cell = usize::try_from(index).ok().and_then(|i| self.cells.get(i));
-        let Some(cell) = cell.filter(|_| x > 0.0) else {
+        let (octave, cell) = self.cell(x);
+        let Some(cell) = cell else {
             let reason = format!("tabulated from 1e-37 to 1e37, asked at {x:e}");
             return Err(QuadratureError::Refused { reason });
         };
-        let series = cell
+        let Table { series, .. } = cell
             .get_or_init(|| {
                 let low = 2f64.powi((octave.div_euclid(OCTAVES) * OCTAVES) as i32);
                 self.build(low, 2f64.powi(OCTAVES as i32) * low)
@@ -124,33 +126,41 @@ impl Tabulated {
         Ok(x * series[at].value(x))
     }
 
-    fn build(&self, low: f64, high: f64) -> Result<Vec<Series>, QuadratureError> {
+    /// The octave of x, and its cell, if there is one.
+    fn cell(&self, x: f64) -> (i64, Option<&Cell>) {
+        let octave = (x.to_bits() >> 52) as i64 - 1023;
+        let index = octave.div_euclid(OCTAVES) + CELLS as i64 / 2;
+        let cell = usize::try_from(index).ok().and_then(|i| self.cells.get(i));
+        (octave, cell.filter(|_| x > 0.0))
+    }
+
+    fn build(&self, low: f64, high: f64) -> Result<Table, QuadratureError> {
         let is_kink = |x: f64| self.kinks.iter().any(|k| (k - x).abs() <= 1e-13 * x);
         let inner = self.kinks.iter().copied().filter(|k| *k > low && *k < high);
         let mut ends: Vec<f64> = std::iter::once(low).chain(inner).chain([high]).collect();
         ends.dedup_by(|a, b| (*a - *b).abs() <= 1e-13 * *a);
-        let mut series = Vec::new();
+        let mut table = Table::default();
         for pair in ends.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             match (is_kink(a), is_kink(b)) {
                 (false, false) => {
-                    self.fit((a, b), Map::Log, (0.0, 1.0), Parents::default(), &mut series)?
+                    self.fit((a, b), Map::Log, (0.0, 1.0), Parents::default(), &mut table)?
                 }
                 (true, false) => {
-                    self.fit((a, b), Map::Left, (0.0, 1.0), Parents::default(), &mut series)?
+                    self.fit((a, b), Map::Left, (0.0, 1.0), Parents::default(), &mut table)?
                 }
                 (false, true) => {
-                    self.fit((a, b), Map::Right, (0.0, 1.0), Parents::default(), &mut series)?
+                    self.fit((a, b), Map::Right, (0.0, 1.0), Parents::default(), &mut table)?
                 }
                 (true, true) => {
                     let middle = (a * b).sqrt();
-                    self.fit((a, middle), Map::Left, (0.0, 1.0), Parents::default(), &mut series)?;
-                    self.fit((middle, b), Map::Right, (0.0, 1.0), Parents::default(), &mut series)?;
+                    self.fit((a, middle), Map::Left, (0.0, 1.0), Parents::default(), &mut table)?;
+                    self.fit((middle, b), Map::Right, (0.0, 1.0), Parents::default(), &mut table)?;
                 }
             }
         }
-        series.sort_by(|a, b| a.low.total_cmp(&b.low));
-        Ok(series)
+        table.series.sort_by(|a, b| a.low.total_cmp(&b.low));
+        Ok(table)
     }
 
     fn fit(
@@ -159,7 +169,7 @@ impl Tabulated {
         map: Map,
         range: (f64, f64),
         parents: Parents,
-        found: &mut Vec<Series>,
+        found: &mut Table,
     ) -> Result<(), QuadratureError> {
         let sample = |k: usize| {
             let x = map.x(ends, range.0 + (range.1 - range.0) * (0.5 + 0.5 * root(k).cos()));
@@ -184,11 +194,20 @@ impl Tabulated {
         if tail <= self.tolerance * size
             || stalled >= STALLED
             || parents.depth >= DEEPEST
-            || found.len() >= MOST
+            || found.series.len() >= MOST
         {
-            self.reached.fetch_max((tail / size).to_bits(), Ordering::Relaxed);
+            // A function that is zero throughout has neither size nor tail.
+            let reached = if size > 0.0 { tail / size } else { 0.0 };
+            found.reached = found.reached.max(reached);
             let (x0, x1) = (map.x(ends, range.0), map.x(ends, range.1));
-            found.push(Series { low: x0.min(x1), high: x0.max(x1), map, range, ends, terms });
+            found.series.push(Series {
+                low: x0.min(x1),
+                high: x0.max(x1),
+                map,
+                range,
+                ends,
+                terms,
+            });
             return Ok(());
         }
         let next = Parents { depth: parents.depth + 1, size, tail, stalled };
@@ -199,9 +218,12 @@ impl Tabulated {
 }
 
 impl Sampler for Tabulated {
-    fn relative_error(&self) -> f64 {
-        // The tolerance of what is tabulated, and what the tables built so far add to it.
-        self.tolerance + 4.0 * f64::from_bits(self.reached.load(Ordering::Relaxed))
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        // The tolerance of what is tabulated, and what the tables used add to it: not all that
+        // have been built, or digits would depend on what was asked before.
+        let table = |x: &f64| self.cell(*x).1.and_then(Cell::get).and_then(|c| c.as_ref().ok());
+        let reached = x.iter().filter_map(table).map(|table| table.reached).fold(0.0, f64::max);
+        self.tolerance + 4.0 * reached
     }
 
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
@@ -294,5 +316,22 @@ mod tests {
         }
         assert!(count.load(Ordering::Relaxed) < 800, "{count:?}");
         assert!(table.value(0.0).is_err() && table.value(f64::NAN).is_err());
+    }
+
+    #[test]
+    fn the_error_is_a_number_and_depends_only_on_the_points() {
+        // Zero up to 110, inside a cell; noise that no series follows far above.
+        let f = |x: f64| match x {
+            x if x < 110.0 => 0.0,
+            x if x < 1e6 => x - 110.0,
+            x => x * (1.0 + 1e-3 * (1e9 * x).sin()),
+        };
+        let table = Tabulated::new(Arc::new(move |x| Ok(f(x))), &[110.0], 1e-11);
+        assert!((table.value(200.0).unwrap() / 90.0 - 1.0).abs() < 1e-11);
+        let before = table.relative_error(&[200.0]);
+        assert!(before < 1e-10, "{before:e}");
+        table.value(1e9).unwrap();
+        assert!(table.relative_error(&[200.0]).to_bits() == before.to_bits());
+        assert!(table.relative_error(&[200.0, 1e9]) > 1e-4);
     }
 }

@@ -13,8 +13,9 @@ pub trait Sampler: Send + Sync {
     /// [`QuadratureError::Refused`] with the reason when the function has no value there.
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
 
-    /// Error of the values relative to the function's size nearby, if they are approximations.
-    fn relative_error(&self) -> f64 {
+    /// Error of the values at `x`, where they have been sampled, relative to the function's size
+    /// nearby, if they are approximations. It may depend on nothing that others have sampled.
+    fn relative_error(&self, _x: &[f64]) -> f64 {
         0.0
     }
 }
@@ -80,10 +81,16 @@ impl Density {
         breaks
     }
 
-    /// The largest relative error of the pieces' values.
+    /// The largest relative error of the pieces' values at the points `x`, where they have been
+    /// sampled.
     #[must_use]
-    pub fn relative_error(&self) -> f64 {
-        self.pieces.iter().map(|p| p.sampler.relative_error()).fold(0.0, f64::max)
+    pub fn relative_error(&self, x: &[f64]) -> f64 {
+        let of = |p: &Piece| {
+            let inside: Vec<f64> =
+                x.iter().copied().filter(|x| p.from <= *x && *x < p.to).collect();
+            p.sampler.relative_error(&inside)
+        };
+        self.pieces.iter().map(of).fold(0.0, f64::max)
     }
 
     /// The pieces that cover all of `[low, high]`, which must not straddle a break.

@@ -103,7 +103,7 @@ impl Panel {
         let (low, high) = self.ends;
         // So are those of tables, whose own error, known only while they grow, must not decide.
         let unknown =
-            |piece: &Piece| piece.origin.is_none() && piece.sampler.relative_error() <= 0.0;
+            |piece: &Piece| piece.origin.is_none() && piece.sampler.relative_error(&[]) <= 0.0;
         let judged = density.active(low, high).any(unknown);
         let range = match (judged, self.low > 0.0) {
             (true, true) => 0..POINTS + 2,

@@ -185,6 +185,20 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn what_grows_up_to_the_end_of_the_window_gets_a_wider_one() {
+        // 19!!/2 at s = 0; 1e-9 of it lies beyond weights of 1e-20.
+        let steep = ShiftedGaussian::new(power(20.0), 1.0, 1e-12).value(0.0).unwrap();
+        assert!((steep.value / 327_364_537.5 - 1.0).abs() < steep.error && steep.error < 1e-12);
+        // Nothing below t = 1: Q(51) exp(50²/2), by the continued fraction of Mills' ratio.
+        let mut above = power(0.0);
+        above.pieces[0].from = 1.0;
+        let tail = ShiftedGaussian::new(above, 1.0, 1e-12).value(50.0).unwrap();
+        let mills = (1..60).rev().fold(51.0, |below, k| 51.0 + f64::from(k) / below).recip();
+        let exact = INV_SQRT_2PI * (-50.5f64).exp() * mills;
+        assert!((tail.value / exact - 1.0).abs() < tail.error && tail.error < 1e-12);
+    }
+
+    #[test]
     fn direct_and_compiled_agree_at_the_seam() {
         let integral = ShiftedGaussian::new(power(1.5), 0.3, 1e-14);
         for s in [-64.0, -63.2] {

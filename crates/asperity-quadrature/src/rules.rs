@@ -39,14 +39,16 @@ impl Task {
         // Below, s + t is a difference of large numbers, and the weight is known no better.
         let rounding = if s < LOWEST { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
         let tolerance = rounding.max(0.1 * self.tolerance);
-        let (window, weight) = (segment::window(s, s), |t: f64| segment::weight(s, t));
-        let masses = segment::masses(&self.density, scale, (s, window), &weight, tolerance)?;
+        let window = |depth| segment::window((s, s), depth);
+        let weight = |t: f64| segment::weight(s, t);
+        let masses = segment::masses(&self.density, scale, (s, &window), &weight, tolerance)?;
         self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
         let here = Shift { from: s, s, stretch: 0.0 };
         let sums = segment::sums(&masses.points, &masses.masses, here);
         let size = sums.size[0];
         let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
-        Ok((sums, error + rounding + segment::ROUNDING + self.density.relative_error()))
+        let x: Vec<f64> = masses.points.iter().map(|t| t / scale).collect();
+        Ok((sums, error + rounding + segment::ROUNDING + self.density.relative_error(&x)))
     }
 }
 

@@ -4,8 +4,15 @@ use crate::compress::Recurrence;
 use crate::exponentials::{self, Exponent, Four, LANES, Place, Sums};
 use crate::{Density, Discretised, QuadratureError, discretise};
 
-/// exp(-L) of the integrand's peak is left out beyond the window: 1e-20.
+/// exp(-L) of the largest weight is left out beyond the window: 1e-20.
 pub(crate) const CUT: f64 = 46.0;
+/// A density that grows by more than some 1e4 from where it counts to the end of the window needs
+/// a wider one: up to this many times the exponent, where weights end to be numbers.
+const WIDEST: f64 = 14.0;
+/// The share of the window at its ends where little may be left,
+const STRIP: f64 = 0.03;
+/// and how little, at the least.
+const LEFT: f64 = 2e-16;
 /// Node counts that are tried, cheapest first. Multiples of four, for vector registers.
 const LADDER: [usize; 6] = [4, 8, 12, 16, 20, 24];
 /// Rounding of the sums themselves, measured against 40-digit references.
@@ -15,17 +22,22 @@ pub(crate) const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
 /// Where exp(-(s t + t²/2)) falls to 1e-20 of its largest value on t ≥ 0: no rule looks beyond.
 #[must_use]
 pub fn reach(s: f64) -> f64 {
+    cut(s, CUT)
+}
+
+/// Where exp(-(s t + t²/2)) falls to exp(-`depth`) of its largest value on t ≥ 0.
+fn cut(s: f64, depth: f64) -> f64 {
     if s >= 0.0 {
         // Not √(s²+2L) - s, which cancels for large s.
-        2.0 * CUT / (s + (s * s + 2.0 * CUT).sqrt())
+        2.0 * depth / (s + (s * s + 2.0 * depth).sqrt())
     } else {
-        (2.0 * CUT).sqrt() - s
+        (2.0 * depth).sqrt() - s
     }
 }
 
-/// The window of t that carries the integral for s in [low, high].
-pub(crate) fn window(low: f64, high: f64) -> (f64, f64) {
-    ((-high - (2.0 * CUT).sqrt()).max(0.0), reach(low))
+/// The window of t that carries the integral for s in [low, high], at weights down to exp(-depth).
+pub(crate) fn window((low, high): (f64, f64), depth: f64) -> (f64, f64) {
+    ((-high - (2.0 * depth).sqrt()).max(0.0), cut(low, depth))
 }
 
 /// Panel ends that suit the shifted Gaussian on a window.
@@ -49,8 +61,41 @@ pub(crate) fn weight(s: f64, t: f64) -> f64 {
     (-exponent).exp() * INV_SQRT_2PI
 }
 
-/// The density times a weight of t as point masses in t. Panels suit φ(s + t) on the window.
+/// Point masses on a window of `depth` that is wide enough for the density, their error with what
+/// is left out beyond it.
 pub(crate) fn masses(
+    density: &Density,
+    scale: f64,
+    (s, window): (f64, &dyn Fn(f64) -> (f64, f64)),
+    weight: &dyn Fn(f64) -> f64,
+    tolerance: f64,
+) -> Result<Discretised, QuadratureError> {
+    let (mut depth, mut evaluations) = (CUT, 0);
+    loop {
+        let (near, far) = window(depth);
+        let mut found = masses_on(density, scale, (s, (near, far)), weight, tolerance)?;
+        found.evaluations += evaluations;
+        let strip = STRIP * (far - near);
+        let (mut left, mut total) = (0.0, 0.0);
+        for (t, mass) in found.points.iter().zip(&found.masses) {
+            total += mass.abs();
+            if *t > far - strip || (near > 0.0 && *t < near + strip) {
+                left += mass.abs();
+            }
+        }
+        if left <= LEFT.max(0.01 * tolerance) * total {
+            return Ok(found);
+        }
+        if depth >= WIDEST * CUT {
+            found.error += left;
+            return Ok(found);
+        }
+        (depth, evaluations) = ((2.0 * depth).min(WIDEST * CUT), found.evaluations);
+    }
+}
+
+/// The density times a weight of t as point masses in t. Panels suit φ(s + t) on the window.
+fn masses_on(
     density: &Density,
     scale: f64,
     (s, window): (f64, (f64, f64)),
@@ -141,8 +186,8 @@ impl Patch {
     }
 
     /// The window of t, at the scale of the masses, that carries all integrals of the patch.
-    fn window(&self) -> (f64, f64) {
-        let (near, far) = window(self.s.0, self.s.1);
+    fn window(&self, depth: f64) -> (f64, f64) {
+        let (near, far) = window(self.s, depth);
         (near / (1.0 + self.stretch.1), far / (1.0 + self.stretch.0))
     }
 }
@@ -159,7 +204,8 @@ impl Segment {
         // Resolved where any corner has weight, not only where the centre has.
         let envelope = |t: f64| corners.iter().map(|(s, c)| weight(*s, t * (1.0 + c))).sum();
         let finest = 1e-15_f64.max(0.01 * tolerance);
-        let fine = masses(density, scale, (centre, patch.window()), &envelope, finest)?;
+        let fine =
+            masses(density, scale, (centre, &|depth| patch.window(depth)), &envelope, finest)?;
         let Discretised { points, mut masses, error, evaluations } = fine;
         let mut segment =
             Self { centre, fours: vec![], positive: true, error: [0.0; 2], evaluations };
@@ -176,7 +222,8 @@ impl Segment {
         let corners: Vec<_> = corners.iter().copied().map(shift).collect();
         let exact: Vec<_> = corners.iter().map(|&c| sums(&points, &masses, c)).collect();
         // What no number of nodes mends: the masses' own error, and the density's.
-        let known = error / total + ROUNDING + density.relative_error();
+        let x: Vec<f64> = points.iter().map(|t| t / scale).collect();
+        let known = error / total + ROUNDING + density.relative_error(&x);
         for n in LADDER {
             segment.fours.clear();
             for (recurrence, sign) in [(&plus, 1.0), (&minus, -1.0)] {
