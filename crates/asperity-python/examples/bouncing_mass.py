@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 
 import asperity
 import numpy as np
@@ -76,7 +77,7 @@ def simulate(milliseconds: float, gap: float = 8e-6) -> list[State]:
 
 def landings(history: list[State]) -> int:
     """How often the velocity turns from down to up."""
-    pairs = zip(history, history[1:], strict=False)
+    pairs = pairwise(history)
     return sum(one.velocity < 0.0 <= two.velocity for one, two in pairs)
 
 
@@ -97,4 +98,6 @@ if __name__ == "__main__":
     seconds = time.perf_counter() - begun
     lowest = min(state.gap for state in history)
     print(f"{landings(history)} landings in 20 ms, lowest gap {lowest * 1e6:.3f} um")
-    print(f"{len(history) - 1} steps in {seconds:.2f} s, {seconds / (len(history) - 1) * 1e6:.1f} us each")
+    print(
+        f"{len(history) - 1} steps in {seconds:.2f} s, {seconds / (len(history) - 1) * 1e6:.1f} us each"
+    )

@@ -12,7 +12,7 @@ use pyo3::types::{PyFloat, PyInt, PyTuple};
 
 use crate::arrays;
 use crate::engine::{Aspect, Engine, Kind, asperity_separation, quantities, request, tolerance};
-use crate::error::{value_error, warn};
+use crate::error::value_error;
 use crate::scene::Scene;
 
 /// Name, regime and shares of one part of a law.
@@ -165,7 +165,9 @@ impl Contact {
         self.over(py, gap, one, |value| value.into_bound_py_any(py), array)
     }
 
-    /// One aspect of a quantity at separations: value, ln_value or error.
+    /// One aspect of a quantity at separations: value (with a warning, where one is due), ln_value
+    /// or error.
+    #[pyo3(name = "_column")]
     fn column<'py>(
         &self,
         py: Python<'py>,
@@ -173,7 +175,7 @@ impl Contact {
         separations: PyReadonlyArray1<'py, f64>,
         in_metres: bool,
         aspect: &str,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Option<String>)> {
         let quantity: Quantity = quantity.parse().map_err(value_error)?;
         let aspect = Aspect::named(aspect)?;
         let separations = separations.as_slice()?.to_vec();
@@ -185,9 +187,8 @@ impl Contact {
             compiled.evaluate(quantity, s).map(|evaluation| of(&evaluation))
         };
         let found = arrays::collect(py, separations.len(), one, |_, e| self.raise(py, &e))?;
-        if aspect == Aspect::Value
-            && let Some(first) = found.iter().position(|value| *value < 0.0)
-        {
+        let first = found.iter().position(|value| *value < 0.0);
+        let warning = first.filter(|_| aspect == Aspect::Value).map(|first| {
             let negative = Warning::Negative {
                 model: compiled.model().into(),
                 quantity,
@@ -195,12 +196,13 @@ impl Contact {
                 separation: asperity_separation(&self.file, separations[first], in_metres),
                 value: found[first],
             };
-            warn(py, &negative.to_string())?;
-        }
-        Ok(PyArray1::from_vec(py, found))
+            negative.to_string()
+        });
+        Ok((PyArray1::from_vec(py, found), warning))
     }
 
     /// Name, regime and share of every part of the law at separations.
+    #[pyo3(name = "_shares")]
     fn shares<'py>(
         &self,
         py: Python<'py>,
@@ -232,6 +234,7 @@ impl Contact {
     }
 
     /// For every load [N] the separations that carry it, ascending, from the scene's plane.
+    #[pyo3(name = "_separations")]
     fn separations<'py>(
         &self,
         py: Python<'py>,
@@ -258,6 +261,7 @@ impl Contact {
     }
 
     /// What is done for these separations: a text, and (law, quantities, method, nodes, samples).
+    #[pyo3(name = "_plan")]
     fn plan(
         &self,
         py: Python<'_>,
@@ -279,6 +283,7 @@ impl Contact {
     }
 
     /// What the model's options deserve to be warned of.
+    #[pyo3(name = "_warnings")]
     fn warnings(&self) -> Vec<String> {
         self.now().warnings().iter().map(ToString::to_string).collect()
     }

@@ -15,8 +15,9 @@ use rayon::prelude::*;
 use crate::arrays;
 use crate::contact::Contact;
 use crate::error::{refused_at, value_error};
+use crate::options::{option_objects, option_values, with_options};
 use crate::python_model::{PythonModel, Raised, is_class};
-use crate::scene::{Scene, option_objects, option_values, with_options};
+use crate::scene::Scene;
 use crate::scenes::ManyScenes;
 
 /// One model.

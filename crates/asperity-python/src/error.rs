@@ -40,10 +40,8 @@ pub(crate) fn refused_at(place: &str, error: &ContactError) -> PyErr {
     }
 }
 
-/// Warns in Python's way.
+/// Warns in Python's way, at the line that called.
 pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
-    // The level of whoever called the package's own Python function.
-    py.import("warnings")?
-        .call_method1("warn", (message, py.get_type::<ContactWarning>(), 3))
-        .map(drop)
+    let category = py.get_type::<ContactWarning>();
+    py.import("warnings")?.call_method1("warn", (message, category, 1)).map(drop)
 }

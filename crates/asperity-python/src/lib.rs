@@ -6,10 +6,12 @@
 
 mod advice;
 mod arrays;
+mod asperity;
 mod bodies;
 mod contact;
 mod engine;
 mod error;
+mod options;
 mod python_model;
 mod scene;
 mod scenes;
@@ -22,7 +24,9 @@ mod _asperity {
     #[pymodule_export]
     use crate::advice::recommend;
     #[pymodule_export]
-    use crate::bodies::{Asperity, Body, Interface};
+    use crate::asperity::Asperity;
+    #[pymodule_export]
+    use crate::bodies::{Body, Interface};
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]

@@ -13,7 +13,7 @@ use numpy::{AllowTypeChange, PyArray1, PyArrayLikeDyn};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 
-use crate::bodies::Asperity;
+use crate::asperity::Asperity;
 
 /// Where a user's model is from is the user's to say: nothing of this is shown.
 const SOURCE: Source = Source {

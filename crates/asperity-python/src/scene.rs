@@ -5,14 +5,16 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{HeightDistribution, TabulatedHeights};
-use asperity_scene::{ModelOptions, OptionValue, SceneFile, SeparationFrom};
+use asperity_scene::{OptionValue, SceneFile, SeparationFrom};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::PyDict;
 
-use crate::bodies::{Asperity, Interface};
+use crate::asperity::Asperity;
+use crate::bodies::Interface;
 use crate::error::{refused, value_error, warn};
+use crate::options::{option_objects, option_values};
 use crate::scenes::{Scenes, input};
 use crate::surface::Surface;
 
@@ -314,44 +316,6 @@ impl Scene {
         file.warnings.iter().try_for_each(|warning| warn(py, warning))?;
         Ok(Self(Arc::new(file)))
     }
-}
-
-/// Options by keyword: words, or dicts of numbers.
-pub(crate) fn option_values(
-    options: &Bound<'_, PyDict>,
-) -> PyResult<BTreeMap<String, OptionValue>> {
-    let value = |value: &Bound<'_, PyAny>| {
-        Ok::<_, PyErr>(match value.cast::<PyString>() {
-            Ok(word) => OptionValue::Word(word.to_str()?.into()),
-            Err(_) => OptionValue::Numbers(value.extract()?),
-        })
-    };
-    options.iter().map(|(name, v)| Ok((name.extract()?, value(&v)?))).collect()
-}
-
-/// Options as Python has them.
-pub(crate) fn option_objects<'py>(
-    py: Python<'py>,
-    options: &BTreeMap<String, OptionValue>,
-) -> PyResult<BTreeMap<String, Bound<'py, PyAny>>> {
-    let object = |(name, value): (&String, &OptionValue)| {
-        let object = match value {
-            OptionValue::Word(word) => word.into_bound_py_any(py)?,
-            OptionValue::Numbers(numbers) => numbers.into_bound_py_any(py)?,
-        };
-        Ok((name.clone(), object))
-    };
-    options.iter().map(object).collect()
-}
-
-/// The options of a scene, with what was given by keyword in their place.
-pub(crate) fn with_options(
-    scene: &SceneFile,
-    given: &BTreeMap<String, OptionValue>,
-) -> PyResult<ModelOptions> {
-    let mut options = scene.options;
-    given.iter().try_for_each(|(name, v)| options.set(name, v)).map_err(value_error)?;
-    Ok(options)
 }
 
 /// A commented scene file with every key there is.

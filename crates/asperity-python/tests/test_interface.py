@@ -117,7 +117,10 @@ def test_separations_in_metres_and_from_the_surface_mean(scene: asperity.Scene) 
 def test_tabulated_heights_keep_their_metres() -> None:
     z = np.array([-2e-6, 0.0, 0.5e-6, 1.5e-6])
     density = np.array([0.0, 3e5, 3.5e5, 0.0])
-    interface, surface = asperity.Interface(116e9, 0.31, 1.12e9), asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+    interface, surface = (
+        asperity.Interface(116e9, 0.31, 1.12e9),
+        asperity.Surface(3.6e-4, 1.1e8, 1e-6),
+    )
     scene = asperity.Scene(interface, surface, 3e-5, heights=(z, density))
     again = pickle.loads(pickle.dumps(scene))
     assert again == scene
@@ -146,13 +149,13 @@ def test_a_scenes_options_count_where_none_are_given(soft_steel: asperity.Scene)
 
 def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
-    assert "did you mean \"zmc\"?" in refusal(asperity.model, "zcm")
-    assert "did you mean \"at_reading\"?" in refusal(asperity.model, "at", at_reding="additive")
+    assert 'did you mean "zmc"?' in refusal(asperity.model, "zcm")
+    assert 'did you mean "at_reading"?' in refusal(asperity.model, "at", at_reding="additive")
     assert refusal(asperity.Surface, 1e-4, -1.0, 1e-6).startswith("asperity_density is -1.0: ")
     assert refusal(asperity.Body, 1e9, 0.6, 1e8).startswith("poissons_ratio is 0.6: ")
     assert refusal(asperity.Interface, 1e9, 0.3).startswith("hardness is missing")
     assert refusal(ke.solve, scene, [0.0, np.nan]).startswith("separation is NaN: ")
-    assert "\"forc\" is no quantity" in refusal(ke.solve, scene, 0.0, "forc")
+    assert '"forc" is no quantity' in refusal(ke.solve, scene, 0.0, "forc")
     assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")
     assert refusal(ke.solve, scene, 0.0, []).startswith("quantities is empty")
     assert refusal(ke.solve, scene, 0.0, separation_unit="mm").startswith("separation_unit is 'mm'")
@@ -165,7 +168,11 @@ def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scen
     assert refusal(asperity.Scene.parse, "nominal_aera = 1").startswith("line 1: nominal_aera ")
     table = ([0.0, 1.0], [1.0])
     assert "2 heights and 1 densities" in refusal(
-        asperity.Scene, scene.interface, scene.surface, 1.0, (np.array(table[0]), np.array(table[1]))
+        asperity.Scene,
+        scene.interface,
+        scene.surface,
+        1.0,
+        (np.array(table[0]), np.array(table[1])),
     )
     rubber = scene.replace(hardness=1e12)
     assert refusal(ke.solve, rubber, 1.0).startswith("hardness is ")
@@ -225,7 +232,9 @@ def test_what_does_not_converge_is_an_error_of_its_own(scene: asperity.Scene) ->
 @pytest.mark.filterwarnings("ignore:.*angle density")
 def test_odd_answers_come_with_a_warning(soft_steel: asperity.Scene) -> None:
     printed = asperity.model("at")
-    with pytest.warns(asperity.ContactWarning, match="the force is negative at 1 of the sep") as seen:
+    with pytest.warns(
+        asperity.ContactWarning, match="the force is negative at 1 of the sep"
+    ) as seen:
         curve = printed.solve(soft_steel, [-9.0, 1.0])
     assert curve.force[0] > 0.0 > curve.force[1]
     # The caller's line, not the package's.
@@ -266,7 +275,9 @@ def test_copies_and_pickles_are_equal(scene: asperity.Scene) -> None:
     again = pickle.loads(pickle.dumps(curve))
     np.testing.assert_array_equal(again.force, curve.force)
     np.testing.assert_array_equal(again.error("force"), curve.error("force"))
-    np.testing.assert_array_equal(pickle.loads(pickle.dumps(scenes))[1, 2].surface, scenes[1, 2].surface)
+    np.testing.assert_array_equal(
+        pickle.loads(pickle.dumps(scenes))[1, 2].surface, scenes[1, 2].surface
+    )
 
 
 def test_representations_show_what_matters(scene: asperity.Scene) -> None:
@@ -294,7 +305,9 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
         ("area", ("area",)),
     ]
     assert plan.steps[0].nodes is not None and plan.steps[0].nodes[1] <= 16
-    advice = asperity.recommend(scene, [0.0, 1.0, 2.0], reference=asperity.model("zmc"), within=1e-6)
+    advice = asperity.recommend(
+        scene, [0.0, 1.0, 2.0], reference=asperity.model("zmc"), within=1e-6
+    )
     assert advice.simplest == advice.reference == "zmc" and not advice.refused
     assert advice.deviations["zmc"] == {"force": 0.0, "area": 0.0}
     assert "ZMC is the simplest" in str(advice)

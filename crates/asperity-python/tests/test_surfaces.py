@@ -73,7 +73,9 @@ def test_surfaces_of_surface_topography() -> None:
     assert mine.shape == (128, 192)
     np.testing.assert_allclose(mine.pixel_size, (1e-6, 2e-6))
     np.testing.assert_allclose(mine.heights, HEIGHTS * 1e-6)
-    ours = asperity.topography(theirs.Topography(HEIGHTS.T, (192.0, 128.0), unit="um", periodic=True))
+    ours = asperity.topography(
+        theirs.Topography(HEIGHTS.T, (192.0, 128.0), unit="um", periodic=True)
+    )
     found = ours.statistics(level="none")
     assert found["sq"] == pytest.approx(1e-6 * HEIGHTS.std(), rel=1e-9)
 

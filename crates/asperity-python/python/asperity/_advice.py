@@ -87,7 +87,7 @@ def plan(
     """
     metres = in_metres(separation_unit)
     contact = _model(model).compile(scene, quantity_names(quantities), rtol)
-    text, rows = contact.plan(floats(separation).ravel(), metres)
+    text, rows = contact._plan(floats(separation).ravel(), metres)
     steps = (
         PlanStep(law, tuple(names), method, nodes, samples)
         for law, names, method, nodes, samples in rows

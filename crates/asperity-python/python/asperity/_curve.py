@@ -105,7 +105,7 @@ class Curve:
         self._column(quantity, ValueError)
         many = self._many
         if self._contact is not None:
-            found = self._contact.column(quantity, many.flat, self._metres, aspect)
+            found, _ = self._contact._column(quantity, many.flat, self._metres, aspect)
         else:
             asked = [quantity], self.rtol, aspect
             columns, _ = self._engine.sweep(
@@ -127,14 +127,14 @@ class Curve:
         self._column(quantity, ValueError)
         many = self._many
         if self._contact is not None:
-            found = self._contact.shares(quantity, many.flat, self._metres)
+            found = self._contact._shares(quantity, many.flat, self._metres)
             return {name: many.shaped(share) for name, _, share in found}
         shares: dict[str, Floats] = {}
         index, flat = many.index, many.flat
         for place in np.unique(index):
             here = np.flatnonzero(index == place)
             contact = self._engine.compile(many.scene(int(place)), [quantity], self.rtol)
-            for name, _, share in contact.shares(quantity, flat[here], self._metres):
+            for name, _, share in contact._shares(quantity, flat[here], self._metres):
                 shares.setdefault(name, np.zeros(len(flat)))[here] = share
         return {name: many.shaped(share) for name, share in shares.items()}
 

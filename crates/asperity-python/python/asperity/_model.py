@@ -48,9 +48,7 @@ class Model:
 
     __slots__ = ("_engine", "_options", "_source", "_what")
 
-    def __init__(
-        self, model: str | LawsOfAsperity, /, **options: str | dict[str, float]
-    ) -> None:
+    def __init__(self, model: str | LawsOfAsperity, /, **options: str | dict[str, float]) -> None:
         if isinstance(model, str):
             self._engine = Engine.named(model, options)
         elif options:
@@ -114,13 +112,20 @@ class Model:
         >>> asperity.model("ke").solve(rougher, separation=np.linspace(0, 4, 401)).force.shape
         (2, 401)
         """
-        names, metres, many = quantity_names(quantities), in_metres(separation_unit), Many(scene, separation)
+        names, metres, many = (
+            quantity_names(quantities),
+            in_metres(separation_unit),
+            Many(scene, separation),
+        )
         contact: Contact | None = None
         name, flat = self.name, many.flat
         if many.one is not None:
             contact = self._engine.compile(many.one, names, rtol)
-            found = [contact.column(quantity, flat, metres, "value") for quantity in names]
-            name, messages = contact.model, contact.warnings()
+            name, messages, found = contact.model, contact._warnings(), []
+            for quantity in names:
+                values, warning = contact._column(quantity, flat, metres, "value")
+                found.append(values)
+                messages += [warning] if warning is not None else []
         else:
             found, messages = self._engine.sweep(
                 many.scenes, many.index, flat, metres, names, rtol, "value"
@@ -187,7 +192,7 @@ class Model:
         for place in np.unique(index):
             here = np.flatnonzero(index == place)
             contact = self._engine.compile(many.scene(int(place)), ["force"], rtol)
-            for k, found in zip(here, contact.separations(flat[here], metres), strict=True):
+            for k, found in zip(here, contact._separations(flat[here], metres), strict=True):
                 everything[k] = found
         return many, everything
 
