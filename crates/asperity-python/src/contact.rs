@@ -10,7 +10,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyInt, PyTuple};
 
-use crate::arrays;
+use crate::arrays::{self, Grain};
 use crate::engine::{Aspect, Engine, Kind, asperity_separation, quantities, request, tolerance};
 use crate::error::value_error;
 use crate::scene::Scene;
@@ -78,7 +78,7 @@ impl Contact {
     }
 
     /// `one` of a gap, or of every gap of an array.
-    fn over<'py, T: Copy + Default + Send>(
+    fn over<'py, T: Clone + Default + Send>(
         &self,
         py: Python<'py>,
         gap: &Bound<'py, PyAny>,
@@ -96,7 +96,7 @@ impl Contact {
         let gaps = gaps.as_array();
         let flat: Vec<f64> = gaps.iter().copied().collect();
         let raise = |_, error: ContactError| self.raise(py, &error);
-        let found = arrays::collect(py, flat.len(), |k| at(flat[k]), raise)?;
+        let found = arrays::collect(py, flat.len(), Grain::Values, |k| at(flat[k]), raise)?;
         array(found, gaps.shape())
     }
 }
@@ -186,7 +186,8 @@ impl Contact {
             let s = asperity_separation(&self.file, separations[k], in_metres);
             compiled.evaluate(quantity, s).map(|evaluation| of(&evaluation))
         };
-        let found = arrays::collect(py, separations.len(), one, |_, e| self.raise(py, &e))?;
+        let found =
+            arrays::collect(py, separations.len(), Grain::Values, one, |_, e| self.raise(py, &e))?;
         let first = found.iter().position(|value| *value < 0.0);
         let warning = first.filter(|_| aspect == Aspect::Value).map(|first| {
             let negative = Warning::Negative {
@@ -217,7 +218,7 @@ impl Contact {
         let names: Vec<_> = law.parts.iter().map(name).collect();
         let separations = separations.as_slice()?.to_vec();
         let mut columns = vec![Vec::with_capacity(separations.len()); names.len()];
-        arrays::in_ranges(py, separations.len(), |range| {
+        arrays::in_ranges(py, separations.len(), Grain::Values, |range| {
             for s in &separations[range] {
                 let s = asperity_separation(&self.file, *s, in_metres);
                 let shares = py.detach(|| compiled.shares(quantity, s));
@@ -231,33 +232,6 @@ impl Contact {
         })?;
         let columns = names.into_iter().zip(columns);
         Ok(columns.map(|((n, r), c)| (n, r, PyArray1::from_vec(py, c))).collect())
-    }
-
-    /// For every load [N] the separations that carry it, ascending, from the scene's plane.
-    #[pyo3(name = "_separations")]
-    fn separations<'py>(
-        &self,
-        py: Python<'py>,
-        loads: PyReadonlyArray1<'py, f64>,
-        in_metres: bool,
-    ) -> PyResult<Vec<Bound<'py, PyArray1<f64>>>> {
-        let loads = loads.as_slice()?.to_vec();
-        let compiled = self.now();
-        let mut all = Vec::with_capacity(loads.len());
-        for (k, load) in loads.into_iter().enumerate() {
-            let found = py.detach(|| compiled.separations_at(load));
-            let found = found.map_err(|error| self.raise(py, &error))?;
-            let users = |s: f64| {
-                let s = self.file.from_asperity_mean(s);
-                if in_metres { self.file.in_metres(s) } else { s }
-            };
-            all.push(PyArray1::from_vec(py, found.into_iter().map(users).collect()));
-            // Some microseconds each: a look at signals now and then.
-            if k % 1024 == 0 {
-                py.check_signals()?;
-            }
-        }
-        Ok(all)
     }
 
     /// What is done for these separations: a text, and (law, quantities, method, nodes, samples).

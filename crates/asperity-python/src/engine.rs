@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use rayon::prelude::*;
 
-use crate::arrays;
+use crate::arrays::{self, Grain};
 use crate::contact::Contact;
 use crate::error::{refused_at, value_error};
 use crate::options::{option_objects, option_values, with_options};
@@ -198,7 +198,7 @@ impl Engine {
         let failed = |py, k: usize, error: &ContactError| {
             self.0.raise(py, &format!("scene {}: ", index[k]), error)
         };
-        arrays::in_ranges(py, index.len(), |range| {
+        arrays::in_ranges(py, index.len(), Grain::Values, |range| {
             let first = range.start;
             let answers = py.detach(|| {
                 let cases = range.into_par_iter().with_min_len(256).map(case);
@@ -239,9 +239,10 @@ impl Engine {
         let law = py.detach(|| model.law(&scene.0.scene.asperity()?, quantity, tolerance));
         let law = law.map_err(|error| raise(&error))?;
         let value = |k: usize| law.value(interferences[k]);
-        let values = arrays::collect(py, interferences.len(), value, |_, source| {
-            raise(&ContactError::Integral { quantity, separation: 0.0, source })
-        })?;
+        let values =
+            arrays::collect(py, interferences.len(), Grain::Values, value, |_, source| {
+                raise(&ContactError::Integral { quantity, separation: 0.0, source })
+            })?;
         Ok(PyArray1::from_vec(py, values))
     }
 
@@ -256,7 +257,7 @@ impl Engine {
 
 impl Engine {
     /// The one model that this is on all scenes; none where there are no scenes.
-    fn model_of_all(&self, scenes: &ManyScenes) -> PyResult<Option<Model>> {
+    pub(crate) fn model_of_all(&self, scenes: &ManyScenes) -> PyResult<Option<Model>> {
         let files = scenes.given();
         let Some(first) = files.first().filter(|_| scenes.size() > 0) else { return Ok(None) };
         if let Kind::Named { given, .. } = &*self.0 {

@@ -11,6 +11,7 @@ mod bodies;
 mod contact;
 mod engine;
 mod error;
+mod inverse;
 mod options;
 mod python_model;
 mod scene;
@@ -33,6 +34,8 @@ mod _asperity {
     use crate::engine::{Engine, model_ids};
     #[pymodule_export]
     use crate::error::{ContactWarning, NotConverged};
+    #[pymodule_export]
+    use crate::inverse::separations;
     #[pymodule_export]
     use crate::scene::{Scene, template};
     #[pymodule_export]

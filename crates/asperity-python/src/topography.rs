@@ -69,14 +69,13 @@ impl Topography {
                 )));
             }
         };
-        let unit = unit.parse::<LengthUnit>().map_err(refused)?.metres();
+        let unit = unit.parse::<LengthUnit>().map_err(refused)?;
         let pixel_size = match dx {
             Spacing::Same(dx) => [dx, dx],
             Spacing::Two(dx, dy) => [dx, dy],
         };
-        let metres = heights.iter().map(|height| height * unit).collect();
-        let surface =
-            asperity_topography::Topography::new(metres, columns, pixel_size.map(|d| d * unit));
+        let heights = heights.iter().copied().collect();
+        let surface = asperity_topography::Topography::in_unit(heights, columns, pixel_size, unit);
         Ok(Self(surface.map_err(refused)?.with_periodic(periodic)))
     }
 

@@ -92,6 +92,22 @@ def test_scenes_broadcast_against_separations_and_loads(scene: asperity.Scene) -
     assert ke.solve([], []).force.shape == (0,)
 
 
+def test_loads_of_many_scenes_in_any_order(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    scenes = scene.vary(asperity_height_std=np.linspace(1e-6, 2e-6, 40))
+    wanted = np.broadcast_to(np.linspace(0.0, 3.0, 7), (40, 7))
+    loads = ke.solve(scenes.reshape(40, 1), wanted[0]).force
+    found = ke.separation_at(scenes.reshape(40, 1), loads)
+    np.testing.assert_allclose(found, wanted, atol=1e-11)
+    # Scenes change from one value to the next.
+    np.testing.assert_allclose(ke.separation_at(scenes, loads.T), wanted.T, atol=1e-11)
+    many = ke.separation_at(scene, np.geomspace(1e-3, 1e3, 500))
+    assert many.shape == (500,) and (np.diff(many) < 0).all()
+    assert refusal(ke.separation_at, scenes, -loads.T).startswith("scene 0: load is -")
+    shares = ke.solve(scenes, wanted.T).shares("force")
+    np.testing.assert_allclose(sum(shares.values()), 1.0, rtol=1e-12)
+
+
 def test_separations_in_metres_and_from_the_surface_mean(scene: asperity.Scene) -> None:
     ke, std = asperity.model("ke"), scene.surface.asperity_height_std
     in_stds = ke.solve(scene, [0.5, 2.0])

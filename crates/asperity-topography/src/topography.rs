@@ -1,6 +1,6 @@
 //! Heights on a regular grid.
 
-use crate::TopographyError;
+use crate::{LengthUnit, TopographyError};
 
 /// The most points a surface may have: 2²⁷, 1 GiB of heights.
 pub const MAX_POINTS: usize = 1 << 27;
@@ -67,6 +67,20 @@ impl Topography {
             _ => (columns, pixel_size),
         };
         Ok(Self { heights, columns, pixel_size, periodic: false, missing })
+    }
+
+    /// The same, from heights and distances in another unit.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn in_unit(
+        heights: Vec<f64>,
+        columns: usize,
+        pixel_size: [f64; 2],
+        unit: LengthUnit,
+    ) -> Result<Self, TopographyError> {
+        let metres = heights.into_iter().map(|height| height * unit.metres()).collect();
+        Self::new(metres, columns, pixel_size.map(|distance| distance * unit.metres()))
     }
 
     /// The same surface, continued periodically beyond its edges or not (the default).

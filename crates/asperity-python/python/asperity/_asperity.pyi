@@ -21,6 +21,7 @@ __all__ = [
     "Topography",
     "model_ids",
     "recommend",
+    "separations",
     "template",
 ]
 
@@ -244,7 +245,6 @@ class Contact:
     def _shares(
         self, quantity: str, separations: _Floats, in_metres: bool
     ) -> list[tuple[str, str, _Floats]]: ...
-    def _separations(self, loads: _Floats, in_metres: bool) -> list[_Floats]: ...
     def _plan(
         self, separations: _Floats, in_metres: bool
     ) -> tuple[str, list[tuple[str, list[str], str, tuple[int, int] | None, int]]]: ...
@@ -291,4 +291,12 @@ def recommend(
     within: _Float,
     rtol: _Float,
 ) -> tuple[str, str, list[tuple[str, list[tuple[str, float]], str | None]]]: ...
+def separations(
+    engine: Engine,
+    scenes: Scenes | list[Scene],
+    index: npt.NDArray[np.int64],
+    loads: _Floats,
+    in_metres: bool,
+    rtol: _Float,
+) -> list[_Floats]: ...
 def template() -> str: ...

@@ -131,9 +131,11 @@ class Curve:
             return {name: many.shaped(share) for name, _, share in found}
         shares: dict[str, Floats] = {}
         index, flat = many.index, many.flat
-        for place in np.unique(index):
-            here = np.flatnonzero(index == place)
-            contact = self._engine.compile(many.scene(int(place)), [quantity], self.rtol)
+        order = np.argsort(index, kind="stable")
+        starts = np.flatnonzero(np.diff(index[order], prepend=-1))
+        for here in np.split(order, starts[1:]) if len(order) else []:
+            scene = many.scene(int(index[here[0]]))
+            contact = self._engine.compile(scene, [quantity], self.rtol)
             for name, _, share in contact._shares(quantity, flat[here], self._metres):
                 shares.setdefault(name, np.zeros(len(flat)))[here] = share
         return {name: many.shaped(share) for name, share in shares.items()}

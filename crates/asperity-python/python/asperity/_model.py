@@ -10,7 +10,15 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity._arguments import Floats, Many, SceneLike, floats, in_metres, quantity_names
-from asperity._asperity import Asperity, Contact, ContactWarning, Engine, Scene, model_ids
+from asperity._asperity import (
+    Asperity,
+    Contact,
+    ContactWarning,
+    Engine,
+    Scene,
+    model_ids,
+    separations,
+)
 from asperity._curve import Curve
 
 
@@ -187,14 +195,8 @@ class Model:
         self, scene: SceneLike, load: npt.ArrayLike, rtol: float, separation_unit: str
     ) -> tuple[Many, list[Floats]]:
         many, metres = Many(scene, load), in_metres(separation_unit)
-        index, flat = many.index, many.flat
-        everything: list[Floats] = [np.empty(0)] * len(flat)
-        for place in np.unique(index):
-            here = np.flatnonzero(index == place)
-            contact = self._engine.compile(many.scene(int(place)), ["force"], rtol)
-            for k, found in zip(here, contact._separations(flat[here], metres), strict=True):
-                everything[k] = found
-        return many, everything
+        found = separations(self._engine, many.scenes, many.index, many.flat, metres, rtol)
+        return many, found
 
     def compile(
         self,
