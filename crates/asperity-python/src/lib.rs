@@ -14,6 +14,7 @@ mod error;
 mod inverse;
 mod options;
 mod python_model;
+mod rows;
 mod scene;
 mod scenes;
 mod surface;
@@ -36,6 +37,8 @@ mod _asperity {
     use crate::error::{ContactWarning, NotConverged};
     #[pymodule_export]
     use crate::inverse::separations;
+    #[pymodule_export]
+    use crate::rows::evaluate_rows;
     #[pymodule_export]
     use crate::scene::{Scene, template};
     #[pymodule_export]

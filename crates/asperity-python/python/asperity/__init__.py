@@ -37,6 +37,7 @@ from asperity._asperity import (
 from asperity._curve import Curve
 from asperity._model import AsperityLaws, Model, model, models
 from asperity._surfaces import topography
+from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")
 
@@ -55,12 +56,17 @@ __all__ = [
     "Recommendation",
     "Scene",
     "Scenes",
+    "Sensitivity",
+    "Space",
     "Surface",
+    "SweepResult",
     "Topography",
     "model",
     "models",
     "plan",
+    "read_sweep",
     "recommend",
+    "sweep",
     "template",
     "topography",
 ]

@@ -281,6 +281,16 @@ class Engine:
     def check(self, scene: Scene) -> list[str]: ...
     def __reduce__(self) -> tuple[Callable[..., Engine], tuple[Any, ...]]: ...
 
+def evaluate_rows(
+    engine: Engine,
+    scenes: Scenes,
+    separations: _Floats,
+    in_metres: bool,
+    roughness: tuple[_Floats, _Floats] | None,
+    names: Sequence[str],
+    rtol: _Float,
+    threads: int | None,
+) -> tuple[list[_Floats], list[tuple[int, Exception]], list[str]]: ...
 def model_ids() -> list[str]: ...
 def recommend(
     scene: Scene,

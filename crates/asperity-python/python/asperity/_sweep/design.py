@@ -1,0 +1,108 @@
+"""Which points of the unit cube are drawn; every part of them by itself."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from asperity._arguments import Floats
+
+DESIGNS = ("sobol", "latin-hypercube", "saltelli", "saltelli-pairs")
+# Bits of a coordinate of scipy's Sobol points, and so how many there are.
+BITS = 30
+
+
+@dataclass(frozen=True)
+class Design:
+    """``rows`` points in ``dimensions`` dimensions, in parts that no worker has to agree about."""
+
+    kind: str
+    n: int
+    seed: int
+    dimensions: int
+    part_size: int
+
+    def __post_init__(self) -> None:
+        if self.kind not in DESIGNS:
+            raise ValueError(f"design is {self.kind!r}: one of {', '.join(DESIGNS)} was required")
+        for name, least in (("n", 1), ("seed", 0), ("part_size", 1)):
+            given = getattr(self, name)
+            if isinstance(given, bool) or not isinstance(given, int) or given < least:
+                raise ValueError(f"{name} is {given!r}: an integer from {least} was required")
+        if self.kind != "latin-hypercube" and self.points > 2**BITS:
+            raise ValueError(f"n is {self.n}: at most 2^{BITS} Sobol points were required")
+
+    @property
+    def block(self) -> int:
+        """Rows that belong together: those of one base point of Saltelli's scheme."""
+        return {"saltelli": self.dimensions + 2, "saltelli-pairs": 2 * self.dimensions + 2}.get(
+            self.kind, 1
+        )
+
+    @property
+    def points(self) -> int:
+        """Points that are drawn: for Saltelli's scheme a power of two, so that they are balanced."""
+        if self.block == 1:
+            return self.n
+        return 1 << (math.ceil(self.n / self.block) - 1).bit_length()
+
+    @property
+    def rows(self) -> int:
+        """Rows that come of them: ``n``, rounded up for Saltelli's scheme."""
+        return self.points * self.block
+
+    @property
+    def points_per_part(self) -> int:
+        """Whole blocks only."""
+        return max(1, self.part_size // self.block)
+
+    @property
+    def parts(self) -> int:
+        """How many parts there are."""
+        return -(-self.points // self.points_per_part)
+
+    def first_row(self, part: int) -> int:
+        """The number of the first row of a part."""
+        return part * self.points_per_part * self.block
+
+    def rows_of(self, part: int) -> int:
+        """How many rows a part has."""
+        return min(self.first_row(part + 1), self.rows) - self.first_row(part)
+
+    def sample(self, part: int) -> Floats:
+        """The rows of one part, strictly between 0 and 1."""
+        from scipy.stats import qmc
+
+        start, count = part * self.points_per_part, self.rows_of(part) // self.block
+        if self.kind == "latin-hypercube":
+            # Every part is a hypercube by itself: a whole one cannot be had part by part.
+            rng = np.random.default_rng([self.seed, part])
+            sample = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
+            return np.minimum(sample, 1.0 - 2.0**-53)
+        dimensions = self.dimensions * (1 if self.block == 1 else 2)
+        rng = np.random.default_rng(self.seed)
+        sobol = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=rng)
+        if start:
+            base = sobol.fast_forward(start).random(count)
+        else:
+            # A power of two of them: scipy warns of any other first draw.
+            base = sobol.random_base2((count - 1).bit_length())[:count]
+        # To the middle of their cells: 0 has no finite quantile.
+        return self._crossed(base + 2.0 ** -(BITS + 1))
+
+    def _crossed(self, base: Floats) -> Floats:
+        """Rows A, A with each column of B, (B with each column of A,) B: the order of SALib."""
+        if self.block == 1:
+            return base
+        d = self.dimensions
+        a, b = base[:, :d], base[:, d:]
+        rows = np.empty((len(base), self.block, d))
+        rows[:, : d + 1] = a[:, None, :]
+        rows[:, d + 1 :] = b[:, None, :]
+        for k in range(d):
+            rows[:, 1 + k, k] = b[:, k]
+            if self.kind == "saltelli-pairs":
+                rows[:, 1 + d + k, k] = a[:, k]
+        return rows.reshape(-1, d)

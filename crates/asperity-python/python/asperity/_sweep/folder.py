@@ -1,0 +1,96 @@
+"""The folder of a sweep: a manifest, and parts that are whole or not there."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from asperity._sweep.job import fingerprint
+from asperity._sweep.part import FINGERPRINT
+
+MANIFEST = "manifest.json"
+
+
+class Folder:
+    """Where the parts of one sweep are; made by ``Folder.of`` for a sweep that is to run."""
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self.path = Path(path).absolute()
+        manifest = self.path / MANIFEST
+        if not manifest.is_file():
+            raise ValueError(f"{self.path} has no {MANIFEST}: the folder of a sweep was required")
+        #: Everything that the digits depend on.
+        self.identity: dict[str, Any] = json.loads(manifest.read_text(encoding="utf-8"))
+
+    @staticmethod
+    def of(path: str | os.PathLike[str], identity: dict[str, Any]) -> Folder:
+        """A new folder, or the one in which the same sweep has begun."""
+        folder = Path(path).absolute()
+        folder.mkdir(parents=True, exist_ok=True)
+        manifest = folder / MANIFEST
+        if manifest.is_file():
+            found = Folder(folder)
+            found._refuse_another(json.loads(json.dumps(identity)))
+        elif any(folder.glob("part-*.parquet")):
+            raise ValueError(
+                f"{folder} has parts and no {MANIFEST}: an empty folder or one of this sweep was "
+                "required"
+            )
+        else:
+            temporary = folder / f".{MANIFEST}.{os.getpid()}.tmp"
+            temporary.write_text(json.dumps(identity, indent=2) + "\n", encoding="utf-8")
+            temporary.replace(manifest)
+            found = Folder(folder)
+        for left_over in folder.glob(".part-*.parquet.*.tmp"):
+            left_over.unlink(missing_ok=True)
+        return found
+
+    def _refuse_another(self, identity: dict[str, Any]) -> None:
+        there, here = self.identity, identity
+        path: list[str] = []
+        while there != here:
+            if not (isinstance(there, dict) and isinstance(here, dict)):
+                raise ValueError(
+                    f"{self.path} holds another sweep: {'.'.join(path)} is {there!r} there and "
+                    f"{here!r} here; another folder was required"
+                )
+            name = next(
+                name for name in {**there, **here} if there.get(name) != here.get(name)
+            )
+            path.append(name)
+            there, here = there.get(name), here.get(name)  # type: ignore[assignment]
+
+    @property
+    def fingerprint(self) -> str:
+        """What the parts of this sweep are marked with."""
+        return fingerprint(self.identity)
+
+    @property
+    def parts(self) -> int:
+        """How many parts there are to be."""
+        return int(self.identity["parts"])
+
+    def part(self, number: int) -> Path:
+        """The file of a part."""
+        return self.path / f"part-{number:05}.parquet"
+
+    def missing(self) -> list[int]:
+        """The parts that are still to be made. Parts of another sweep are refused."""
+        import pyarrow.parquet as pq
+
+        missing = []
+        for number in range(self.parts):
+            path = self.part(number)
+            if not path.is_file():
+                missing.append(number)
+            elif (pq.read_schema(path).metadata or {}).get(FINGERPRINT) != self._mark:
+                raise ValueError(
+                    f"{path} is not of the sweep of {MANIFEST}: remove it, it is made anew"
+                )
+        return missing
+
+    @property
+    def _mark(self) -> bytes:
+        return self.fingerprint.encode()

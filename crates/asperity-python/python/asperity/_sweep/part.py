@@ -1,0 +1,94 @@
+"""One part of a sweep: columns of numbers, and the rows that failed with the reason why."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from asperity._arguments import UNITS, Floats
+
+FINGERPRINT = b"asperity.sweep"
+
+
+@dataclass(frozen=True)
+class Part:
+    """Rows of a sweep that follow each other."""
+
+    first_row: int
+    #: The inputs that vary, in SI units.
+    inputs: dict[str, Floats]
+    #: The quantities; what stands at rows that failed means nothing.
+    values: dict[str, Floats]
+    #: Why rows failed, by their place in this part.
+    errors: dict[int, str]
+
+    def __len__(self) -> int:
+        columns = self.inputs or self.values
+        return len(next(iter(columns.values())))
+
+    @property
+    def answered(self) -> slice | np.ndarray[Any, np.dtype[np.bool_]]:
+        """The rows that did not fail."""
+        if not self.errors:
+            return slice(None)
+        answered = np.ones(len(self), dtype=bool)
+        answered[list(self.errors)] = False
+        return answered
+
+    def write(self, path: Path, fingerprint: str) -> None:
+        """Writes a Parquet file that is there as a whole or not at all."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        failed = np.zeros(len(self), dtype=bool)
+        failed[list(self.errors)] = True
+        columns: dict[str, Any] = {"row": np.arange(self.first_row, self.first_row + len(self))}
+        columns |= self.inputs
+        for quantity, values in self.values.items():
+            columns[column_name(quantity)] = pa.array(values, mask=failed if self.errors else None)
+        reasons = [self.errors.get(k) for k in range(len(self))] if self.errors else None
+        error = pa.array(reasons, pa.string()) if reasons else pa.nulls(len(self), pa.string())
+        columns["error"] = error
+        table = pa.table(columns).replace_schema_metadata({FINGERPRINT: fingerprint})
+        temporary = path.with_name(f".{path.name}.{uuid.uuid4().hex}.tmp")
+        try:
+            with temporary.open("wb") as file:
+                # Doubles that were drawn at random neither compress nor repeat.
+                pq.write_table(table, file, compression="none", use_dictionary=False)
+                file.flush()
+                os.fsync(file.fileno())
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+    @staticmethod
+    def read(path: Path, inputs: list[str], quantities: list[str]) -> Part:
+        """Reads some of the columns."""
+        import pyarrow.parquet as pq
+
+        names = ["row", *inputs, *(column_name(q) for q in quantities), "error"]
+        table = pq.read_table(path, columns=names)
+        reasons = table["error"]
+        errors: dict[int, str] = {}
+        if reasons.null_count < len(reasons):
+            errors = {k: why for k, why in enumerate(reasons.to_pylist()) if why is not None}
+
+        def column(name: str) -> Floats:
+            return np.asarray(table[name].to_numpy(), dtype=np.float64)
+
+        return Part(
+            table["row"][0].as_py(),
+            {name: column(name) for name in inputs},
+            {quantity: column(column_name(quantity)) for quantity in quantities},
+            errors,
+        )
+
+
+def column_name(quantity: str) -> str:
+    """A quantity with its unit, as in ``Curve.to_dataframe``."""
+    return f"{quantity}_{UNITS[quantity]}"

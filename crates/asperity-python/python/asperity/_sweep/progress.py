@@ -1,0 +1,88 @@
+"""How far a sweep has come, and what it took."""
+
+from __future__ import annotations
+
+import sys
+import time
+from dataclasses import dataclass, field
+from types import TracebackType
+
+
+@dataclass
+class Run:
+    """What one call of ``sweep`` did; parts that were there before are not in it."""
+
+    #: Rows that were evaluated.
+    rows: int = 0
+    #: Wall-clock time [s].
+    seconds: float = 0.0
+    #: The most memory that each worker ever held [bytes], where the system tells.
+    peak_memory: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def rows_per_second(self) -> float:
+        """Rows over wall-clock time."""
+        return self.rows / self.seconds if self.seconds else 0.0
+
+    def __str__(self) -> str:
+        memory = ", ".join(f"{name}: {size / 2**20:.0f} MiB" for name, size in self.peak_memory.items())
+        return (
+            f"{self.rows} rows in {self.seconds:.1f} s, {self.rows_per_second:.3g} rows/s"
+            + (f"; most memory of {memory}" if memory else "")
+        )
+
+
+class Progress:
+    """One line on a terminal; nothing elsewhere, unless it is asked for."""
+
+    def __init__(self, run: Run, rows: int, done: int, shown: bool | None) -> None:
+        self._run, self._rows, self._before = run, rows, done
+        self._shown = sys.stderr.isatty() if shown is None else shown
+        self._begun = time.perf_counter()
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def add(self, rows: int, worker: str, memory: int | None) -> None:
+        """One more part is done."""
+        run = self._run
+        run.rows += rows
+        run.seconds = time.perf_counter() - self._begun
+        if memory is not None:
+            run.peak_memory[worker] = max(memory, run.peak_memory.get(worker, 0))
+        if self._shown:
+            done = self._before + run.rows
+            left = (self._rows - done) / run.rows_per_second
+            print(
+                f"\rsweep: {done} of {self._rows} rows ({done / self._rows:.0%}), "
+                f"{run.rows_per_second:.3g} rows/s, {left:.0f} s left ",
+                end="",
+                file=sys.stderr,
+                flush=True,
+            )
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self._shown and self._run.rows:
+            print(file=sys.stderr)
+
+
+def peak_memory() -> int | None:
+    """The most memory that this process ever held [bytes]; none where the system does not tell."""
+    try:
+        with open("/proc/self/status", encoding="ascii") as status:
+            for line in status:
+                if line.startswith("VmHWM:"):
+                    return 1024 * int(line.split()[1])
+    except OSError:
+        pass
+    try:
+        import resource
+    except ImportError:
+        return None
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak if sys.platform == "darwin" else 1024 * peak

@@ -1,0 +1,247 @@
+"""What comes back from a sweep."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from asperity._arguments import Floats, floats
+from asperity._asperity import ContactWarning
+from asperity._sweep import statistics
+from asperity._sweep.folder import Folder
+from asperity._sweep.part import Part, column_name
+from asperity._sweep.progress import Run
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Sobol indices of one quantity: shares of its variance. Each has its 95 % half-width."""
+
+    #: What an input explains alone.
+    first: dict[str, float]
+    first_conf: dict[str, float]
+    #: What it explains alone and together with others.
+    total: dict[str, float]
+    total_conf: dict[str, float]
+    #: What two inputs explain only together; for the design "saltelli-pairs".
+    second: dict[tuple[str, str], float] = field(default_factory=dict)
+    second_conf: dict[tuple[str, str], float] = field(default_factory=dict)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A row for each input, without the second order; needs pandas."""
+        import pandas as pd
+
+        columns = ("first", "first_conf", "total", "total_conf")
+        return pd.DataFrame({name: getattr(self, name) for name in columns})
+
+
+class SweepResult:
+    """Rows of a sweep, in memory or in a folder; made by ``sweep`` and ``read_sweep``.
+
+    Statistics are taken part by part: rows that failed are left out of them, with a warning.
+
+    >>> import asperity
+    >>> scene = asperity.Scene.parse(asperity.template())
+    >>> space = asperity.Space(scene, separation=2.0, hardness=(1e9, 3e9), nominal_area=(0.9e-4, 1.1e-4))
+    >>> result = asperity.sweep(space, "ke", "force", n=2048, design="saltelli")
+    >>> result.rows, round(result.mean("force")), round(result.std("force"))
+    (2048, 209, 47)
+    >>> {name: round(share, 2) for name, share in result.sensitivity("force").first.items()}
+    {'hardness': 0.93, 'nominal_area': 0.07}
+    """
+
+    def __init__(self, identity: dict[str, Any], parts: list[Part] | Folder, run: Run) -> None:
+        self._identity, self._parts = identity, parts
+        #: What the call of ``sweep`` did that made this: rows, seconds, memory of each worker.
+        self.run = run
+        inputs = identity["space"]["inputs"]
+        #: The inputs that vary.
+        self.inputs: tuple[str, ...] = tuple(n for n, i in inputs.items() if "quantiles" in i)
+        #: What was asked for.
+        self.quantities: tuple[str, ...] = tuple(identity["quantities"])
+        #: How many rows there are, with those that failed.
+        self.rows: int = identity["rows"]
+
+    def parts(self, *columns: str) -> Iterator[Part]:
+        """The parts in order, one in memory at a time; of some columns only, if they are given."""
+        for name in columns:
+            self._known(name)
+        wanted = columns or (*self.inputs, *self.quantities)
+        inputs = [name for name in self.inputs if name in wanted]
+        quantities = [name for name in self.quantities if name in wanted]
+        if isinstance(self._parts, list):
+            yield from self._parts
+            return
+        for number in range(self._parts.parts):
+            yield Part.read(self._parts.part(number), inputs, quantities)
+
+    def _known(self, name: str) -> None:
+        known = (*self.inputs, *self.quantities)
+        if name not in known:
+            raise KeyError(f"{name} is no column: one of {', '.join(known)} was required")
+
+    def __getitem__(self, column: str) -> Floats:
+        """A whole column, an input that varies or a quantity; masked where rows failed."""
+        values, masks = [], []
+        for part in self.parts(column):
+            mask = np.zeros(len(part), dtype=bool)
+            mask[list(part.errors)] = column in self.quantities
+            values.append(part.inputs[column] if column in part.inputs else part.values[column])
+            masks.append(mask)
+        whole, mask = np.concatenate(values), np.concatenate(masks)
+        if not mask.any():
+            return whole
+        masked: Floats = np.ma.MaskedArray(whole, mask)
+        return masked
+
+    def failures(self) -> Iterator[tuple[int, str]]:
+        """The rows that failed, and why."""
+        for part in self.parts(self.quantities[0]):
+            for place, why in part.errors.items():
+                yield part.first_row + place, why
+
+    def _answers(self, quantity: str) -> Callable[[], Iterator[Floats]]:
+        if quantity not in self.quantities:
+            asked = ", ".join(self.quantities)
+            raise KeyError(f"{quantity} was not requested: add it to the quantities ({asked})")
+
+        def chunks() -> Iterator[Floats]:
+            for part in self.parts(quantity):
+                yield part.values[quantity][part.answered]
+
+        return chunks
+
+    def _moments(self, quantity: str) -> tuple[int, float, float]:
+        count, mean, squares = statistics.moments(self._answers(quantity)())
+        self._warn_of_failures(count)
+        return count, mean, squares
+
+    def _warn_of_failures(self, count: int) -> None:
+        if count < 2:
+            raise ValueError(f"{count} of {self.rows} rows have values: two or more were required")
+        if count < self.rows:
+            words = f"{self.rows - count} of {self.rows} rows failed and are left out: see failures()"
+            warnings.warn(words, ContactWarning, stacklevel=4)
+
+    def mean(self, quantity: str) -> float:
+        """The mean of a quantity."""
+        return self._moments(quantity)[1]
+
+    def std(self, quantity: str) -> float:
+        """The standard deviation of a quantity."""
+        count, _, squares = self._moments(quantity)
+        return float(np.sqrt(squares / (count - 1)))
+
+    def quantile(self, quantity: str, q: npt.ArrayLike) -> Floats:
+        """Quantiles of a quantity at probabilities ``q``, as ``numpy.quantile`` has them."""
+        chunks, probabilities = self._answers(quantity), floats(q)
+        if not ((probabilities >= 0.0) & (probabilities <= 1.0)).all():
+            raise ValueError(f"q is {probabilities}: probabilities from 0 to 1 were required")
+        self._moments(quantity)
+        found = statistics.quantiles(chunks, probabilities.ravel())
+        return found.reshape(probabilities.shape)
+
+    def sensitivity(
+        self,
+        quantity: str,
+        transform: Callable[[Floats], Floats] | None = None,
+        resamples: int = 100,
+    ) -> Sensitivity:
+        """Sobol indices of a quantity, by SALib; for the designs of Saltelli.
+
+        ``transform`` comes first, if given: ``numpy.log`` where a quantity spans decades, of which
+        the largest would be all that counts. The half-widths come of ``resamples`` resamples. One
+        column is in memory as a whole.
+        """
+        from SALib.analyze import sobol
+
+        design = self._identity["design"]
+        if not design.startswith("saltelli"):
+            raise ValueError(
+                f"the design is {design!r}: 'saltelli' or 'saltelli-pairs' was required for indices"
+            )
+        values = np.concatenate(list(self._answers(quantity)()))
+        if len(values) < self.rows:
+            raise ValueError(
+                f"{self.rows - len(values)} of {self.rows} rows failed: every row is required for "
+                "indices"
+            )
+        values = values if transform is None else floats(transform(values))
+        if not np.isfinite(values).all():
+            raise ValueError("the transform is not finite everywhere: finite numbers were required")
+        if np.ptp(values) == 0.0:
+            raise ValueError(f"{quantity} does not vary: indices share out its variance")
+        pairs = design == "saltelli-pairs"
+        problem = {"num_vars": len(self.inputs), "names": list(self.inputs)}
+        found = sobol.analyze(
+            problem,
+            values,
+            calc_second_order=pairs,
+            num_resamples=resamples,
+            seed=self._identity["seed"],
+        )
+
+        def by_name(key: str) -> dict[str, float]:
+            return dict(zip(self.inputs, found[key].tolist(), strict=True))
+
+        def by_pair(key: str) -> dict[tuple[str, str], float]:
+            places = [(j, k) for j in range(len(self.inputs)) for k in range(j + 1, len(self.inputs))]
+            return {
+                (self.inputs[j], self.inputs[k]): float(found[key][j, k]) for j, k in places if pairs
+            }
+
+        return Sensitivity(
+            by_name("S1"),
+            by_name("S1_conf"),
+            by_name("ST"),
+            by_name("ST_conf"),
+            by_pair("S2"),
+            by_pair("S2_conf"),
+        )
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """All rows, units in the head of quantities, the column ``error`` for rows that failed."""
+        import pandas as pd
+
+        tables = []
+        for part in self.parts():
+            columns: dict[str, Any] = dict(part.inputs)
+            for quantity, values in part.values.items():
+                column = values.copy()
+                column[list(part.errors)] = np.nan  # pandas' word for nothing there
+                columns[column_name(quantity)] = column
+            table = pd.DataFrame(columns)
+            if part.errors:
+                table["error"] = pd.Series(part.errors, dtype=object)
+            tables.append(table)
+        return pd.concat(tables, ignore_index=True)
+
+    def __repr__(self) -> str:
+        names = " and ".join(filter(None, [", ".join(self.inputs[:-1]), self.inputs[-1]]))
+        model = self._identity["model"]
+        name = model["id"].upper() if "id" in model else model["class"]
+        return (
+            f"<asperity.SweepResult of {name}: {', '.join(self.quantities)} on {self.rows} rows, "
+            f"{names} {'vary' if len(self.inputs) > 1 else 'varies'}>"
+        )
+
+
+def read_sweep(folder: str | os.PathLike[str]) -> SweepResult:
+    """The result in a folder that ``sweep`` has filled."""
+    there = Folder(folder)
+    missing = there.missing()
+    if missing:
+        raise ValueError(
+            f"{there.path} has {there.parts - len(missing)} of {there.parts} parts: all were "
+            "required, call sweep with the same arguments to go on"
+        )
+    return SweepResult(there.identity, there, Run())
