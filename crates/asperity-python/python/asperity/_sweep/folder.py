@@ -43,9 +43,13 @@ class Folder:
             temporary.write_text(json.dumps(identity, indent=2) + "\n", encoding="utf-8")
             temporary.replace(manifest)
             found = Folder(folder)
-        for left_over in folder.glob(".part-*.parquet.*.tmp"):
-            left_over.unlink(missing_ok=True)
+        found.clean()
         return found
+
+    def clean(self) -> None:
+        """Removes what writers that were killed have left."""
+        for left_over in self.path.glob(".part-*.parquet.*.tmp"):
+            left_over.unlink(missing_ok=True)
 
     def _refuse_another(self, identity: dict[str, Any]) -> None:
         there, here = self.identity, identity

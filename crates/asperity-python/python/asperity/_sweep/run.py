@@ -111,7 +111,7 @@ def sweep(
     if folder is None:
         memory: list[Part] = []
         with Progress(run, rows, 0, progress) as shown:
-            for part, said in _ahead(job, list(range(job.design.parts))):
+            for _, part, said in _ahead(job, list(range(job.design.parts))):
                 memory.append(part)
                 _pass_on(said)
                 shown.add(len(part), "this process", peak_memory())
@@ -121,8 +121,7 @@ def sweep(
     done = rows - sum(job.design.rows_of(number) for number in missing)
     with Progress(run, rows, done, progress) as shown:
         if client is None:
-            for part, said in _ahead(job, missing):
-                number = part.first_row // (job.design.points_per_part * job.design.block)
+            for number, part, said in _ahead(job, missing):
                 part.write(there.part(number), there.fingerprint)
                 _pass_on(said)
                 shown.add(len(part), "this process", peak_memory())
@@ -135,15 +134,14 @@ def sweep(
     return result
 
 
-def _ahead(job: Job, numbers: list[int]) -> Iterator[tuple[Part, list[str]]]:
+def _ahead(job: Job, numbers: list[int]) -> Iterator[tuple[int, Part, list[str]]]:
     """Parts in order; while one is evaluated, the next one's inputs are drawn."""
     with ThreadPoolExecutor(1) as pool:
         drawn = [pool.submit(job.draw, number) for number in numbers[:1]]
-        for number, following in zip(numbers, [*numbers[1:], None], strict=True):
+        for place, number in enumerate(numbers):
             columns = drawn.pop().result()
-            if following is not None:
-                drawn.append(pool.submit(job.draw, following))
-            yield job.answer(number, columns)
+            drawn += [pool.submit(job.draw, following) for following in numbers[place + 1 :][:1]]
+            yield number, *job.answer(number, columns)
 
 
 def write_part(job: Job, path: str, number: int) -> tuple[int, str, int | None, list[str]]:
@@ -179,6 +177,7 @@ def _on_cluster(client: Client, job: Job, there: Folder, missing: list[int], sho
             future.release()
     finally:
         client.cancel(futures)
+        there.clean()
     lost = there.missing()
     if lost:
         raise ValueError(
