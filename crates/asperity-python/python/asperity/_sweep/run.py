@@ -75,7 +75,7 @@ def sweep(
         A Dask cluster, whose workers evaluate the parts, each thread of a worker one at a time.
         They must see the folder under its path.
     part_size : int
-        Most rows of a part: what a worker has in memory at once, some 0.5 kB for each.
+        Most rows of a part: what a worker has in memory at once, some 1 kB for each.
     progress : bool, optional
         Whether a line on stderr says how far it is; by default on a terminal.
 
@@ -88,7 +88,7 @@ def sweep(
     >>> result
     <asperity.SweepResult of KE: force on 1024 rows, separation and hardness vary>
     >>> low, median, high = result.quantile("force", [0.05, 0.5, 0.95])
-    >>> low < median < result.mean("force") < high
+    >>> bool(low < median < result.mean("force") < high)
     True
     """
     if errors not in ERRORS:
