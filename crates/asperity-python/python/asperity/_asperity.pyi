@@ -19,6 +19,7 @@ __all__ = [
     "Scenes",
     "Surface",
     "Topography",
+    "evaluate_rows",
     "model_ids",
     "recommend",
     "separations",
