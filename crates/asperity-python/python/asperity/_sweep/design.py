@@ -14,6 +14,13 @@ DESIGNS = ("sobol", "latin-hypercube", "saltelli", "saltelli-pairs")
 BITS = 30
 
 
+def integer(name: str, given: int, least: int) -> int:
+    """An integer, also one of NumPy's."""
+    if isinstance(given, bool) or not isinstance(given, int | np.integer) or given < least:
+        raise ValueError(f"{name} is {given!r}: an integer from {least} was required")
+    return int(given)
+
+
 @dataclass(frozen=True)
 class Design:
     """``rows`` points in ``dimensions`` dimensions, in parts that no worker has to agree about."""
@@ -27,10 +34,6 @@ class Design:
     def __post_init__(self) -> None:
         if self.kind not in DESIGNS:
             raise ValueError(f"design is {self.kind!r}: one of {', '.join(DESIGNS)} was required")
-        for name, least in (("n", 1), ("seed", 0), ("part_size", 1)):
-            given = getattr(self, name)
-            if isinstance(given, bool) or not isinstance(given, int) or given < least:
-                raise ValueError(f"{name} is {given!r}: an integer from {least} was required")
         if self.kind != "latin-hypercube" and self.points > 2**BITS:
             raise ValueError(f"n is {self.n}: at most 2^{BITS} Sobol points were required")
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from asperity._arguments import in_metres, quantity_names
 from asperity._asperity import ContactWarning
 from asperity._model import Model
-from asperity._sweep.design import Design
+from asperity._sweep.design import Design, integer
 from asperity._sweep.folder import Folder
 from asperity._sweep.job import ERRORS, Job
 from asperity._sweep.part import Part
@@ -101,7 +101,13 @@ def sweep(
         space,
         model if isinstance(model, Model) else Model(model),
         tuple(quantity_names(quantities)),
-        Design(design, n, seed, len(space.names), part_size),
+        Design(
+            design,
+            integer("n", n, 1),
+            integer("seed", seed, 0),
+            len(space.names),
+            integer("part_size", part_size, 1),
+        ),
         rtol,
         in_metres(separation_unit),
         errors,
