@@ -5,7 +5,7 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use crate::arrays;
+use crate::arrays::{self, Grain};
 use crate::engine::{Engine, asperity_separation, quantities, tolerance};
 use crate::error::value_error;
 use crate::scenes::{ManyScenes, Scenes};
@@ -71,7 +71,7 @@ pub(crate) fn evaluate_rows<'py>(
     let pool = threads.map(|_| pool.build()).transpose().map_err(value_error)?;
     let mut columns = vec![vec![f64::NAN; separations.len()]; quantities.len()];
     let mut failed: Vec<(usize, Py<PyAny>)> = vec![];
-    arrays::in_ranges(py, separations.len(), |range| {
+    arrays::in_ranges(py, separations.len(), Grain::Values, |range| {
         let first = range.start;
         let work = || {
             let made: Vec<Result<Case, ContactError>> =
