@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
+use crate::pool::on_all_cores;
+
 /// How many values are handed to a thread at a time: single evaluations, or whole scenes.
 #[derive(Clone, Copy)]
 pub(crate) enum Grain {
@@ -85,8 +87,10 @@ where
                 return part.chunks_mut(together).enumerate().try_for_each(fill);
             }
             // Every chunk goes to its end or to its first error; then the first of those counts.
-            let errors = part.par_chunks_mut(together).enumerate().map(fill);
-            errors.filter_map(Result::err).min_by_key(|(k, _)| *k).map_or(Ok(()), Err)
+            on_all_cores(|| {
+                let errors = part.par_chunks_mut(together).enumerate().map(fill);
+                errors.filter_map(Result::err).min_by_key(|(k, _)| *k).map_or(Ok(()), Err)
+            })
         });
         found.map_err(|(k, error)| raise(k, error))
     })?;

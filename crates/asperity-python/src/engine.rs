@@ -16,6 +16,7 @@ use crate::arrays::{self, Grain};
 use crate::contact::Contact;
 use crate::error::{refused_at, value_error};
 use crate::options::{option_objects, option_values, with_options};
+use crate::pool::on_all_cores;
 use crate::python_model::{PythonModel, Raised, is_class};
 use crate::scene::Scene;
 use crate::scenes::ManyScenes;
@@ -201,9 +202,11 @@ impl Engine {
         arrays::in_ranges(py, index.len(), Grain::Values, |range| {
             let first = range.start;
             let answers = py.detach(|| {
-                let cases = range.into_par_iter().with_min_len(256).map(case);
-                let cases: Result<Vec<Case>, ContactError> = cases.collect();
-                cases.map(|cases| sweep.evaluate_all(&cases))
+                on_all_cores(|| {
+                    let cases = range.into_par_iter().with_min_len(256).map(case);
+                    let cases: Result<Vec<Case>, ContactError> = cases.collect();
+                    cases.map(|cases| sweep.evaluate_all(&cases))
+                })
             });
             let Ok(answers) = answers else {
                 // The first of those that cannot be made, whatever the threads did.

@@ -13,6 +13,7 @@ mod engine;
 mod error;
 mod inverse;
 mod options;
+mod pool;
 mod python_model;
 mod rows;
 mod scene;

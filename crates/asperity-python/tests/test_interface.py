@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import copy
+import multiprocessing
+import os
 import pickle
 import threading
 import time
@@ -355,6 +357,23 @@ def test_the_interpreter_is_free_during_long_calls(scene: asperity.Scene) -> Non
     done.set()
     other.join()
     assert counts[0] > 100
+
+
+def forces_in_a_child(scene: asperity.Scene, queue: Any) -> None:
+    queue.put(asperity.model("ke").solve(scene, np.linspace(0, 4, 20_000)).force.sum())
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+def test_a_forked_process_computes_too(scene: asperity.Scene) -> None:
+    wanted = asperity.model("ke").solve(scene, np.linspace(0, 4, 20_000)).force.sum()
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=forces_in_a_child, args=(scene, queue))
+    child.start()
+    assert queue.get(timeout=20) == wanted
+    child.join(timeout=20)
+    assert child.exitcode == 0
 
 
 def test_threads_share_a_contact(scene: asperity.Scene) -> None:
