@@ -180,7 +180,8 @@ pub struct Part {
     pub sign: f64,
     /// Where the part holds, in interference units.
     pub range: Range<f64>,
-    /// Known kinks strictly inside the range. An undeclared one costs time, not accuracy.
+    /// Known kinks strictly inside the range. An undeclared one costs time; the error stays below the
+    /// tolerance, but a jump may hide from the bound, which is then too small.
     pub kinks: Vec<f64>,
     /// The formula, in value units.
     pub form: Form,

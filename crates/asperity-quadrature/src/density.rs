@@ -38,7 +38,8 @@ pub struct Piece {
     pub to: f64,
     /// Factor of the values in the sum, mostly 1 or -1.
     pub sign: f64,
-    /// Declared kinks inside the piece. An undeclared one costs time, not accuracy.
+    /// Declared kinks inside the piece. An undeclared one costs time; the error stays below the
+    /// tolerance, but a jump may hide from the bound, which is then too small.
     pub kinks: Vec<f64>,
     /// The point o from which the piece is a sum of powers (x-o)^p, if it is one: then one panel
     /// spans any ratio of scales.

@@ -149,22 +149,38 @@ fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2]) -> f64 {
     if off > rounding { rule.nodes[0] * off } else { 0.0 }
 }
 
+/// How well masses are wanted, relative to the integral of the absolute value.
+#[derive(Debug, Clone, Copy)]
+pub struct Goal {
+    /// What panels are bisected for,
+    pub aim: f64,
+    /// and what is refused: an aim near rounding may be missed by a little.
+    pub refuse: f64,
+}
+
+impl From<f64> for Goal {
+    fn from(aim: f64) -> Self {
+        Self { aim, refuse: 4.0 * aim.max(1e-16) }
+    }
+}
+
 /// Replaces `density(x) · weight(x)` on `[low, high]` by point masses.
 ///
 /// `edges` are extra panel ends that suit the weight; the density's own breaks are added. Panels
-/// are bisected until their estimated errors sum to less than `tolerance` times the integral of
+/// are bisected until their estimated errors sum to less than the goal's aim times the integral of
 /// the absolute value, or until they are too thin to matter.
 ///
 /// # Errors
 /// What the density's samplers refuse, non-finite samples, and [`QuadratureError::NotConverged`]
-/// when the error estimate stays above `tolerance`.
+/// when the error estimate stays above what the goal refuses.
 pub fn discretise(
     density: &Density,
     (low, high): (f64, f64),
     edges: &[f64],
     weight: &dyn Fn(f64) -> f64,
-    tolerance: f64,
+    goal: impl Into<Goal>,
 ) -> Result<Discretised, QuadratureError> {
+    let Goal { aim, refuse } = goal.into();
     let mut panels = first_panels(density, low, high, edges);
     let mut evaluations = 0;
     for panel in &mut panels {
@@ -177,7 +193,7 @@ pub fn discretise(
     let mut done = Vec::with_capacity(panels.len());
     let mut total: f64 = panels.iter().map(Panel::size).sum();
     while let Some(panel) = panels.pop() {
-        let allowed = (tolerance / count).max(1e-17) * total;
+        let allowed = (aim / count).max(1e-17) * total;
         let given_up = panel.depth >= DEEPEST || panel.stalled >= STALLED || evaluations >= MOST;
         if panel.error <= allowed || given_up {
             stuck += panel.error;
@@ -207,10 +223,10 @@ pub fn discretise(
             }
         }
     }
-    if stuck > 4.0 * tolerance.max(1e-16) * total {
+    if stuck > refuse * total {
         return Err(QuadratureError::NotConverged {
             reached: stuck / total,
-            asked: tolerance,
+            asked: aim,
             evaluations,
         });
     }

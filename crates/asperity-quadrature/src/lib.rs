@@ -38,7 +38,7 @@ pub use any_scale::AnyScale;
 pub use avx2::with_wide_registers;
 pub use chebyshev::Tabulated;
 pub use density::{Density, Piece, Sampler};
-pub use discretise::{Discretised, discretise};
+pub use discretise::{Discretised, Goal, discretise};
 pub use error::QuadratureError;
 pub use gaussian::{Curvature, Moments, ShiftedGaussian};
 pub use kronrod::{Estimate, gauss_kronrod};

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::exponentials::Sums;
 use crate::segment::{self, Patch, Segment, Shift};
-use crate::{Density, QuadratureError};
+use crate::{Density, Goal, QuadratureError};
 
 /// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
 pub(crate) const LOWEST: f64 = -64.0;
@@ -38,10 +38,11 @@ impl Task {
     pub(crate) fn directly(&self, s: f64, scale: f64) -> Result<(Sums, f64), QuadratureError> {
         // Below, s + t is a difference of large numbers, and the weight is known no better.
         let rounding = if s < LOWEST { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
-        let tolerance = rounding.max(0.1 * self.tolerance);
+        let aim = rounding.max(0.1 * self.tolerance);
+        let goal = Goal { aim, refuse: 4.0 * aim };
         let window = |depth| segment::window((s, s), depth);
         let weight = |t: f64| segment::weight(s, t);
-        let masses = segment::masses(&self.density, scale, (s, &window), &weight, tolerance)?;
+        let masses = segment::masses(&self.density, scale, (s, &window), &weight, goal)?;
         self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
         let here = Shift { from: s, s, stretch: 0.0 };
         let sums = segment::sums(&masses.points, &masses.masses, here);

@@ -2,7 +2,7 @@
 
 use crate::compress::Recurrence;
 use crate::exponentials::{self, Exponent, Four, LANES, Place, Sums};
-use crate::{Density, Discretised, QuadratureError, discretise};
+use crate::{Density, Discretised, Goal, QuadratureError, discretise};
 
 /// exp(-L) of the largest weight is left out beyond the window: 1e-20.
 pub(crate) const CUT: f64 = 46.0;
@@ -68,12 +68,12 @@ pub(crate) fn masses(
     scale: f64,
     (s, window): (f64, &dyn Fn(f64) -> (f64, f64)),
     weight: &dyn Fn(f64) -> f64,
-    tolerance: f64,
+    goal: Goal,
 ) -> Result<Discretised, QuadratureError> {
     let (mut depth, mut evaluations) = (CUT, 0);
     loop {
         let (near, far) = window(depth);
-        let mut found = masses_on(density, scale, (s, (near, far)), weight, tolerance)?;
+        let mut found = masses_on(density, scale, (s, (near, far)), weight, goal)?;
         found.evaluations += evaluations;
         let strip = STRIP * (far - near);
         let (mut left, mut total) = (0.0, 0.0);
@@ -83,7 +83,7 @@ pub(crate) fn masses(
                 left += mass.abs();
             }
         }
-        if left <= LEFT.max(0.01 * tolerance) * total {
+        if left <= LEFT.max(0.01 * goal.aim) * total {
             return Ok(found);
         }
         if depth >= WIDEST * CUT {
@@ -100,11 +100,11 @@ fn masses_on(
     scale: f64,
     (s, window): (f64, (f64, f64)),
     weight: &dyn Fn(f64) -> f64,
-    tolerance: f64,
+    goal: Goal,
 ) -> Result<Discretised, QuadratureError> {
     let edges: Vec<f64> = edges(s, window).iter().map(|t| t / scale).collect();
     let range = (window.0 / scale, window.1 / scale);
-    let mut masses = discretise(density, range, &edges, &|x| weight(x * scale) * scale, tolerance)?;
+    let mut masses = discretise(density, range, &edges, &|x| weight(x * scale) * scale, goal)?;
     masses.points.iter_mut().for_each(|x| *x *= scale);
     Ok(masses)
 }
@@ -203,9 +203,9 @@ impl Segment {
         let corners = patch.corners();
         // Resolved where any corner has weight, not only where the centre has.
         let envelope = |t: f64| corners.iter().map(|(s, c)| weight(*s, t * (1.0 + c))).sum();
-        let finest = 1e-15_f64.max(0.01 * tolerance);
-        let fine =
-            masses(density, scale, (centre, &|depth| patch.window(depth)), &envelope, finest)?;
+        let aim = 1e-15_f64.max(0.01 * tolerance);
+        let goal = Goal { aim, refuse: (0.2 * tolerance).max(4.0 * aim) };
+        let fine = masses(density, scale, (centre, &|depth| patch.window(depth)), &envelope, goal)?;
         let Discretised { points, mut masses, error, evaluations } = fine;
         let mut segment =
             Self { centre, fours: vec![], positive: true, error: [0.0; 2], evaluations };
