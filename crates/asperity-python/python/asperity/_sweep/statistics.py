@@ -15,7 +15,7 @@ TOP = np.uint64(1 << 63)
 
 def moments(chunks: Iterable[Floats]) -> tuple[int, float, float]:
     """Count, mean and sum of squared deviations: chunk by chunk in their order, so that the digits
-    do not depend on who made them. [Chan, Golub & LeVeque]"""
+    do not depend on who made them."""
     count, mean, squares = 0, 0.0, 0.0
     for chunk in chunks:
         if not len(chunk):
