@@ -18,7 +18,7 @@ pub struct Legendre {
     ends: [Vec<f64>; 2],
 }
 
-/// How far inside [0, 1] the points are that [`Legendre::at_ends`] is for.
+/// How far inside [0, 1] the points are that `Legendre::at_ends` is for.
 pub const INSET: f64 = 1e-7;
 
 const LARGEST: usize = 128;
@@ -110,7 +110,7 @@ impl Legendre {
         10.0 * tail * fall
     }
 
-    /// The Legendre series of the function with these samples, [`INSET`] inside 0 and 1: where the
+    /// The Legendre series of the function with these samples, 1e-7 inside 0 and 1: where the
     /// function itself is elsewhere, a kink hides beyond the outermost nodes.
     #[must_use]
     pub fn at_ends(&self, samples: &[f64]) -> [f64; 2] {
