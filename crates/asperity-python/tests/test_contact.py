@@ -65,5 +65,5 @@ def test_a_million_forces_take_less_than_100_ns_each(scene: asperity.Scene) -> N
     contact = asperity.model("ke").compile(scene)
     gaps = np.linspace(0, 4e-6, 1_000_000)
     contact.force(gaps)
-    seconds = min(timeit.repeat(lambda: contact.force(gaps), number=1, repeat=7)) / gaps.size
+    seconds = min(timeit.repeat(lambda: contact.force(gaps), number=1, repeat=25)) / gaps.size
     assert seconds < 100e-9
