@@ -16,7 +16,7 @@ pub(crate) use with::{positive, signed, sums};
 
 #[cfg(not(target_arch = "x86_64"))]
 mod without {
-    use crate::exponentials::{Exponent, Four, Place, Sums};
+    use crate::terms::{Exponent, Four, Place, Sums};
 
     /// Calls `f`: on this processor there is nothing to choose.
     pub fn with_wide_registers<R>(f: impl FnOnce() -> R) -> R {
@@ -46,7 +46,7 @@ mod with {
         _mm256_set_pd, _mm256_set1_pd, _mm256_setzero_pd, _mm256_slli_epi64, _mm256_sub_pd,
     };
 
-    use crate::exponentials::{Exponent, Four, LANES, Place, Sums};
+    use crate::terms::{Exponent, Four, LANES, Place, Sums};
 
     fn available() -> bool {
         std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")

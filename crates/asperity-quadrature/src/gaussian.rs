@@ -2,9 +2,9 @@
 
 use std::sync::atomic::Ordering;
 
-use crate::exponentials::Sums;
 use crate::rules::{Rules, Task};
 use crate::segment::Segment;
+use crate::terms::Sums;
 use crate::{Density, QuadratureError};
 
 /// I(s) with its derivatives, scaled against underflow.

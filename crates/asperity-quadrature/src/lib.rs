@@ -33,6 +33,7 @@ mod roots;
 mod rules;
 mod segment;
 mod tanh_sinh;
+mod terms;
 
 pub use any_scale::AnyScale;
 pub use avx2::with_wide_registers;

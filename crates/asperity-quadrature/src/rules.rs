@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::exponentials::Sums;
 use crate::segment::{self, Patch, Segment, Shift};
+use crate::terms::Sums;
 use crate::{Density, Goal, QuadratureError};
 
 /// Below this s each evaluation integrates anew: rules would be needed for every unit of s.

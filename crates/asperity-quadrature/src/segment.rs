@@ -1,7 +1,8 @@
 //! One Gauss rule that serves a short range of s, and of scales.
 
 use crate::compress::Recurrence;
-use crate::exponentials::{self, Exponent, Four, LANES, Place, Sums};
+use crate::exponentials;
+use crate::terms::{Exponent, Four, LANES, Place, Sums};
 use crate::{Density, Discretised, Goal, QuadratureError, discretise};
 
 /// exp(-L) of the largest weight is left out beyond the window: 1e-20.
