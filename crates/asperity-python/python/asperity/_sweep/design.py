@@ -82,8 +82,9 @@ class Design:
         if self.kind == "latin-hypercube":
             # Every part is a hypercube by itself: a whole one cannot be had part by part.
             rng = np.random.default_rng([self.seed, part])
-            sample = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
-            return np.minimum(sample, 1.0 - 2.0**-53)
+            sample: Floats = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
+            inside: Floats = np.minimum(sample, 1.0 - 2.0**-53)
+            return inside
         dimensions = self.dimensions * (1 if self.block == 1 else 2)
         rng = np.random.default_rng(self.seed)
         sobol = qmc.Sobol(dimensions, scramble=True, bits=BITS, rng=rng)
