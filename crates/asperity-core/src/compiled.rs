@@ -1,15 +1,14 @@
 //! A scene prepared for many evaluations.
 
-use std::sync::OnceLock;
+use asperity_quadrature::{AnyScale, Curvature, Moments};
 
-use asperity_quadrature::{AnyScale, Curvature, Density, Moments, QuadratureError};
-
+use crate::channel::{Channel, check_scales, failed, law_of};
 use crate::evaluation::Units;
 use crate::height_integral::HeightIntegral;
 use crate::request::checked_separation;
 use crate::{
     Asperity, ContactError, ContactModel, Evaluation, HeightDistribution, Interface, Law, Quantity,
-    Request, Scene, Share, StiffnessKind, Warning,
+    Request, Scene, Share, Warning,
 };
 
 /// A model applied to a scene: integrals are built when first needed, and shared by all threads.
@@ -28,23 +27,6 @@ pub struct Compiled {
     warnings: Vec<Warning>,
     monotone: bool,
     heights: HeightDistribution,
-}
-
-/// The integral of one law.
-#[derive(Debug)]
-struct Channel {
-    quantity: Quantity,
-    law: Law,
-    /// η A_n times the law's value unit.
-    factor: f64,
-    /// Interference unit over σ_z.
-    scale: f64,
-    heights: HeightDistribution,
-    tolerance: f64,
-    total: HeightIntegral,
-    parts: OnceLock<Vec<HeightIntegral>>,
-    /// For other scenes of the same asperities.
-    elsewhere: OnceLock<AnyScale>,
 }
 
 impl Compiled {
@@ -318,69 +300,5 @@ impl Compiled {
         let place = self.quantities.iter().position(|q| *q == quantity);
         let channel = place.and_then(|k| self.channels.get(*self.sources.get(k)?));
         channel.ok_or(ContactError::NotRequested { quantity })
-    }
-}
-
-/// Refuses scenes whose numbers leave the doubles.
-pub(crate) fn check_scales(
-    quantity: Quantity,
-    factor: f64,
-    scale: f64,
-    height_std: f64,
-) -> Result<(), ContactError> {
-    // Tangents are divided by σ_z.
-    let scales = [factor, factor / height_std, scale];
-    match scales.into_iter().find(|scale| !(*scale > 0.0 && scale.is_finite())) {
-        None => Ok(()),
-        Some(scale) => Err(ContactError::Scale { quantity, scale }),
-    }
-}
-
-/// The law a quantity is computed from.
-pub(crate) fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
-    match (quantity, stiffness) {
-        (Quantity::Tangent, _) | (Quantity::Stiffness, StiffnessKind::Tangent) => Quantity::Force,
-        (quantity, _) => quantity,
-    }
-}
-
-pub(crate) fn failed(
-    quantity: Quantity,
-    separation: f64,
-) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral { quantity, separation, source }
-}
-
-impl Channel {
-    fn new(
-        quantity: Quantity,
-        law: Law,
-        scene: &Scene,
-        tolerance: f64,
-    ) -> Result<Self, ContactError> {
-        let scale = law.interference_unit / scene.surface.asperity_height_std;
-        let total = HeightIntegral::new(law.density(), scale, &scene.heights, tolerance);
-        let factor = scene.asperities() * law.value_unit;
-        check_scales(quantity, factor, scale, scene.surface.asperity_height_std)?;
-        Ok(Self {
-            quantity,
-            factor,
-            law,
-            scale,
-            heights: scene.heights.clone(),
-            tolerance,
-            total,
-            parts: OnceLock::new(),
-            elsewhere: OnceLock::new(),
-        })
-    }
-
-    fn parts(&self) -> &[HeightIntegral] {
-        self.parts.get_or_init(|| {
-            let alone = |part: &crate::Part| Density { pieces: vec![part.piece()] };
-            let integral =
-                |part| HeightIntegral::new(alone(part), self.scale, &self.heights, self.tolerance);
-            self.law.parts.iter().map(integral).collect()
-        })
     }
 }

@@ -16,6 +16,7 @@
 
 mod angles;
 mod asperity;
+mod channel;
 mod compiled;
 mod error;
 mod evaluation;

@@ -6,7 +6,7 @@ use std::sync::{Arc, PoisonError, RwLock};
 use asperity_quadrature::{AnyScale, Density, Moments};
 use rayon::prelude::*;
 
-use crate::compiled::{check_scales, failed, law_of};
+use crate::channel::{check_scales, failed, law_of};
 use crate::evaluation::Units;
 use crate::height_integral::HeightIntegral;
 use crate::request::checked_separation;

@@ -3,7 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::registry::edit_distance;
+use strsim::osa_distance;
+
 use crate::{Quantity, Regime};
 
 /// A column of a table, by the name users ask for it.
@@ -159,7 +160,7 @@ impl FromStr for Output {
     /// Reads the names that [`Display`](fmt::Display) writes, in any case.
     fn from_str(name: &str) -> Result<Self, UnknownOutput> {
         let wanted = name.trim().to_lowercase().replace('_', "-");
-        let distance = |output: &Self| edit_distance(&wanted, &output.to_string());
+        let distance = |output: &Self| osa_distance(&wanted, &output.to_string());
         let near = Self::ALL.into_iter().min_by_key(distance).map(|o| (o, distance(&o)));
         match near {
             Some((output, 0)) => Ok(output),

@@ -5,6 +5,8 @@ use std::ops::Deref;
 use std::str::FromStr;
 use std::sync::Arc;
 
+use strsim::osa_distance;
+
 use crate::{
     AbdoFarhang, AminiTehrani, ChangEtsionBogy, ContactError, ContactModel, EtsionKligermanKadin,
     Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen, KogutEtsion, Reading,
@@ -78,7 +80,7 @@ impl FromStr for Model {
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
         }
-        let distance = |m: &Self| edit_distance(&wanted, m.id());
+        let distance = |m: &Self| osa_distance(&wanted, m.id());
         let near = models.iter().min_by_key(|m| distance(m)).filter(|m| distance(m) <= 2);
         Err(ContactError::UnknownModel {
             name: name.into(),
@@ -86,28 +88,6 @@ impl FromStr for Model {
             known: models.iter().map(|m| m.id()).collect::<Vec<_>>().join(", "),
         })
     }
-}
-
-/// Insertions, deletions, replacements and swaps of neighbours between two short words.
-pub(crate) fn edit_distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    for i in 0..=a.len() {
-        for j in 0..=b.len() {
-            rows[i][j] = if i == 0 || j == 0 {
-                i.max(j)
-            } else {
-                let same = usize::from(a[i - 1] != b[j - 1]);
-                let mut best =
-                    (rows[i - 1][j - 1] + same).min(rows[i - 1][j] + 1).min(rows[i][j - 1] + 1);
-                if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                    best = best.min(rows[i - 2][j - 2] + 1);
-                }
-                best
-            };
-        }
-    }
-    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]
@@ -130,6 +110,7 @@ mod tests {
     fn far_names_get_the_list_and_no_guess() {
         let message = "persson".parse::<Model>().unwrap_err().to_string();
         assert!(!message.contains("mean") && message.contains("gw, ceb, zmc"), "{message}");
-        assert_eq!(edit_distance("etsoin", "etsion"), 1);
+        let message = "etsoin".parse::<Model>().unwrap_err().to_string();
+        assert!(message.contains("did you mean \"etsion\"?"), "{message}");
     }
 }
