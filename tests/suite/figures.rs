@@ -3,49 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use insta::Comparator;
-use insta::internals::SnapshotContents;
-use xtask::figures::FIGURES;
 use xtask::files::{figures_folder, stale, write};
-use xtask::table::{GUARD, agree};
-
-/// Numbers agree within a relative tolerance, words exactly; within it the stored text stays.
-#[derive(Clone)]
-struct Numbers;
-
-impl Comparator for Numbers {
-    fn matches(&self, reference: &insta::Snapshot, test: &insta::Snapshot) -> bool {
-        match (reference.contents(), test.contents()) {
-            (SnapshotContents::Text(a), SnapshotContents::Text(b)) => {
-                agree(&a.to_string(), &b.to_string(), GUARD)
-            }
-            _ => false,
-        }
-    }
-
-    fn dyn_clone(&self) -> Box<dyn Comparator> {
-        Box::new(self.clone())
-    }
-}
 
 #[test]
 fn committed_figures_are_up_to_date() {
     assert_eq!(stale(&figures_folder(), &[]).unwrap(), Vec::<String>::new());
-}
-
-#[test]
-fn fresh_numbers_agree_with_their_snapshots() {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_comparator(Box::new(Numbers));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.bind(|| {
-        for figure in FIGURES {
-            let text = (figure.table)().unwrap().into_text();
-            // Each 40th row keeps the snapshots short; the csv files hold all rows.
-            let rows: Vec<&str> = text.lines().step_by(40).collect();
-            insta::assert_snapshot!(figure.name, rows.join("\n"));
-        }
-    });
 }
 
 /// A copy of the committed figures of one name, in a folder that goes with the value.

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity::{
-    Compiled, HeightDistribution, Heights, Model, Quantity, Scene, StandardisedHeights,
+    Contact, HeightDistribution, Heights, Model, Quantity, Scene, StandardisedHeights, Tolerance,
     greenwood_integral,
 };
 use asperity_quadrature::gauss_kronrod;
@@ -94,14 +94,14 @@ fn exponential_heights_have_the_closed_form_of_greenwood_and_williamson() {
 
 /// Force or area \[N or m²\] by adaptive quadrature over the heights, split at the law's kinks.
 fn by_quadrature(
-    compiled: &Compiled,
+    model: &Model,
     scene: &Scene,
     quantity: Quantity,
     d: f64,
     (low, high): (f64, f64),
     ln_density: impl Fn(f64) -> f64,
 ) -> f64 {
-    let law = compiled.law(quantity).unwrap();
+    let law = model.law(&scene.asperity().unwrap(), quantity, Tolerance::default()).unwrap();
     let sigma = scene.surface.asperity_height_std;
     let low = low.max(d);
     let kinks = law.kinks().into_iter().map(|x| d + x * law.interference_unit / sigma);
@@ -132,7 +132,7 @@ fn exponential_heights_below_their_beginning_meet_an_independent_quadrature() {
             for quantity in [Quantity::Force, Quantity::Area] {
                 for d in [-6.0, -1.0, -0.02, 0.0, 0.5] {
                     // exp(-50) is 2e-22 of the whole.
-                    let wanted = by_quadrature(&found, &scene, quantity, d, (0.0, 50.0), |z| -z);
+                    let wanted = by_quadrature(&model, &scene, quantity, d, (0.0, 50.0), |z| -z);
                     let what = format!("{name} {model} {quantity} at {d}");
                     // 1e-12 asked on both sides.
                     close(value(&found, quantity, d), wanted, 3e-12, &what);
@@ -203,7 +203,7 @@ fn bounded_and_skewed_heights_meet_an_independent_quadrature() {
                 for d in [-4.0, -1.0, 0.0, 1.5] {
                     // Weibull's tail is below 1e-22 of its peak at 9.
                     let range = (low, high.min(9.0));
-                    let wanted = by_quadrature(&found, &scene, quantity, d, range, &density);
+                    let wanted = by_quadrature(&model(id), &scene, quantity, d, range, &density);
                     let name = scene.heights.name();
                     close(
                         value(&found, quantity, d),

@@ -1,7 +1,7 @@
 //! Bad inputs are refused by field, value and requirement; odd ones never panic.
 
 use asperity::{
-    AngleDensity, ContactError, Displacement, Interface, LateralOptions, Model, ProfileMoments,
+    AngleDensity, At, ContactError, Displacement, Interface, LateralOptions, Model, ProfileMoments,
     Quantity, Request, Scene, Surface, Tolerance, Warning,
 };
 
@@ -106,9 +106,15 @@ fn separations_and_tolerances_are_checked() {
     let scene = named("mild");
     let compiled = compiled(&model("ke"), &scene, &[Quantity::Force], 1e-6);
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.1e6, 1.1e9] {
-        refused(compiled.evaluate(Quantity::Force, bad), "separation", bad);
-        refused(compiled.shares(Quantity::Force, bad), "separation", bad);
-        refused(model("gw").solve(&scene, &request().at([0.0, bad])), "separation", bad);
+        let answer = model("gw").solve(&scene, &request().at([0.0, bad])).unwrap();
+        for message in [
+            compiled.evaluate(Quantity::Force, bad).unwrap_err().to_string(),
+            compiled.shares(Quantity::Force, bad).unwrap_err().to_string(),
+            answer.values(Quantity::Force).unwrap_err().to_string(),
+        ] {
+            let start = format!("separation is {bad} asperity_height_std: -1e6 to 1e9");
+            assert!(message.starts_with(&start), "{message}");
+        }
     }
     for bad in [0.0, -1e-3, 0.11, 1e-16, f64::NAN, f64::INFINITY] {
         refused(Tolerance::new(bad), "tolerance", bad);
@@ -206,19 +212,20 @@ fn the_printed_sum_gives_its_negative_values_with_a_warning() {
     let forces = answer.values(Quantity::Force).unwrap();
     let negative = forces.iter().filter(|f| **f < 0.0).count();
     let found = answer.warnings.iter().find_map(|w| match w {
-        Warning::Negative { model, quantity: Quantity::Force, count, separation, value } => {
-            Some((model.as_str(), *count, *separation, *value))
+        Warning::Negative { model, quantity: Quantity::Force, count, at, value } => {
+            Some((model.as_str(), *count, *at, *value))
         }
         _ => None,
     });
     // At d = 30 the elastic part outweighs the rest: positive, if tiny.
     assert!(negative == 3 && forces[2] >= 0.0, "{forces:?}");
-    assert!(found == Some(("AT", 3, 0.0, forces[0])), "{found:?}");
+    assert!(found == Some(("AT", 3, At::sigmas(0.0), forces[0])), "{found:?}");
     // And the angle density's own: 4π ψ falls to -1.27921.
-    let angles = answer.warnings.iter().any(|w| {
+    let notes = model("at").notes();
+    let angles = notes.iter().any(|w| {
         matches!(w, Warning::NegativeAngleDensity { minimum, .. } if (minimum + 1.27921).abs() < 1e-5)
     });
-    assert!(angles, "{:?}", answer.warnings);
+    assert!(angles && answer.warnings.len() == 2, "{notes:?} {:?}", answer.warnings);
     let quiet = model("ke").solve(&with_index(2.0), &asked).unwrap();
     assert!(quiet.warnings.is_empty());
 }
@@ -279,10 +286,10 @@ fn the_force_of_an_enormous_asperity_is_a_number() {
 fn odd_moduli_of_bodies_are_refused_too() {
     let good = asperity::Body::new(210e9, 0.3, 2e9);
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let body = asperity::Body { youngs_modulus: bad, ..good };
+        let body = asperity::Body::new(bad, 0.3, 2e9);
         refused(Interface::between(&good, &body), "youngs_modulus", bad);
         refused(Interface::against_rigid(&body), "youngs_modulus", bad);
     }
-    let body = asperity::Body { poissons_ratio: -1.0, ..good };
+    let body = asperity::Body::new(2e11, -1.0, 2e9);
     refused(Interface::between(&body, &good), "poissons_ratio", -1.0);
 }

@@ -1,6 +1,6 @@
 //! Limits and identities that hold between the models, whatever their numbers.
 
-use asperity::{AngleDensity, Compiled, Displacement, LateralOptions, Quantity, Scene, Surface};
+use asperity::{AngleDensity, Contact, Displacement, LateralOptions, Quantity, Scene, Surface};
 use asperity_quadrature::gauss_kronrod;
 
 use crate::scenes::{close, compiled, lateral, model, named, unit, upright, value, with_index};
@@ -16,14 +16,17 @@ fn without_shear(plasticity_index: f64) -> Scene {
     scene
 }
 
+const FOUR: [Quantity; 4] =
+    [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
+
 #[test]
 fn smooth_surfaces_make_every_model_greenwood_and_williamson() {
     for index in [0.02, 0.1, 0.2] {
         let scene = with_index(index);
-        let gw = compiled(&model("gw"), &scene, &Quantity::ALL, 1e-13);
+        let gw = compiled(&model("gw"), &scene, &FOUR, 1e-13);
         for model in upright().into_iter().skip(1) {
-            let other = compiled(&model, &scene, &Quantity::ALL, 1e-13);
-            for quantity in Quantity::ALL {
+            let other = compiled(&model, &scene, &FOUR, 1e-13);
+            for quantity in FOUR {
                 for separation in [-2.0, -1.0, 0.0, 1.5, 4.0, 12.0] {
                     let [a, b] = [&other, &gw].map(|c| value(c, quantity, separation));
                     // Rounding: w_c is 25 σ_z away at ψ = 0.2, the density there 1e-130. F_c
@@ -172,9 +175,9 @@ fn additive_is_gao_but_for_the_area_of_its_first_elastic_plastic_range() {
 
 #[test]
 fn the_additive_reading_is_positive_at_any_roughness() {
-    let first = compiled(&model("at-additive"), &with_index(1.0), &Quantity::ALL, 1e-8);
-    let positive = |compiled: &Compiled, index: f64| {
-        for quantity in Quantity::ALL {
+    let first = compiled(&model("at-additive"), &with_index(1.0), &FOUR, 1e-8);
+    let positive = |compiled: &dyn Contact, index: f64| {
+        for quantity in FOUR {
             for separation in [-2.0, 0.0, 1.0, 3.0, 6.0, 20.0] {
                 let found = compiled.evaluate(quantity, separation).unwrap();
                 let what = format!("{quantity} ψ = {index} at {separation}: {found:?}");

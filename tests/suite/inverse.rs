@@ -1,6 +1,9 @@
 //! From a load back to the separation, for every model.
 
-use asperity::{HeightDistribution, Model, Quantity, Request, Surface};
+use asperity::{
+    Case, Contact, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Sweep,
+    Tolerance,
+};
 
 use crate::scenes;
 
@@ -18,7 +21,7 @@ fn every_model_finds_the_separation_it_came_from() {
                 }
                 let found = compiled.separations_at(load).unwrap();
                 // d ln F/ds is at least 1 here, so the rule's 1e-10 moves the root by less.
-                assert!(found.iter().any(|d| (d - s).abs() < 1e-9), "{model} {s}: {found:?}");
+                assert!(found.iter().any(|d| (d.value - s).abs() < 1e-9), "{model} {s}: {found:?}");
             }
         }
     }
@@ -38,5 +41,102 @@ fn where_the_printed_force_rises_and_falls_all_crossings_are_given() {
     for d in found {
         let force = compiled.evaluate(Quantity::Force, d).unwrap().value();
         assert!((force / load - 1.0).abs() < 1e-6, "{d}: {force} {load}");
+    }
+}
+
+/// Crossings seen by looking closely: nothing of the force is narrower than a standard deviation.
+fn seen(contact: &dyn Contact, load: f64) -> Vec<f64> {
+    let force = |s: f64| contact.evaluate(Quantity::Force, s).unwrap().value() - load;
+    let grid: Vec<f64> = (0..8000).map(|k| -60.0 + 0.01 * f64::from(k)).collect();
+    grid.windows(2).filter(|p| force(p[0]) * force(p[1]) <= 0.0).map(|p| p[0]).collect()
+}
+
+#[test]
+fn no_crossing_of_a_printed_sum_is_missed() {
+    // A load of which -4.336 alone was found.
+    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+    interface.equivalent_shear_modulus = Some(41e9);
+    interface.pressure_factor = Some(0.58);
+    let at: Model = "at".parse().unwrap();
+    let request = Request::new([Quantity::Force]).within(Tolerance::new(1e-8).unwrap());
+    let on = |index: f64| {
+        let surface = Surface::from_plasticity_index(index, 0.04, 1e-6, &interface).unwrap();
+        at.compile(&Scene::new(interface, surface, 3e-5), &request).unwrap()
+    };
+    let found = on(1.423_518_176_927_779_4).separations_at(2.702_940_175_421_448).unwrap();
+    let found: Vec<f64> = found.iter().map(|d| d.value).collect();
+    assert!(found.len() == 3, "{found:?}");
+    for (found, wanted) in found.iter().zip([-4.336, 1.053, 1.9895]) {
+        assert!((found - wanted).abs() < 6e-4, "{found} {wanted}");
+    }
+    let mut several = 0;
+    for (k, index) in [1.1, 1.35, 1.5, 2.0, 2.6, 3.3].into_iter().enumerate() {
+        let contact = on(index);
+        for j in 0..12 {
+            let load = 10f64.powf(-8.0 + 0.9 * f64::from(j) + 0.13 * k as f64);
+            let wanted = seen(&contact, load);
+            match contact.separations_at(load) {
+                Ok(found) => {
+                    let near = |s: f64| found.iter().any(|d| d.value >= s && d.value <= s + 0.01);
+                    let inside = found.iter().filter(|d| d.value > -60.0).count();
+                    assert!(
+                        wanted.iter().all(|s| near(*s)) && inside == wanted.len(),
+                        "{index} {load}: {found:?} {wanted:?}"
+                    );
+                    let largest = contact.separation_at(load).unwrap();
+                    assert_eq!(Some(&largest), found.last(), "{index} {load}");
+                    several += usize::from(found.len() > 1);
+                }
+                Err(error) => assert!(wanted.is_empty(), "{index} {load}: {error}"),
+            }
+        }
+    }
+    assert!(several > 10, "{several}");
+}
+
+#[test]
+fn loads_of_many_scenes_lead_to_the_separations_of_each_alone() {
+    for id in ["gw", "ke", "jg", "af", "etsion", "at"] {
+        let model: Model = id.parse().unwrap();
+        let count = if id == "at" { 3 } else { 40 };
+        let cases: Vec<Case> = (0..count)
+            .map(|k| {
+                let mut scene = scenes::named("mild");
+                let share = (f64::from(k) * 0.618_034).fract();
+                scene.interface.equivalent_modulus *= 0.5 + share;
+                scene.surface.asperity_height_std *= 0.3 + 2.0 * share;
+                Case::new(scene, asperity::At::Load(10f64.powf(6.0 * share - 3.0)))
+            })
+            .collect();
+        let found = Sweep::new(&model, &[], Tolerance::default()).separations(&cases);
+        for (case, found) in cases.iter().zip(found) {
+            let alone = model.compile(&case.scene, &Request::new([Quantity::Force])).unwrap();
+            let asperity::At::Load(load) = case.at else { panic!() };
+            let wanted = alone.separation_at(load).unwrap().value;
+            // Two integrals of the force, 1e-10 each, whose logarithm falls by 1 and more.
+            let found = found.unwrap();
+            assert!(
+                (found - wanted).abs() < 3e-10 * (1.0 + wanted.abs()),
+                "{id}: {found} {wanted}"
+            );
+        }
+    }
+}
+
+#[test]
+fn heavy_tails_and_single_asperities_are_not_confused_with_crossings_elsewhere() {
+    use asperity::StandardisedHeights;
+    let heavy = statrs::distribution::StudentsT::new(0.0, 1.0, 3.0).unwrap();
+    let mut scene = scenes::named("mild");
+    let heights = StandardisedHeights::new("t3", heavy).unwrap();
+    scene.heights = HeightDistribution::other(heights);
+    let contact =
+        "gw".parse::<Model>().unwrap().compile(&scene, &Request::new([Quantity::Force])).unwrap();
+    let message = contact.separation_at(1e-12).unwrap_err().to_string();
+    assert!(message.contains("at least 4.77") && message.contains("1000000000"), "{message}");
+    for load in [1e-9, 1e-6, 1.0] {
+        let d = contact.separation_at(load).unwrap();
+        let force = contact.evaluate(Quantity::Force, d).unwrap().value();
+        assert!((force / load - 1.0).abs() < 1e-6, "{load}: {d} {force}");
     }
 }

@@ -10,7 +10,7 @@ fn no_model_has_a_finding() {
     for scene in ["at-paper", "mild", "severe"] {
         let asperity: Asperity = scenes::named(scene).asperity().unwrap();
         for model in Model::all() {
-            let found = testkit::check(&*model, &asperity).unwrap();
+            let found = testkit::check(&model, &asperity).unwrap();
             findings.extend(found.iter().map(|finding| format!("{scene} {model} {finding}")));
         }
     }

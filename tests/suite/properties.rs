@@ -1,6 +1,6 @@
 //! What holds for every scene, on scenes drawn at random.
 
-use asperity::{Compiled, Interface, Model, Quantity, Request, Scene, Surface, Tolerance};
+use asperity::{Contact, Interface, Model, Quantity, Request, Scene, Surface, Tolerance};
 use proptest::prelude::*;
 
 const UPRIGHT: [&str; 8] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af"];
@@ -24,14 +24,14 @@ prop_compose! {
     }
 }
 
-fn compiled(id: &str, scene: &Scene, tolerance: f64) -> Compiled {
+fn compiled(id: &str, scene: &Scene, tolerance: f64) -> Box<dyn Contact> {
     let request = Request::new([Quantity::Force, Quantity::Area, Quantity::Tangent])
         .within(Tolerance::new(tolerance).unwrap());
     id.parse::<Model>().unwrap().compile(scene, &request).unwrap()
 }
 
 /// ln of a quantity: also where its value underflows.
-fn ln(compiled: &Compiled, quantity: Quantity, s: f64) -> f64 {
+fn ln(compiled: &dyn Contact, quantity: Quantity, s: f64) -> f64 {
     compiled.evaluate(quantity, s).unwrap().ln_value()
 }
 

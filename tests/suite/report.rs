@@ -5,7 +5,7 @@ use std::fs;
 use insta::Comparator;
 use insta::internals::SnapshotContents;
 use xtask::files::figures_folder;
-use xtask::report::{Scope, accuracy, errors_agree, pictures};
+use xtask::report::{Scope, accuracy, errors_agree};
 use xtask::table::agree_by;
 
 /// Words agree exactly, errors and counts as far as they do not hang on rounding.
@@ -61,14 +61,4 @@ fn our_committed_errors_are_below_their_tolerances() {
     }
     // 8 models at 7 tolerances and 4 at 6, 4 quantities each.
     assert!(rows >= 4 * (8 * 7 + 4 * 6), "{rows} rows");
-}
-
-#[test]
-fn the_committed_pictures_are_drawn_from_the_committed_numbers() {
-    let [speed, hard] = ["speed-vs-error.csv", "hard-cases.csv"].map(committed);
-    let text = committed("speed-vs-error.md");
-    let machine = text.split_once("measured on ").unwrap().1.split_once(". Times").unwrap().0;
-    for (name, svg) in pictures(&speed, &hard, machine).unwrap() {
-        assert!(committed(name) == svg, "{name}");
-    }
 }

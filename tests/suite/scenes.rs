@@ -1,7 +1,7 @@
 //! The scenes of `reference/models_scenes.csv`, and ways to make others.
 
 use asperity::{
-    AminiTehrani, Compiled, Gao, Interface, LateralOptions, Model, Quantity, Reading, Request,
+    AminiTehrani, Contact, Gao, Interface, LateralOptions, Model, Quantity, Reading, Request,
     Scene, Surface, Tolerance,
 };
 
@@ -52,13 +52,18 @@ pub fn model(id: &str) -> Model {
 }
 
 /// A model on a scene, to this relative tolerance.
-pub fn compiled(model: &Model, scene: &Scene, asked: &[Quantity], tolerance: f64) -> Compiled {
+pub fn compiled(
+    model: &Model,
+    scene: &Scene,
+    asked: &[Quantity],
+    tolerance: f64,
+) -> Box<dyn Contact> {
     let request = Request::new(asked.iter().copied()).within(Tolerance::new(tolerance).unwrap());
     model.compile(scene, &request).unwrap()
 }
 
 /// A value of a compiled scene, in SI units.
-pub fn value(compiled: &Compiled, quantity: Quantity, separation: f64) -> f64 {
+pub fn value(compiled: &dyn Contact, quantity: Quantity, separation: f64) -> f64 {
     compiled.evaluate(quantity, separation).unwrap().value()
 }
 
@@ -70,7 +75,7 @@ pub fn unit(scene: &Scene, quantity: Quantity) -> f64 {
         * match quantity {
             Quantity::Force => f,
             Quantity::Area => std::f64::consts::PI * asperity.radius * w,
-            Quantity::Stiffness | Quantity::Tangent => f / w,
+            _ => f / w,
         }
 }
 

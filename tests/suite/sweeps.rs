@@ -24,7 +24,7 @@ fn cases(count: usize, materials: bool) -> Vec<Case> {
                     scene.interface.hardness.map(|h| h * (0.8 + 0.4 * share(k, 0.162_278)));
                 scene.interface.pressure_factor = Some(0.5 + 0.2 * share(k, 0.316_625));
             }
-            Case { scene, separation: -3.0 + 12.0 * share(k, 0.605_551) }
+            Case::new(scene, -3.0 + 12.0 * share(k, 0.605_551))
         })
         .collect()
 }
@@ -35,11 +35,11 @@ fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
     for model in Model::all() {
         let lateral = model.claims().angles;
         let cases = cases(if lateral { 8 } else { 40 }, !lateral);
-        let sweep = Sweep::new(&*model, &ASKED, tolerance);
+        let sweep = Sweep::new(&model, &ASKED, tolerance);
         for (case, answer) in cases.iter().zip(sweep.evaluate_all(&cases)) {
             let alone = compiled(&model, &case.scene, &ASKED, 1e-12);
             for (quantity, swept) in ASKED.into_iter().zip(answer.unwrap()) {
-                let alone = alone.evaluate(quantity, case.separation).unwrap();
+                let alone = alone.evaluate(quantity, case.at).unwrap();
                 assert!(swept.ln_scale.to_bits() == alone.ln_scale.to_bits());
                 let error = (swept.scaled - alone.scaled).abs() / alone.size;
                 assert!(error <= swept.error + alone.error, "{model} {quantity}: {error:e}");
@@ -52,7 +52,7 @@ fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
 #[test]
 fn digits_and_order_depend_neither_on_threads_nor_on_what_came_before() {
     let mut cases = cases(3000, true);
-    cases[1234].separation = f64::NAN;
+    cases[1234].at = f64::NAN.into();
     cases[77].scene.heights = HeightDistribution::Exponential;
     for id in ["ke", "zmc"] {
         let model = model(id);
@@ -64,14 +64,14 @@ fn digits_and_order_depend_neither_on_threads_nor_on_what_came_before() {
                 vec![]
             }
         };
-        let all: Vec<Vec<u64>> = Sweep::new(&*model, &asked, Tolerance::default())
+        let all: Vec<Vec<u64>> = Sweep::new(&model, &asked, Tolerance::default())
             .evaluate_all(&cases)
             .into_iter()
             .map(digits)
             .collect();
         assert!(all[1234].is_empty() && all.iter().filter(|row| row.is_empty()).count() == 1);
         let mut seen = 0;
-        let backwards = Sweep::new(&*model, &asked, Tolerance::default());
+        let backwards = Sweep::new(&model, &asked, Tolerance::default());
         let cases = cases.iter().rev().cloned();
         let end = backwards.stream(cases, |k, answer| {
             seen += 1;
@@ -86,31 +86,9 @@ fn digits_and_order_depend_neither_on_threads_nor_on_what_came_before() {
 fn a_stream_ends_where_its_taker_has_enough() {
     let model = model("gw");
     let endless = cases(1, false).into_iter().cycle();
-    let sweep = Sweep::new(&*model, &[Quantity::Force], Tolerance::default());
+    let sweep = Sweep::new(&model, &[Quantity::Force], Tolerance::default());
     let end = sweep.stream(endless, |k, _| if k == 20_000 { Err("enough") } else { Ok(()) });
     assert_eq!(end, Err("enough"));
-}
-
-#[test]
-fn a_compiled_law_serves_other_scenes_of_its_asperities() {
-    for id in ["ke", "jg", "at"] {
-        let cases = cases(6, false);
-        let model = model(id);
-        let first = compiled(&model, &cases[0].scene, &ASKED, 1e-11);
-        for Case { scene, separation } in &cases {
-            let alone = compiled(&model, scene, &ASKED, 1e-11);
-            for quantity in ASKED {
-                let moved = first.evaluate_on(scene, quantity, *separation).unwrap();
-                let alone = alone.evaluate(quantity, *separation).unwrap();
-                let error = (moved.scaled - alone.scaled).abs() / alone.size;
-                assert!(error <= moved.error + alone.error, "{id} {quantity}: {error:e}");
-            }
-        }
-        let mut other = cases[0].scene.clone();
-        other.surface.asperity_radius *= 1.5;
-        let refused = first.evaluate_on(&other, Quantity::Force, 1.0);
-        assert_eq!(refused, Err(ContactError::OtherAsperity));
-    }
 }
 
 #[test]
@@ -131,6 +109,6 @@ fn second_derivatives_are_those_of_the_tangent() {
             assert!(error < 1e-8, "{id} at {s}: {error:e}");
         }
         let refused = compiled.second_derivative(Quantity::Tangent, 1.0).unwrap_err().to_string();
-        assert!(refused.starts_with("no second derivative of the tangent"), "{refused}");
+        assert!(refused.contains("a second derivative of the tangent"), "{refused}");
     }
 }

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use asperity::{Compiled, Model, Quantity, Scene};
+use asperity::{Contact, Model, Quantity, Scene};
 use asperity_quadrature::gauss_kronrod;
 
 use crate::scenes::{close, compiled, model, named, unit, upright, value, with_index};
 
 /// -dF/dd \[N/m\] by central differences over 4, 2 and 1 times a step, extrapolated twice.
-fn central_difference(compiled: &Compiled, separation: f64) -> f64 {
+fn central_difference(compiled: &dyn Contact, separation: f64) -> f64 {
     let force = |s| value(compiled, Quantity::Force, s);
     let step = 0.02;
     let [a, b, c] = [4.0, 2.0, 1.0].map(|k| {
@@ -16,10 +16,10 @@ fn central_difference(compiled: &Compiled, separation: f64) -> f64 {
         (force(separation - h) - force(separation + h)) / (2.0 * h)
     });
     let (ab, bc) = ((4.0 * b - a) / 3.0, (4.0 * c - b) / 3.0);
-    (16.0 * bc - ab) / 15.0 / compiled.asperity_height_std()
+    (16.0 * bc - ab) / 15.0 / compiled.scene().surface.asperity_height_std
 }
 
-fn assert_tangent(compiled: &Compiled, separations: &[f64], tolerance: f64, what: &str) {
+fn assert_tangent(compiled: &dyn Contact, separations: &[f64], tolerance: f64, what: &str) {
     for &separation in separations {
         let tangent = value(compiled, Quantity::Tangent, separation);
         let difference = central_difference(compiled, separation);
@@ -172,7 +172,8 @@ fn the_jump_of_jg_is_small_and_still_in_its_tangent() {
     // About 0.1 % at most: far above what the difference formula resolves.
     let scene = with_index(1.5);
     let compiled = compiled(&model("jg"), &scene, &ASKED, 1e-13);
-    let law = compiled.law(Quantity::Force).unwrap();
+    let asperity = scene.asperity().unwrap();
+    let law = model("jg").law(&asperity, Quantity::Force, Default::default()).unwrap();
     let unit = law.interference_unit;
     let [below, above] =
         [1.9 * (1.0 - 1e-12), 1.9 * (1.0 + 1e-12)].map(|x| law.value(x * unit).unwrap());

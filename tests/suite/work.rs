@@ -1,13 +1,12 @@
 //! Nothing is computed that was not asked for.
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use asperity::{
-    AngleDensity, Asperity, Compiled, ContactError, ContactModel, Form, HeightDistribution, Law,
-    ObliqueContact, Power, Provenance, Quantity, Request, Scene, Source, StiffnessKind, Tolerance,
-    angle_average,
+    AngleDensity, Asperity, AsperityModel, Contact, ContactError, ContactModel, Form,
+    HeightDistribution, Law, ObliqueContact, Power, Provenance, Quantity, Request, Scene, Source,
+    Tolerance, angle_average,
 };
 
 use crate::scenes::{named, with_index};
@@ -41,19 +40,15 @@ impl Spy {
         self.samples.load(Ordering::Relaxed)
     }
 
-    fn compile(&self, scene: &Scene, quantities: &[Quantity]) -> Compiled {
+    fn compile(&self, scene: &Scene, quantities: &[Quantity]) -> Box<dyn Contact> {
         let request = Request::new(quantities.iter().copied());
         ContactModel::compile(self, scene, &request).unwrap()
     }
 }
 
-impl ContactModel for Spy {
+impl AsperityModel for Spy {
     fn source(&self) -> &Source {
         &SOURCE
-    }
-
-    fn stiffness(&self) -> StiffnessKind {
-        if self.own_stiffness { StiffnessKind::OwnLaw } else { StiffnessKind::Tangent }
     }
 
     fn law(
@@ -61,16 +56,25 @@ impl ContactModel for Spy {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
+        let has_law = match quantity {
+            Quantity::Force | Quantity::Area => true,
+            Quantity::Stiffness => self.own_stiffness,
+            _ => false,
+        };
+        if !has_law {
+            return Ok(None);
+        }
         self.laws.lock().unwrap().push(quantity);
         let samples = self.samples.clone();
         let beyond = Form::function(move |x| {
             samples.fetch_add(1, Ordering::Relaxed);
             x * x.ln_1p()
         });
-        Ok(Law::in_units(asperity.critical_interference()?, 1.0)
+        let law = Law::in_units(asperity.critical_interference()?, 1.0)
             .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-            .plastic(1.0..f64::INFINITY, beyond))
+            .plastic(1.0..f64::INFINITY, beyond);
+        Ok(Some(law))
     }
 }
 
@@ -123,16 +127,17 @@ fn shares_are_computed_when_asked_for_and_once() {
     let spy = Spy::default();
     let request = Request::new([Quantity::Force]).at([0.5]);
     let compiled = ContactModel::compile(&spy, &with_index(2.0), &request).unwrap();
-    assert!(compiled.respond(&request).unwrap().columns[0].shares.is_none());
+    assert!(compiled.respond(&request).columns[0].shares.is_none());
     let value_only = spy.samples();
     assert!(value_only > 0);
-    let answer = compiled.respond(&request.clone().with_shares()).unwrap();
+    let answer = compiled.respond(&request.clone().with_shares());
     let with_shares = spy.samples();
     assert!(with_shares > value_only, "shares integrate the parts by themselves");
     let shares = answer.columns[0].shares.clone().unwrap();
-    let total: f64 = shares[0].iter().map(|s| s.share).sum();
+    let shares = shares[0].as_ref().unwrap();
+    let total: f64 = shares.iter().map(|s| s.share).sum();
     // Tolerance 1e-10 of the request, for each of three integrals.
-    assert!(shares[0].len() == 2 && (total - 1.0).abs() < 3e-10, "{shares:?}");
+    assert!(shares.len() == 2 && (total - 1.0).abs() < 3e-10, "{shares:?}");
     compiled.shares(Quantity::Force, 0.5).unwrap();
     assert!(spy.samples() == with_shares, "a second time they are there");
     assert!(spy.asked() == [Quantity::Force]);
@@ -162,24 +167,21 @@ fn moving_a_compiled_scene_keeps_its_laws() {
 struct Counted(Arc<AtomicUsize>);
 
 impl ObliqueContact for Counted {
-    fn mean(&self, y: f64, _: f64) -> f64 {
-        self.0.fetch_add(1, Ordering::Relaxed);
-        y * y.sqrt()
+    fn means(&self, y: f64, gaps: &[f64], _: f64, out: &mut [f64]) -> f64 {
+        self.0.fetch_add(gaps.len(), Ordering::Relaxed);
+        out.fill(y * y.sqrt());
+        0.0
     }
 
-    fn breaks(&self, _: f64, _: &Range<f64>) -> Vec<f64> {
-        vec![]
-    }
-
-    fn kinks(&self, _: &Range<f64>) -> Vec<f64> {
-        vec![]
+    fn corners(&self, _: f64) -> [f64; 3] {
+        [f64::INFINITY; 3]
     }
 }
 
 #[derive(Debug)]
 struct LateralSpy(Arc<AtomicUsize>);
 
-impl ContactModel for LateralSpy {
+impl AsperityModel for LateralSpy {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -189,12 +191,12 @@ impl ContactModel for LateralSpy {
         asperity: &Asperity,
         _: Quantity,
         tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let contact = Arc::new(Counted(self.0.clone()));
         let all = 0.0..f64::INFINITY;
         let density = AngleDensity::default();
         let (form, _) = angle_average(contact, all.clone(), density, tolerance.relative());
-        Ok(Law::in_units(asperity.critical_interference()?, 1.0).elastic(all, form))
+        Ok(Some(Law::in_units(asperity.critical_interference()?, 1.0).elastic(all, form)))
     }
 }
 
@@ -202,7 +204,7 @@ impl ContactModel for LateralSpy {
 fn what_a_lateral_law_has_tabulated_moves_along() {
     let averages = Arc::new(AtomicUsize::new(0));
     let request = Request::new([Quantity::Force]);
-    let evaluate = |compiled: &Compiled| {
+    let evaluate = |compiled: &dyn Contact| {
         compiled.evaluate(Quantity::Force, 0.0).unwrap();
         averages.load(Ordering::Relaxed)
     };

@@ -4,27 +4,25 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use asperity_plot::draw;
 use rayon::prelude::*;
 
-use crate::draw::draw;
 use crate::figures::{FIGURES, FigureSpec};
+use crate::report;
 use crate::table::{GUARD, agree};
 
 /// The workspace's `figures` folder.
 #[must_use]
 pub fn figures_folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../figures")
+    Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("figures")
 }
 
-/// The texts of one figure as they should be committed, beside those that are.
-struct Fresh {
-    name: &'static str,
-    csv: String,
-    svg: String,
-}
+/// A file's name and its text as it should be committed.
+type Fresh = (String, String);
 
-/// The committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
-fn fresh(folder: &Path, spec: &FigureSpec) -> Result<Fresh> {
+/// The one guard of figures: a committed csv stays while its numbers agree with fresh ones, and the
+/// svg is drawn from it.
+fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
     let name = spec.name;
     let numbers = (spec.table)().with_context(|| format!("the table of {name}"))?.into_text();
     let csv = match fs::read_to_string(folder.join(format!("{name}.csv"))) {
@@ -33,16 +31,23 @@ fn fresh(folder: &Path, spec: &FigureSpec) -> Result<Fresh> {
     };
     let figure = (spec.style)(&csv).with_context(|| format!("the style of {name}"))?;
     let svg = draw(&figure, &csv).with_context(|| format!("the picture of {name}"))?;
-    Ok(Fresh { name, csv, svg })
+    Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
+/// The figures of these names; if none is given, all, and the report's pictures drawn anew from what
+/// it measured.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.name == **n)) {
         let known: Vec<&str> = FIGURES.iter().map(|f| f.name).collect();
         bail!("{name:?} is no figure; the figures are {}", known.join(", "));
     }
     let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.name);
-    FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec)).collect()
+    let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
+    let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
+    if names.is_empty() {
+        all.extend(report::pictures(folder)?);
+    }
+    Ok(all)
 }
 
 /// Writes the figures of these names (all, if none is given); returns the paths written.
@@ -50,16 +55,21 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
 /// # Errors
 /// An unknown name, a figure that cannot be computed, a file that cannot be written.
 pub fn write(folder: &Path, names: &[&str]) -> Result<Vec<PathBuf>> {
-    fs::create_dir_all(folder)?;
-    let mut paths = vec![];
-    for Fresh { name, csv, svg } in all(folder, names)? {
-        for (text, ending) in [(csv, "csv"), (svg, "svg")] {
-            let path = folder.join(format!("{name}.{ending}"));
-            fs::write(&path, text).with_context(|| path.display().to_string())?;
-            paths.push(path);
-        }
-    }
-    Ok(paths)
+    save(folder, all(folder, names)?)
+}
+
+/// Writes texts by their names; returns the paths.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn save(folder: &Path, texts: impl IntoIterator<Item = Fresh>) -> Result<Vec<PathBuf>> {
+    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    let save = |(name, text)| {
+        let path = folder.join(name);
+        fs::write(&path, text).with_context(|| path.display().to_string())?;
+        Ok(path)
+    };
+    texts.into_iter().map(save).collect()
 }
 
 /// The names of the files that differ from what [`write()`] would write. Writes nothing.
@@ -67,14 +77,8 @@ pub fn write(folder: &Path, names: &[&str]) -> Result<Vec<PathBuf>> {
 /// # Errors
 /// An unknown name, or a figure that cannot be computed.
 pub fn stale(folder: &Path, names: &[&str]) -> Result<Vec<String>> {
-    let mut stale = vec![];
-    for Fresh { name, csv, svg } in all(folder, names)? {
-        for (text, ending) in [(csv, "csv"), (svg, "svg")] {
-            let file = format!("{name}.{ending}");
-            if fs::read_to_string(folder.join(&file)).ok().as_deref() != Some(text.as_str()) {
-                stale.push(file);
-            }
-        }
-    }
-    Ok(stale)
+    let same = |(name, text): &Fresh| {
+        fs::read_to_string(folder.join(name)).is_ok_and(|committed| committed == *text)
+    };
+    Ok(all(folder, names)?.into_iter().filter(|f| !same(f)).map(|(name, _)| name).collect())
 }

@@ -1,10 +1,9 @@
 //! The workspace's own tasks: physics → table → csv → svg.
 //!
-//! [`table`] calls the models, [`draw`] turns the text of a csv into a picture and knows no
-//! physics, [`figures`] lists what there is, [`files`] writes or checks it. [`report`] measures how fast and
-//! how accurate the integrals are.
+//! [`figures`] lists what there is: for each a [`table`] of numbers that calls the models, and the
+//! description of a picture, which `asperity_plot` draws from the text of the csv. [`files`] writes or
+//! checks both. [`report`] measures how fast and how accurate the integrals are.
 
-pub mod draw;
 pub mod figures;
 pub mod files;
 pub mod report;

@@ -24,11 +24,11 @@
 //!
 //! # Example
 //! ```
-//! use asperity_core::{Asperity, ContactModel, Interface, Quantity, Tolerance};
+//! use asperity_core::{Asperity, AsperityModel, Interface, Quantity, Tolerance};
 //! use asperity_af::AbdoFarhang;
 //!
 //! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
-//! let force = AbdoFarhang::default().law(&asperity, Quantity::Force, Tolerance::default())?;
+//! let force = AbdoFarhang::default().law(&asperity, Quantity::Force, Tolerance::default())?.unwrap();
 //! let (w, f) = (asperity.critical_interference()?, asperity.critical_force()?);
 //! assert!((force.value(1.5 * w).unwrap() / f - 2.983).abs() < 1e-3);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -37,7 +37,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, ContactError, ContactModel, Form, Law, Power, Provenance, Quantity, Source, Tolerance,
+    Asperity, AsperityModel, Claims, ContactError, Form, Law, Power, Provenance, Quantity, Source,
+    Tolerance,
 };
 use serde::{Deserialize, Serialize};
 
@@ -54,7 +55,8 @@ pub enum FlowPressure {
 }
 
 /// The model of Abdo and Farhang.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct AbdoFarhang {
     /// The pressure under the embedded plastic asperity.
     pub flow_pressure: FlowPressure,
@@ -77,7 +79,7 @@ pub fn plastic_radius_ratio(asperity: &Asperity) -> Result<f64, ContactError> {
     Ok(1.0 - asperity.critical_interference()? / asperity.radius)
 }
 
-impl ContactModel for AbdoFarhang {
+impl AsperityModel for AbdoFarhang {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -87,11 +89,11 @@ impl ContactModel for AbdoFarhang {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let critical = asperity.critical_interference()?;
         let ratio = plastic_radius_ratio(asperity)?;
         let beyond = 1.0..f64::INFINITY;
-        match quantity {
+        Ok(Some(match quantity {
             Quantity::Force => {
                 let flow = match self.flow_pressure {
                     FlowPressure::PressureFactor => 3.0 * ratio,
@@ -105,15 +107,19 @@ impl ContactModel for AbdoFarhang {
                     (1.0 + 3.0 * x * y) / powers + loss * y * y.sqrt() + flow * y
                 };
                 let force = Form::function(force).known_as("AF force", vec![loss, flow]);
-                Ok(Law::in_units(critical, asperity.critical_force()?)
+                Law::in_units(critical, asperity.critical_force()?)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(beyond, force))
+                    .elastic_plastic(beyond, force)
             }
-            Quantity::Area => Ok(Law::in_units(critical, PI * asperity.radius * critical)
+            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(beyond, [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)])),
-            _ => Err(self.no_law(quantity)),
-        }
+                .elastic_plastic(beyond, [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)]),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn claims(&self) -> Claims {
+        Claims::default().valid_for("w_c < R; the mean pressure has no plastic limit")
     }
 }
 
@@ -126,8 +132,8 @@ mod tests {
     fn tabulated_values_for_an_almost_undiminished_radius() {
         // w_c/R = 3e-13 here, so R_p = R to what the sheet tabulates.
         let asperity = Asperity::new(&Interface::new(1e15, 0.31, 6e8), 1e-3).unwrap();
-        let law =
-            AbdoFarhang::default().law(&asperity, Quantity::Force, Tolerance::default()).unwrap();
+        let law = AbdoFarhang::default().law(&asperity, Quantity::Force, Tolerance::default());
+        let law = law.unwrap().unwrap();
         let (w, f) =
             (asperity.critical_interference().unwrap(), asperity.critical_force().unwrap());
         for (x, value, digits) in [(1.5, 2.983, 1e-3), (6.0, 18.52, 1e-2), (110.0, 342.7, 0.1)] {

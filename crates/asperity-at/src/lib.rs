@@ -37,7 +37,7 @@
 //! let asked = Request::new([Quantity::Force]).at([1.0]);
 //! let printed = AminiTehrani::default().solve(&scene, &asked)?;
 //! assert!(printed.values(Quantity::Force)?[0] < 0.0);
-//! assert!(printed.warnings.iter().any(|w| w.to_string().contains("is negative at 1 of")));
+//! assert!(printed.warnings.iter().any(|w| w.to_string().contains("is negative in 1 row")));
 //! let additive = AminiTehrani { reading: Reading::Additive, ..Default::default() };
 //! assert!(additive.solve(&scene, &asked)?.values(Quantity::Force)?[0] > 0.0);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -47,8 +47,8 @@ use std::ops::Range;
 
 use asperity_af::plastic_radius_ratio;
 use asperity_core::{
-    Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime, Source,
-    StiffnessKind, Tolerance, Warning,
+    Asperity, AsperityModel, Claims, ContactError, Law, Provenance, Quantity, Regime, Source,
+    Tolerance, Warning,
 };
 use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM, Stick};
 use serde::{Deserialize, Serialize};
@@ -67,11 +67,13 @@ pub enum Reading {
 }
 
 /// The model of Amini and Tehrani.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct AminiTehrani {
     /// How the sums are read.
     pub reading: Reading,
     /// Angles, displacement, stick and the force's component.
+    #[serde(flatten)]
     pub options: LateralOptions,
 }
 
@@ -112,7 +114,7 @@ impl AminiTehrani {
     }
 }
 
-impl ContactModel for AminiTehrani {
+impl AsperityModel for AminiTehrani {
     fn source(&self) -> &Source {
         match self.reading {
             Reading::Printed => &SOURCE,
@@ -126,9 +128,9 @@ impl ContactModel for AminiTehrani {
         asperity: &Asperity,
         quantity: Quantity,
         tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
+        let Some(mut law) = lateral.law_in_units(quantity) else { return Ok(None) };
         for (name, sign, regime, range) in self.terms(quantity) {
             let elastic = regime == Regime::Elastic;
             let loss = if elastic { 0.0 } else { lateral.radius_loss() };
@@ -146,18 +148,17 @@ impl ContactModel for AminiTehrani {
             (part.name, part.regime) = (name.into(), regime);
             law.parts.push(part);
         }
-        Ok(law)
-    }
-
-    fn stiffness(&self) -> StiffnessKind {
-        StiffnessKind::OwnLaw
+        Ok(Some(law))
     }
 
     fn claims(&self) -> Claims {
-        self.options.claims()
+        self.options.claims().valid_for(match self.reading {
+            Reading::Printed => "w_c < R; needs the equivalent shear modulus; a part is subtracted: totals may be negative",
+            _ => "w_c < R; needs the equivalent shear modulus; asperities touch at all angles",
+        })
     }
 
-    fn warnings(&self) -> Vec<Warning> {
-        self.options.warnings(self.name())
+    fn notes(&self) -> Vec<Warning> {
+        self.options.notes(self.name())
     }
 }

@@ -19,11 +19,11 @@
 //!
 //! # Example
 //! ```
-//! use asperity_core::{Asperity, ContactModel, Interface, Quantity, Tolerance};
+//! use asperity_core::{Asperity, AsperityModel, Interface, Quantity, Tolerance};
 //! use asperity_ceb::ChangEtsionBogy;
 //!
 //! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
-//! let force = ChangEtsionBogy.law(&asperity, Quantity::Force, Tolerance::default())?;
+//! let force = ChangEtsionBogy.law(&asperity, Quantity::Force, Tolerance::default())?.unwrap();
 //! let (w, f) = (asperity.critical_interference()?, asperity.critical_force()?);
 //! assert!((force.value(2.0 * w).unwrap() / f - 4.5).abs() < 1e-12);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -32,11 +32,13 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, ContactError, ContactModel, Law, Power, Provenance, Quantity, Source, Tolerance,
+    Asperity, AsperityModel, Claims, ContactError, Law, Power, Provenance, Quantity, Source,
+    Tolerance,
 };
+use serde::{Deserialize, Serialize};
 
 /// The model of Chang, Etsion and Bogy.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct ChangEtsionBogy;
 
 const SOURCE: Source = Source {
@@ -48,7 +50,7 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-impl ContactModel for ChangEtsionBogy {
+impl AsperityModel for ChangEtsionBogy {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -58,17 +60,23 @@ impl ContactModel for ChangEtsionBogy {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let critical = asperity.critical_interference()?;
         let beyond = 1.0..f64::INFINITY;
-        match quantity {
-            Quantity::Force => Ok(Law::in_units(critical, asperity.critical_force()?)
+        Ok(Some(match quantity {
+            Quantity::Force => Law::in_units(critical, asperity.critical_force()?)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                .plastic(beyond, [Power::new(3.0, 1.0), Power::new(-1.5, 0.0)])),
-            Quantity::Area => Ok(Law::in_units(critical, PI * asperity.radius * critical)
+                .plastic(beyond, [Power::new(3.0, 1.0), Power::new(-1.5, 0.0)]),
+            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .plastic(beyond, [Power::new(2.0, 1.0), Power::new(-1.0, 0.0)])),
-            _ => Err(self.no_law(quantity)),
-        }
+                .plastic(beyond, [Power::new(2.0, 1.0), Power::new(-1.0, 0.0)]),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn claims(&self) -> Claims {
+        Claims::default().valid_for(
+            "w_c < R; elastic or plastic, nothing between: the force jumps by half at w_c",
+        )
     }
 }

@@ -1,157 +1,99 @@
-//! Arguments that several commands share.
+//! Arguments that several commands share: parsing and defaults, nothing else.
 
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::{Model, Output, Request, Tolerance, linspace};
-use clap::{ArgAction, Args, ValueEnum};
+use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
+use asperity_scene::SceneFile;
+use clap::{ArgAction, Args};
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
+use serde::de::value::{Error, StrDeserializer};
 
-use crate::numbers::{Numbers, numbers, positive_numbers};
-use crate::scene::LoadedScene;
+use crate::numbers::{Numbers, number, positive_numbers};
+use crate::output::{self, once};
 use crate::table::{Format, Table};
 
-/// The scene file, and where the answer goes.
+/// What is asked of which models of a scene.
 #[derive(Debug, Args)]
-pub struct SceneArgs {
+pub struct Asked {
     /// Scene file; `asperity init` writes one to start from
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-}
-
-/// Which models.
-#[derive(Debug, Args)]
-pub struct ModelArgs {
     /// Models, all that the scene allows by default; `asperity models` lists them
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     pub models: Vec<String>,
-}
-
-/// Which models, where one must be named.
-#[derive(Debug, Args)]
-pub struct RequiredModelArgs {
-    /// Models; `asperity models` lists them
-    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
-    #[arg(required = true)]
-    pub models: Vec<String>,
-}
-
-/// Which quantities, and how well.
-#[derive(Debug, Args)]
-pub struct QuantityArgs {
-    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
-    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share
-    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
-    #[arg(default_value = "force,area,stiffness")]
-    pub quantities: Vec<Output>,
-    /// Relative tolerance of every value, from 1e-15 to 0.1
-    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
-    pub tolerance: Tolerance,
-}
-
-/// The unit of separations on the command line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum SeparationUnit {
-    /// Standard deviations of the asperity heights.
-    Sigma,
-    /// Metres.
-    M,
-}
-
-/// Which separations.
-#[derive(Debug, Args)]
-pub struct SeparationArgs {
-    /// Separations: A:B:N for N from A to B, or v,v,... [default: 0:4:401 in sigma]
-    #[arg(long = "separation", value_name = "A:B:N|v,v", value_parser = numbers)]
+    /// Separations: N from A to B, in equal steps or (log) ratios, or v,v,...
+    #[arg(long = "separation", value_name = "A:B:N[:log]|v,v", conflicts_with = "given")]
     #[arg(action = ArgAction::Append)]
     separations: Vec<Numbers>,
-    /// Unit of the separations
-    #[arg(long = "separation-unit", value_name = "UNIT", default_value = "sigma")]
+    /// Unit of the separations, sigma (of the asperity heights) or m
+    #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
+    #[arg(default_value = "sigma", requires = "separations", conflicts_with = "given")]
     unit: SeparationUnit,
-}
-
-/// Loads, one way or the other.
-#[derive(Debug, Args)]
-#[group(required = true, multiple = false)]
-pub struct LoadArgs {
-    /// Loads in N
-    #[arg(long = "load", value_name = "N,N", value_parser = positive_numbers)]
-    #[arg(action = ArgAction::Append)]
-    pub loads: Vec<Numbers>,
+    /// Loads in N, written as separations are
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append, group = "given")]
+    loads: Vec<Numbers>,
     /// Loads as pressures on the nominal area, in Pa
-    #[arg(long = "pressure", value_name = "PA,PA", value_parser = positive_numbers)]
-    #[arg(action = ArgAction::Append)]
-    pub pressures: Vec<Numbers>,
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append, group = "given")]
+    pressures: Vec<Numbers>,
+    /// Quantities [default: force,area,tangent; without the force at a load]: force, area,
+    /// stiffness, tangent, pressure, area-fraction, contacts, mean-pressure, ln-force, ln-area,
+    /// elastic-share, elastic-plastic-share, plastic-share
+    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
+    quantities: Vec<Quantity>,
+    /// Relative tolerance of every value, from 1e-15 to 0.1
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
+    tolerance: Tolerance,
 }
 
 /// Form and place of the answer.
 #[derive(Debug, Args)]
 pub struct OutputArgs {
     /// Form of the answer
-    #[arg(long, value_name = "FORM", default_value = "csv")]
+    #[arg(long, value_name = "FORM", default_value = "table")]
     pub format: Format,
     /// Write to a file in place of the standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-impl QuantityArgs {
-    /// Each quantity once, in the order asked.
-    pub fn outputs(&self) -> Vec<Output> {
-        once(&self.quantities)
-    }
-}
-
-impl SeparationArgs {
-    /// The separations as given and their unit; the default ones are multiples of sigma, whatever
-    /// the unit.
-    pub fn given(&self) -> (Vec<f64>, SeparationUnit) {
-        match &self.separations[..] {
-            [] => (linspace(0.0, 4.0, 401), SeparationUnit::Sigma),
-            lists => (flat(lists), self.unit),
-        }
+impl Asked {
+    /// As a request, with what is asked for unless something is given.
+    pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
+        let at = self.at(scene, separations);
+        let quantities = match (&self.quantities[..], &at[..], usual) {
+            // At a load, the force is what was given.
+            ([], [At::Load(_) | At::Pressure(_), ..], [Quantity::Force, others @ ..]) => others,
+            ([], ..) => usual,
+            (given, ..) => given,
+        };
+        Request::new(once(quantities)).at(at).within(self.tolerance)
     }
 
-    /// A request for them.
-    pub fn request(&self, scene: &LoadedScene, tolerance: Tolerance) -> Request {
-        let (given, unit) = self.given();
-        scene.request(&given, unit).within(tolerance)
-    }
-}
-
-impl LoadArgs {
-    /// The loads in newtons.
-    pub fn newtons(&self, scene: &LoadedScene) -> Vec<f64> {
-        let pressures = flat(&self.pressures);
-        let loads = pressures.into_iter().map(|pressure| scene.load_at(pressure));
-        flat(&self.loads).into_iter().chain(loads).collect()
+    /// The default ones are multiples of sigma.
+    fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
+        let flat = |lists: &[Numbers]| lists.iter().flat_map(|list| list.0.clone()).collect();
+        let separation = |value| At::from(scene.separation(value, self.unit));
+        let [separations, loads, pressures]: [Vec<f64>; 3] =
+            [&self.separations, &self.loads, &self.pressures].map(|lists| flat(lists));
+        let loads = loads.into_iter().map(At::Load);
+        let given = loads.chain(pressures.into_iter().map(At::Pressure));
+        let given: Vec<At> = separations.into_iter().map(separation).chain(given).collect();
+        if given.is_empty() { otherwise.iter().map(|s| separation(*s)).collect() } else { given }
     }
 }
 
 impl OutputArgs {
-    /// Whether the answer goes to the standard output.
-    pub fn is_standard(&self) -> bool {
-        crate::output::is_standard(self.output.as_deref())
-    }
-
-    /// Writes a table.
     pub fn write(&self, table: &Table) -> Result<()> {
-        crate::output::write(self.output.as_deref(), |out| table.write(self.format, out))
+        output::write(self.output.as_deref(), |out| table.write(self.format, out))
     }
-}
 
-/// Each once, in order.
-pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
-    let mut kept: Vec<T> = vec![];
-    for item in all {
-        if !kept.contains(item) {
-            kept.push(item.clone());
-        }
+    pub fn write_text(&self, text: &str) -> Result<()> {
+        output::write_text(self.output.as_deref(), text)
     }
-    kept
-}
-
-fn flat(lists: &[Numbers]) -> Vec<f64> {
-    lists.iter().flat_map(|list| list.0.iter().copied()).collect()
 }
 
 /// The id of a model of this project.
@@ -159,6 +101,21 @@ pub fn model_id(name: &str) -> Result<String, String> {
     name.parse::<Model>().map(|model| model.id().to_string()).map_err(|e| e.to_string())
 }
 
+/// The unit of a separation by its name.
+pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
+    let name: StrDeserializer<'_, Error> = name.into_deserializer();
+    SeparationUnit::deserialize(name).map_err(|e| e.to_string())
+}
+
+/// The name of a picture.
+pub fn svg_file(name: PathBuf) -> Result<PathBuf, &'static str> {
+    let is_svg = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("svg"));
+    match is_svg || output::is_standard(Some(&name)) {
+        true => Ok(name),
+        false => Err("pictures are svg: a name that ends with .svg was expected"),
+    }
+}
+
 fn tolerance(text: &str) -> Result<Tolerance, String> {
-    Tolerance::new(crate::numbers::number(text)?).map_err(|e| e.to_string())
+    Tolerance::new(number(text)?).map_err(|e| e.to_string())
 }

@@ -4,13 +4,12 @@
 //! 2 for bad usage. Parsing and printing only: what is computed is computed by the libraries.
 
 mod args;
+mod ask;
 mod commands;
 mod number;
 mod numbers;
 mod output;
 mod plot;
-mod progress;
-mod reading;
 mod scene;
 mod table;
 
@@ -99,12 +98,10 @@ fn is_bare_flag(word: &OsString) -> bool {
 
 /// Ends the program as clap does for arguments that it refuses.
 fn usage_error(subcommand: &str, kind: ErrorKind, text: &str) -> ! {
-    let mut command = Cli::command();
-    command.build();
-    match command.find_subcommand_mut(subcommand) {
-        Some(command) => command.error(kind, text).exit(),
-        None => command.error(kind, text).exit(),
-    }
+    let mut all = Cli::command();
+    all.build();
+    let command = all.find_subcommand(subcommand).cloned();
+    command.unwrap_or(all).error(kind, text).exit()
 }
 
 #[cfg(test)]

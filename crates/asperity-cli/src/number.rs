@@ -10,23 +10,9 @@ pub fn exact(x: f64) -> String {
 
 /// Six significant digits, for tables that are looked at.
 pub fn rounded(x: f64) -> String {
-    let size = x.abs();
-    if x == 0.0 || !x.is_finite() || (1e-3..1e7).contains(&size) {
-        let digits =
-            if size == 0.0 || !x.is_finite() { 0 } else { 5 - size.log10().floor() as i32 };
-        let text = format!("{x:.*}", digits.max(0) as usize);
-        return match text.contains('.') {
-            true => text.trim_end_matches('0').trim_end_matches('.').into(),
-            false => text,
-        };
-    }
-    let text = format!("{x:.5e}");
-    match text.split_once('e') {
-        Some((digits, power)) if digits.contains('.') => {
-            format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
-        }
-        _ => text,
-    }
+    let six: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    let is_plain = six == 0.0 || !six.is_finite() || (1e-3..1e7).contains(&six.abs());
+    if is_plain { exact(six) } else { format!("{six:e}") }
 }
 
 #[cfg(test)]

@@ -1,47 +1,89 @@
-//! Lists of numbers on the command line: A:B:N or v,v,...
+//! Numbers on the command line: A:B:N, A:B:N:log or v,v,...
+
+use std::str::FromStr;
 
 use asperity::linspace;
 
-/// More numbers than this in one list are taken for a slip of the hand.
+/// More numbers than this in one range are taken for a slip of the hand.
 const MOST: usize = 1_000_000;
 
 /// What one `--separation` or `--load` says.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
-/// A:B:N, or numbers with commas between them.
-pub fn numbers(text: &str) -> Result<Numbers, String> {
-    if text.contains(':') {
-        let (first, last, count) = span(text)?;
-        let count = count.ok_or_else(|| needed("A:B:N", "3 numbers with colons between them"))?;
-        return Ok(Numbers(linspace(first, last, count)));
-    }
-    let values: Result<Vec<f64>, String> = text.split(',').map(number).collect();
-    let values = values?;
-    if values.len() > MOST {
-        return Err(format!("{} numbers: at most {MOST} were expected", values.len()));
-    }
-    Ok(Numbers(values))
-}
-
-/// Numbers that are all above 0.
-pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
-    let Numbers(values) = numbers(text)?;
-    values.into_iter().map(positive).collect::<Result<_, _>>().map(Numbers)
-}
-
-/// A range A:B or A:B:N.
+/// A range A:B, A:B:N or A:B:N:log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     pub first: f64,
     pub last: f64,
     pub count: Option<usize>,
+    log: bool,
 }
 
-/// A:B or A:B:N.
+impl FromStr for Numbers {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if !text.contains(':') {
+            return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
+        }
+        let Span { first, last, count, log } = text.parse()?;
+        let count = count.ok_or("A:B:N was expected: how many numbers from A to B?")?;
+        if !log {
+            return Ok(Self(linspace(first, last, count)));
+        }
+        let mut values: Vec<f64> =
+            linspace(first.ln(), last.ln(), count).into_iter().map(f64::exp).collect();
+        // The ends are as given, to the digit.
+        (values[0], values[count - 1]) = (first, last);
+        Ok(Self(values))
+    }
+}
+
+impl FromStr for Span {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts: Vec<&str> = text.split(':').collect();
+        let [first, last, ref others @ ..] = parts[..] else {
+            return Err("A:B or A:B:N was expected".into());
+        };
+        let (first, last) = (number(first)?, number(last)?);
+        if first >= last {
+            return Err(format!("A is {first} and B is {last}: A below B was expected"));
+        }
+        if !(last - first).is_finite() {
+            return Err(format!("from {first} to {last} is more than a double can hold"));
+        }
+        let count = others.first().map(|text| match text.trim().parse() {
+            Ok(count) if (2..=MOST).contains(&count) => Ok(count),
+            _ => Err(format!("N is {text}: a whole number from 2 to {MOST} was expected")),
+        });
+        let log = match others {
+            [] | [_] => false,
+            [_, word] if word.trim() == "log" && first > 0.0 => true,
+            [_, word] if word.trim() == "log" => {
+                return Err(format!("A is {first}: equal ratios (log) begin above 0"));
+            }
+            _ => return Err(format!("{text} has more than A:B:N: only log may follow")),
+        };
+        Ok(Self { first, last, count: count.transpose()?, log })
+    }
+}
+
+/// Numbers that are all above 0.
+pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
+    let numbers: Numbers = text.parse()?;
+    numbers.0.iter().copied().try_for_each(|value| positive(value).map(drop))?;
+    Ok(numbers)
+}
+
+/// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
 pub fn range(text: &str) -> Result<Span, String> {
-    let (first, last, count) = span(text)?;
-    Ok(Span { first, last, count })
+    match text.parse()? {
+        Span { log: true, .. } => Err("A:B or A:B:N was expected, without log".into()),
+        span => Ok(span),
+    }
 }
 
 /// A finite number.
@@ -64,39 +106,25 @@ fn positive(value: f64) -> Result<f64, String> {
     if value > 0.0 { Ok(value) } else { Err(format!("{value} is not above 0, which was expected")) }
 }
 
-fn span(text: &str) -> Result<(f64, f64, Option<usize>), String> {
-    let parts: Vec<&str> = text.split(':').collect();
-    let (first, last) = match parts[..] {
-        [first, last] | [first, last, _] => (number(first)?, number(last)?),
-        _ => return Err(needed("A:B:N", &format!("not {} parts", parts.len()))),
-    };
-    if first >= last {
-        return Err(format!("A is {first} and B is {last}: A below B was expected"));
-    }
-    if !(last - first).is_finite() {
-        return Err(format!("from {first} to {last} is more than a double can hold"));
-    }
-    let Some(text) = parts.get(2) else { return Ok((first, last, None)) };
-    match text.trim().parse::<usize>() {
-        Ok(count) if (2..=MOST).contains(&count) => Ok((first, last, Some(count))),
-        _ => Err(format!("N is {text}: a whole number from 2 to {MOST} was expected")),
-    }
-}
-
-fn needed(form: &str, detail: &str) -> String {
-    format!("{form} was expected, {detail}")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn numbers(text: &str) -> Result<Vec<f64>, String> {
+        text.parse::<Numbers>().map(|numbers| numbers.0)
+    }
+
     #[test]
     fn ranges_and_lists_are_read() {
-        assert_eq!(numbers("-1:4:11").unwrap().0[..2], [-1.0, -0.5]);
-        assert_eq!(numbers("0:4:401").unwrap().0[400..], [4.0]);
-        assert_eq!(numbers("-1e-6,2, 3").unwrap().0, [-1e-6, 2.0, 3.0]);
-        assert_eq!(range("0:4").unwrap(), Span { first: 0.0, last: 4.0, count: None });
+        assert_eq!(numbers("-1:4:11").unwrap()[..2], [-1.0, -0.5]);
+        assert_eq!(numbers("0:4:401").unwrap()[400..], [4.0]);
+        assert_eq!(numbers("-1e-6,2, 3").unwrap(), [-1e-6, 2.0, 3.0]);
+        let log = numbers("0.1:7:3:log").unwrap();
+        assert_eq!((log[0], log[2]), (0.1, 7.0));
+        assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
+        let span = range("0:4").unwrap();
+        assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
+        assert_eq!(range("-1:4:9").unwrap().count, Some(9));
     }
 
     #[test]
@@ -114,6 +142,10 @@ mod tests {
             "0:4:9999999",
             "a:b:c",
             "0:4:5:6",
+            "1:4:5:lin",
+            "1:4:5:log:log",
+            "0:4:5:log",
+            "-1:4:5:log",
             "nan",
             "inf",
             "0:inf:3",
@@ -125,5 +157,6 @@ mod tests {
             assert!(numbers(bad).is_err(), "{bad}");
         }
         assert!(positive_numbers("1,0").is_err() && positive_number("-1").is_err());
+        assert!(range("1:3:4:log").is_err());
     }
 }

@@ -2,10 +2,16 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::thread;
+use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
+
+/// Work that is done faster than this is done in silence.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Whether this is the standard output: nothing named, or `-`.
 pub fn is_standard(path: Option<&Path>) -> bool {
@@ -28,32 +34,35 @@ pub fn write(
     }
 }
 
+/// The same for a text.
+pub fn write_text(path: Option<&Path>, text: &str) -> Result<()> {
+    write(path, |out| out.write_all(text.as_bytes()))
+}
+
 /// Writes beside the file and renames, so that what was there stays until all is written.
 fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let target = resolved(path);
-    if fs::metadata(&target).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+    // A link is followed, so that what it points to is replaced and not the link.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
+    let found = fs::metadata(&target).ok();
+    if found.as_ref().is_some_and(|found| !found.is_file() && !found.is_dir()) {
         // A device or a pipe is written to, not replaced.
         let mut out = BufWriter::new(File::options().write(true).open(&target)?);
         data(&mut out)?;
         return out.flush();
     }
-    if target.is_dir() {
-        return Err(io::Error::from(io::ErrorKind::IsADirectory));
-    }
-    if fs::metadata(&target).is_ok_and(|found| found.permissions().readonly()) {
+    let permissions = found.as_ref().map(fs::Metadata::permissions);
+    if permissions.as_ref().is_some_and(fs::Permissions::readonly) {
         // A rename would replace it all the same.
         return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
     }
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
     if !folder.is_dir() {
         return Err(io::Error::new(io::ErrorKind::NotFound, "there is no such folder"));
     }
     let mut builder = Builder::new();
     builder.prefix(".asperity-");
-    if let Some(permissions) = permissions(&target) {
+    if let Some(permissions) = permissions.or_else(new_file) {
         builder.permissions(permissions);
     }
     let mut file = builder.tempfile_in(folder)?;
@@ -73,22 +82,10 @@ pub fn refuse_to_replace(path: &Path, force: bool) -> Result<()> {
     Ok(())
 }
 
-/// A link is followed, so that what it points to is replaced and not the link.
-fn resolved(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.into())
-}
-
-/// Those of the file that is replaced; otherwise those of any new file, which temporary ones lack.
-fn permissions(target: &Path) -> Option<fs::Permissions> {
-    if let Ok(found) = fs::metadata(target) {
-        return Some(found.permissions());
-    }
+/// The permissions of any new file, which temporary ones lack; the system takes the mask off.
+fn new_file() -> Option<fs::Permissions> {
     #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // The system takes the user's mask off.
-        Some(fs::Permissions::from_mode(0o666))
-    }
+    return Some(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     #[cfg(not(unix))]
     None
 }
@@ -109,6 +106,36 @@ pub fn told(error: &anyhow::Error) -> String {
         }
     }
     text
+}
+
+/// Each once, in order.
+pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
+    let mut kept: Vec<T> = vec![];
+    for item in all {
+        if !kept.contains(item) {
+            kept.push(item.clone());
+        }
+    }
+    kept
+}
+
+/// What is being done, on a terminal only, from a second on until it is dropped.
+pub fn progress(what: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
+        .with_finish(ProgressFinish::AndClear)
+        .with_message(what.to_string());
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        bar.set_style(style);
+    }
+    let shown = bar.downgrade();
+    thread::spawn(move || {
+        thread::sleep(PATIENCE);
+        if let Some(bar) = shown.upgrade() {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+            bar.enable_steady_tick(PATIENCE / 10);
+        }
+    });
+    bar
 }
 
 /// A line of words on the standard error; that it may be closed is no reason to stop.

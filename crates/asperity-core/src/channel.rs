@@ -1,88 +1,150 @@
-//! The integral of one law on one scene, and what quantities come of it.
+//! The integral of one law on one scene.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
-use asperity_quadrature::{AnyScale, Density, QuadratureError};
+use asperity_quadrature::{Density, QuadratureError};
 
 use crate::height_integral::HeightIntegral;
-use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, StiffnessKind};
+use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance};
+
+/// Scales w_c/σ_z outside mean nothing, and powers of them leave the doubles.
+const SCALES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// The integral of one law.
 #[derive(Debug)]
 pub(crate) struct Channel {
-    pub(crate) quantity: Quantity,
-    pub(crate) law: Law,
+    /// What the law is of.
+    pub(crate) base: Quantity,
+    pub(crate) law: Arc<Law>,
+    pub(crate) units: Units,
+    pub(crate) total: HeightIntegral,
+    parts: OnceLock<Vec<HeightIntegral>>,
+    scene: Scene,
+    tolerance: Tolerance,
+}
+
+/// From a law's numbers to those of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Units {
     /// η A_n times the law's value unit.
     pub(crate) factor: f64,
     /// Interference unit over σ_z.
     pub(crate) scale: f64,
-    heights: HeightDistribution,
-    pub(crate) tolerance: f64,
-    pub(crate) total: HeightIntegral,
-    parts: OnceLock<Vec<HeightIntegral>>,
-    /// For other scenes of the same asperities.
-    pub(crate) elsewhere: OnceLock<AnyScale>,
 }
 
-/// Refuses scenes whose numbers leave the doubles.
-pub(crate) fn check_scales(
-    quantity: Quantity,
-    factor: f64,
-    scale: f64,
-    height_std: f64,
-) -> Result<(), ContactError> {
-    // Tangents are divided by σ_z.
-    let scales = [factor, factor / height_std, scale];
-    match scales.into_iter().find(|scale| !(*scale > 0.0 && scale.is_finite())) {
-        None => Ok(()),
-        Some(scale) => Err(ContactError::Scale { quantity, scale }),
+impl Units {
+    /// Refuses scenes whose numbers leave the doubles.
+    pub(crate) fn new(base: Quantity, law: &Law, scene: &Scene) -> Result<Self, ContactError> {
+        let height_std = scene.surface.asperity_height_std;
+        let factor = scene.asperities() * law.value_unit;
+        let scale = law.interference_unit / height_std;
+        // Tangents are divided by σ_z.
+        let held = |x: &f64| *x > 0.0 && x.is_finite();
+        match [factor, factor / height_std].into_iter().find(|x| !held(x)) {
+            Some(scale) => Err(ContactError::Scale { quantity: base, scale }),
+            None if SCALES.contains(&scale) => Ok(Self { factor, scale }),
+            None => Err(ContactError::Ratio { ratio: scale }),
+        }
     }
 }
 
-/// The law a quantity is computed from.
-pub(crate) fn law_of(quantity: Quantity, stiffness: StiffnessKind) -> Quantity {
-    match (quantity, stiffness) {
-        (Quantity::Tangent, _) | (Quantity::Stiffness, StiffnessKind::Tangent) => Quantity::Force,
-        (quantity, _) => quantity,
+/// The laws that quantities come of.
+pub(crate) fn bases(quantity: Quantity, own_stiffness: bool) -> &'static [Quantity] {
+    match quantity {
+        Quantity::Area | Quantity::AreaFraction | Quantity::LnArea => &[Quantity::Area],
+        Quantity::MeanPressure => &[Quantity::Force, Quantity::Area],
+        Quantity::Contacts => &[Quantity::Contacts],
+        Quantity::Stiffness if own_stiffness => &[Quantity::Stiffness],
+        _ => &[Quantity::Force],
     }
 }
 
-pub(crate) fn failed(
-    quantity: Quantity,
-    separation: f64,
-) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral { quantity, separation, source }
+/// The laws of one asperity that quantities come of.
+#[derive(Debug)]
+pub(crate) struct Laws {
+    pub(crate) asperity: Asperity,
+    /// Whether the model has a law for the stiffness; not looked at where none is asked for.
+    pub(crate) own_stiffness: bool,
+    /// Whether the force never rises with the separation.
+    pub(crate) monotone: bool,
+    pub(crate) laws: Vec<(Quantity, Law)>,
+    by_load: bool,
+}
+
+impl Laws {
+    /// Those that these quantities need, and the force's where loads are to be met.
+    pub(crate) fn new(
+        model: &dyn AsperityModel,
+        asperity: Asperity,
+        quantities: &[Quantity],
+        by_load: bool,
+        tolerance: Tolerance,
+    ) -> Result<Self, ContactError> {
+        let monotone = model.claims().force_monotone;
+        let mut found = Self { asperity, own_stiffness: false, monotone, laws: vec![], by_load };
+        for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
+            if quantity == Quantity::Stiffness && !found.own_stiffness {
+                let own = model.law(&asperity, quantity, tolerance)?;
+                found.own_stiffness = own.is_some();
+                found.laws.extend(own.map(|law| (quantity, law)));
+            }
+            for &base in bases(quantity, found.own_stiffness) {
+                if !found.laws.iter().any(|(known, _)| *known == base) {
+                    let law = Self::law(model, &asperity, base, tolerance)?;
+                    found.laws.push((base, law));
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The model's law, or the one that every model has.
+    fn law(
+        model: &dyn AsperityModel,
+        asperity: &Asperity,
+        base: Quantity,
+        tolerance: Tolerance,
+    ) -> Result<Law, ContactError> {
+        match model.law(asperity, base, tolerance)? {
+            Some(law) => Ok(law),
+            // Every asperity that is reached touches.
+            None if base == Quantity::Contacts => Ok(Law::counting(asperity.radius)),
+            None => Err(ContactError::NoLaw { model: model.name().into(), quantity: base }),
+        }
+    }
+
+    /// Whether they are those of this asperity, and all that is needed.
+    pub(crate) fn serve(&self, asperity: &Asperity, by_load: bool) -> bool {
+        self.asperity == *asperity && (self.by_load || !by_load)
+    }
+}
+
+pub(crate) fn failed(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
+    move |source| ContactError::Integral { quantity, at, source }
 }
 
 impl Channel {
     pub(crate) fn new(
-        quantity: Quantity,
-        law: Law,
+        base: Quantity,
+        law: Arc<Law>,
         scene: &Scene,
-        tolerance: f64,
+        tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let scale = law.interference_unit / scene.surface.asperity_height_std;
-        let total = HeightIntegral::new(law.density(), scale, &scene.heights, tolerance);
-        let factor = scene.asperities() * law.value_unit;
-        check_scales(quantity, factor, scale, scene.surface.asperity_height_std)?;
-        Ok(Self {
-            quantity,
-            factor,
-            law,
-            scale,
-            heights: scene.heights.clone(),
-            tolerance,
-            total,
-            parts: OnceLock::new(),
-            elsewhere: OnceLock::new(),
-        })
+        let units = Units::new(base, &law, scene)?;
+        let total =
+            HeightIntegral::new(law.density(), units.scale, &scene.heights, tolerance.relative());
+        let (parts, scene) = (OnceLock::new(), scene.clone());
+        Ok(Self { base, law, units, total, parts, scene, tolerance })
     }
 
+    /// The integrals of the law's parts, each alone.
     pub(crate) fn parts(&self) -> &[HeightIntegral] {
         self.parts.get_or_init(|| {
-            let alone = |part: &crate::Part| Density { pieces: vec![part.piece()] };
-            let integral =
-                |part| HeightIntegral::new(alone(part), self.scale, &self.heights, self.tolerance);
+            let integral = |part: &crate::Part| {
+                let alone = Density { pieces: vec![part.piece()] };
+                let tolerance = self.tolerance.relative();
+                HeightIntegral::new(alone, self.units.scale, &self.scene.heights, tolerance)
+            };
             self.law.parts.iter().map(integral).collect()
         })
     }

@@ -2,10 +2,13 @@
 
 use asperity_quadrature::QuadratureError;
 
-use crate::Quantity;
+use serde::Serialize;
+
+use crate::{At, Quantity, Separation};
 
 /// Why a contact problem was refused or could not be answered.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
+#[serde(tag = "code", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum ContactError {
     /// An input lies outside its range.
@@ -52,14 +55,38 @@ pub enum ContactError {
         /// The quantity.
         quantity: Quantity,
     },
-    /// A second derivative was asked for that does not come of the nodes.
-    #[error(
-        "no second derivative of the {quantity}: a quantity with a law of its own and Gaussian heights were required"
-    )]
-    NoSecondDerivative {
+    /// A model was asked for something it cannot tell.
+    #[error("{model} cannot give {what}")]
+    Unsupported {
+        /// The model.
+        model: String,
+        /// What was asked for.
+        what: String,
+    },
+    /// A ratio or a logarithm was asked for where nothing touches.
+    #[error("{quantity} has no value at {at}: no asperity touches there")]
+    NoValue {
         /// The quantity.
         quantity: Quantity,
+        /// Where it was asked for.
+        at: At,
     },
+    /// A separation lies outside what can be evaluated.
+    #[error(
+        "separation is {separation}{}: -1e6 to 1e9 asperity_height_std from the mean of the asperity heights was required",
+        in_sigmas(.separation, *.over_sigma)
+    )]
+    SeparationOutOfRange {
+        /// As it was given.
+        separation: Separation,
+        /// d/σ_z from the mean of the asperity heights.
+        over_sigma: f64,
+    },
+    /// A separation from the surface's mean plane was given where there is none.
+    #[error(
+        "separations from the mean plane of the surface: gaussian or tabulated heights, or a mean_plane_offset, was required, as no mean plane belongs to exponential heights"
+    )]
+    NoMeanPlane,
     /// A compiled scene was moved to one with another interface or asperity radius.
     #[error(
         "the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew"
@@ -71,6 +98,24 @@ pub enum ContactError {
         /// The model.
         model: String,
         /// Its own words.
+        reason: String,
+    },
+    /// A name that no quantity has.
+    #[error("quantity {name:?} is not known{}: the quantities are {known}", suggestion(&.near.map(|near| near.to_string())))]
+    UnknownQuantity {
+        /// What was given.
+        name: String,
+        /// The nearest quantity, if one is near.
+        near: Option<Quantity>,
+        /// All known names.
+        known: String,
+    },
+    /// A model was given an option that it does not have, or a value that none is.
+    #[error("{model}: {reason}")]
+    Option {
+        /// The model's id.
+        model: String,
+        /// What was given, and what would have been accepted.
         reason: String,
     },
     /// A name that no model has.
@@ -93,28 +138,55 @@ pub enum ContactError {
         /// η A_n times the law's value unit, in SI units.
         scale: f64,
     },
+    /// The interference unit of a law and the heights have nothing to do with each other.
+    #[error(
+        "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
+    )]
+    Ratio {
+        /// The unit over σ_z.
+        ratio: f64,
+    },
     /// No separation that is looked at carries this load.
     #[error(
-        "load is {load:?} N: a load above 0 and at most {largest:e} N, the force at a separation of {separation:?} asperity_height_std, was required"
+        "load is {load:?} N: a load above 0 and at most {largest:e} N, the largest force found, at {at}, was required"
     )]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
-        /// The largest force \[N\].
+        /// The largest force found \[N\].
         largest: f64,
-        /// Where it is, over σ_z: the smallest separation that can be evaluated.
-        separation: f64,
+        /// Where it is.
+        at: At,
+    },
+    /// A load that is carried so far out that no separation is looked at: heights with a heavy tail.
+    #[error(
+        "load is {load:?} N: at least {smallest:e} N, the force at {at}, the largest that is looked at, was required"
+    )]
+    TooLight {
+        /// The load asked for \[N\].
+        load: f64,
+        /// The force at the largest separation \[N\].
+        smallest: f64,
+        /// That separation.
+        at: At,
     },
     /// The integral could not be computed.
-    #[error("{quantity} at separation {separation} (in asperity_height_std): {source}")]
+    #[error("{quantity} at {at}: {source}")]
     Integral {
         /// The quantity asked for.
         quantity: Quantity,
-        /// Separation over the standard deviation of asperity heights.
-        separation: f64,
+        /// Where it was asked for.
+        at: At,
         /// What the quadrature said.
         source: QuadratureError,
     },
+}
+
+fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {
+    if *separation == Separation::sigmas(separation.value) || over_sigma.is_nan() {
+        return String::new();
+    }
+    format!(" ({over_sigma:?} asperity_height_std)")
 }
 
 fn suggestion(near: &Option<String>) -> String {

@@ -33,6 +33,7 @@ pub trait Heights: fmt::Debug + Send + Sync {
 /// The heights of a scene.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum HeightDistribution {
     /// φ(ζ) = exp(-ζ²/2)/√(2π); separations are measured from the mean.
     #[default]

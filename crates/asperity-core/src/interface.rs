@@ -12,6 +12,7 @@ pub const HARDNESS_OVER_YIELD: f64 = 2.8;
 /// One elastic-plastic body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Body {
     /// Young's modulus \[Pa\], > 0.
     pub youngs_modulus: f64,
@@ -28,6 +29,7 @@ pub struct Body {
 /// The equivalent properties of two bodies in contact: what the laws use.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Interface {
     /// E \[Pa\]: 1/E = (1-ν₁²)/E₁ + (1-ν₂²)/E₂.
     pub equivalent_modulus: f64,
@@ -79,6 +81,13 @@ impl Body {
     #[must_use]
     pub fn new(youngs_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
         Self { youngs_modulus, poissons_ratio, hardness: Some(hardness), yield_strength: None }
+    }
+
+    /// A body of which the yield strength \[Pa\] is known, and not the hardness.
+    #[must_use]
+    pub fn yielding(youngs_modulus: f64, poissons_ratio: f64, yield_strength: f64) -> Self {
+        let yield_strength = Some(yield_strength);
+        Self { youngs_modulus, poissons_ratio, hardness: None, yield_strength }
     }
 
     fn check(&self) -> Result<(f64, f64), ContactError> {

@@ -1,73 +1,217 @@
-//! From a load back to the separation that carries it.
+//! From a load back to the separations that carry it.
 
-use asperity_quadrature::bracketed_root;
+use asperity_quadrature::Moments;
 
-use crate::{Compiled, ContactError, Quantity};
+use crate::channel::failed;
+use crate::compiled::Compiled;
+use crate::separation::{HIGHEST, LOWEST, Place};
+use crate::{At, ContactError, Quantity};
 
-/// The smallest separation that can be evaluated, over σ_z.
-const DEEPEST: f64 = -1e6;
-/// Down to here, crossings are looked for where the force need not be monotone; deeper down all
-/// asperities are in contact, and none is known to turn around.
-const DEEP: f64 = -64.0;
-/// Where the force need not be monotone, crossings nearer to each other than this may be missed.
-const STEP: f64 = 0.1;
+/// Below this all asperities are in contact.
+pub(crate) const DEEP: f64 = -64.0;
+/// A Newton search ends in some five steps; a bracketed one, at the worst, in some sixty.
+const MOST: usize = 200;
+
+/// The force of a scene, to be inverted: where its integrals come from, and their unit.
+pub(crate) trait ForceCurve {
+    /// The integral and its slope.
+    fn at(&mut self, s: f64) -> Result<Moments, ContactError>;
+
+    /// Whether what [`at`](Self::at) tells has become better near s, so that it is worth asking
+    /// again.
+    fn settle(&mut self, _s: f64) -> Result<bool, ContactError> {
+        Ok(false)
+    }
+}
+
+/// A load to be carried, and what is known of the force law.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Target {
+    /// \[N\].
+    pub(crate) load: f64,
+    /// What the integral is multiplied with \[N\].
+    pub(crate) factor: f64,
+    /// Whether the force never rises with the separation.
+    pub(crate) monotone: bool,
+    /// Whether parts of the law are subtracted.
+    pub(crate) signed: bool,
+}
 
 impl Compiled {
-    /// The separations d/σ_z at which the force is `load` \[N\], ascending: one for a model whose
-    /// force is monotone, possibly several for others (AT as printed rises and falls).
-    ///
-    /// Any load that a double can hold is met, far tails included, to the last digits of d, down
-    /// to a separation of -1e6. Where the force is not monotone, crossings are sought in steps of
-    /// 0.1 from the first separation above which it falls below the load for good down to -64, and
-    /// in steps that double further down.
-    ///
-    /// # Errors
-    /// [`ContactError::OutOfRange`] for a load that is not positive, [`ContactError::OutOfReach`]
-    /// with the largest force for one that the model cannot carry, [`ContactError::NotRequested`]
-    /// when the scene was compiled without the force, and [`ContactError::Integral`].
-    pub fn separations_at(&self, load: f64) -> Result<Vec<f64>, ContactError> {
-        let ln_load = crate::positive("load", load)?.ln();
-        // Positive where the force is above the load.
-        let above = |s: f64| -> Result<f64, ContactError> {
-            let force = self.evaluate(Quantity::Force, s)?;
-            Ok(if force.scaled > 0.0 { force.ln_value() - ln_load } else { -f64::MAX })
-        };
-        let mut high = 1.0;
-        // Whatever its sign, the force must be below the load from there on.
-        while self.evaluate(Quantity::Force, high)?.ln_value() > ln_load {
-            // A Gaussian tail falls as exp(-s²/2), an exponential one as exp(-s): doubling finds both.
-            high *= 2.0;
+    fn target(&self, load: f64) -> Result<Target, ContactError> {
+        let channel = self.channel(Quantity::Force)?;
+        let signed = channel.law.is_signed();
+        let (factor, monotone) = (channel.units.factor, self.monotone());
+        Ok(Target { load, factor, monotone, signed })
+    }
+
+    /// Where a load is first met on approach.
+    pub(crate) fn place_of_load(&self, load: f64) -> Result<Place, ContactError> {
+        self.target(load)?.first(&mut OfChannel(self))
+    }
+
+    /// All separations d/σ_z that carry a load, ascending.
+    pub(crate) fn all_places_of_load(&self, load: f64) -> Result<Vec<f64>, ContactError> {
+        self.target(load)?.all(&mut OfChannel(self))
+    }
+}
+
+/// The force of a compiled scene.
+struct OfChannel<'c>(&'c Compiled);
+
+impl ForceCurve for OfChannel<'_> {
+    fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
+        let total = &self.0.channel(Quantity::Force)?.total;
+        total.at(s).map_err(failed(Quantity::Force, s.into()))
+    }
+}
+
+/// Which integral is set against the load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Of {
+    /// The force itself.
+    Value,
+    /// The integral of the law's absolute value, which no force exceeds.
+    Size,
+}
+
+impl Target {
+    /// Where the load is first met on approach: the largest separation that carries it.
+    pub(crate) fn first(&self, curve: &mut impl ForceCurve) -> Result<Place, ContactError> {
+        if !self.signed {
+            return self.newton(curve, Of::Value);
         }
-        let mut found = vec![];
-        let mut above_high = above(high)?;
-        let mut step = if self.monotone() { 1.0 } else { STEP };
-        while high > DEEPEST {
-            let low = if high > DEEP && !self.monotone() {
-                (high - step).max(DEEP)
-            } else if found.is_empty() {
-                step = (2.0 * step).max(1.0);
-                (high - step).max(DEEPEST)
-            } else {
+        let mut s = self.crossings(curve, true)?[0];
+        let mut moments = curve.at(s)?;
+        for _ in 0..MOST {
+            // Where integrals were made elsewhere, what they say of s is a guide.
+            if !curve.settle(s)? {
                 break;
-            };
-            let above_low = match above(low) {
-                // Where the integrals end, so does what can be carried.
-                Err(ContactError::Integral { .. }) if low < DEEP => break,
-                other => other?,
-            };
-            if above_low * above_high <= 0.0 {
-                // The ends have been evaluated; inside, nothing new can go wrong.
-                found.extend(bracketed_root(|s| above(s).unwrap_or(f64::NAN), low, high));
             }
-            (high, above_high) = (low, above_low);
+            let step = self.step(curve, s)?;
+            moments = curve.at(s)?;
+            s += step;
         }
-        if found.is_empty() {
-            let largest = self.evaluate(Quantity::Force, high)?.value();
-            return Err(ContactError::OutOfReach { load, largest, separation: high });
+        Ok(self.place(s, &moments))
+    }
+
+    /// All separations d/σ_z that carry it, ascending.
+    pub(crate) fn all(&self, curve: &mut impl ForceCurve) -> Result<Vec<f64>, ContactError> {
+        if self.monotone {
+            return Ok(vec![self.newton(curve, Of::Value)?.s]);
         }
+        let mut found = self.crossings(curve, false)?;
         found.sort_by(f64::total_cmp);
         found.dedup();
         Ok(found)
+    }
+
+    /// ln of an integral over the load, and its fall with s.
+    fn measure(&self, moments: &Moments, of: Of) -> (f64, f64) {
+        let [value, slope] = match of {
+            Of::Value => [moments.value, moments.slope],
+            Of::Size => moments.sizes,
+        };
+        if value > 0.0 {
+            let ln = value.ln() + moments.ln_scale + (self.factor / self.load).ln();
+            (ln, slope / value)
+        } else {
+            (f64::NEG_INFINITY, 0.0)
+        }
+    }
+
+    /// The root of a positive integral. In the tail its logarithm is concave, so that Newton's
+    /// steps come down from the right; brackets guard what is not.
+    pub(crate) fn newton(
+        &self,
+        curve: &mut impl ForceCurve,
+        of: Of,
+    ) -> Result<Place, ContactError> {
+        let mut s = self.guess(&curve.at(0.0)?, of);
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST {
+            let moments = match curve.at(s) {
+                // Where the integrals end, so does what can be carried.
+                Err(ContactError::Integral { .. }) if s < DEEP && low < DEEP => {
+                    return Err(self.out_of_reach(curve, high.min(DEEP)));
+                }
+                other => other?,
+            };
+            let (above, fall) = self.measure(&moments, of);
+            if above > 0.0 {
+                low = s;
+            } else {
+                high = s;
+            }
+            if s <= LOWEST && above < 0.0 {
+                return Err(self.out_of_reach(curve, s));
+            }
+            if s >= HIGHEST && above > 0.0 {
+                let smallest = self.load * above.exp();
+                return Err(ContactError::TooLight { load: self.load, smallest, at: s.into() });
+            }
+            let mut next = s + above / fall;
+            let unit = f64::EPSILON * (1.0 + s.abs());
+            // A root that is met lies on its own bracket.
+            let inside = next > low && next < high || (next - s).abs() <= unit;
+            if !(inside || above == 0.0) {
+                next = match (low.is_finite(), high.is_finite()) {
+                    (true, true) => 0.5 * (low + high),
+                    (false, _) => high - 2.0 * (1.0 + high.abs()),
+                    (true, false) => low + 2.0 * (1.0 + low.abs()),
+                };
+            }
+            next = next.clamp(LOWEST, HIGHEST);
+            let step = (next - s).abs();
+            // Newton's steps shrink as their squares: this one may be the last that is seen.
+            let remains = match inside && last.is_finite() {
+                true => step * (step / last) * (step / last),
+                false => step,
+            };
+            s = next;
+            if step <= 4.0 * unit || remains <= 0.25 * unit || high - low <= 4.0 * unit {
+                if curve.settle(s)? {
+                    (low, high, last) = (f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+                    continue;
+                }
+                return Ok(self.place(s, &moments));
+            }
+            last = if inside { step } else { f64::INFINITY };
+        }
+        Ok(Place { s, rounding: high - low })
+    }
+
+    /// From the value and the slope at 0: exp(-a s - s²/2) above, a power of the overlap below.
+    fn guess(&self, at_zero: &Moments, of: Of) -> f64 {
+        let (above, fall) = self.measure(at_zero, of);
+        if !(above.is_finite() && fall > 0.0) {
+            return -1.0;
+        }
+        if above > 0.0 {
+            return 2.0 * above / (fall + (fall * fall + 2.0 * above).sqrt());
+        }
+        const POWER: f64 = 1.3;
+        (-(POWER / fall) * (-above / POWER).exp_m1()).max(LOWEST)
+    }
+
+    /// What the error of the force makes of the root's.
+    fn place(&self, s: f64, moments: &Moments) -> Place {
+        let error = moments.error * moments.sizes[0] / moments.slope.abs();
+        let rounding = error + 2.0 * f64::EPSILON * (1.0 + s.abs());
+        Place { s, rounding }
+    }
+
+    pub(crate) fn out_of_reach(&self, curve: &mut impl ForceCurve, s: f64) -> ContactError {
+        let force = |m: Moments| m.value * m.ln_scale.exp() * self.factor;
+        match curve.at(s) {
+            Ok(moments) => ContactError::OutOfReach {
+                load: self.load,
+                largest: force(moments),
+                at: At::sigmas(s),
+            },
+            Err(error) => error,
+        }
     }
 }
 
@@ -75,8 +219,8 @@ impl Compiled {
 mod tests {
     use super::*;
     use crate::{
-        Asperity, ContactModel, Interface, Law, Power, Provenance, Request, Scene, Source, Surface,
-        Tolerance,
+        Asperity, AsperityModel, Contact, ContactModel, Interface, Law, Power, Provenance, Request,
+        Scene, Source, Surface, Tolerance,
     };
 
     #[derive(Debug)]
@@ -91,47 +235,66 @@ mod tests {
         provenance: Provenance::Seen,
     };
 
-    impl ContactModel for Hertz {
+    impl AsperityModel for Hertz {
         fn source(&self) -> &Source {
             &SOURCE
         }
-        fn law(&self, a: &Asperity, _: Quantity, _: Tolerance) -> Result<Law, ContactError> {
+        fn law(
+            &self,
+            a: &Asperity,
+            _: Quantity,
+            _: Tolerance,
+        ) -> Result<Option<Law>, ContactError> {
             let unit = 4.0 / 3.0 * a.equivalent_modulus * a.radius.sqrt();
-            Ok(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)]))
+            Ok(Some(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)])))
         }
+    }
+
+    fn compiled() -> Box<dyn Contact> {
+        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
+        Hertz.compile(&scene, &Request::new([Quantity::Force])).unwrap()
     }
 
     #[test]
     fn loads_lead_back_to_their_separations() {
-        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
-        let compiled = Hertz.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        let compiled = compiled();
         for s in [-63.0, -10.0, -0.3, 0.0, 1.0, 4.4, 20.0, 36.0] {
             let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
             let found = compiled.separations_at(load).unwrap();
+            assert!(found.len() == 1 && found[0] == compiled.separation_at(load).unwrap());
             // The rule's own error moves the root by less than this.
-            assert!(
-                found.len() == 1 && (found[0] - s).abs() < 1e-12 * (1.0 + s.abs()),
-                "{s}: {found:?}"
-            );
+            let error = (found[0].value - s).abs();
+            assert!(error < 1e-12 * (1.0 + s.abs()), "{s}: {found:?}");
         }
     }
 
     #[test]
     fn loads_that_press_all_asperities_flat_are_met_too() {
-        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
-        let compiled = Hertz.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        let compiled = compiled();
         for s in [-70.0, -1e5] {
             let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
             let found = compiled.separations_at(load).unwrap();
             // Each force is integrated anew there, to the tolerance of 1e-10.
-            assert!(found.len() == 1 && (found[0] / s - 1.0).abs() < 1e-9, "{s}: {found:?}");
+            assert!(found.len() == 1 && (found[0].value / s - 1.0).abs() < 1e-9, "{s}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn quantities_at_a_load_are_those_at_its_separation_within_their_bounds() {
+        let compiled = compiled();
+        for load in [1e-30, 1e-3, 1.0, 1e4] {
+            let force = compiled.evaluate(Quantity::Force, At::Load(load)).unwrap();
+            assert!((force.value() / load - 1.0).abs() <= force.relative_error(), "{load}");
+            assert!(force.relative_error() < 1e-9);
+            let by_pressure =
+                compiled.evaluate(Quantity::Force, At::Pressure(load / 1e-5)).unwrap();
+            assert!((by_pressure.value() / load - 1.0).abs() <= by_pressure.relative_error());
         }
     }
 
     #[test]
     fn loads_out_of_reach_are_refused_with_the_largest_force() {
-        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
-        let compiled = Hertz.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        let compiled = compiled();
         let error = compiled.separations_at(1e30).unwrap_err();
         assert!(
             matches!(error, ContactError::OutOfReach { largest, .. } if largest > 1e6),
@@ -140,5 +303,7 @@ mod tests {
         for bad in [0.0, -1.0, f64::NAN] {
             assert!(compiled.separations_at(bad).unwrap_err().to_string().starts_with("load is"));
         }
+        let error = compiled.evaluate(Quantity::Force, At::Pressure(-1.0)).unwrap_err().to_string();
+        assert!(error.starts_with("pressure is -1.0"), "{error}");
     }
 }

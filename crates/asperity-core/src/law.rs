@@ -8,6 +8,8 @@ use std::sync::Arc;
 use asperity_quadrature::{Density, Piece, QuadratureError, Sampler};
 use serde::Serialize;
 
+use crate::form::{Form, FunctionKey, Power};
+
 /// The kind of deformation a part stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -27,145 +29,6 @@ impl fmt::Display for Regime {
             Self::ElasticPlastic => "elastic-plastic",
             Self::Plastic => "plastic",
         })
-    }
-}
-
-/// One term c (x - o)^p.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Power {
-    /// c.
-    pub coefficient: f64,
-    /// o, not above the beginning of the part.
-    pub origin: f64,
-    /// p ≥ 0.
-    pub exponent: f64,
-}
-
-impl Power {
-    /// c x^p.
-    #[must_use]
-    pub fn new(coefficient: f64, exponent: f64) -> Self {
-        Self { coefficient, origin: 0.0, exponent }
-    }
-
-    /// c (x - o)^p.
-    #[must_use]
-    pub fn from_origin(coefficient: f64, origin: f64, exponent: f64) -> Self {
-        Self { coefficient, origin, exponent }
-    }
-
-    /// The value at x.
-    #[must_use]
-    pub fn value(&self, x: f64) -> f64 {
-        let base = x - self.origin;
-        self.coefficient
-            * match self.exponent {
-                0.0 => 1.0,
-                1.0 => base,
-                1.5 => base * base.sqrt(),
-                p => base.powf(p),
-            }
-    }
-}
-
-/// The formula of a part.
-#[derive(Clone)]
-pub enum Form {
-    /// A sum of powers.
-    Powers(Vec<Power>),
-    /// Any function, sampled many points at a time.
-    Function {
-        /// The function.
-        sampler: Arc<dyn Sampler>,
-        /// What tells it from other functions, if anything does.
-        key: Option<FunctionKey>,
-    },
-}
-
-/// Two functions with the same key are the same function: a sweep then integrates it once.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FunctionKey {
-    /// What the function is, in words: a plan shows them.
-    pub name: Cow<'static, str>,
-    /// What it is made of, where the name does not say it all.
-    pub of: String,
-    /// Everything else it depends on but x.
-    pub parameters: Vec<f64>,
-}
-
-impl Form {
-    /// A function given point by point.
-    pub fn function(f: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
-        Self::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
-            out.iter_mut().zip(x).for_each(|(out, &x)| *out = f(x));
-            Ok(())
-        }))
-    }
-
-    /// A function sampled many points at a time.
-    pub fn sampled(sampler: Arc<dyn Sampler>) -> Self {
-        Self::Function { sampler, key: None }
-    }
-
-    /// Says of a function that it is this one, and depends on these parameters alone.
-    #[must_use]
-    pub fn known_as(self, name: impl Into<Cow<'static, str>>, parameters: Vec<f64>) -> Self {
-        self.with_key(FunctionKey { name: name.into(), of: String::new(), parameters })
-    }
-
-    /// Says of a function which it is; powers need no telling.
-    #[must_use]
-    pub fn with_key(self, key: FunctionKey) -> Self {
-        match self {
-            Self::Powers(powers) => Self::Powers(powers),
-            Self::Function { sampler, .. } => Self::Function { sampler, key: Some(key) },
-        }
-    }
-
-    /// What the form is, in words.
-    #[must_use]
-    pub fn describe(&self) -> &str {
-        match self {
-            Self::Powers(_) => "sum of powers",
-            Self::Function { key: Some(key), .. } => &key.name,
-            Self::Function { key: None, .. } => "function",
-        }
-    }
-}
-
-impl<const N: usize> From<[Power; N]> for Form {
-    fn from(powers: [Power; N]) -> Self {
-        Self::Powers(powers.to_vec())
-    }
-}
-
-impl fmt::Debug for Form {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Powers(powers) => f.debug_list().entries(powers).finish(),
-            Self::Function { .. } => f.write_str(self.describe()),
-        }
-    }
-}
-
-impl Sampler for Form {
-    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
-        match self {
-            Self::Powers(powers) => {
-                for (out, &x) in out.iter_mut().zip(x) {
-                    *out = powers.iter().map(|p| p.value(x)).sum();
-                }
-                Ok(())
-            }
-            Self::Function { sampler, .. } => sampler.sample(x, out),
-        }
-    }
-
-    fn relative_error(&self, x: &[f64]) -> f64 {
-        match self {
-            Self::Powers(_) => 0.0,
-            Self::Function { sampler, .. } => sampler.relative_error(x),
-        }
     }
 }
 
@@ -223,6 +86,53 @@ impl Law {
         self.with(Regime::Plastic, range, form)
     }
 
+    /// 1 for every interference above 0, in units of this length \[m\]: the number of contacts.
+    #[must_use]
+    pub(crate) fn counting(interference_unit: f64) -> Self {
+        let one = [Power::new(1.0, 0.0)];
+        Self::in_units(interference_unit, 1.0).elastic(0.0..f64::INFINITY, one)
+    }
+
+    /// The law whose value is `f` of this one's \[in SI units\], part by part, in units of `value_unit`:
+    /// the radius √(A/π) of a contact from its area, say. `name` says what it is, in plans.
+    ///
+    /// `None` where parts overlap or are subtracted: there, a value is no single contact's.
+    #[must_use]
+    pub fn map(
+        &self,
+        name: &'static str,
+        value_unit: f64,
+        f: impl Fn(f64) -> f64 + Clone + Send + Sync + 'static,
+    ) -> Option<Self> {
+        let mut ends: Vec<(f64, f64)> =
+            self.parts.iter().map(|p| (p.range.start, p.range.end)).collect();
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let apart = ends.windows(2).all(|pair| pair[0].1 <= pair[1].0);
+        if !apart || self.parts.iter().any(|part| part.sign < 0.0) {
+            return None;
+        }
+        let from = self.value_unit;
+        let mapped = |part: &Part| {
+            let (inner, f, sign) = (part.form.clone(), f.clone(), part.sign);
+            let form = Form::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
+                inner.sample(x, out)?;
+                out.iter_mut().for_each(|q| *q = f(from * sign * *q) / value_unit);
+                Ok(())
+            }));
+            // A form without a key of its own is like no other.
+            let of = match &part.form {
+                Form::Powers(powers) => Some(format!("{powers:?}")),
+                Form::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
+            };
+            let parameters = vec![from * sign, value_unit];
+            let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
+            let form = key.into_iter().fold(form, Form::with_key);
+            Part { sign: 1.0, form, ..part.clone() }
+        };
+        let parts = self.parts.iter().map(mapped).collect();
+        Some(Self { interference_unit: self.interference_unit, value_unit, parts })
+    }
+
     fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Form>) -> Self {
         let before = self.parts.iter().filter(|p| p.regime == regime).count();
         let name = match before {
@@ -260,6 +170,11 @@ impl Law {
             total += part.sign * value[0];
         }
         Ok(total)
+    }
+
+    /// Whether parts are subtracted.
+    pub(crate) fn is_signed(&self) -> bool {
+        self.parts.iter().any(|part| part.sign < 0.0)
     }
 
     /// The whole law as a density of x.

@@ -1,13 +1,14 @@
-//! A contact model: a name, a source and its laws.
+//! What to write for a model of one asperity: a name, a source and its laws.
 
 use std::fmt;
 
-use crate::{
-    Asperity, Compiled, ContactError, Law, Quantity, Request, Response, Scene, Tolerance, Warning,
-};
+use serde::Serialize;
+
+use crate::{Asperity, ContactError, Law, Quantity, Tolerance, Warning};
 
 /// How well the source of an equation is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Provenance {
     /// Read in public text or code that quotes the paper.
     Seen,
@@ -28,7 +29,7 @@ impl fmt::Display for Provenance {
 }
 
 /// What a model is called, and where it comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Source {
     /// Short name in lower case, as in tables and scene files: `ke`.
     pub id: &'static str,
@@ -44,17 +45,9 @@ pub struct Source {
     pub provenance: Provenance,
 }
 
-/// Which stiffness a model's paper defines.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StiffnessKind {
-    /// -dF/dd: [`Quantity::Stiffness`] is [`Quantity::Tangent`].
-    Tangent,
-    /// An average of asperity stiffnesses, for which the model has a law.
-    OwnLaw,
-}
-
-/// What a model says of its laws; the test-kit holds it to that.
+/// What a model says of its laws; the test-kit holds it to that, where it is no text.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Claims {
     /// The force never falls as the interference grows.
     pub force_monotone: bool,
@@ -63,19 +56,48 @@ pub struct Claims {
     pub hertz_limit: Option<f64>,
     /// Contact normals are spread over angles.
     pub angles: bool,
+    /// What the model is valid for, in a few words; empty where nothing is said.
+    pub valid_for: &'static str,
 }
 
 impl Default for Claims {
     fn default() -> Self {
-        Self { force_monotone: true, hertz_limit: Some(1.0), angles: false }
+        Self { force_monotone: true, hertz_limit: Some(1.0), angles: false, valid_for: "" }
     }
 }
 
-/// A statistical contact model: how one asperity answers, and where that is from.
+impl Claims {
+    /// The force may fall as the interference grows.
+    #[must_use]
+    pub fn not_monotone(self) -> Self {
+        Self { force_monotone: false, ..self }
+    }
+
+    /// Nothing is known of the limit for vanishing interference.
+    #[must_use]
+    pub fn without_hertz_limit(self) -> Self {
+        Self { hertz_limit: None, ..self }
+    }
+
+    /// Contact normals are spread over angles: no limit, and the force may fall.
+    #[must_use]
+    pub fn over_angles() -> Self {
+        Self { force_monotone: false, hertz_limit: None, angles: true, valid_for: "" }
+    }
+
+    /// What the model is valid for, in a few words.
+    #[must_use]
+    pub fn valid_for(self, valid_for: &'static str) -> Self {
+        Self { valid_for, ..self }
+    }
+}
+
+/// A model of one asperity, to be written: its averages over the heights, as a
+/// [`ContactModel`](crate::ContactModel), come with it.
 ///
-/// To add a model, write `source` and `law` (for force and area); tangents, shares and bounds come
-/// from the engine. See the example `own_model` of the crate `asperity`.
-pub trait ContactModel: fmt::Debug + Send + Sync {
+/// Write `source`, and `law` for force and area; tangents, contacts, shares and bounds follow. See
+/// the example `own_model` of the crate `asperity`.
+pub trait AsperityModel: fmt::Debug + Send + Sync {
     /// Its names, and where the model comes from.
     fn source(&self) -> &Source;
 
@@ -89,25 +111,19 @@ pub trait ContactModel: fmt::Debug + Send + Sync {
         self.source().name
     }
 
-    /// The law of one asperity for force \[N\], area \[m²\] or, where
-    /// [`stiffness`](Self::stiffness) is [`StiffnessKind::OwnLaw`], stiffness \[N/m\].
+    /// The law of one asperity for force \[N\], area \[m²\] or, where the model's paper defines
+    /// another stiffness than -dF/dd, stiffness \[N/m\]; `None` for what it has no law of.
     ///
     /// `tolerance` matters only where the law itself is approximated.
     ///
     /// # Errors
-    /// [`ContactError`] when the asperity is outside the model's range or lacks an input, and
-    /// [`ContactError::NoLaw`] for any other quantity.
+    /// [`ContactError`] when the asperity is outside the model's range or lacks an input.
     fn law(
         &self,
         asperity: &Asperity,
         quantity: Quantity,
         tolerance: Tolerance,
-    ) -> Result<Law, ContactError>;
-
-    /// Which stiffness the model's paper defines.
-    fn stiffness(&self) -> StiffnessKind {
-        StiffnessKind::Tangent
-    }
+    ) -> Result<Option<Law>, ContactError>;
 
     /// What the model says of its laws.
     fn claims(&self) -> Claims {
@@ -115,29 +131,7 @@ pub trait ContactModel: fmt::Debug + Send + Sync {
     }
 
     /// What a user of these options should know.
-    fn warnings(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Warning> {
         vec![]
-    }
-
-    /// Prepares a scene for many evaluations: laws for the asked quantities, nothing else.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the input that is out of range or missing.
-    fn compile(&self, scene: &Scene, request: &Request) -> Result<Compiled, ContactError> {
-        Compiled::new(self, scene, request)
-    }
-
-    /// Answers a request.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the input that is out of range or missing, or the integral that
-    /// did not converge.
-    fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
-        self.compile(scene, request)?.respond(request)
-    }
-
-    /// The error of a law this model does not have.
-    fn no_law(&self, quantity: Quantity) -> ContactError {
-        ContactError::NoLaw { model: self.name().into(), quantity }
     }
 }

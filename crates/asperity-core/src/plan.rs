@@ -4,10 +4,16 @@ use std::fmt;
 
 use asperity_quadrature::reach;
 
-use crate::{Compiled, ContactError, HeightDistribution, Part, Quantity, Request};
+use serde::Serialize;
+
+use crate::channel::{Channel, failed};
+use crate::compiled::Compiled;
+use crate::{At, Contact, ContactError, HeightDistribution, Part, Quantity, Request};
 
 /// How an integral over the heights is done.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Method {
     /// Gaussian heights: Gauss rules with the law as their weight, one for each range of separations.
     GaussRules,
@@ -30,7 +36,8 @@ impl fmt::Display for Method {
 }
 
 /// One part of a law in a plan.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PlannedPart {
     /// Name of the part.
     pub name: String,
@@ -43,7 +50,8 @@ pub struct PlannedPart {
 }
 
 /// One integral of a plan.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Step {
     /// Which law is integrated: that of the force for the tangent.
     pub law: Quantity,
@@ -60,7 +68,8 @@ pub struct Step {
 }
 
 /// What a compiled scene does for a request.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Plan {
     /// The model's name.
     pub model: String,
@@ -68,79 +77,76 @@ pub struct Plan {
     pub heights: String,
     /// Relative tolerance.
     pub tolerance: f64,
-    /// Number of separations, and their range.
-    pub separations: (usize, f64, f64),
+    /// How many separations or loads were asked about.
+    pub rows: usize,
+    /// The smallest separation and the largest, as they were asked for.
+    pub range: Option<(At, At)>,
     /// The integrals.
     pub steps: Vec<Step>,
 }
 
 impl Compiled {
-    /// What is done for a request, in numbers; builds what its separations need.
-    ///
-    /// # Errors
-    /// Those of [`evaluate`](Compiled::evaluate).
-    pub fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
-        let mut steps = vec![];
-        for law in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
-            if let Some(step) = self.step(law, request)? {
-                steps.push(step);
-            }
-        }
-        let range =
-            |start: f64, f: fn(f64, f64) -> f64| request.separations.iter().copied().fold(start, f);
+    /// What is done for a request, in numbers; builds what its rows need.
+    pub(crate) fn planned(&self, request: &Request) -> Result<Plan, ContactError> {
+        let places: Vec<f64> = request
+            .at
+            .iter()
+            .map(|at| Ok(self.place(*at)?.s))
+            .collect::<Result<_, ContactError>>()?;
+        let steps = self.channels().iter().map(|channel| self.step(channel, &places));
+        let first = places.iter().zip(&request.at).min_by(|a, b| a.0.total_cmp(b.0));
+        let last = places.iter().zip(&request.at).max_by(|a, b| a.0.total_cmp(b.0));
         Ok(Plan {
             model: self.model().into(),
-            heights: self.heights().name().into(),
+            heights: self.scene().heights.name().into(),
             tolerance: request.tolerance.relative(),
-            separations: (
-                request.separations.len(),
-                range(f64::INFINITY, f64::min),
-                range(f64::NEG_INFINITY, f64::max),
-            ),
-            steps,
+            rows: places.len(),
+            range: first.zip(last).map(|((_, first), (_, last))| (*first, *last)),
+            steps: steps.collect::<Result<_, _>>()?,
         })
     }
 
-    fn step(&self, law: Quantity, request: &Request) -> Result<Option<Step>, ContactError> {
-        let asked = |q: &Quantity| self.law_behind(*q) == Some(law);
-        let quantities: Vec<Quantity> = self.quantities().iter().copied().filter(asked).collect();
-        let Some(&first) = quantities.first() else { return Ok(None) };
+    fn step(&self, channel: &Channel, places: &[f64]) -> Result<Step, ContactError> {
+        let law = channel.base;
+        let comes_of = |q: &Quantity| self.bases(*q).contains(&law);
+        let quantities = self.quantities().iter().copied().filter(comes_of).collect();
         let mut nodes: Option<(usize, usize)> = None;
         let mut farthest: f64 = 0.0;
-        for &s in &request.separations {
-            self.evaluate(first, s)?;
-            if let Some(n) = self.nodes(first, s)? {
+        for &s in places {
+            let failed = failed(law, s.into());
+            channel.total.value(s).map_err(&failed)?;
+            if let Some(n) = channel.total.nodes(s).map_err(&failed)? {
                 let (least, most) = nodes.unwrap_or((n, n));
                 nodes = Some((least.min(n), most.max(n)));
             }
             farthest = farthest.max(reach(s));
         }
-        let method = match self.heights() {
+        let method = match self.scene().heights {
             HeightDistribution::Gaussian => Method::GaussRules,
             HeightDistribution::Exponential => Method::OneIntegral,
             HeightDistribution::Other(_) => Method::Panels,
         };
-        let scale = self.scale(first)?;
         // Beyond the reach, the Gaussian is below 1e-20 of its largest value.
-        let out_of_reach =
-            |part: &Part| method == Method::GaussRules && part.range.start * scale > farthest;
+        let out_of_reach = |part: &Part| {
+            method == Method::GaussRules && part.range.start * channel.units.scale > farthest
+        };
         let planned = |part: &Part| PlannedPart {
             name: part.name.to_string(),
             form: part.form.describe().into(),
             dropped: out_of_reach(part).then_some(1e-20),
         };
-        let parts = self.law(first)?.parts.iter().map(planned).collect();
-        let samples = self.samples(first)?;
-        Ok(Some(Step { law, quantities, method, parts, nodes, samples }))
+        let parts = channel.law.parts.iter().map(planned).collect();
+        Ok(Step { law, quantities, method, parts, nodes, samples: channel.total.samples() })
     }
 }
 
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (count, low, high) = self.separations;
-        write!(f, "{}, {} heights, {count} separations", self.model, self.heights)?;
-        if count > 0 {
-            write!(f, " from {low} to {high}")?;
+        write!(f, "{}, {} heights, ", self.model, self.heights)?;
+        match self.range {
+            Some((only, last)) if only == last => write!(f, "{only}")?,
+            Some((first, last)) => write!(f, "{} rows from {first} to {last}", self.rows)?,
+            None => f.write_str("no rows")?,
         }
         writeln!(f, ", relative tolerance {:e}", self.tolerance)?;
         for step in &self.steps {

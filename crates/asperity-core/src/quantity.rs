@@ -1,15 +1,27 @@
-//! What can be asked of a contact, and how accurately.
+//! What can be asked of a contact.
 
 use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
+use strsim::osa_distance;
 
-use crate::ContactError;
+use crate::{ContactError, Regime};
 
-/// A quantity of the whole contact.
+/// A quantity of the whole contact, by the name users ask for it.
+///
+/// ```
+/// use asperity_core::Quantity;
+///
+/// let quantity: Quantity = "mean-pressure".parse()?;
+/// assert_eq!((quantity.to_string().as_str(), quantity.unit()), ("mean-pressure", "Pa"));
+/// let mistyped = "stifness".parse::<Quantity>().unwrap_err().to_string();
+/// assert!(mistyped.contains("did you mean \"stiffness\"?"));
+/// # Ok::<(), asperity_core::ContactError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Quantity {
     /// Normal contact force \[N\].
     Force,
@@ -20,89 +32,122 @@ pub enum Quantity {
     Stiffness,
     /// -dF/dd \[N/m\], jumps of the law included.
     Tangent,
+    /// Force over nominal area \[Pa\].
+    Pressure,
+    /// Real over nominal area.
+    AreaFraction,
+    /// Number of asperities that touch: η A_n ∫ g(d + w) dw, the same for every model.
+    Contacts,
+    /// Force over real area \[Pa\].
+    MeanPressure,
+    /// Natural logarithm of the absolute force in newtons, also where the force underflows.
+    LnForce,
+    /// Natural logarithm of the absolute area in square metres.
+    LnArea,
+    /// Share of the force that elastic asperities carry; signed where a model subtracts a part.
+    ElasticShare,
+    /// Share of the force that elastic-plastic asperities carry.
+    ElasticPlasticShare,
+    /// Share of the force that plastic asperities carry.
+    PlasticShare,
 }
 
 impl Quantity {
     /// All quantities.
-    pub const ALL: [Self; 4] = [Self::Force, Self::Area, Self::Stiffness, Self::Tangent];
+    pub const ALL: [Self; 13] = [
+        Self::Force,
+        Self::Area,
+        Self::Stiffness,
+        Self::Tangent,
+        Self::Pressure,
+        Self::AreaFraction,
+        Self::Contacts,
+        Self::MeanPressure,
+        Self::LnForce,
+        Self::LnArea,
+        Self::ElasticShare,
+        Self::ElasticPlasticShare,
+        Self::PlasticShare,
+    ];
 
-    /// SI unit: `N`, `m2` or `N_per_m`, as in the heads of tables.
+    /// SI unit, as in the heads of tables; empty for pure numbers.
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
             Self::Force => "N",
             Self::Area => "m2",
-            Self::Stiffness | Self::Tangent => "N_per_m",
+            Self::Stiffness | Self::Tangent => "N/m",
+            Self::Pressure | Self::MeanPressure => "Pa",
+            Self::LnForce => "ln N",
+            Self::LnArea => "ln m2",
+            _ => "",
+        }
+    }
+
+    /// Its column in a table, unit included: `force_N`, `tangent_N_per_m`, `contacts`.
+    #[must_use]
+    pub fn column(self) -> String {
+        let (name, unit) = (self.to_string().replace('-', "_"), self.unit().replace('/', "_per_"));
+        match unit.as_str() {
+            "" => name,
+            unit => format!("{name}_{}", unit.replace(' ', "_")),
+        }
+    }
+
+    /// Whether its errors and deviations are differences: those of logarithms and shares are.
+    #[must_use]
+    pub fn is_absolute(self) -> bool {
+        matches!(self, Self::LnForce | Self::LnArea) || self.regime().is_some()
+    }
+
+    /// The regime whose share it is.
+    #[must_use]
+    pub fn regime(self) -> Option<Regime> {
+        match self {
+            Self::ElasticShare => Some(Regime::Elastic),
+            Self::ElasticPlasticShare => Some(Regime::ElasticPlastic),
+            Self::PlasticShare => Some(Regime::Plastic),
+            _ => None,
         }
     }
 }
 
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        f.pad(match self {
             Self::Force => "force",
             Self::Area => "area",
             Self::Stiffness => "stiffness",
             Self::Tangent => "tangent",
+            Self::Pressure => "pressure",
+            Self::AreaFraction => "area-fraction",
+            Self::Contacts => "contacts",
+            Self::MeanPressure => "mean-pressure",
+            Self::LnForce => "ln-force",
+            Self::LnArea => "ln-area",
+            Self::ElasticShare => "elastic-share",
+            Self::ElasticPlasticShare => "elastic-plastic-share",
+            Self::PlasticShare => "plastic-share",
         })
-    }
-}
-
-/// A relative tolerance, from 1e-15 to 0.1.
-///
-/// The error of every value is below it; where a law has negative parts (the printed AT sum) it
-/// is relative to the integral of the law's absolute value.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
-#[serde(try_from = "f64", into = "f64")]
-pub struct Tolerance(f64);
-
-impl Tolerance {
-    /// # Errors
-    /// [`ContactError::OutOfRange`] unless 1e-15 ≤ `relative` ≤ 0.1.
-    pub fn new(relative: f64) -> Result<Self, ContactError> {
-        if (1e-15..=0.1).contains(&relative) {
-            Ok(Self(relative))
-        } else {
-            let required = "a relative tolerance from 1e-15 to 0.1";
-            Err(ContactError::OutOfRange { field: "tolerance", value: relative, required })
-        }
-    }
-
-    /// The number.
-    #[must_use]
-    pub fn relative(self) -> f64 {
-        self.0
-    }
-}
-
-impl Default for Tolerance {
-    /// 1e-10.
-    fn default() -> Self {
-        Self(1e-10)
-    }
-}
-
-impl TryFrom<f64> for Tolerance {
-    type Error = ContactError;
-    fn try_from(relative: f64) -> Result<Self, ContactError> {
-        Self::new(relative)
-    }
-}
-
-impl From<Tolerance> for f64 {
-    fn from(tolerance: Tolerance) -> Self {
-        tolerance.0
     }
 }
 
 impl FromStr for Quantity {
-    type Err = String;
+    type Err = ContactError;
 
-    /// Reads the names that [`Display`](fmt::Display) writes.
-    fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|q| q.to_string() == text).ok_or_else(|| {
-            format!("{text:?} is no quantity: force, area, stiffness or tangent was required")
-        })
+    /// Reads the names that [`Display`](fmt::Display) writes, in any case.
+    fn from_str(name: &str) -> Result<Self, ContactError> {
+        let wanted = name.trim().to_lowercase().replace('_', "-");
+        let distance = |quantity: &Self| osa_distance(&wanted, &quantity.to_string());
+        let near = Self::ALL.into_iter().map(|q| (distance(&q), q)).min();
+        match near {
+            Some((0, quantity)) => Ok(quantity),
+            _ => Err(ContactError::UnknownQuantity {
+                name: name.into(),
+                near: near.filter(|(far, _)| *far <= 2).map(|(_, q)| q),
+                known: Self::ALL.map(|q| q.to_string()).join(", "),
+            }),
+        }
     }
 }
 
@@ -111,19 +156,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn tolerances_outside_their_range_are_refused_by_name() {
-        for bad in [0.0, -1.0, 0.2, 1e-16, f64::NAN, f64::INFINITY] {
-            let message = Tolerance::new(bad).unwrap_err().to_string();
-            assert!(message.starts_with("tolerance is") && message.contains("1e-15"), "{message}");
-        }
-        assert!(serde_json::from_str::<Tolerance>("0").is_err());
-    }
-
-    #[test]
-    fn names_read_back() {
+    fn names_read_back_and_are_those_of_serde() {
         for quantity in Quantity::ALL {
-            assert_eq!(quantity.to_string().parse(), Ok(quantity));
+            let name = quantity.to_string();
+            assert_eq!(name.parse(), Ok(quantity));
+            assert_eq!(name.to_uppercase().replace('-', "_").parse(), Ok(quantity));
+            assert_eq!(serde_json::to_string(&quantity).unwrap(), format!("{name:?}"));
         }
-        assert!("Force".parse::<Quantity>().is_err());
+        assert_eq!(Quantity::Tangent.column(), "tangent_N_per_m");
+        assert_eq!(Quantity::AreaFraction.column(), "area_fraction");
+        assert_eq!(Quantity::LnForce.column(), "ln_force_ln_N");
+        let far = "wear-rate".parse::<Quantity>().unwrap_err().to_string();
+        assert!(far.contains("force, area") && !far.contains("mean \""), "{far}");
     }
 }

@@ -1,36 +1,64 @@
 //! What comes back.
 
-use rayon::prelude::*;
+use serde::Serialize;
 
-use crate::{Compiled, ContactError, Evaluation, Quantity, Request, Share, Warning};
+use crate::{At, ContactError, Evaluation, Quantity, Request, Scene, Share, Warning, Warnings};
 
-/// Fewer separations than this are evaluated on the calling thread: handing them out costs more.
-const PARALLEL_FROM: usize = 2048;
-
-/// The values of one quantity.
-#[derive(Debug, Clone, PartialEq)]
+/// The values of one quantity, in the order of the request's places.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Column {
     /// The quantity.
     pub quantity: Quantity,
-    /// In SI units, in the order of the separations; 0 only below the smallest double.
-    pub values: Vec<f64>,
+    /// One for each row: a value, or why there is none.
+    pub rows: Vec<Result<Evaluation, Box<ContactError>>>,
+    /// Shares of the parts of the law, if they were asked for: one list for each row, or why there
+    /// is none.
+    pub shares: Option<Vec<Result<Vec<Share>, Box<ContactError>>>>,
+}
+
+impl Column {
+    /// The values in SI units; 0 only below the smallest double.
+    ///
+    /// # Errors
+    /// The first reason why a row has no value.
+    pub fn values(&self) -> Result<Vec<f64>, ContactError> {
+        self.each(Evaluation::value)
+    }
+
     /// Logarithms of the absolute values, also where the values underflow.
-    pub ln_values: Vec<f64>,
-    /// Bounds on the relative errors, if they were asked for.
-    pub bounds: Option<Vec<f64>>,
-    /// Shares of the parts of the law, if they were asked for.
-    pub shares: Option<Vec<Vec<Share>>>,
+    ///
+    /// # Errors
+    /// The first reason why a row has no value.
+    pub fn ln_values(&self) -> Result<Vec<f64>, ContactError> {
+        self.each(Evaluation::ln_value)
+    }
+
+    /// Bounds on the errors: relative, but differences for logarithms and shares.
+    ///
+    /// # Errors
+    /// The first reason why a row has no value.
+    pub fn bounds(&self) -> Result<Vec<f64>, ContactError> {
+        self.each(|evaluation| evaluation.bound(self.quantity))
+    }
+
+    fn each(&self, f: impl Fn(&Evaluation) -> f64) -> Result<Vec<f64>, ContactError> {
+        let of = |row: &Result<Evaluation, Box<ContactError>>| match row {
+            Ok(evaluation) => Ok(f(evaluation)),
+            Err(error) => Err((**error).clone()),
+        };
+        self.rows.iter().map(of).collect()
+    }
 }
 
 /// An answered request.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Response {
     /// The model's name.
     pub model: String,
-    /// Separations d/σ_z, as asked.
-    pub separations: Vec<f64>,
-    /// σ_z \[m\].
-    pub asperity_height_std: f64,
+    /// Where it was asked about, as asked.
+    pub at: Vec<At>,
     /// The quantities, in the order of the request.
     pub columns: Vec<Column>,
     /// What deserves a word; the values stand.
@@ -41,9 +69,9 @@ impl Response {
     /// The values of a quantity, in SI units.
     ///
     /// # Errors
-    /// [`ContactError::NotRequested`].
-    pub fn values(&self, quantity: Quantity) -> Result<&[f64], ContactError> {
-        Ok(&self.column(quantity)?.values)
+    /// [`ContactError::NotRequested`], and the first reason why a row has no value.
+    pub fn values(&self, quantity: Quantity) -> Result<Vec<f64>, ContactError> {
+        self.column(quantity)?.values()
     }
 
     /// Everything there is of a quantity.
@@ -56,64 +84,44 @@ impl Response {
     }
 }
 
-impl Compiled {
-    /// Answers the request for the quantities this scene was compiled for.
-    ///
-    /// Long lists of separations are evaluated on all cores; the digits do not depend on it.
-    ///
-    /// # Errors
-    /// Those of [`evaluate`](Compiled::evaluate).
-    pub fn respond(&self, request: &Request) -> Result<Response, ContactError> {
-        let mut warnings = self.warnings().to_vec();
-        let mut columns = Vec::with_capacity(request.quantities.len());
-        for &quantity in &request.quantities {
-            let column = self.column(quantity, request)?;
-            warnings.extend(self.negative(&column, &request.separations));
-            columns.push(column);
+/// Values of one row, quantity by quantity.
+pub(crate) type Row = Vec<Result<Evaluation, Box<ContactError>>>;
+
+/// Rows that are held before they become columns.
+const TOGETHER: usize = 8192;
+
+/// Puts rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
+/// or share hides, where it may be negative.
+pub(crate) fn respond(
+    (model, scene): (&str, &Scene),
+    request: &Request,
+    rows: impl Fn(&[At]) -> Vec<Row>,
+    shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
+    behind: impl Fn(Quantity, At) -> Option<f64>,
+) -> Response {
+    let new = |quantity: &Quantity| {
+        let rows = Vec::with_capacity(request.at.len());
+        Column { quantity: *quantity, rows, shares: None }
+    };
+    let mut columns: Vec<Column> = request.quantities.iter().map(new).collect();
+    for places in request.at.chunks(TOGETHER) {
+        for row in rows(places) {
+            for (column, value) in columns.iter_mut().zip(row) {
+                column.rows.push(value);
+            }
         }
-        Ok(Response {
-            model: self.model().into(),
-            separations: request.separations.clone(),
-            asperity_height_std: self.asperity_height_std(),
-            columns,
-            warnings,
-        })
     }
-
-    fn column(&self, quantity: Quantity, request: &Request) -> Result<Column, ContactError> {
-        let evaluate = |s: &f64| self.evaluate(quantity, *s);
-        let separations = &request.separations;
-        let evaluations: Vec<Evaluation> = if separations.len() < PARALLEL_FROM {
-            separations.iter().map(evaluate).collect::<Result<_, _>>()?
-        } else {
-            separations.par_iter().with_min_len(512).map(evaluate).collect::<Result<_, _>>()?
-        };
-        let shares = if request.shares {
-            let shares = separations.iter().map(|s| self.shares(quantity, *s));
-            Some(shares.collect::<Result<Vec<_>, _>>()?)
-        } else {
-            None
-        };
-        Ok(Column {
-            quantity,
-            values: evaluations.iter().map(Evaluation::value).collect(),
-            ln_values: evaluations.iter().map(Evaluation::ln_value).collect(),
-            bounds: request
-                .bounds
-                .then(|| evaluations.iter().map(Evaluation::relative_error).collect()),
-            shares,
-        })
+    let mut seen = Warnings::default();
+    for column in &mut columns {
+        let quantity = column.quantity;
+        for (row, &at) in column.rows.iter().zip(&request.at) {
+            let row = row.as_ref().map_err(|error| &**error);
+            seen.look_at(model, quantity, row, at, scene, |of| behind(of, at));
+        }
+        if request.shares {
+            let of = |at: &At| shares(column.quantity, *at).map_err(Box::new);
+            column.shares = Some(request.at.iter().map(of).collect());
+        }
     }
-
-    fn negative(&self, column: &Column, separations: &[f64]) -> Option<Warning> {
-        let negative = column.values.iter().zip(separations).filter(|(value, _)| **value < 0.0);
-        let (value, separation) = negative.clone().next()?;
-        Some(Warning::Negative {
-            model: self.model().into(),
-            quantity: column.quantity,
-            count: negative.count(),
-            separation: *separation,
-            value: *value,
-        })
-    }
+    Response { model: model.into(), at: request.at.clone(), columns, warnings: seen.into_vec() }
 }

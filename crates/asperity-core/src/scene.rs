@@ -8,6 +8,7 @@ use crate::{Asperity, ContactError, HeightDistribution, Interface, Surface};
 /// Two bodies, their equivalent rough surface, and how much of it there is.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Scene {
     /// The two bodies.
     pub interface: Interface,
@@ -18,13 +19,18 @@ pub struct Scene {
     /// How the asperity heights are spread; Gaussian unless said.
     #[serde(default)]
     pub heights: HeightDistribution,
+    /// How far the mean of the asperity heights lies above the mean plane of the surface \[m\],
+    /// where it was measured; that of an isotropic Gaussian surface unless said.
+    #[serde(default)]
+    pub mean_plane_offset: Option<f64>,
 }
 
 impl Scene {
     /// A scene with Gaussian heights.
     #[must_use]
     pub fn new(interface: Interface, surface: Surface, nominal_area: f64) -> Self {
-        Self { interface, surface, nominal_area, heights: HeightDistribution::Gaussian }
+        let heights = HeightDistribution::Gaussian;
+        Self { interface, surface, nominal_area, heights, mean_plane_offset: None }
     }
 
     /// Checks every field; returns one asperity of the surface.
@@ -40,7 +46,20 @@ impl Scene {
     pub(crate) fn check_surface(&self) -> Result<(), ContactError> {
         self.surface.check()?;
         positive("nominal_area", self.nominal_area)?;
+        match self.mean_plane_offset {
+            Some(value) if !value.is_finite() => {
+                let (field, required) = ("mean_plane_offset", "a finite number");
+                return Err(ContactError::OutOfRange { field, value, required });
+            }
+            _ => {}
+        }
         Ok(())
+    }
+
+    /// How far the mean of the asperity heights lies above the mean plane of the surface \[m\].
+    #[must_use]
+    pub fn mean_plane_offset(&self) -> f64 {
+        self.mean_plane_offset.unwrap_or_else(|| self.surface.mean_plane_offset())
     }
 
     /// η A_n, the number of asperities.

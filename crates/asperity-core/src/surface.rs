@@ -15,6 +15,7 @@ const BANDWIDTH_LOSS: f64 = 0.896_805_8;
 /// Asperities of one radius on a nominally flat surface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Surface {
     /// R \[m\], > 0: 1/R = 1/R₁ + 1/R₂ of the two surfaces' asperities.
     pub asperity_radius: f64,

@@ -4,7 +4,7 @@ use std::fmt;
 
 use asperity_quadrature::{Sampler, legendre};
 
-use crate::{Asperity, ContactError, ContactModel, Law, Part, Quantity, StiffnessKind, Tolerance};
+use crate::{Asperity, AsperityModel, ContactError, ContactModel, Law, Part, Quantity, Tolerance};
 
 /// Something wrong with a law.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,17 +84,18 @@ const POINTS: i32 = 1400;
 ///
 /// # Errors
 /// What the model itself refuses, as for an asperity outside its range.
-pub fn check<M: ContactModel + ?Sized>(
-    model: &M,
+pub fn check(
+    model: &(impl ContactModel + ?Sized),
     asperity: &Asperity,
 ) -> Result<Vec<Finding>, ContactError> {
+    let Some(model) = model.asperity_model() else {
+        let (model, quantity) = (model.name().into(), Quantity::Force);
+        return Err(ContactError::NoLaw { model, quantity });
+    };
     let tolerance = Tolerance::new(1e-10)?;
     let mut findings = vec![];
     for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
-        if quantity == Quantity::Stiffness && model.stiffness() == StiffnessKind::Tangent {
-            continue;
-        }
-        let law = model.law(asperity, quantity, tolerance)?;
+        let Some(law) = model.law(asperity, quantity, tolerance)? else { continue };
         if quantity != Quantity::Stiffness {
             vanishes(quantity, &law, &mut findings);
         }
@@ -138,12 +139,7 @@ fn bad_values(quantity: Quantity, part: &Part, findings: &mut Vec<Finding>) {
     }
 }
 
-fn claims<M: ContactModel + ?Sized>(
-    model: &M,
-    asperity: &Asperity,
-    law: &Law,
-    findings: &mut Vec<Finding>,
-) {
+fn claims(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &mut Vec<Finding>) {
     let claims = model.claims();
     if claims.force_monotone {
         // A law may be flat; rounding may not count as falling.
@@ -221,7 +217,7 @@ mod tests {
     #[derive(Debug)]
     struct Mine(fn() -> Law);
 
-    impl ContactModel for Mine {
+    impl AsperityModel for Mine {
         fn source(&self) -> &Source {
             &SOURCE
         }
@@ -230,14 +226,14 @@ mod tests {
             asperity: &Asperity,
             quantity: Quantity,
             _: Tolerance,
-        ) -> Result<Law, ContactError> {
+        ) -> Result<Option<Law>, ContactError> {
             let unit = match quantity {
                 Quantity::Force => {
                     4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.powi(2)
                 }
                 _ => 1.0,
             };
-            Ok(Law { interference_unit: asperity.radius, value_unit: unit, ..(self.0)() })
+            Ok(Some(Law { interference_unit: asperity.radius, value_unit: unit, ..(self.0)() }))
         }
     }
 

@@ -2,10 +2,13 @@
 
 use std::fmt;
 
-use crate::Quantity;
+use serde::Serialize;
+
+use crate::{At, ContactError, Evaluation, Quantity, Scene};
 
 /// Something a user should know of an answer. The answer stands.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "code", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Warning {
     /// A total is negative because the model subtracts a part of its law (AT as printed).
@@ -14,10 +17,10 @@ pub enum Warning {
         model: String,
         /// The quantity.
         quantity: Quantity,
-        /// At how many of the asked separations.
+        /// In how many rows.
         count: usize,
-        /// The first of these separations, over σ_z.
-        separation: f64,
+        /// Where first, as it was asked.
+        at: At,
         /// The value there, in SI units.
         value: f64,
     },
@@ -28,10 +31,10 @@ pub enum Warning {
         model: String,
         /// The quantity.
         quantity: Quantity,
-        /// At how many of the asked separations.
+        /// In how many rows.
         count: usize,
-        /// The first of these separations, over σ_z.
-        separation: f64,
+        /// Where first, as it was asked.
+        at: At,
         /// Natural logarithm of the absolute value there.
         ln_value: f64,
     },
@@ -40,10 +43,10 @@ pub enum Warning {
     AreaAboveNominal {
         /// The model.
         model: String,
-        /// At how many of the asked separations.
+        /// In how many rows.
         count: usize,
-        /// The first of these separations, over σ_z.
-        separation: f64,
+        /// Where first, as it was asked.
+        at: At,
         /// Real over nominal area there.
         fraction: f64,
     },
@@ -51,10 +54,10 @@ pub enum Warning {
     NoContact {
         /// The model.
         model: String,
-        /// At how many of the asked separations.
+        /// In how many rows.
         count: usize,
-        /// The first of these separations, over σ_z.
-        separation: f64,
+        /// Where first, as it was asked.
+        at: At,
     },
     /// The angle density that a model's paper prints is negative for some directions. No result
     /// depends on the terms that make it so.
@@ -69,27 +72,144 @@ pub enum Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Negative { model, quantity, count, separation, value } => write!(
+            Self::Negative { model, quantity, count, at, value } => write!(
                 f,
-                "{model}: the {quantity} is negative at {count} of the separations, first at {separation} asperity_height_std ({value:.4e} {}): the model subtracts more than it adds there",
+                "{model}: the {quantity} is negative in {}, first at {at} ({value:.4e} {}): the model subtracts more than it adds there",
+                rows(*count),
                 quantity.unit()
             ),
-            Self::Underflow { model, quantity, count, separation, ln_value } => write!(
+            Self::Underflow { model, quantity, count, at, ln_value } => write!(
                 f,
-                "{model}: the {quantity} is too small for a double at {count} of the separations, first at {separation} asperity_height_std, and reads 0 there: its natural logarithm is {ln_value:.6}"
+                "{model}: the {quantity} is too small for a double in {}, first at {at}, and reads 0 there: its natural logarithm is {ln_value:.6}",
+                rows(*count)
             ),
-            Self::AreaAboveNominal { model, count, separation, fraction } => write!(
+            Self::AreaAboveNominal { model, count, at, fraction } => write!(
                 f,
-                "{model}: the area is above the nominal area at {count} of the separations, first at {separation} asperity_height_std ({fraction:.4} times): asperities that do not feel each other cannot describe this"
+                "{model}: the area is above the nominal area in {}, first at {at} ({fraction:.4} times): asperities that do not feel each other cannot describe this",
+                rows(*count)
             ),
-            Self::NoContact { model, count, separation } => write!(
+            Self::NoContact { model, count, at } => write!(
                 f,
-                "{model}: no asperity touches at {count} of the separations, first at {separation} asperity_height_std: shares and the mean pressure have no value there"
+                "{model}: no asperity touches in {}, first at {at}: logarithms, shares and the mean pressure have no value there",
+                rows(*count)
             ),
             Self::NegativeAngleDensity { model, minimum } => write!(
                 f,
                 "{model}: the angle density falls to 4 pi psi = {minimum:.5}; its a21 and b21 terms average out and change no result"
             ),
         }
+    }
+}
+
+fn rows(count: usize) -> String {
+    if count == 1 { "1 row".into() } else { format!("{count} rows") }
+}
+
+/// What is odd about values as they come: each cause once, whatever quantity shows it.
+#[derive(Debug, Clone, Default)]
+pub struct Warnings(Vec<(Option<Quantity>, Warning)>);
+
+impl Warnings {
+    /// Looks at one value, or at why there is none. `behind` tells the value whose sign a logarithm
+    /// or share hides, where it may be negative.
+    pub fn look_at(
+        &mut self,
+        model: &str,
+        quantity: Quantity,
+        row: Result<&Evaluation, &ContactError>,
+        at: At,
+        scene: &Scene,
+        behind: impl FnOnce(Quantity) -> Option<f64>,
+    ) {
+        let name = || model.to_string();
+        let evaluation = match row {
+            Ok(evaluation) => evaluation,
+            Err(ContactError::NoValue { .. }) => {
+                return self.count(quantity, Warning::NoContact { model: name(), count: 1, at });
+            }
+            Err(_) => return,
+        };
+        let value = evaluation.value();
+        let (of, signed) = match quantity.is_absolute() {
+            true => (cause_of(quantity), behind(cause_of(quantity)).unwrap_or(0.0)),
+            false => (quantity, value),
+        };
+        if signed < 0.0 {
+            let (model, value) = (name(), signed);
+            let new = Warning::Negative { model, quantity: of, count: 1, at, value };
+            self.count(quantity, new);
+        }
+        if value == 0.0 && evaluation.scaled != 0.0 && !quantity.is_absolute() {
+            let (model, ln_value) = (name(), evaluation.ln_value());
+            self.count(quantity, Warning::Underflow { model, quantity, count: 1, at, ln_value });
+        }
+        let nominal = if quantity == Quantity::Area { scene.nominal_area } else { 1.0 };
+        if matches!(quantity, Quantity::Area | Quantity::AreaFraction) && value > nominal {
+            let (model, fraction) = (name(), value / nominal);
+            self.count(quantity, Warning::AreaAboveNominal { model, count: 1, at, fraction });
+        }
+    }
+
+    /// Adds what was odd about the rows that follow.
+    pub fn append(&mut self, following: impl IntoIterator<Item = Warning>) {
+        for mut new in following {
+            match self.0.iter_mut().find(|(_, known)| known.cause() == new.cause()) {
+                Some((_, known)) => known.add(&mut new),
+                None => self.0.push((None, new)),
+            }
+        }
+    }
+
+    /// What another quantity has shown is not counted again.
+    fn count(&mut self, shown_by: Quantity, mut new: Warning) {
+        match self.0.iter_mut().find(|(_, known)| known.cause() == new.cause()) {
+            Some((by, known)) if *by == Some(shown_by) => known.add(&mut new),
+            Some(_) => {}
+            None => self.0.push((Some(shown_by), new)),
+        }
+    }
+
+    /// All of it, in the order in which it was seen.
+    #[must_use]
+    pub fn into_vec(self) -> Vec<Warning> {
+        self.0.into_iter().map(|(_, warning)| warning).collect()
+    }
+}
+
+impl Warning {
+    /// In how many rows it was seen, where that is counted.
+    fn rows(&mut self) -> Option<&mut usize> {
+        match self {
+            Self::Negative { count, .. }
+            | Self::Underflow { count, .. }
+            | Self::AreaAboveNominal { count, .. }
+            | Self::NoContact { count, .. } => Some(count),
+            Self::NegativeAngleDensity { .. } => None,
+        }
+    }
+
+    fn add(&mut self, other: &mut Self) {
+        if let (Some(count), Some(more)) = (self.rows(), other.rows()) {
+            *count += *more;
+        }
+    }
+
+    /// What tells it from others.
+    fn cause(&self) -> (std::mem::Discriminant<Self>, Option<Quantity>) {
+        let quantity = match self {
+            Self::Negative { quantity, .. } | Self::Underflow { quantity, .. } => Some(*quantity),
+            _ => None,
+        };
+        (std::mem::discriminant(self), quantity.map(cause_of))
+    }
+}
+
+/// The quantity whose sign and size another one shares.
+fn cause_of(quantity: Quantity) -> Quantity {
+    match quantity {
+        Quantity::AreaFraction | Quantity::LnArea => Quantity::Area,
+        Quantity::Pressure | Quantity::LnForce | Quantity::MeanPressure => Quantity::Force,
+        quantity if quantity.regime().is_some() => Quantity::Force,
+        quantity => quantity,
     }
 }

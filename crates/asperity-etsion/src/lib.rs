@@ -22,11 +22,11 @@
 //!
 //! # Example
 //! ```
-//! use asperity_core::{Asperity, ContactModel, Interface, Quantity, Tolerance};
+//! use asperity_core::{Asperity, AsperityModel, Interface, Quantity, Tolerance};
 //! use asperity_etsion::EtsionKligermanKadin;
 //!
 //! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
-//! let force = EtsionKligermanKadin.law(&asperity, Quantity::Force, Tolerance::default())?;
+//! let force = EtsionKligermanKadin.law(&asperity, Quantity::Force, Tolerance::default())?.unwrap();
 //! let (w, f) = (asperity.critical_interference()?, asperity.critical_force()?);
 //! assert!((force.value(2.0 * w).unwrap() / f - 2.32).abs() < 1e-12);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -35,12 +35,13 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, Claims, ContactError, ContactModel, Law, Power, Provenance, Quantity, Source,
+    Asperity, AsperityModel, Claims, ContactError, Law, Power, Provenance, Quantity, Source,
     Tolerance,
 };
+use serde::{Deserialize, Serialize};
 
 /// The model of Etsion, Kligerman and Kadin, loading.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct EtsionKligermanKadin;
 
 const SOURCE: Source = Source {
@@ -52,7 +53,7 @@ const SOURCE: Source = Source {
     provenance: Provenance::Recalled,
 };
 
-impl ContactModel for EtsionKligermanKadin {
+impl AsperityModel for EtsionKligermanKadin {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -62,25 +63,27 @@ impl ContactModel for EtsionKligermanKadin {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let critical = asperity.critical_interference()?;
         let fit = |c, p| [Power::new(1.0, 0.0), Power::from_origin(c, 1.0, p)];
         let beyond = 170.0..f64::INFINITY;
-        match quantity {
-            Quantity::Force => Ok(Law::in_units(critical, asperity.critical_force()?)
+        Ok(Some(match quantity {
+            Quantity::Force => Law::in_units(critical, asperity.critical_force()?)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
                 .elastic_plastic(1.0..170.0, fit(1.32, 1.27))
-                .plastic(beyond, [Power::new(3.0 / asperity.pressure_factor, 1.0)])),
-            Quantity::Area => Ok(Law::in_units(critical, PI * asperity.radius * critical)
+                .plastic(beyond, [Power::new(3.0 / asperity.pressure_factor, 1.0)]),
+            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
                 .elastic_plastic(1.0..170.0, fit(1.19, 1.1))
-                .plastic(beyond, [Power::new(2.0, 1.0)])),
-            _ => Err(self.no_law(quantity)),
-        }
+                .plastic(beyond, [Power::new(2.0, 1.0)]),
+            _ => return Ok(None),
+        }))
     }
 
     fn claims(&self) -> Claims {
         // Whether the step at x = 170 rises or falls depends on S.
-        Claims { force_monotone: false, ..Claims::default() }
+        Claims::default()
+            .not_monotone()
+            .valid_for("w_c < R, loading; fitted to finite elements up to 170 w_c, plastic beyond")
     }
 }

@@ -6,12 +6,13 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
-    AngleDensity, Asperity, Claims, ContactError, Law, Part, Quantity, Regime, Tolerance, Warning,
-    angle_average, angle_average_of_powers,
+    Asperity, Claims, ContactError, Law, Part, Quantity, Regime, Tolerance, Warning,
 };
 use serde::{Deserialize, Serialize};
 
-use crate::{NormalLaw, ObliqueSlip, Response};
+use crate::{
+    AngleDensity, NormalLaw, ObliqueSlip, Response, angle_average, angle_average_of_powers,
+};
 
 /// The tangential displacements ζ* and ξ* of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -87,12 +88,12 @@ impl LateralOptions {
     /// What a lateral model with these options says of its laws.
     #[must_use]
     pub fn claims(&self) -> Claims {
-        Claims { force_monotone: false, hertz_limit: None, angles: true }
+        Claims::over_angles()
     }
 
     /// What a user of these options should know.
     #[must_use]
-    pub fn warnings(&self, model: &str) -> Vec<Warning> {
+    pub fn notes(&self, model: &str) -> Vec<Warning> {
         let minimum = self.angle_density.minimum();
         let warning = Warning::NegativeAngleDensity { model: model.into(), minimum };
         if minimum < 0.0 { vec![warning] } else { vec![] }
@@ -152,7 +153,7 @@ impl Lateral {
             Quantity::Force => self.critical_force,
             Quantity::Area => PI * self.radius * self.critical,
             Quantity::Stiffness => self.critical_force / self.critical,
-            Quantity::Tangent => return None,
+            _ => return None,
         };
         Some(Law::in_units(self.critical, unit))
     }
@@ -179,7 +180,7 @@ impl Lateral {
         let response = match quantity {
             Quantity::Force => Some(Response::Force(force)),
             Quantity::Area => None,
-            Quantity::Stiffness | Quantity::Tangent => Some(Response::Stiffness),
+            _ => Some(Response::Stiffness),
         };
         let no_push = displacement == Displacement::None && force == ForceComponent::Size;
         let (form, kinks) = match response {

@@ -8,7 +8,7 @@
 //! I[f; a, b] = ∫ dθ/2π ∫₀¹ du ψ(u) ∫ f(x, u, θ) g(z) dz     over a ≤ x u < b
 //! ```
 //! N, A*, K_n and r are in [`NormalLaw`], stick and slip in [`ObliqueSlip`], the angle density in
-//! [`asperity_core::AngleDensity`]. f depends on the height through x only, so the angle average comes first and
+//! [`AngleDensity`]. f depends on the height through x only, so the angle average comes first and
 //! leaves an ordinary law q(x) with kinks at x = 1 and 110 and where slip begins.
 //!
 //! The stiffness is the paper's average of K_i. It is not -dF/dd: ask for the tangent for that.
@@ -38,21 +38,28 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+mod angles;
+mod average;
+mod azimuth;
 mod lateral;
 mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, Claims, ContactError, ContactModel, Law, Provenance, Quantity, Regime, Source,
-    StiffnessKind, Tolerance, Warning,
+    Asperity, AsperityModel, Claims, ContactError, Law, Provenance, Quantity, Regime, Source,
+    Tolerance, Warning,
 };
+use serde::{Deserialize, Serialize};
 
+pub use angles::AngleDensity;
+pub use average::{ObliqueContact, angle_average, angle_average_of_powers};
 pub use lateral::{Displacement, ForceComponent, Lateral, LateralOptions, Stick};
 pub use pieces::{ELASTIC_END, NormalLaw, PLASTIC_FROM, friction, regime_range};
 pub use slip::{ObliqueSlip, Response};
 
 /// The model of Gao, Fu, Wang and others.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct Gao {
     /// Angles, displacement, stick and the force's component.
     pub options: LateralOptions,
@@ -67,7 +74,7 @@ const SOURCE: Source = Source {
     provenance: Provenance::Derived,
 };
 
-impl ContactModel for Gao {
+impl AsperityModel for Gao {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -77,26 +84,24 @@ impl ContactModel for Gao {
         asperity: &Asperity,
         quantity: Quantity,
         tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let mut law = lateral.law_in_units(quantity).ok_or_else(|| self.no_law(quantity))?;
+        let Some(mut law) = lateral.law_in_units(quantity) else { return Ok(None) };
         for regime in [Regime::Elastic, Regime::ElasticPlastic, Regime::Plastic] {
             let normal = lateral.normal(regime, 0.0);
             let stick = lateral.stick(regime == Regime::ElasticPlastic);
             law.parts.push(lateral.part(stick, normal, regime_range(regime), quantity, tolerance));
         }
-        Ok(law)
-    }
-
-    fn stiffness(&self) -> StiffnessKind {
-        StiffnessKind::OwnLaw
+        Ok(Some(law))
     }
 
     fn claims(&self) -> Claims {
-        self.options.claims()
+        self.options.claims().valid_for(
+            "w_c < R; needs the equivalent shear modulus; asperities touch at all angles",
+        )
     }
 
-    fn warnings(&self) -> Vec<Warning> {
-        self.options.warnings(self.name())
+    fn notes(&self) -> Vec<Warning> {
+        self.options.notes(self.name())
     }
 }

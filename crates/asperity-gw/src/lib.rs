@@ -35,13 +35,14 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, ContactError, ContactModel, Evaluation, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Claims, ContactError, Evaluation, Law, Power, Provenance, Quantity,
+    Source, Tolerance,
 };
 use asperity_quadrature::ShiftedGaussian;
+use serde::{Deserialize, Serialize};
 
 /// The model of Greenwood and Williamson.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct GreenwoodWilliamson;
 
 const SOURCE: Source = Source {
@@ -53,7 +54,7 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-impl ContactModel for GreenwoodWilliamson {
+impl AsperityModel for GreenwoodWilliamson {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -63,18 +64,21 @@ impl ContactModel for GreenwoodWilliamson {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         // Nothing sets a scale: x is w in metres, and no unit overflows before the answer does.
         let (e, r) = (asperity.equivalent_modulus, asperity.radius);
         let all = 0.0..f64::INFINITY;
-        match quantity {
+        Ok(Some(match quantity {
             Quantity::Force => {
-                Ok(Law::in_units(1.0, 4.0 / 3.0 * e * r.sqrt())
-                    .elastic(all, [Power::new(1.0, 1.5)]))
+                Law::in_units(1.0, 4.0 / 3.0 * e * r.sqrt()).elastic(all, [Power::new(1.0, 1.5)])
             }
-            Quantity::Area => Ok(Law::in_units(1.0, PI * r).elastic(all, [Power::new(1.0, 1.0)])),
-            _ => Err(self.no_law(quantity)),
-        }
+            Quantity::Area => Law::in_units(1.0, PI * r).elastic(all, [Power::new(1.0, 1.0)]),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn claims(&self) -> Claims {
+        Claims::default().valid_for("plasticity index below about 0.6: no asperity yields")
     }
 }
 
@@ -98,16 +102,9 @@ pub fn greenwood_integral(order: f64, separation: f64) -> Result<Evaluation, Con
     let all = 0.0..f64::INFINITY;
     let density = Law::in_units(1.0, 1.0).elastic(all, [Power::new(1.0, order)]).density();
     let integral = ShiftedGaussian::new(density, 1.0, 1e-14);
-    let quantity = Quantity::Force;
-    let moments = integral.at(separation).map_err(|source| ContactError::Integral {
-        quantity,
-        separation,
-        source,
-    })?;
-    Ok(Evaluation {
-        scaled: moments.value,
-        ln_scale: moments.ln_scale,
-        size: moments.sizes[0],
-        error: moments.error,
-    })
+    let failed = |source| {
+        let (quantity, at) = (Quantity::Force, separation.into());
+        ContactError::Integral { quantity, at, source }
+    };
+    Ok(integral.at(separation).map_err(failed)?.into())
 }

@@ -46,7 +46,7 @@ def contact() -> asperity.Contact:
         surface=asperity.Surface(2e-4, 2e8, 1e-6),
         nominal_area=1e-4,
     )
-    return asperity.model("ke").compile(scene)
+    return asperity.model("ke").compile(scene, separation_unit="m")
 
 
 def step(state: State) -> State:

@@ -41,8 +41,8 @@ def nanoseconds(call: Callable[[], object], number: int, values: int = 1) -> flo
 
 
 if __name__ == "__main__":
-    contact = asperity.model("ke").compile(SCENE)
-    own = asperity.model(Hertz).compile(SCENE)
+    contact = asperity.model("ke").compile(SCENE, separation_unit="m")
+    own = asperity.model(Hertz).compile(SCENE, separation_unit="m")
     gaps = np.linspace(0, 4e-6, 1_000_000)
     print(f"force at a gap: {nanoseconds(lambda: contact.force(1.5e-6), 20_000):.0f} ns")
     both = nanoseconds(lambda: contact.force_and_tangent(1.5e-6), 20_000)

@@ -1,38 +1,62 @@
-//! Which model does a scene need?
+//! What is done for a request, and which model a scene needs.
 
+use asperity::{Comparison, ContactModel, Quantity, Request, Scene, recommend_among};
 use pyo3::prelude::*;
 
-use asperity::ContactError;
+use crate::engine::{Engine, quantities_of, tolerance};
+use crate::error::value_error;
+use crate::objects::object;
+use crate::rows::{Rows, View};
 
-use crate::engine::{Engine, asperity_separation, quantities, request, tolerance};
-use crate::scene::Scene;
+/// One scene, and a request of what rows on it ask.
+fn asked<'r>(rows: &'r View<'_>, names: &[String], rtol: f64) -> PyResult<(&'r Scene, Request)> {
+    let request = Request::new(quantities_of(names)?).within(tolerance(rtol)?);
+    match rows.one_scene() {
+        Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
+        None => Err(value_error("many scenes were given: one was required")),
+    }
+}
 
-/// One model against the reference: deviations by quantity, or why there are none.
+/// What is done for rows on one scene: a text, and what it is of.
+#[pyfunction]
+pub(crate) fn plan<'py>(
+    py: Python<'py>,
+    engine: &Engine,
+    rows: Rows<'py>,
+    names: Vec<String>,
+    rtol: f64,
+) -> PyResult<(String, Bound<'py, PyAny>)> {
+    let rows = rows.view()?;
+    let (model, (scene, request)) = (engine.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
+    let plan = py.detach(|| model.compile(scene, &request)?.plan(&request));
+    let plan = plan.map_err(|error| engine.raise(py, error))?;
+    Ok((plan.to_string(), object(py, &plan)?))
+}
+
+/// One model against the reference: its id, deviations by quantity, or why there are none.
 type Row = (String, Vec<(String, f64)>, Option<String>);
 
 /// A text, the simplest model's id, and every model against the reference.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "called from one place, by the package itself")]
-pub(crate) fn recommend(
-    py: Python<'_>,
-    scene: &Scene,
+pub(crate) fn recommend<'py>(
+    py: Python<'py>,
     reference: &Engine,
+    rows: Rows<'py>,
     names: Vec<String>,
-    separations: Vec<f64>,
-    in_metres: bool,
     within: f64,
     rtol: f64,
 ) -> PyResult<(String, String, Vec<Row>)> {
-    let (model, file) = (reference.0.on(&scene.0)?, &scene.0);
-    let request = request(&quantities(&names)?, tolerance(rtol)?)
-        .at(separations.iter().map(|s| asperity_separation(file, *s, in_metres)));
-    let advice = py.detach(|| asperity::recommend(&file.scene, &request, &model, within));
-    let advice = advice.map_err(|error| reference.0.raise(py, "", &error))?;
-    let row = |comparison: &asperity::Comparison| {
+    let rows = rows.view()?;
+    let (model, (scene, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
+    let among = rows.files[0].options.models();
+    let advice = py.detach(|| recommend_among(among, scene, &request, &model, within));
+    let advice = advice.map_err(|error| reference.raise(py, error))?;
+    let row = |comparison: &Comparison| {
         let id = comparison.model.id().to_string();
+        let named = |(quantity, deviation): &(Quantity, f64)| (quantity.to_string(), *deviation);
         match &comparison.deviations {
-            Ok(all) => (id, all.iter().map(|(q, d)| (q.to_string(), *d)).collect(), None),
-            Err(refusal) => (id, vec![], Some(ContactError::to_string(refusal))),
+            Ok(all) => (id, all.iter().map(named).collect(), None),
+            Err(refusal) => (id, vec![], Some(refusal.to_string())),
         }
     };
     let rows = advice.comparisons.iter().map(row).collect();

@@ -16,7 +16,7 @@ create_exception!(
     asperity,
     ContactWarning,
     PyUserWarning,
-    "An answer stands, and deserves a word: a negative total, several separations for one load."
+    "An answer stands, and deserves a word: a negative total, more area than there is."
 );
 
 /// Any refusal of the library, in its own words.
@@ -25,23 +25,17 @@ pub(crate) fn value_error(error: impl std::fmt::Display) -> PyErr {
 }
 
 /// A refusal of the engine: `ValueError`, or `NotConverged`.
-pub(crate) fn refused(error: &ContactError) -> PyErr {
-    refused_at("", error)
-}
-
-/// The same, saying where among many.
-pub(crate) fn refused_at(place: &str, error: &ContactError) -> PyErr {
-    let message = format!("{place}{error}");
+pub(crate) fn refused(error: ContactError) -> PyErr {
     match error {
         ContactError::Integral { source: QuadratureError::NotConverged { .. }, .. } => {
-            NotConverged::new_err(message)
+            NotConverged::new_err(error.to_string())
         }
-        _ => PyValueError::new_err(message),
+        _ => value_error(error),
     }
 }
 
-/// Warns in Python's way, at the line that called.
-pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
-    let category = py.get_type::<ContactWarning>();
-    py.import("warnings")?.call_method1("warn", (message, category, 1)).map(drop)
+/// Warns in Python's way, at the line that called, or `above` lines of the package up.
+pub(crate) fn warn(py: Python<'_>, message: &str, above: usize) -> PyResult<()> {
+    let arguments = (message, py.get_type::<ContactWarning>(), 1 + above);
+    py.import("warnings")?.call_method1("warn", arguments).map(drop)
 }

@@ -3,49 +3,50 @@
 //! Nothing here computes: every number comes from the crates of this workspace. The interpreter is
 //! let go (`detach`) whenever they work, also because a model written in Python takes it back from
 //! whichever thread builds its rules.
+//!
+//! ```text
+//! fields → scene → rows → answer ┐
+//!          python_model → engine ┴→ contact → ask, advice
+//! ```
 
 mod advice;
-mod arrays;
-mod asperity;
-mod bodies;
+mod answer;
+mod ask;
 mod contact;
 mod engine;
 mod error;
-mod inverse;
-mod options;
-mod pool;
+mod fields;
+mod long;
+mod numbers;
+mod objects;
+mod places;
 mod python_model;
 mod rows;
 mod scene;
-mod scenes;
-mod surface;
 mod topography;
 
 /// The compiled part of the package `asperity`.
 #[pyo3::pymodule]
 mod _asperity {
     #[pymodule_export]
-    use crate::advice::recommend;
+    use crate::advice::{plan, recommend};
     #[pymodule_export]
-    use crate::asperity::Asperity;
-    #[pymodule_export]
-    use crate::bodies::{Body, Interface};
+    use crate::ask::{answer, separations, shares};
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]
-    use crate::engine::{Engine, model_ids};
+    use crate::engine::{Engine, model_ids, quantities};
     #[pymodule_export]
     use crate::error::{ContactWarning, NotConverged};
     #[pymodule_export]
-    use crate::inverse::separations;
+    use crate::fields::{
+        checked_body, checked_interface, checked_surface, critical_of, interface_of, roughness_of,
+        surface_from_moments, surface_from_plasticity_index, surface_from_std,
+    };
     #[pymodule_export]
-    use crate::rows::evaluate_rows;
+    use crate::numbers::floats;
     #[pymodule_export]
-    use crate::scene::{Scene, template};
-    #[pymodule_export]
-    use crate::scenes::Scenes;
-    #[pymodule_export]
-    use crate::surface::Surface;
+    use crate::scene::{SceneFile, check_inputs, template};
     #[pymodule_export]
     use crate::topography::Topography;
 }

@@ -1,116 +1,113 @@
-//! `evaluate_rows`: many scenes, some of which may fail without taking the others with them.
+//! Scenes and numbers, broadcast: row k is a number on a scene.
 
-use asperity::{Case, ContactError, Surface, Sweep};
-use numpy::{PyArray1, PyReadonlyArray1};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use asperity::{At, Case, ContactError, Datum};
+use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
-use crate::arrays::{self, Grain};
-use crate::engine::{Engine, asperity_separation, quantities, tolerance};
-use crate::error::value_error;
-use crate::scenes::{ManyScenes, Scenes};
+use crate::places::Axis;
+use crate::scene::{Input, SceneFile, inputs, with_numbers};
 
-/// Cases that a thread makes at a time.
-const TOGETHER: usize = 256;
+/// The `Rows` of the package.
+#[derive(FromPyObject)]
+pub(crate) struct Rows<'py> {
+    /// The scenes; one, if columns of numbers tell how the others differ from it.
+    files: Vec<Py<SceneFile>>,
+    columns: BTreeMap<String, PyReadonlyArray1<'py, f64>>,
+    /// Which scene each row is on.
+    index: PyReadonlyArray1<'py, i64>,
+    /// What the numbers stand for.
+    axis: Axis,
+    numbers: PyReadonlyArray1<'py, f64>,
+}
 
-/// Columns in the order of the quantities, the rows that failed with their exceptions, ascending,
-/// and the warnings of the model.
-type Rows<'py> = (Vec<Bound<'py, PyArray1<f64>>>, Vec<(usize, Py<PyAny>)>, Vec<String>);
+/// The same for threads without the interpreter.
+pub(crate) struct View<'r> {
+    pub(crate) files: Vec<Arc<asperity_scene::SceneFile>>,
+    columns: Vec<(Input, &'r [f64])>,
+    /// Empty where all are on the first.
+    index: &'r [i64],
+    axis: Axis,
+    numbers: &'r [f64],
+}
 
-/// The quantities of every scene at its separation. A row that fails is NaN here, and named.
-///
-/// `roughness`: plasticity index and roughness parameter of every row, which then say what its
-/// asperity radius and density are. `threads`: all cores, if none.
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "called from one place, by the package itself")]
-pub(crate) fn evaluate_rows<'py>(
-    py: Python<'py>,
-    engine: &Engine,
-    scenes: &Bound<'py, Scenes>,
-    separations: PyReadonlyArray1<'py, f64>,
-    in_metres: bool,
-    roughness: Option<(PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>,
-    names: Vec<String>,
-    rtol: f64,
-    threads: Option<usize>,
-) -> PyResult<Rows<'py>> {
-    let (quantities, tolerance) = (quantities(&names)?, tolerance(rtol)?);
-    let scenes = ManyScenes::Columns(scenes.get().clone());
-    let separations = separations.as_slice()?.to_vec();
-    let roughness = match &roughness {
-        Some((index, parameter)) => {
-            Some((index.as_slice()?.to_vec(), parameter.as_slice()?.to_vec()))
-        }
-        None => None,
-    };
-    let lengths = [scenes.size(), roughness.as_ref().map_or(separations.len(), |(i, _)| i.len())];
-    if lengths.iter().any(|length| *length != separations.len()) {
-        return Err(value_error(format!(
-            "{} scenes were given with {} separations: as many of both was required",
-            scenes.size(),
-            separations.len()
-        )));
+impl Rows<'_> {
+    pub(crate) fn view(&self) -> PyResult<View<'_>> {
+        let slices = self.columns.values().map(|column| Ok(column.as_slice()?));
+        let slices = slices.collect::<PyResult<Vec<_>>>()?;
+        Ok(View {
+            files: self.files.iter().map(|file| file.get().0.clone()).collect(),
+            columns: inputs(self.columns.keys())?.into_iter().zip(slices).collect(),
+            index: self.index.as_slice()?,
+            axis: self.axis,
+            numbers: self.numbers.as_slice()?,
+        })
     }
-    let Some(model) = engine.model_of_all(&scenes)? else { return Ok((vec![], vec![], vec![])) };
-    let sweep = Sweep::new(&*model, &quantities, tolerance);
-    let case = |k: usize| {
-        let of = |file: &asperity_scene::SceneFile| Case {
-            separation: asperity_separation(file, separations[k], in_metres),
-            scene: file.scene.clone(),
-        };
-        scenes.with(k, |file| {
-            let Some((index, parameter)) = &roughness else { return Ok(of(file)) };
-            let (interface, height_std) =
-                (file.scene.interface, file.scene.surface.asperity_height_std);
-            let surface =
-                Surface::from_plasticity_index(index[k], parameter[k], height_std, &interface)?;
-            file.with_numbers(interface, surface, file.scene.nominal_area).map(|file| of(&file))
-        })?
-    };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0));
-    let pool = threads.map(|_| pool.build()).transpose().map_err(value_error)?;
-    let mut columns = vec![vec![f64::NAN; separations.len()]; quantities.len()];
-    let mut failed: Vec<(usize, Py<PyAny>)> = vec![];
-    arrays::in_ranges(py, separations.len(), Grain::Values, |range| {
-        let first = range.start;
-        let work = || {
-            let made: Vec<Result<Case, ContactError>> =
-                range.into_par_iter().with_min_len(TOGETHER).map(case).collect();
-            let mut refused = vec![];
-            let (mut places, mut cases) =
-                (Vec::with_capacity(made.len()), Vec::with_capacity(made.len()));
-            for (k, case) in made.into_iter().enumerate() {
-                match case {
-                    Ok(case) => {
-                        places.push(first + k);
-                        cases.push(case);
-                    }
-                    Err(error) => refused.push((first + k, error)),
-                }
-            }
-            (places, sweep.evaluate_all(&cases), refused)
-        };
-        let (places, answers, mut refused) = py.detach(|| match &pool {
-            Some(pool) => pool.install(work),
-            None => work(),
-        });
-        for (k, answer) in places.into_iter().zip(answers) {
-            match answer {
-                Ok(answer) => {
-                    for (column, evaluation) in columns.iter_mut().zip(&answer) {
-                        column[k] = evaluation.value();
-                    }
-                }
-                Err(error) => refused.push((k, error)),
-            }
+}
+
+impl<'r> View<'r> {
+    /// Numbers on one scene.
+    pub(crate) fn of_one(
+        file: &Arc<asperity_scene::SceneFile>,
+        axis: Axis,
+        numbers: &'r [f64],
+    ) -> Self {
+        Self { files: vec![file.clone()], columns: vec![], index: &[], axis, numbers }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.numbers.len()
+    }
+
+    /// The number of a row's scene.
+    pub(crate) fn place(&self, row: usize) -> usize {
+        self.index.get(row).map_or(0, |place| *place as usize)
+    }
+
+    /// The scene of a row, or the one that it differs from in some numbers.
+    fn file(&self, row: usize) -> &asperity_scene::SceneFile {
+        &self.files[if self.columns.is_empty() { self.place(row) } else { 0 }]
+    }
+
+    /// The only scene there is.
+    pub(crate) fn one_scene(&self) -> Option<&asperity::Scene> {
+        match &self.files[..] {
+            [file] if self.columns.is_empty() => Some(&file.scene),
+            _ => None,
         }
-        refused.sort_by_key(|(k, _)| *k);
-        for (k, error) in &refused {
-            failed.push((*k, engine.0.raise(py, "", error).into_value(py).into_any()));
+    }
+
+    pub(crate) fn are_separations(&self) -> bool {
+        matches!(self.axis, Axis::Separation(_))
+    }
+
+    /// The plane that a row's separations are measured from.
+    pub(crate) fn datum(&self, row: usize) -> Datum {
+        self.file(row).separation_from
+    }
+
+    pub(crate) fn at(&self, row: usize) -> At {
+        self.axis.at(self.numbers[row], self.datum(row))
+    }
+
+    pub(crate) fn scene(&self, row: usize) -> Result<asperity::Scene, ContactError> {
+        if self.columns.is_empty() {
+            return Ok(self.file(row).scene.clone());
         }
-        Ok(())
-    })?;
-    let warnings = model.warnings().iter().map(ToString::to_string).collect();
-    let columns = columns.into_iter().map(|column| PyArray1::from_vec(py, column)).collect();
-    Ok((columns, failed, warnings))
+        let numbers = self.columns.iter().map(|(input, column)| (*input, column[self.place(row)]));
+        Ok(with_numbers(self.file(row), numbers)?.scene)
+    }
+
+    pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
+        Ok(Case::new(self.scene(row)?, self.at(row)))
+    }
+
+    /// What the number that is farthest from 0 was probably meant to be, if that makes no sense.
+    pub(crate) fn slip(&self) -> Option<String> {
+        let far = |a: &usize, b: &usize| self.numbers[*a].abs().total_cmp(&self.numbers[*b].abs());
+        let row = (0..self.len()).filter(|row| self.numbers[*row].is_finite()).max_by(far)?;
+        self.axis.slip(self.numbers[row], self.scene(row).ok()?.surface.asperity_height_std)
+    }
 }

@@ -1,12 +1,15 @@
-//! `Topography`: a measured surface, from heights in memory.
+//! `Topography`: a measured surface, from heights in memory or a file.
 
-use asperity_topography::{Estimator, LengthUnit, Level, Statistics, TopographyError};
-use numpy::{AllowTypeChange, PyArray1, PyArrayLikeDyn, PyArrayMethods};
+use std::path::PathBuf;
+
+use asperity_topography::{LengthUnit, ReadOptions, Statistics, TopographyError};
+use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::PyType;
 
 use crate::error::{value_error, warn};
-use crate::surface::Surface;
+use crate::fields::Surface;
+use crate::objects::object;
 
 /// A measured surface: heights on a regular grid.
 ///
@@ -20,7 +23,7 @@ use crate::surface::Surface;
 ///     Unit of both, heights and dx: "m", "mm", "um", "nm", "angstrom", "pm".
 /// periodic : bool
 ///     Whether the surface goes on beyond its edges.
-#[pyclass(frozen, module = "asperity")]
+#[pyclass(frozen, subclass, module = "asperity._asperity")]
 pub(crate) struct Topography(asperity_topography::Topography);
 
 #[derive(FromPyObject)]
@@ -29,36 +32,28 @@ enum Spacing {
     Two(f64, f64),
 }
 
-fn refused(error: TopographyError) -> PyErr {
-    value_error(error)
+impl Spacing {
+    fn both(self) -> [f64; 2] {
+        match self {
+            Self::Same(dx) => [dx, dx],
+            Self::Two(dx, dy) => [dx, dy],
+        }
+    }
 }
 
-impl Topography {
-    fn statistics_of(
-        &self,
-        level: &str,
-        estimator: &str,
-        cutoff: Option<f64>,
-    ) -> Result<Statistics, TopographyError> {
-        let (level, estimator): (Level, Estimator) = (level.parse()?, estimator.parse()?);
-        let mut surface = self.0.clone().level(level)?;
-        if let Some(cutoff) = cutoff {
-            surface = surface.filter(cutoff)?;
-        }
-        surface.statistics(estimator)
-    }
+fn unit_of(name: &str) -> PyResult<LengthUnit> {
+    name.parse().map_err(|error: TopographyError| value_error(error))
 }
 
 #[pymethods]
 impl Topography {
     #[new]
     #[pyo3(signature = (heights, dx, unit, periodic=false))]
-    fn new(
-        heights: PyArrayLikeDyn<'_, f64, AllowTypeChange>,
-        dx: Spacing,
-        unit: &str,
-        periodic: bool,
-    ) -> PyResult<Self> {
+    fn new(heights: &Bound<'_, PyAny>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
+        // A masked point is a missing one.
+        let masked = heights.py().import("numpy.ma")?.getattr("asarray")?;
+        let heights = masked.call1((heights, "float64"))?.call_method1("filled", (f64::NAN,))?;
+        let heights: PyArrayLikeDyn<'_, f64> = heights.extract()?;
         let heights = heights.as_array();
         let columns = match heights.shape() {
             [columns] | [_, columns] => *columns,
@@ -69,14 +64,28 @@ impl Topography {
                 )));
             }
         };
-        let unit = unit.parse::<LengthUnit>().map_err(refused)?;
-        let pixel_size = match dx {
-            Spacing::Same(dx) => [dx, dx],
-            Spacing::Two(dx, dy) => [dx, dy],
-        };
-        let heights = heights.iter().copied().collect();
-        let surface = asperity_topography::Topography::in_unit(heights, columns, pixel_size, unit);
-        Ok(Self(surface.map_err(refused)?.with_periodic(periodic)))
+        let (unit, heights) = (unit_of(unit)?, heights.iter().copied().collect());
+        let made = asperity_topography::Topography::in_unit(heights, columns, dx.both(), unit);
+        Ok(Self(made.map_err(value_error)?.with_periodic(periodic)))
+    }
+
+    /// A scan from a file: ASCII matrices, XYZ points, profiles, .npy, .x3p or .sur. What the file
+    /// does not say is said here: the unit of heights and pixel size, the pixel size, and the
+    /// largest share of points that may be missing.
+    #[classmethod]
+    #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1))]
+    fn read<'py>(
+        class: &Bound<'py, PyType>,
+        path: PathBuf,
+        unit: Option<&str>,
+        pixel_size: Option<Spacing>,
+        max_missing: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(Spacing::both));
+        let options = ReadOptions { unit, pixel_size, max_missing };
+        let read = class.py().detach(|| asperity_topography::read(&path, &options));
+        let read = Self(read.map_err(value_error)?);
+        class.call1((read.heights(class.py())?, read.pixel_size(), "m", read.0.is_periodic()))
     }
 
     /// Rows and columns.
@@ -88,8 +97,7 @@ impl Topography {
     /// Distance of neighbouring points along a row and along a column [m].
     #[getter]
     fn pixel_size(&self) -> (f64, f64) {
-        let [dx, dy] = self.0.pixel_size();
-        (dx, dy)
+        self.0.pixel_size().into()
     }
 
     /// Share of the points that are missing.
@@ -115,32 +123,12 @@ impl Topography {
         level: &str,
         estimator: &str,
         cutoff: Option<f64>,
-    ) -> PyResult<Bound<'py, PyDict>> {
-        let found = py.detach(|| self.statistics_of(level, estimator, cutoff)).map_err(refused)?;
-        found.warnings.iter().try_for_each(|warning| warn(py, &warning.to_string()))?;
-        let table = PyDict::new(py);
-        for (name, value) in [
-            ("sq", found.sq),
-            ("ssk", found.ssk),
-            ("sku", found.sku),
-            ("m0", found.m0),
-            ("m2", found.m2),
-            ("m4", found.m4),
-            ("alpha", found.alpha),
-            ("asperity_density", found.asperity_density),
-            ("asperity_radius", found.asperity_radius),
-            ("asperity_height_std", found.asperity_height_std),
-            ("beta", found.beta),
-            ("beta_z", found.beta_z),
-            ("missing_share", found.missing_share),
-        ] {
-            table.set_item(name, value)?;
-        }
-        Ok(table)
+    ) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.found(py, level, estimator, cutoff)?)
     }
 
-    /// The equivalent rough surface of this one on a flat.
-    #[pyo3(signature = (level="plane", estimator="moments", cutoff=None))]
+    /// The fields of the equivalent rough surface of this one on a flat.
+    #[pyo3(name = "_surface")]
     fn surface(
         &self,
         py: Python<'_>,
@@ -148,9 +136,7 @@ impl Topography {
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Surface> {
-        let found = py.detach(|| self.statistics_of(level, estimator, cutoff)).map_err(refused)?;
-        found.warnings.iter().try_for_each(|warning| warn(py, &warning.to_string()))?;
-        Ok(Surface(found.surface()))
+        Ok(self.found(py, level, estimator, cutoff)?.surface().into())
     }
 
     fn __repr__(&self) -> String {
@@ -161,5 +147,26 @@ impl Topography {
             self.0.columns(),
             100.0 * self.0.missing_share()
         )
+    }
+}
+
+impl Topography {
+    fn found(
+        &self,
+        py: Python<'_>,
+        level: &str,
+        estimator: &str,
+        cutoff: Option<f64>,
+    ) -> PyResult<Statistics> {
+        let statistics = || {
+            let (level, estimator) = (level.parse()?, estimator.parse()?);
+            let levelled = self.0.clone().level(level)?;
+            cutoff
+                .map_or(Ok(levelled.clone()), |cutoff| levelled.filter(cutoff))?
+                .statistics(estimator)
+        };
+        let found = py.detach(statistics).map_err(value_error)?;
+        found.warnings.iter().try_for_each(|warning| warn(py, &warning.to_string(), 0))?;
+        Ok(found)
     }
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 
 import asperity
 import numpy as np
@@ -9,46 +10,108 @@ import pytest
 
 
 def test_floats_give_floats_and_arrays_give_arrays(scene: asperity.Scene) -> None:
-    contact = asperity.model("ke").compile(scene)
+    contact = asperity.model("ke").compile(scene, separation_unit="m")
     force, tangent = contact.force_and_tangent(2e-6)
     assert type(force) is type(tangent) is float
-    assert type(contact.force(0)) is type(contact.force(np.float64(1e-6))) is float
+    for number in (0, np.float64(1e-6), np.float32(1e-6), np.int64(0), False):
+        assert type(contact.force(number)) is float
     gaps = np.linspace(0, 4e-6, 12).reshape(3, 4)
     forces, tangents = contact.force_and_tangent(gaps)
     assert forces.shape == tangents.shape == (3, 4) and forces.flags.c_contiguous
     np.testing.assert_array_equal(contact.force(gaps), forces)
     np.testing.assert_array_equal(contact.evaluate("tangent", gaps.tolist()), tangents)
     assert contact.force_and_tangent(gaps[1, 2]) == (forces[1, 2], tangents[1, 2])
+    assert contact.force(np.zeros(())).shape == () and contact.force([]).shape == (0,)
     assert contact.quantities == ("force", "tangent") and contact.scene == scene
 
 
-def test_it_is_what_solve_says(scene: asperity.Scene) -> None:
+@pytest.mark.parametrize("unit", ["asperity_height_std", "m"])
+def test_it_is_what_solve_says_in_the_same_unit(scene: asperity.Scene, unit: str) -> None:
     for name in ("gw", "zmc", "ke", "jg"):
         model = asperity.model(name)
-        gaps = np.linspace(-1e-6, 5e-6, 50)
-        curve = model.solve(scene, gaps, ["force", "tangent"], separation_unit="m")
-        forces, tangents = model.compile(scene).force_and_tangent(gaps)
+        separations = np.linspace(-1, 5, 50) * (1e-6 if unit == "m" else 1.0)
+        curve = model.solve(scene, separations, ["force", "tangent"], separation_unit=unit)
+        contact = model.compile(scene, separation_unit=unit)
+        assert contact.separation_unit == unit
+        forces, tangents = contact.force_and_tangent(separations)
         np.testing.assert_allclose(forces, curve.force, rtol=1e-13)
         np.testing.assert_allclose(tangents, curve.tangent, rtol=1e-13)
+        assert contact.force(separations[7]) == pytest.approx(curve.force[7], rel=1e-13)
+
+
+def test_the_unit_is_that_of_solve_unless_another_is_said(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    assert ke.compile(scene).force(2.0) == pytest.approx(216.94, rel=1e-4)
+    with pytest.raises(ValueError, match="separation_unit is 'mm'"):
+        ke.compile(scene, separation_unit="mm")
+
+
+def test_numbers_in_the_wrong_unit_are_objected_to(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    metres = ke.compile(scene, separation_unit="m")
+    slip = "separation is 2.0 m, 2e6 asperity_height_std: is it a multiple of asperity_height_std"
+    for call in (metres.force, metres.force_and_tangent, lambda d: metres.evaluate("force", d)):
+        for separation in (2.0, [0.0, 2.0]):
+            with pytest.warns(asperity.ContactWarning, match=slip) as seen:
+                call(separation)
+            assert {warning.filename for warning in seen} == {__file__}
+    with pytest.warns(asperity.ContactWarning) as seen:
+        ke.solve(scene, [1.0, 2.0], separation_unit="m")
+    assert any(slip in str(warning.message) for warning in seen)
+    nanometres = "separation is 2000.0 asperity_height_std: is it in another unit"
+    with pytest.warns(asperity.ContactWarning, match=nanometres):
+        ke.compile(scene).force(2000.0)
+    with pytest.warns(asperity.ContactWarning, match=nanometres):
+        ke.solve([scene], [2000.0], ["ln-force"])
+    for metres_in_sigmas in (2e-6, [1e-6, -2e-6]):
+        with pytest.warns(asperity.ContactWarning, match="is it in metres, -?2.0 asperity_height_std"):
+            ke.compile(scene).force(metres_in_sigmas)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ke.compile(scene).force(0.0)
+        ke.compile(scene).force([1e-6, 0.0, 1.0])
+        metres.force([1e-3, -1e-3, 0.05])
+        ke.compile(scene).force([-500.0, 0.0, 500.0])
 
 
 def test_gaps_are_from_the_scenes_plane(scene: asperity.Scene) -> None:
     plane = asperity.Scene(
         scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
     )
-    there, here = (asperity.model("ke").compile(s) for s in (plane, scene))
-    offset = plane.separation_offset
+    there, here = (asperity.model("ke").compile(s, separation_unit="m") for s in (plane, scene))
+    offset = scene.surface.mean_plane_offset
     assert there.force(1e-6 + offset) == pytest.approx(here.force(1e-6), rel=1e-13)
+
+
+def test_loads_and_pressures_go_where_separations_go(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    contact = ke.compile(scene, ["force", "area", "tangent"])
+    separation = ke.separation_at(scene, 1200.0)
+    area = contact.evaluate("area", load=1200.0)
+    assert area == pytest.approx(contact.evaluate("area", separation), rel=1e-12)
+    pressures = np.array([[1200.0], [12.0]]) / scene.nominal_area
+    by_pressure = contact.evaluate("area", pressure=pressures)
+    assert by_pressure.shape == (2, 1) and by_pressure[0, 0] == pytest.approx(area, rel=1e-12)
+    for arguments in ({}, {"separation": 1.0, "load": 1.0}, {"load": 1.0, "pressure": 1.0}):
+        with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
+            contact.evaluate("area", **arguments)
 
 
 def test_only_what_was_compiled_is_there(scene: asperity.Scene) -> None:
     contact = asperity.model("ke").compile(scene, "area")
-    assert contact.evaluate("area", 1e-6) > 0.0
-    with pytest.raises(ValueError, match="force was not requested"):
-        contact.force(1e-6)
-    with pytest.raises(ValueError, match="was not requested"):
-        contact.force_and_tangent(1e-6)
+    assert contact.evaluate("area", 1.0) > 0.0
+    for call in (contact.force, contact.force_and_tangent):
+        for separation in (1.0, [1.0]):
+            with pytest.raises(ValueError, match="was not requested"):
+                call(separation)
     with pytest.raises(ValueError, match="separation is NaN"):
         contact.evaluate("area", float("nan"))
-    with pytest.raises(TypeError):
-        contact.evaluate("area", "far")
+    for wrong in ("far", ["far"], 1j, [1j], None):
+        with pytest.raises(TypeError):
+            contact.evaluate("area", wrong)
+
+
+def test_masks_are_refused_by_name(scene: asperity.Scene) -> None:
+    contact = asperity.model("ke").compile(scene)
+    with pytest.raises(ValueError, match="separation is a masked array"):
+        contact.force(np.ma.masked_greater([1.0, 2.0, 3.0], 1.5))

@@ -168,7 +168,7 @@ def test_plasticity_index_and_roughness_parameter_say_what_the_surface_is(
         alone = asperity.Scene(interface, surface, scene.nominal_area)
         wanted = asperity.model("gw").solve(alone, 1.0).force
         assert abs(result["force"][k] / wanted - 1.0) < 1e-9
-    with pytest.raises(ValueError, match="asperity_radius is given beside plasticity_index"):
+    with pytest.raises(ValueError, match="asperity_radius is given beside plasticity_index or roughness_parameter"):
         asperity.Space(scene, 1.0, plasticity_index=(1.0, 2.0), asperity_radius=(1e-4, 2e-4))
 
 
@@ -184,15 +184,15 @@ def test_separations_in_metres(scene: asperity.Scene) -> None:
 
 def test_a_row_that_is_refused_ends_the_sweep_with_its_number(scene: asperity.Scene) -> None:
     space = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    hardness = asperity.sweep(space, "ke", n=64, seed=1, errors="record")["hardness"]
+    hardness = asperity.sweep(space, "ke", n=64, seed=1, errors="mask")["hardness"]
     first = int(np.flatnonzero(hardness <= 0)[0])
     with pytest.raises(ValueError, match=rf"^row {first} \(.*hardness=-\d.*\): hardness is -"):
         asperity.sweep(space, "ke", n=64, seed=1, part_size=10)
 
 
-def test_rows_that_are_refused_are_recorded(scene: asperity.Scene) -> None:
+def test_rows_that_are_refused_are_masked(scene: asperity.Scene) -> None:
     space = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    result = asperity.sweep(space, "ke", n=500, seed=1, errors="record", part_size=100)
+    result = asperity.sweep(space, "ke", n=500, seed=1, errors="mask", part_size=100)
     bad = np.flatnonzero(result["hardness"] <= 0)
     failures = dict(result.failures())
     assert sorted(failures) == list(bad) and 30 < len(bad) < 70
@@ -209,7 +209,7 @@ def test_rows_that_are_refused_are_recorded(scene: asperity.Scene) -> None:
 
 def test_indices_need_every_row(scene: asperity.Scene, space: asperity.Space) -> None:
     bad = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    result = asperity.sweep(bad, "ke", n=64, design="saltelli", errors="record")
+    result = asperity.sweep(bad, "ke", n=64, design="saltelli", errors="mask")
     with pytest.raises(ValueError, match="rows failed: every row is required"):
         result.sensitivity("force")
     with pytest.raises(ValueError, match="the design is 'sobol'"):
@@ -235,7 +235,7 @@ class Hertz:
 def test_a_model_written_in_python(scene: asperity.Scene) -> None:
     space = asperity.Space(scene, separation=1.0, hardness=(1e9, 2e9))
     mine = asperity.model(Hertz)
-    result = asperity.sweep(space, mine, n=16, seed=1, errors="record")
+    result = asperity.sweep(space, mine, n=16, seed=1, errors="mask")
     failures = dict(result.failures())
     assert sorted(failures) == list(np.flatnonzero(result["hardness"] < 1.5e9))
     assert all("too soft" in why for why in failures.values())

@@ -103,7 +103,7 @@ def test_folders_of_another_sweep_are_refused(scene: asperity.Scene, tmp_path: P
     with pytest.raises(ValueError, match="holds another sweep: seed is 7 there and 8 here"):
         swept(scene, tmp_path / "a", seed=8)
     rougher = scene.replace(asperity_height_std=2e-6)
-    with pytest.raises(ValueError, match=r"another sweep: space\.surface is \["):
+    with pytest.raises(ValueError, match=r"another sweep: space\.surface\.asperity_height_std is "):
         swept(rougher, tmp_path / "a")
     swept(scene, tmp_path / "b", seed=8)
     (tmp_path / "b" / "part-00003.parquet").replace(tmp_path / "a" / "part-00003.parquet")
@@ -118,7 +118,7 @@ def test_folders_of_another_sweep_are_refused(scene: asperity.Scene, tmp_path: P
 
 def test_rows_that_fail_are_null_and_named(scene: asperity.Scene, tmp_path: Path) -> None:
     space = asperity.Space(scene, separation=1.0, hardness=(-1e9, 9e9))
-    result = asperity.sweep(space, "ke", n=100, errors="record", folder=tmp_path, part_size=30)
+    result = asperity.sweep(space, "ke", n=100, errors="mask", folder=tmp_path, part_size=30)
     failures = dict(result.failures())
     assert sorted(failures) == list(np.flatnonzero(result["hardness"] <= 0))
     for path in sorted(tmp_path.glob("*.parquet")):

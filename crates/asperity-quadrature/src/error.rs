@@ -1,7 +1,10 @@
 //! What can go wrong in a quadrature.
 
+use serde::Serialize;
+
 /// Why an integral could not be given.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
+#[serde(tag = "code", rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum QuadratureError {
     /// The density returned NaN or an infinity.

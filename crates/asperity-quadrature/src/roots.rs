@@ -3,7 +3,7 @@
 /// Finds x in [low, high] with f(x) = 0 to the last bits, by bisection sped up with the secant
 /// (the "Illinois" rule); `None` when the signs at both ends agree or a value is not finite.
 #[must_use]
-pub fn bracketed_root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
+pub fn bracketed_root(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
     let (mut f_low, mut f_high) = (f(low), f(high));
     if f_low == 0.0 {
         return Some(low);

@@ -1,311 +1,225 @@
-//! A TOML text in which every key knows its line, and no unknown key passes.
+//! The text of a scene file: read by serde, with words for what is wrong and where.
 
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::Read;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use asperity::ContactError;
+use serde::de::DeserializeOwned;
+use toml::de::{DeTable, DeValue, Error};
 
-use crate::words::{Words, meaning, nearest, quoted, shortened};
+use crate::template::key;
 use crate::{Place, SceneError};
 
-/// The keys of every section: what is not here is refused.
-const SECTIONS: [(&str, &[&str]); 6] = [
-    ("", &["nominal_area", "rigid_counterface", "interface", "body", "surface", "options"]),
-    (
-        "interface",
-        &[
-            "equivalent_modulus",
-            "equivalent_shear_modulus",
-            "poissons_ratio",
-            "hardness",
-            "yield_strength",
-            "pressure_factor",
-        ],
-    ),
-    ("body", &["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"]),
-    (
-        "surface",
-        &[
-            "asperity_radius",
-            "asperity_density",
-            "asperity_height_std",
-            "plasticity_index",
-            "roughness_parameter",
-            "m0",
-            "m2",
-            "m4",
-            "file",
-            "files",
-            "unit",
-            "pixel_size",
-            "estimator",
-            "level",
-            "filter",
-            "max_missing",
-            "separation_from",
-            "heights",
-        ],
-    ),
-    ("options", &crate::ModelOptions::NAMES),
-    ("heights", &["file"]),
-];
+/// No scene, and no table of heights, needs more bytes than this.
+const MOST_BYTES: u64 = 1 << 20;
+/// Keys stand no deeper than `body[2].hardness` and `options.displacement.zeta`.
+const DEEPEST: usize = 3;
 
-/// Where the text comes from.
-#[derive(Debug, Clone, Copy)]
+/// A text in TOML, all of whose keys are found again.
+#[derive(Debug)]
 pub(crate) struct Document<'a> {
-    pub(crate) file: Option<&'a Path>,
-    /// Where relative paths begin.
-    pub(crate) directory: &'a Path,
-    pub(crate) text: &'a str,
+    file: Option<&'a Path>,
+    /// Where relative paths begin; keywords have none, and no lines.
+    directory: Option<&'a Path>,
+    text: &'a str,
+    /// Every key, those of a table behind its own, and where it stands.
+    keys: Vec<(String, Range<usize>)>,
 }
 
 impl<'a> Document<'a> {
-    /// Reads the text; nothing but its syntax is looked at.
-    pub(crate) fn table(&self) -> Result<Spanned<DeTable<'a>>, SceneError> {
-        DeTable::parse(self.text).map_err(|error| {
-            let offset = error.span().map_or(0, |span| span.start);
-            let at = self.place(offset, "TOML");
-            let found = self.text.lines().nth(at.line.map_or(0, |line| line - 1)).unwrap_or("");
-            let reason = error.message().replace('\n', ", ");
-            SceneError::Syntax {
-                at,
-                reason: format!("{reason}: {} was found", quoted(found.trim())),
-            }
-        })
+    /// The text, and what serde makes of it.
+    pub(crate) fn read<T: DeserializeOwned>(
+        file: Option<&'a Path>,
+        directory: Option<&'a Path>,
+        text: &'a str,
+    ) -> Result<(Self, T), SceneError> {
+        let mut document = Self { file, directory, text, keys: vec![] };
+        let root = DeTable::parse(text).map_err(|error| document.no_toml(&error))?;
+        document.index(String::new(), root.span(), &DeValue::Table(root.into_inner()), DEEPEST);
+        let read = toml::from_str(text).map_err(|error| document.explained(&error))?;
+        Ok((document, read))
     }
 
-    fn place(&self, offset: usize, field: impl Into<String>) -> Box<Place> {
-        let before = self.text.as_bytes().iter().take(offset);
-        let line = 1 + before.filter(|b| **b == b'\n').count();
-        let file = self.file.map(Path::to_path_buf);
-        Box::new(Place { file, line: Some(line), field: field.into() })
+    fn index(&mut self, path: String, span: Range<usize>, value: &DeValue<'_>, deep: usize) {
+        match value {
+            DeValue::Table(table) if deep > 0 => {
+                for (key, value) in table {
+                    let (a, b) = (key.span(), value.span());
+                    let (path, span) = (
+                        joined(&path, &shortened(key.get_ref())),
+                        a.start.min(b.start)..a.end.max(b.end),
+                    );
+                    self.index(path, span, value.get_ref(), deep - 1);
+                }
+            }
+            DeValue::Array(items) if deep > 0 => {
+                for (item, number) in items.iter().zip(1..) {
+                    self.index(format!("{path}[{number}]"), item.span(), item.get_ref(), deep - 1);
+                }
+            }
+            _ => {}
+        }
+        self.keys.push((path, span));
+    }
+
+    /// Where the text is no TOML.
+    fn no_toml(&self, error: &Error) -> SceneError {
+        let at = self.at("TOML", error.span().map_or(0, |span| span.start));
+        let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
+        let reason = error.message().replace('\n', ", ");
+        let reason = format!("{reason}: {:?} was found", shortened(found.trim()));
+        SceneError::Syntax { at, reason }
+    }
+
+    /// Serde's words, with the place, what was found there, and near misses.
+    fn explained(&self, error: &Error) -> SceneError {
+        let message = error.message();
+        let span = error.span().unwrap_or(0..self.text.len());
+        // What is inside comes first; the least of what is around is the key itself.
+        let around = |range: &Range<usize>| range.start <= span.start && span.end <= range.end;
+        let around = self.keys.iter().filter(|(_, range)| around(range));
+        let path = around.min_by_key(|(_, range)| range.len()).map_or("", |(path, _)| path);
+        let missing = message.strip_prefix("missing field `");
+        let path = joined(path, missing.map_or("", |name| name.trim_end_matches('`')));
+        let (section, name) = path.rsplit_once('.').unwrap_or(("", &path));
+        let [section, bare] = [section, name].map(|name| name.split('[').next().unwrap_or(name));
+        let template = key(section, bare);
+        let meaning = template.as_ref().map_or("", |key| key.meaning);
+        if missing.is_some() {
+            return self.missing(&path, meaning);
+        }
+        let needed = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
+        if message.starts_with("unknown field `") {
+            let known: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
+            let mut allowed = format!("the keys here are {}", known.join(", "));
+            let near = template.is_none().then(|| nearest(name, known)).flatten();
+            if let Some(key) = template {
+                let top = "the top of the file, above every [section]";
+                let home = if key.section.is_empty() { top } else { key.section };
+                allowed = format!("it belongs to {home}; {allowed}");
+            }
+            return SceneError::UnknownKey { at: self.place(&path), near, allowed };
+        }
+        let needed = match needed {
+            "f64" => format!("a number in SI units, without quotes ({meaning}),"),
+            "a boolean" => "true or false".into(),
+            "a sequence" => format!("a list ({meaning})"),
+            "path string" => format!("the path of a file, in quotes ({meaning}),"),
+            other if other.starts_with("wanted ") => "a word in quotes".into(),
+            "floating-point number overflowed" => "a number of at most 1.8e308".into(),
+            words => words.replace('`', "\""),
+        };
+        let found =
+            shortened(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
+        let near = nearest(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
+        SceneError::Value { at: self.place(&path), found, near, needed }
+    }
+
+    fn at(&self, field: &str, offset: usize) -> Box<Place> {
+        let before = self.text.bytes().take(offset).filter(|byte| *byte == b'\n');
+        let line = self.directory.map(|_| 1 + before.count());
+        Box::new(Place { file: self.file.map(Path::to_path_buf), line, field: field.into() })
     }
 
     /// A path as the scene file means it.
-    pub(crate) fn path(&self, path: &str) -> PathBuf {
-        self.directory.join(path)
-    }
-}
-
-/// One table of a document, all of whose keys are known.
-#[derive(Debug, Clone)]
-pub(crate) struct Section<'a> {
-    document: Document<'a>,
-    /// `surface`, `body[2]`; empty for the top level.
-    path: String,
-    offset: usize,
-    table: &'a DeTable<'a>,
-}
-
-/// One value of a section.
-#[derive(Debug, Clone)]
-pub(crate) struct Entry<'a> {
-    document: Document<'a>,
-    pub(crate) at: Box<Place>,
-    offset: usize,
-    value: &'a DeValue<'a>,
-}
-
-impl<'a> Section<'a> {
-    /// The top level of a document.
-    pub(crate) fn top(
-        document: Document<'a>,
-        table: &'a Spanned<DeTable<'a>>,
-    ) -> Result<Self, SceneError> {
-        Self::new(document, "", String::new(), 0, table.get_ref())
+    pub(crate) fn path(&self, path: &Path) -> PathBuf {
+        self.directory.unwrap_or(Path::new("")).join(path)
     }
 
-    fn new(
-        document: Document<'a>,
-        name: &str,
-        path: String,
-        offset: usize,
-        table: &'a DeTable<'a>,
-    ) -> Result<Self, SceneError> {
-        let section = Self { document, path, offset, table };
-        let known = SECTIONS.iter().find(|s| s.0 == name).map_or(&[][..], |s| s.1);
-        let unknown = table.iter().find(|(key, _)| !known.contains(&key.get_ref().as_ref()));
-        let Some((key, _)) = unknown else { return Ok(section) };
-        let word = key.get_ref().as_ref();
-        let elsewhere = SECTIONS.iter().find(|s| s.1.contains(&word)).map(|s| s.0);
-        let allowed = match elsewhere {
-            Some("") => "it belongs to the top of the file, above every [section]".into(),
-            Some("body") => "it belongs to a [[body]]".into(),
-            Some(other) => format!("it belongs to [{other}]"),
-            None => format!("the keys here are {}", known.join(", ")),
-        };
-        let near = nearest(word, known.iter().copied()).filter(|_| elsewhere.is_none());
-        let at = document.place(key.span().start, section.field(&shortened(word)));
-        Err(SceneError::UnknownKey { at, near: near.map(Into::into), allowed })
+    fn range(&self, path: &str) -> Option<&Range<usize>> {
+        self.keys.iter().find(|(key, _)| key == path).map(|(_, range)| range)
     }
 
-    fn field(&self, key: &str) -> String {
-        match (self.path.is_empty(), key.is_empty()) {
-            (true, _) => key.into(),
-            (false, true) => self.path.clone(),
-            (false, false) => format!("{}.{key}", self.path),
-        }
+    pub(crate) fn has(&self, path: &str) -> bool {
+        self.range(path).is_some()
     }
 
-    /// Where a key stands; the section's own place where the key was not given.
-    pub(crate) fn place(&self, key: &str) -> Box<Place> {
-        let offset = self.table.get_key_value(key).map_or(self.offset, |(k, _)| k.span().start);
-        self.document.place(offset, self.field(key))
+    /// Where a key stands; what is not there has the line of its section.
+    pub(crate) fn place(&self, path: &str) -> Box<Place> {
+        let section =
+            || self.range(path.rsplit_once(['.', '[']).map_or("", |(section, _)| section));
+        let range = self.range(path).or_else(section);
+        self.at(path, range.map_or(0, |range| range.start))
     }
 
-    /// Names the key of this section that a refusal of the library is about.
-    pub(crate) fn refused(&self) -> impl Fn(asperity::ContactError) -> SceneError {
-        |source| SceneError::from_contact(source, |field| self.place(field))
+    /// Names the key of a section that a refusal of the library is about.
+    pub(crate) fn refused(&self, section: &str) -> impl Fn(ContactError) -> SceneError {
+        move |source| SceneError::from_contact(source, |field| self.place(&joined(section, field)))
     }
 
-    pub(crate) fn document(&self) -> Document<'a> {
-        self.document
+    pub(crate) fn missing(&self, path: &str, needed: impl Into<String>) -> SceneError {
+        SceneError::Missing { at: self.place(path), needed: needed.into() }
     }
 
-    pub(crate) fn has(&self, key: &str) -> bool {
-        self.table.contains_key(key)
-    }
-
-    pub(crate) fn entry(&self, key: &str) -> Option<Entry<'a>> {
-        let (spanned, value) = self.table.get_key_value(key)?;
-        let offset = spanned.span().start;
-        let at = self.document.place(offset, self.field(key));
-        Some(Entry { document: self.document, at, offset, value: value.get_ref() })
-    }
-
-    /// Every key with its value.
-    pub(crate) fn entries(&self) -> impl Iterator<Item = (&'a str, Entry<'a>)> {
-        self.table.iter().filter_map(|(key, _)| {
-            let key = key.get_ref().as_ref();
-            Some((key, self.entry(key)?))
-        })
-    }
-
-    pub(crate) fn number(&self, key: &str) -> Result<Option<f64>, SceneError> {
-        self.entry(key).map(|entry| entry.number()).transpose()
-    }
-
-    pub(crate) fn required(&self, key: &str, needed: &str) -> Result<f64, SceneError> {
-        self.number(key)?.ok_or_else(|| self.missing(key, needed))
-    }
-
-    pub(crate) fn missing(&self, key: &str, needed: &str) -> SceneError {
-        SceneError::Missing { at: self.place(key), needed: needed.into() }
-    }
-
-    pub(crate) fn conflict(&self, key: &str, other: &str, needed: &str) -> SceneError {
-        let (at, other) = (self.place(key), self.place(other));
+    pub(crate) fn conflict(&self, one: &str, other: &str, needed: &str) -> SceneError {
+        let (at, other) = (self.place(one), self.place(other));
         SceneError::Conflict { at, other, needed: needed.into() }
     }
+}
 
-    /// A table below this one.
-    pub(crate) fn section(&self, key: &str) -> Result<Option<Self>, SceneError> {
-        let Some(entry) = self.entry(key) else { return Ok(None) };
-        entry.section(key).map(Some)
+fn joined(section: &str, key: &str) -> String {
+    let dot = if section.is_empty() || key.is_empty() { "" } else { "." };
+    format!("{section}{dot}{key}")
+}
+
+/// The text of a file that `named` speaks of.
+pub(crate) fn text_of(path: &Path, named: impl FnOnce() -> Place) -> Result<String, SceneError> {
+    let mut text = String::new();
+    let read =
+        File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text));
+    let reason = match read {
+        Err(error) => error.to_string(),
+        Ok(_) if text.len() as u64 > MOST_BYTES => format!("it has more than {MOST_BYTES} bytes"),
+        Ok(_) => return Ok(text),
+    };
+    Err(SceneError::Unreadable { at: Box::new(named()), reason })
+}
+
+/// The known word nearest to a mistyped one, if one is near: at most two slips, fewer in short
+/// words, whatever the case.
+fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let mistyped = word.to_lowercase();
+    let distances =
+        known.into_iter().map(|k| (strsim::osa_distance(&mistyped, &k.to_lowercase()), k));
+    let allowed = (mistyped.chars().count() / 2).min(2);
+    distances.min().filter(|(distance, _)| *distance <= allowed).map(|(_, k)| k.into())
+}
+
+/// The beginning of a text that may be of any length.
+pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}...", &text[..end]).into(),
+        None => text.into(),
     }
 }
 
-impl<'a> Entry<'a> {
-    /// This value is not what it should be.
-    pub(crate) fn wrong(&self, needed: impl Into<String>) -> SceneError {
-        let (at, found) = (self.at.clone(), self.found());
-        SceneError::Value { at, found, near: None, needed: needed.into() }
-    }
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-    /// What was found, for errors.
-    fn found(&self) -> String {
-        match self.value {
-            DeValue::String(text) => format!("the text {}", quoted(text)),
-            DeValue::Integer(number) => format!("{number:.60}"),
-            DeValue::Float(number) => format!("{number:.60}"),
-            DeValue::Boolean(value) => value.to_string(),
-            DeValue::Datetime(_) => "a date".into(),
-            DeValue::Array(array) => format!("a list of {}", array.len()),
-            DeValue::Table(_) => "a table".into(),
+    #[test]
+    fn near_words_are_near_and_far_ones_are_not() {
+        let known = ["plane", "quadratic", "none", "SH"];
+        for (word, wanted) in [
+            ("plain", Some("plane")),
+            ("QUADRATIC", Some("quadratic")),
+            ("sh", Some("SH")),
+            ("noen", Some("none")),
+            ("x", None),
+            ("parabola", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest(word, known).as_deref(), wanted, "{word}");
         }
+        assert_eq!(nearest("x", []), None);
     }
 
-    pub(crate) fn number(&self) -> Result<f64, SceneError> {
-        let number = match self.value {
-            DeValue::Float(float) => float.as_str().parse().ok(),
-            DeValue::Integer(integer) => {
-                i128::from_str_radix(integer.as_str(), integer.radix()).ok().map(|i| i as f64)
-            }
-            _ => None,
-        };
-        number.ok_or_else(|| self.wrong("a number in SI units, without quotes,"))
-    }
-
-    pub(crate) fn boolean(&self) -> Result<bool, SceneError> {
-        self.value.as_bool().ok_or_else(|| self.wrong("true or false"))
-    }
-
-    pub(crate) fn text(&self) -> Option<&'a str> {
-        self.value.as_str()
-    }
-
-    /// One word of a list, as what it stands for.
-    pub(crate) fn one_of<T: Copy>(&self, words: &Words<'_, T>) -> Result<T, SceneError> {
-        self.one_of_or(words, "")
-    }
-
-    /// The same, where something else is allowed beside the words.
-    pub(crate) fn one_of_or<T: Copy>(
-        &self,
-        words: &Words<'_, T>,
-        or: &str,
-    ) -> Result<T, SceneError> {
-        meaning(&self.at, self.text().ok_or_else(|| self.found()), words, or)
-    }
-
-    pub(crate) fn is_table(&self) -> bool {
-        self.value.is_table()
-    }
-
-    /// A table whose keys are those of the section `name`.
-    pub(crate) fn section(&self, name: &str) -> Result<Section<'a>, SceneError> {
-        let Some(table) = self.value.as_table() else {
-            return Err(self.wrong(format!("a table, [{}],", self.at.field)));
-        };
-        Section::new(self.document, name, self.at.field.clone(), self.offset, table)
-    }
-
-    /// The values of a list, numbered from 1; `None` where this is none.
-    pub(crate) fn items(&self) -> Option<Vec<Self>> {
-        let item = |(k, item): (usize, &'a Spanned<DeValue<'a>>)| {
-            let (offset, field) = (item.span().start, format!("{}[{}]", self.at.field, k + 1));
-            let at = self.document.place(offset, field);
-            Entry { document: self.document, at, offset, value: item.get_ref() }
-        };
-        Some(self.value.as_array()?.iter().enumerate().map(item).collect())
-    }
-
-    /// The tables of a list, `[[name]]`, numbered from 1 in their paths.
-    pub(crate) fn sections(&self, name: &str) -> Result<Vec<Section<'a>>, SceneError> {
-        let needed = || self.wrong(format!("one or two tables [[{}]]", self.at.field));
-        let array = self.value.as_array().ok_or_else(needed)?;
-        let mut sections = vec![];
-        for (k, item) in array.iter().enumerate() {
-            let table = item.get_ref().as_table().ok_or_else(needed)?;
-            let (path, offset) = (format!("{}[{}]", self.at.field, k + 1), item.span().start);
-            sections.push(Section::new(self.document, name, path, offset, table)?);
-        }
-        Ok(sections)
-    }
-
-    /// The numbers of a table without fixed keys.
-    pub(crate) fn numbers(&self) -> Result<Vec<(&'a str, f64)>, SceneError> {
-        let Some(table) = self.value.as_table() else {
-            return Err(self.wrong("a table of numbers"));
-        };
-        let number = |(key, value): (&'a Spanned<_>, &'a Spanned<DeValue<'a>>)| {
-            let key: &std::borrow::Cow<'a, str> = key.get_ref();
-            let field = format!("{}.{}", self.at.field, shortened(key));
-            let offset = value.span().start;
-            let at = self.document.place(offset, field);
-            let entry = Entry { document: self.document, at, offset, value: value.get_ref() };
-            Ok((key.as_ref(), entry.number()?))
-        };
-        table.iter().map(number).collect()
+    #[test]
+    fn long_texts_are_cut_between_characters() {
+        let long = "µ".repeat(1000);
+        assert_eq!(shortened(&long).chars().count(), 63);
     }
 }

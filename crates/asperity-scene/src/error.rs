@@ -22,11 +22,6 @@ impl Place {
     pub fn field(field: impl Into<String>) -> Self {
         Self { field: field.into(), ..Self::default() }
     }
-
-    /// A field inside this one.
-    pub(crate) fn inside(&self, name: &str) -> Box<Self> {
-        Box::new(Self { field: format!("{}.{name}", self.field), ..self.clone() })
-    }
 }
 
 impl fmt::Display for Place {
@@ -129,16 +124,19 @@ fn place_without_file(place: &Place) -> String {
 }
 
 impl SceneError {
+    /// A value that was found, and what is needed in its stead.
+    pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
+        let (found, needed) = (format!("{found:?}"), needed.trim_end_matches(',').into());
+        Self::Value { at, found, near: None, needed }
+    }
+
     /// A refusal of the library, told of the field of the scene file that it concerns: `at` gives
     /// the place of a field's name.
     pub(crate) fn from_contact(source: ContactError, at: impl Fn(&str) -> Box<Place>) -> Self {
         match source {
-            ContactError::OutOfRange { field, value, required } => Self::Value {
-                at: at(field),
-                found: format!("{value:?}"),
-                near: None,
-                needed: required.trim_end_matches(',').into(),
-            },
+            ContactError::OutOfRange { field, value, required } => {
+                Self::value(at(field), value, required)
+            }
             ContactError::Missing { field, needed_by } => {
                 Self::Missing { at: at(field), needed: format!("{needed_by} needs it") }
             }

@@ -1,122 +1,113 @@
 //! `heights`: how the asperities are spread, and the CSV file of a measured density.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
-use asperity::{ContactError, HeightDistribution, TabulatedHeights};
+use asperity::{ContactError, TabulatedHeights};
 
-use crate::document::Section;
-use crate::words::quoted;
+use crate::document::{Document, shortened, text_of};
 use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.
 const HEADER: [&str; 2] = ["height_m", "density_per_m"];
+const NEEDED: &str = "\"height_m,density_per_m\", heights in m and densities in 1/m,";
 /// No table of heights needs more points, and every one costs time in each evaluation.
 const MOST_POINTS: usize = 10_000;
-/// Nor does one need more bytes.
-const MOST_BYTES: u64 = 1 << 20;
+/// A table whose standard deviation is this much off deserves a word; the bins of a histogram alone add some per cent.
+const DIFFERENT: f64 = 0.05;
 
-/// The heights of a scene as its file states them.
-#[derive(Debug, Clone)]
-pub(crate) enum Spread {
-    Gaussian,
-    Exponential,
-    Table(Box<TabulatedHeights>),
-}
-
-impl Spread {
-    pub(crate) fn table(&self) -> Option<&TabulatedHeights> {
-        match self {
-            Self::Table(table) => Some(table),
-            _ => None,
-        }
-    }
-
-    /// As the library takes them, for this `asperity_height_std` \[m\].
-    pub(crate) fn distribution(self, std: f64) -> Result<HeightDistribution, ContactError> {
-        Ok(match self {
-            Self::Gaussian => HeightDistribution::Gaussian,
-            Self::Exponential => HeightDistribution::Exponential,
-            Self::Table(table) => HeightDistribution::other(table.in_units_of(std)?),
-        })
-    }
-}
-
-pub(crate) fn spread(section: &Section<'_>) -> Result<Spread, SceneError> {
-    let Some(entry) = section.entry("heights") else { return Ok(Spread::Gaussian) };
-    if !entry.is_table() {
-        let words = [("gaussian", false), ("exponential", true)];
-        let exponential = entry.one_of_or(&words, "{ file = \"pdf.csv\" }")?;
-        return Ok(if exponential { Spread::Exponential } else { Spread::Gaussian });
-    }
-    let table = entry.section("heights")?;
-    let needed = "the path of a CSV file with the columns height_m,density_per_m";
-    let file = table.entry("file").ok_or_else(|| table.missing("file", needed))?;
-    let path = section.document().path(file.text().ok_or_else(|| file.wrong(needed))?);
-    Ok(Spread::Table(Box::new(read(&path, &file.at)?)))
-}
-
-/// Reads a table; `named` is the place that names the file.
-fn read(path: &Path, named: &Place) -> Result<TabulatedHeights, SceneError> {
-    let unreadable = |reason: String| SceneError::Unreadable {
-        at: Box::new(Place { field: format!("{} = {path:?}", named.field), ..named.clone() }),
-        reason,
-    };
-    let file = File::open(path).map_err(|error| unreadable(error.to_string()))?;
-    let mut text = String::new();
-    file.take(MOST_BYTES + 1).read_to_string(&mut text).map_err(|e| unreadable(e.to_string()))?;
-    if text.len() as u64 > MOST_BYTES {
-        return Err(unreadable(format!("it has more than {MOST_BYTES} bytes")));
-    }
-    let name = path.file_name().map_or("table".into(), |name| name.to_string_lossy());
-    table(&text, &name, path)
+/// Reads the table of `heights = { file = "pdf.csv" }`.
+pub(crate) fn read_heights(
+    document: &Document<'_>,
+    file: &Path,
+) -> Result<TabulatedHeights, SceneError> {
+    let path = document.path(file);
+    let text = text_of(&path, || {
+        let at = document.place("surface.heights.file");
+        Place { field: format!("{} = {path:?}", at.field), ..*at }
+    })?;
+    table(&text, &path)
 }
 
 /// The table of a CSV text: two numbers a line below the header; lines that are empty or begin
 /// with # are skipped.
-fn table(text: &str, name: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
+fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
     let place = |line: Option<usize>, field: &str| {
         Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
     };
-    let value = |line: usize, field: &str, found: &str, needed: &str| SceneError::Value {
-        at: place(Some(line), field),
-        found: quoted(found),
-        near: None,
-        needed: needed.into(),
+    let wrong = |line: usize, field: &str, found: &str, needed: &str| {
+        SceneError::value(place(Some(line), field), shortened(found), needed)
     };
-    let text = text.trim_start_matches('\u{feff}');
-    let numbered = text.lines().map(str::trim).enumerate().map(|(k, line)| (k + 1, line));
-    let mut rows = numbered.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let (line, header) = rows.next().unwrap_or((1, ""));
-    if header.split(',').map(str::trim).ne(HEADER) {
-        let needed = "\"height_m,density_per_m\", heights in m and densities in 1/m,";
-        return Err(value(line, "the header", header, needed));
+    let mut reader = csv::ReaderBuilder::new();
+    let reader = reader.has_headers(false).flexible(true).comment(Some(b'#')).trim(csv::Trim::All);
+    // With the end of the last line there, every row ends where the next line begins.
+    let text = format!("{text}\n");
+    let mut records = reader.from_reader(text.as_bytes()).into_records();
+    let mut next = || {
+        let record = records.next()?;
+        let line = records.reader().position().line() as usize - 1;
+        Some(record.map(|record| (line, record)).map_err(|error| SceneError::Syntax {
+            at: place(Some(line), "CSV"),
+            reason: error.to_string(),
+        }))
+    };
+    let (line, header) = next().transpose()?.unwrap_or((1, csv::StringRecord::new()));
+    if header != HEADER[..] {
+        let found = header.iter().collect::<Vec<_>>().join(",");
+        return Err(wrong(line, "the header", &found, NEEDED));
     }
     let (mut points, mut lines) = (vec![], vec![]);
-    for (line, row) in rows {
+    while let Some((line, record)) = next().transpose()? {
         if points.len() == MOST_POINTS {
             let reason = format!("there are more than {MOST_POINTS} points");
             return Err(SceneError::Syntax { at: place(Some(line), "CSV"), reason });
         }
-        let Some((height, density)) = row.split_once(',') else {
-            return Err(value(line, "the row", row, "two numbers with a comma between them"));
+        let [height, density] = record.iter().collect::<Vec<_>>()[..] else {
+            let found = record.iter().collect::<Vec<_>>().join(",");
+            return Err(wrong(line, "the row", &found, "two numbers with a comma between them"));
         };
         let number = |text: &str, field: &str| {
-            text.trim().parse::<f64>().map_err(|_| value(line, field, text.trim(), "a number"))
+            text.parse::<f64>().map_err(|_| wrong(line, field, text, "a number"))
         };
         points.push((number(height, HEADER[0])?, number(density, HEADER[1])?));
         lines.push(line);
     }
+    let name = path.file_name().map_or("table".into(), |name| name.to_string_lossy());
     TabulatedHeights::new(name, &points).map_err(|source| match source {
-        ContactError::InTable { row, field, value, required } => SceneError::Value {
-            at: place(row.checked_sub(1).and_then(|row| lines.get(row)).copied(), field),
-            found: format!("{value:?}"),
-            near: None,
-            needed: required.trim_end_matches(',').into(),
-        },
+        ContactError::InTable { row, field, value, required } => {
+            let line = row.checked_sub(1).and_then(|row| lines.get(row)).copied();
+            SceneError::value(place(line, field), value, required)
+        }
         other => SceneError::from_contact(other, |field| place(None, field)),
     })
+}
+
+/// A table's own standard deviation against the scene's; what deserves a word.
+pub(crate) fn compared(
+    document: &Document<'_>,
+    table: &TabulatedHeights,
+    std: f64,
+) -> Result<Vec<String>, SceneError> {
+    let (own, integral) = (table.standard_deviation(), table.integral());
+    let (at, ratio) = (document.place("surface.heights"), own / std);
+    // So far off, one of the two is not in metres.
+    if !(0.1..=10.0).contains(&ratio) {
+        let found = format_args!(
+            "a table with a standard deviation of {own:e} m, {ratio:.3e} times the asperity_height_std of {std:e} m"
+        );
+        return Err(SceneError::value(at, found, "heights in metres (a ratio within 10)"));
+    }
+    let mut notes = vec![];
+    if (ratio - 1.0).abs() > DIFFERENT {
+        notes.push(format!(
+            "{at}: the table's standard deviation is {own:.4e} m, asperity_height_std is {std:.4e} m: the table's heights are used as they are, in metres; the other is the unit of separations only"
+        ));
+    }
+    if (integral - 1.0).abs() > 0.01 {
+        notes.push(format!(
+            "{at}: the table's integral is {integral:.4e}, not 1: it was normalised"
+        ));
+    }
+    Ok(notes)
 }
 
 /// The CSV file of a density of heights, as points (height \[m\], density \[1/m\]): what
@@ -134,7 +125,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn read_text(text: &str) -> Result<TabulatedHeights, SceneError> {
-        table(text, "any", Path::new("any.csv"))
+        table(text, Path::new("any.csv"))
     }
 
     #[test]
@@ -152,7 +143,7 @@ mod tests {
             prop_assume!(heights.len() > 1);
             let points: Vec<(f64, f64)> = heights.iter().map(|z| (*z, (z * 1e6 + seed).sin().abs())).collect();
             let found = read_text(&write_heights(&points)).unwrap();
-            let wanted = TabulatedHeights::new("any", &points).unwrap();
+            let wanted = TabulatedHeights::new("any.csv", &points).unwrap();
             prop_assert_eq!(format!("{found:?}"), format!("{wanted:?}"));
         }
 

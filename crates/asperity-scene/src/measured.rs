@@ -1,177 +1,105 @@
 //! `[surface]` from measured files.
 
-use std::path::PathBuf;
+use std::path::Path;
 
-use asperity_topography::{
-    Estimator, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError, read,
-};
+use asperity::Surface;
+use asperity_topography::{Estimator, ReadOptions, Statistics, Topography, TopographyError, read};
 
 use crate::SceneError;
-use crate::document::{Entry, Section};
-use crate::surface::Described;
+use crate::document::Document;
+use crate::keys::{PixelSize, SurfaceKeys};
 
-const UNITS: [(&str, LengthUnit); 7] = [
-    ("m", LengthUnit::Metre),
-    ("cm", LengthUnit::Centimetre),
-    ("mm", LengthUnit::Millimetre),
-    ("um", LengthUnit::Micrometre),
-    ("nm", LengthUnit::Nanometre),
-    ("angstrom", LengthUnit::Angstrom),
-    ("pm", LengthUnit::Picometre),
-];
-const ESTIMATORS: [(&str, Estimator); 2] =
-    [("moments", Estimator::Moments), ("summits", Estimator::Summits)];
-const LEVELS: [(&str, Level); 3] =
-    [("plane", Level::Plane), ("quadratic", Level::Quadratic), ("none", Level::None)];
-
-/// How a file is read and what is done to its heights.
-struct Treatment {
-    options: ReadOptions,
-    level: Level,
-    /// Cut-off wavelength \[m\].
-    filter: Option<f64>,
-    estimator: Estimator,
+/// The surface of a scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Described {
+    pub(crate) surface: Surface,
+    /// Mean of the asperity heights above the mean plane \[m\].
+    pub(crate) mean_plane_offset: Option<f64>,
+    pub(crate) notes: Vec<String>,
 }
 
 /// The surface of one measured file, or of two pressed together.
-pub(crate) fn surface(section: &Section<'_>) -> Result<Described, SceneError> {
-    if section.has("file") && section.has("files") {
-        let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
-        return Err(section.conflict("file", "files", needed));
-    }
-    let treatment = treatment(section)?;
-    let (key, measured) = match (section.entry("file"), section.entry("files")) {
-        (Some(entry), _) => ("file", one(section, &entry, &treatment)?),
-        (None, Some(entry)) => ("files", two(section, &entry, &treatment)?),
-        (None, None) => return Err(section.missing("file", "the path of a measured surface")),
+pub(crate) fn measured(
+    document: &Document<'_>,
+    keys: &SurfaceKeys,
+) -> Result<Described, SceneError> {
+    let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
+    let one = |at: &str, path: &Path| {
+        let path = document.path(path);
+        let found = read(&path, &read_options(keys)).and_then(|read| statistics(read, keys));
+        found.map_err(|error| match unnamed(error) {
+            // What is wrong with an option stands at that option, all else at the file.
+            TopographyError::OutOfRange { field, value, required } => {
+                SceneError::value(document.place(&format!("surface.{field}")), value, required)
+            }
+            error => {
+                let reason = format!("{}: {error}", path.display());
+                SceneError::Measured { at: document.place(at), reason }
+            }
+        })
     };
-    let surface = measured.statistics.surface();
-    surface.check().map_err(section.refused())?;
-    let at = section.place(key);
-    let warnings = measured.statistics.warnings.iter();
-    let notes = warnings.map(|warning| format!("{at}: {warning}")).collect();
-    Ok(Described { surface, mean_plane_offset: measured.mean_plane_offset, notes })
-}
-
-/// What becomes of one surface, or of the gap of two.
-struct Measured {
-    statistics: Statistics,
-    /// Mean of the asperity heights above the mean plane \[m\].
-    mean_plane_offset: f64,
-}
-
-impl Measured {
-    /// The asperities of a Gaussian surface lie where its theory says.
-    fn gaussian(statistics: Statistics) -> Self {
-        let mean_plane_offset = statistics.surface().mean_plane_offset();
-        Self { statistics, mean_plane_offset }
-    }
-}
-
-fn treatment(section: &Section<'_>) -> Result<Treatment, SceneError> {
-    let named = |key| section.entry(key);
-    let mut options = ReadOptions {
-        unit: named("unit").map(|entry| entry.one_of(&UNITS)).transpose()?,
-        pixel_size: named("pixel_size").map(|entry| pixel_size(&entry)).transpose()?,
-        ..ReadOptions::default()
-    };
-    if let Some(entry) = named("max_missing") {
-        let share = entry.number()?;
-        if !(0.0..=1.0).contains(&share) {
-            return Err(entry.wrong("a share from 0 to 1"));
+    let (at, statistics) = match (&keys.file, keys.files.as_deref()) {
+        (Some(_), Some(_)) => {
+            let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
+            return conflict("surface.file", "surface.files", needed);
         }
-        options.max_missing = share;
-    }
-    let filter = section.number("filter")?;
-    if let Some(cutoff) = filter {
-        asperity::positive("filter", cutoff).map_err(section.refused())?;
-    }
-    let level = named("level").map(|entry| entry.one_of(&LEVELS)).transpose()?;
-    let estimator = named("estimator").map(|entry| entry.one_of(&ESTIMATORS)).transpose()?;
-    let (level, estimator) = (level.unwrap_or_default(), estimator.unwrap_or_default());
-    Ok(Treatment { options, level, filter, estimator })
-}
-
-/// One number for square pixels, or two: along a row and along a column.
-fn pixel_size(entry: &Entry<'_>) -> Result<[f64; 2], SceneError> {
-    let needed = "a length in the unit of the heights, or a list of two, along a row and a column,";
-    let sizes = match entry.items() {
-        None => [entry.number().map_err(|_| entry.wrong(needed))?; 2],
-        Some(items) => match &items[..] {
-            [x, y] => [x.number()?, y.number()?],
-            _ => return Err(entry.wrong(needed)),
-        },
+        (_, Some(_)) if keys.estimator == Estimator::Summits => {
+            let needed = "estimator = \"moments\" for two surfaces: their moments add, their summits do not,";
+            return conflict("surface.estimator", "surface.files", needed);
+        }
+        (_, Some([first, second])) => {
+            let at = "surface.files";
+            let (a, b) = (one("surface.files[1]", first)?, one("surface.files[2]", second)?);
+            let both = Statistics::combined(&a, &b).map_err(|error| error.to_string());
+            let refused = |reason| SceneError::Measured { at: document.place(at), reason };
+            (at, both.map_err(refused)?)
+        }
+        (_, Some(files)) => {
+            let needed = "a list of two paths, of the two surfaces in contact";
+            let found = format_args!("a list of {}", files.len());
+            return Err(SceneError::value(document.place("surface.files"), found, needed));
+        }
+        (file, None) => {
+            let at = "surface.file";
+            (at, one(at, file.as_deref().unwrap_or(Path::new("")))?)
+        }
     };
-    if sizes.iter().all(|size| *size > 0.0 && size.is_finite()) {
-        return Ok(sizes);
+    let surface = statistics.surface();
+    surface.check().map_err(document.refused("surface"))?;
+    let at = document.place(at);
+    let notes = statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
+    Ok(Described { surface, mean_plane_offset: Some(statistics.mean_plane_offset), notes })
+}
+
+/// Reading names the file, what follows does not.
+fn unnamed(error: TopographyError) -> TopographyError {
+    match error {
+        TopographyError::File { source, .. } => *source,
+        other => other,
     }
-    Err(entry.wrong("a finite length above 0"))
 }
 
-fn one(
-    section: &Section<'_>,
-    entry: &Entry<'_>,
-    treatment: &Treatment,
-) -> Result<Measured, SceneError> {
-    let path = path(section, entry)?;
-    let topography = read(&path, &treatment.options);
-    topography.and_then(|topography| measure(topography, treatment)).map_err(|error| {
-        let reason = match error {
-            // Reading names the file, what follows does not.
-            TopographyError::File { .. } => error.to_string(),
-            other => format!("{}: {other}", path.display()),
-        };
-        SceneError::Measured { at: entry.at.clone(), reason }
-    })
+fn read_options(keys: &SurfaceKeys) -> ReadOptions {
+    let pixel_size = keys.pixel_size.map(|size| match size {
+        PixelSize::Square(side) => [side; 2],
+        PixelSize::Rectangle(sides) => sides,
+    });
+    let max_missing = keys.max_missing.unwrap_or(ReadOptions::default().max_missing);
+    ReadOptions { unit: keys.unit, pixel_size, max_missing }
 }
 
-fn measure(topography: Topography, treatment: &Treatment) -> Result<Measured, TopographyError> {
-    let mut topography = topography.level(treatment.level)?;
-    if let Some(cutoff) = treatment.filter {
+fn statistics(topography: Topography, keys: &SurfaceKeys) -> Result<Statistics, TopographyError> {
+    let mut topography = topography.level(keys.level)?;
+    if let Some(cutoff) = keys.filter {
         topography = topography.filter(cutoff)?;
     }
-    let statistics = topography.statistics(treatment.estimator)?;
-    if treatment.estimator == Estimator::Moments {
-        return Ok(Measured::gaussian(statistics));
-    }
-    // Summits that were found need no theory of where they lie.
-    let summits = mean(&topography.summits()?.heights);
-    Ok(Measured { statistics, mean_plane_offset: summits - mean(topography.heights()) })
-}
-
-/// Mean of the heights that are there.
-fn mean(heights: &[f64]) -> f64 {
-    let there = || heights.iter().filter(|height| !height.is_nan());
-    there().sum::<f64>() / there().count() as f64
-}
-
-fn two(
-    section: &Section<'_>,
-    entry: &Entry<'_>,
-    treatment: &Treatment,
-) -> Result<Measured, SceneError> {
-    let items = entry.items().unwrap_or_default();
-    let [first, second] = &items[..] else {
-        return Err(entry.wrong("a list of two paths, of the two surfaces in contact,"));
-    };
-    if treatment.estimator == Estimator::Summits {
-        let needed =
-            "estimator = \"moments\" for two surfaces: their moments add, their summits do not,";
-        return Err(section.conflict("estimator", "files", needed));
-    }
-    let (first, second) = (one(section, first, treatment)?, one(section, second, treatment)?);
-    Statistics::combined(&first.statistics, &second.statistics)
-        .map(Measured::gaussian)
-        .map_err(|error| SceneError::Measured { at: entry.at.clone(), reason: error.to_string() })
-}
-
-fn path(section: &Section<'_>, entry: &Entry<'_>) -> Result<PathBuf, SceneError> {
-    let text = entry.text().ok_or_else(|| entry.wrong("the path of a measured surface"))?;
-    Ok(section.document().path(text))
+    topography.statistics(keys.estimator)
 }
 
 #[cfg(test)]
 mod tests {
+    use asperity_topography::Level;
+
     use super::*;
 
     /// Waves in many directions: nearly a Gaussian surface.
@@ -190,15 +118,15 @@ mod tests {
         Topography::new((0..count * count).map(height).collect(), count, [1e-6; 2]).unwrap()
     }
 
-    fn measured(level: Level, filter: Option<f64>, estimator: Estimator) -> Measured {
-        let options = ReadOptions::default();
-        measure(topography(192), &Treatment { options, level, filter, estimator }).unwrap()
+    fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
+        let keys = SurfaceKeys { level, filter, estimator, ..SurfaceKeys::default() };
+        statistics(topography(192), &keys).unwrap()
     }
 
     #[test]
     fn every_choice_changes_the_surface() {
         let std = |level, filter, estimator| {
-            measured(level, filter, estimator).statistics.surface().asperity_height_std
+            found(level, filter, estimator).surface().asperity_height_std
         };
         let plain = std(Level::Plane, None, Estimator::Moments);
         // 60 waves of 1e-7 have a variance of 30e-14, (0.548e-6)²; asperities are less spread.
@@ -212,9 +140,9 @@ mod tests {
     #[test]
     fn summits_lie_about_as_far_above_the_mean_plane_as_theory_says() {
         for level in [Level::Plane, Level::Quadratic] {
-            let [theory, found] = [Estimator::Moments, Estimator::Summits]
-                .map(|estimator| measured(level, None, estimator).mean_plane_offset);
-            assert!(theory > 0.3e-6 && (found / theory - 1.0).abs() < 0.3, "{theory} {found}");
+            let [theory, counted] = [Estimator::Moments, Estimator::Summits]
+                .map(|estimator| found(level, None, estimator).mean_plane_offset);
+            assert!(theory > 0.3e-6 && (counted / theory - 1.0).abs() < 0.3, "{theory} {counted}");
         }
     }
 }

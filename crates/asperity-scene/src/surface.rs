@@ -3,32 +3,18 @@
 use asperity::{Interface, ProfileMoments, Surface};
 
 use crate::SceneError;
-use crate::document::Section;
+use crate::document::Document;
+use crate::keys::SurfaceKeys;
+use crate::measured::{Described, measured};
 
-/// The surface of a scene.
-#[derive(Debug, Clone)]
-pub(crate) struct Described {
-    pub(crate) surface: Surface,
-    /// Mean of the asperity heights above the mean plane \[m\].
-    pub(crate) mean_plane_offset: f64,
-    pub(crate) notes: Vec<String>,
-}
-
-/// The four ways, each with the keys that tell it from the others.
-const WAYS: [(&str, &[&str]); 4] = [
-    (
-        "asperity_radius, asperity_density and asperity_height_std",
-        &["asperity_radius", "asperity_density"],
-    ),
-    (
-        "plasticity_index, roughness_parameter and asperity_height_std",
-        &["plasticity_index", "roughness_parameter"],
-    ),
-    ("m0, m2 and m4", &["m0", "m2", "m4"]),
-    ("file or files", &["file", "files"]),
+/// The four ways; the keys but `asperity_height_std` tell them from each other.
+const WAYS: [&[&str]; 4] = [
+    &["asperity_radius", "asperity_density", STD],
+    &["plasticity_index", "roughness_parameter", STD],
+    &["m0", "m2", "m4"],
+    &["file", "files"],
 ];
-
-const ONE_WAY: &str = "exactly one way to describe the surface: (1) asperity_radius, asperity_density, asperity_height_std; (2) plasticity_index, roughness_parameter, asperity_height_std; (3) m0, m2, m4; (4) file or files";
+const STD: &str = "asperity_height_std";
 
 /// Keys that only measured files have.
 const OF_FILES: [&str; 6] = ["unit", "pixel_size", "estimator", "level", "filter", "max_missing"];
@@ -36,49 +22,54 @@ const OF_FILES: [&str; 6] = ["unit", "pixel_size", "estimator", "level", "filter
 /// `measured_std` is the standard deviation of a table of heights, where there is one: it may
 /// stand in for an `asperity_height_std` that was not given.
 pub(crate) fn surface(
-    section: &Section<'_>,
+    document: &Document<'_>,
+    keys: &SurfaceKeys,
     interface: &Interface,
     measured_std: Option<f64>,
 ) -> Result<Described, SceneError> {
-    let first =
-        |way: &(&str, &'static [&'static str])| way.1.iter().copied().find(|k| section.has(k));
-    let mut given = WAYS.iter().enumerate().filter_map(|(k, way)| Some((k, first(way)?)));
-    let Some((way, key)) = given.next() else { return Err(section.missing("", ONE_WAY)) };
+    let at = |key: &str| format!("surface.{key}");
+    let has = |key: &&&str| document.has(&at(key));
+    let conflict =
+        |one: &str, other: &str, needed: &str| Err(document.conflict(&at(one), &at(other), needed));
+    let ways = WAYS.map(|keys| keys.join(", ")).join("; or ");
+    let one_way = format!("exactly one way to describe the surface: {ways}");
+    let telling = |way: &&'static [&str]| way.iter().find(|key| **key != STD && has(key)).copied();
+    let mut given = WAYS.iter().zip(0..).filter_map(|(way, k)| Some((k, telling(way)?)));
+    let Some((way, key)) = given.next() else { return Err(document.missing("surface", one_way)) };
     if let Some((_, other)) = given.next() {
-        return Err(section.conflict(key, other, ONE_WAY));
+        return conflict(key, other, &one_way);
     }
-    let of_files = OF_FILES.iter().find(|k| section.has(k)).filter(|_| way != 3);
-    if let Some(of_files) = of_files {
-        return Err(section.conflict(of_files, key, "a measured file"));
+    if let Some(of_files) = OF_FILES.iter().find(has).filter(|_| way != 3) {
+        return conflict(of_files, key, "a measured file");
     }
-    let std_given = section.has("asperity_height_std");
-    if way > 1 && std_given {
-        let needed =
-            format!("either {} or asperity_height_std, which follows from them,", WAYS[way].0);
-        return Err(section.conflict("asperity_height_std", key, &needed));
+    let together = WAYS[way].join(", ");
+    if way > 1 && has(&&STD) {
+        let needed = format!("either {together} or {STD}, which follows from them,");
+        return conflict(STD, key, &needed);
     }
-    let number = |key| {
-        section
-            .required(key, &format!("with {} go {}", first(&WAYS[way]).unwrap_or(key), WAYS[way].0))
+    let needed = |key: &str, value: Option<f64>| {
+        value.ok_or_else(|| document.missing(&at(key), format!("{together} go together")))
     };
-    let std = || match (section.number("asperity_height_std")?, measured_std) {
-        (Some(std), _) | (None, Some(std)) => Ok(std),
-        (None, None) => number("asperity_height_std"),
-    };
+    let std = || needed(STD, keys.asperity_height_std.or(measured_std));
+    let refused = document.refused("surface");
     let surface = match way {
-        0 => Surface::new(number("asperity_radius")?, number("asperity_density")?, std()?),
+        0 => Surface::new(
+            needed("asperity_radius", keys.asperity_radius)?,
+            needed("asperity_density", keys.asperity_density)?,
+            std()?,
+        ),
         1 => {
-            let (index, parameter) = (number("plasticity_index")?, number("roughness_parameter")?);
-            Surface::from_plasticity_index(index, parameter, std()?, interface)
-                .map_err(section.refused())?
+            let index = needed("plasticity_index", keys.plasticity_index)?;
+            let parameter = needed("roughness_parameter", keys.roughness_parameter)?;
+            Surface::from_plasticity_index(index, parameter, std()?, interface).map_err(&refused)?
         }
         2 => {
-            let moments =
-                ProfileMoments { m0: number("m0")?, m2: number("m2")?, m4: number("m4")? };
-            Surface::from_moments(&moments).map_err(section.refused())?
+            let m0 = needed("m0", keys.m0)?;
+            let (m2, m4) = (needed("m2", keys.m2)?, needed("m4", keys.m4)?);
+            Surface::from_moments(&ProfileMoments { m0, m2, m4 }).map_err(&refused)?
         }
-        _ => return crate::measured::surface(section),
+        _ => return measured(document, keys),
     };
-    surface.check().map_err(section.refused())?;
-    Ok(Described { surface, mean_plane_offset: surface.mean_plane_offset(), notes: vec![] })
+    surface.check().map_err(&refused)?;
+    Ok(Described { surface, mean_plane_offset: None, notes: vec![] })
 }

@@ -1,16 +1,10 @@
-//! Scene files to begin with: the template, and scenes written down.
-
-use std::fmt::Write;
+//! Scenes written down.
 
 use asperity::{HeightDistribution, Scene};
+use toml::{Table, Value};
 
 use crate::ModelOptions;
-
-/// A commented scene file with every key there is: steel on steel, machined.
-#[must_use]
-pub fn template() -> &'static str {
-    include_str!("template.toml")
-}
+use crate::template::key;
 
 /// A scene file of this scene, which reads back exactly; `comments` go to its head, one a line.
 ///
@@ -23,51 +17,37 @@ pub fn write(
     heights_file: Option<&str>,
     comments: &[&str],
 ) -> String {
-    let mut text = String::new();
-    for line in comments.iter().flat_map(|comment| comment.lines()) {
-        line_of(&mut text, &format!("# {}", line.replace(|c: char| c.is_control(), " ")));
-    }
-    let number = |text: &mut String, key: &str, value: Option<f64>, unit: &str| {
-        if let Some(value) = value {
-            line_of(text, &format!("{key} = {value:e}{unit}"));
-        }
+    let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
+    let mut text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+    // Structs of numbers: each of them is a table.
+    let [interface, mut surface] =
+        [Table::try_from(scene.interface), Table::try_from(scene.surface)]
+            .map(Result::unwrap_or_default);
+    let heights = match (heights_file, &scene.heights) {
+        (Some(file), _) => Some(Value::from(Table::from_iter([("file".into(), file.into())]))),
+        (None, HeightDistribution::Exponential) => Some("exponential".into()),
+        (None, _) => None,
     };
-    let (interface, surface) = (&scene.interface, &scene.surface);
-    number(&mut text, "nominal_area", Some(scene.nominal_area), "  # m^2");
-    text.push_str("\n[interface]\n");
-    for (key, value, unit) in [
-        ("equivalent_modulus", Some(interface.equivalent_modulus), "  # Pa"),
-        ("equivalent_shear_modulus", interface.equivalent_shear_modulus, "  # Pa"),
-        ("poissons_ratio", Some(interface.poissons_ratio), "  # of the softer body"),
-        ("hardness", interface.hardness, "  # Pa, of the softer body"),
-        ("yield_strength", interface.yield_strength, "  # Pa, of the softer body"),
-        ("pressure_factor", interface.pressure_factor, ""),
-    ] {
-        number(&mut text, key, value, unit);
-    }
-    text.push_str("\n[surface]\n");
-    number(&mut text, "asperity_radius", Some(surface.asperity_radius), "  # m");
-    number(&mut text, "asperity_density", Some(surface.asperity_density), "  # 1/m^2");
-    number(&mut text, "asperity_height_std", Some(surface.asperity_height_std), "  # m");
-    match (heights_file, &scene.heights) {
-        (Some(file), _) => {
-            let file = toml::Value::String(file.into());
-            line_of(&mut text, &format!("heights = {{ file = {file} }}"));
+    surface.extend(heights.map(|heights| ("heights".into(), heights)));
+    let options = Table::try_from(options.changed()).unwrap_or_default();
+    let top = Table::from_iter([("nominal_area".into(), scene.nominal_area.into())]);
+    for (header, table) in
+        [("", top), ("[interface]", interface), ("[surface]", surface), ("[options]", options)]
+    {
+        if !header.is_empty() && !table.is_empty() {
+            text += &format!("\n{header}\n");
         }
-        (None, HeightDistribution::Exponential) => line_of(&mut text, "heights = \"exponential\""),
-        (None, _) => {}
-    }
-    let changed = options.changed();
-    if !changed.is_empty() {
-        text.push_str("\n[options]\n");
-        for (name, value) in changed {
-            line_of(&mut text, &format!("{name} = {value}"));
+        for (name, value) in table {
+            let (value, meaning) = match value {
+                Value::Float(number) => {
+                    let key = key(header.trim_matches(['[', ']']), &name);
+                    (format!("{number:e}"), key.map_or("", |key| key.meaning))
+                }
+                other => (other.to_string(), ""),
+            };
+            let gap = if meaning.is_empty() { "" } else { "  # " };
+            text += &format!("{name} = {value}{gap}{meaning}\n");
         }
     }
     text
-}
-
-fn line_of(text: &mut String, line: &str) {
-    // Writing to a string cannot fail.
-    let _ = writeln!(text, "{line}");
 }

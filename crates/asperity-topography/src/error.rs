@@ -4,6 +4,8 @@ use std::io;
 use std::path::PathBuf;
 
 use asperity_core::ContactError;
+use serde::de::value::{self, StrDeserializer};
+use serde::de::{DeserializeOwned, IntoDeserializer};
 
 use crate::Level;
 
@@ -177,21 +179,40 @@ pub enum TopographyError {
         required: String,
     },
     /// A name that is none of the known ones.
-    #[error("{field} is {found:?}: one of {known} was required")]
+    #[error("{field} is {found:?}: {known} was required")]
     UnknownName {
         /// What was named.
         field: &'static str,
         /// The name.
         found: String,
         /// The known names.
-        known: &'static str,
+        known: String,
     },
+    /// Two surfaces of which one is known by its summits.
+    #[error(
+        "the estimator is \"summits\": \"moments\" was required for two surfaces, whose moments add and whose summits do not"
+    )]
+    SummitsOfTwo,
     /// The moments are not those of an isotropic Gaussian surface.
     #[error("{0}; the estimator \"summits\" needs no Gaussian surface")]
     Moments(#[source] ContactError),
     /// The numbers of the asperities make no surface.
     #[error(transparent)]
     Contact(#[from] ContactError),
+}
+
+/// What a name stands for: serde has the lists.
+pub(crate) fn named<T: DeserializeOwned>(
+    field: &'static str,
+    name: &str,
+) -> Result<T, TopographyError> {
+    let word: StrDeserializer<'_, value::Error> = name.trim().into_deserializer();
+    T::deserialize(word).map_err(|error| {
+        let error = error.to_string();
+        let known = error.rsplit_once(", expected ").map_or(&*error, |(_, known)| known);
+        let known = known.replace('`', "");
+        TopographyError::UnknownName { field, found: excerpt(name), known }
+    })
 }
 
 /// The beginning of a text, for a message: files may have megabytes where a word should be.

@@ -6,6 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::TopographyError;
+use crate::error::named;
 
 /// How asperities are found in a measured surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,10 +22,7 @@ pub enum Estimator {
 
 impl fmt::Display for Estimator {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Moments => "moments",
-            Self::Summits => "summits",
-        })
+        self.serialize(f)
     }
 }
 
@@ -32,15 +30,7 @@ impl FromStr for Estimator {
     type Err = TopographyError;
 
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        match name {
-            "moments" => Ok(Self::Moments),
-            "summits" => Ok(Self::Summits),
-            _ => Err(TopographyError::UnknownName {
-                field: "estimator",
-                found: name.to_owned(),
-                known: "moments, summits",
-            }),
-        }
+        named("estimator", name)
     }
 }
 
@@ -56,6 +46,6 @@ mod tests {
             assert_eq!(json, format!("\"{estimator}\""));
         }
         let error = "peaks".parse::<Estimator>().unwrap_err().to_string();
-        assert_eq!(error, "estimator is \"peaks\": one of moments, summits was required");
+        assert_eq!(error, "estimator is \"peaks\": moments or summits was required");
     }
 }

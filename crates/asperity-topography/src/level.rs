@@ -6,6 +6,7 @@ use std::str::FromStr;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::{Deserialize, Serialize};
 
+use crate::error::named;
 use crate::{Topography, TopographyError};
 
 /// What is taken away before statistics are made.
@@ -23,11 +24,7 @@ pub enum Level {
 
 impl fmt::Display for Level {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::None => "none",
-            Self::Plane => "plane",
-            Self::Quadratic => "quadratic",
-        })
+        self.serialize(f)
     }
 }
 
@@ -35,16 +32,7 @@ impl FromStr for Level {
     type Err = TopographyError;
 
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        match name {
-            "none" => Ok(Self::None),
-            "plane" => Ok(Self::Plane),
-            "quadratic" => Ok(Self::Quadratic),
-            _ => Err(TopographyError::UnknownName {
-                field: "level",
-                found: name.to_owned(),
-                known: "none, plane, quadratic",
-            }),
-        }
+        named("level", name)
     }
 }
 

@@ -37,6 +37,10 @@ pub struct Statistics {
     pub beta_z: f64,
     /// Share of the points that are missing, 0 to 1.
     pub missing_share: f64,
+    /// How far the mean of the asperity heights lies above the mean plane \[m\]: that of the summits
+    /// found, or of a Gaussian surface with these moments.
+    #[serde(skip)]
+    pub mean_plane_offset: f64,
     /// By which estimator the asperities are.
     #[serde(skip)]
     pub estimator: Estimator,
@@ -69,18 +73,24 @@ impl Topography {
         }
         let ssk = self.central_moment(mean, 3) / m0.powf(1.5);
         let sku = self.central_moment(mean, 4) / (m0 * m0);
-        let by_moments = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments);
-        let by_summits = self.summits().and_then(|summits| summits.surface());
+        let gaussian = |surface: Surface| (surface, surface.mean_plane_offset());
+        let by_moments = Surface::from_moments(&moments.profile);
+        let by_moments = by_moments.map(gaussian).map_err(TopographyError::Moments);
+        let by_summits = self.summits().and_then(|found| {
+            // Summits that were found need no theory of where they lie.
+            Ok((found.surface()?, found.mean() - mean))
+        });
         let (asked, other) = match estimator {
             Estimator::Moments => (by_moments, by_summits),
             Estimator::Summits => (by_summits, by_moments),
         };
-        let surface = asked?;
+        let (surface, mean_plane_offset) = asked?;
         let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
+        statistics.mean_plane_offset = mean_plane_offset;
         statistics.missing_share = self.missing_share();
         statistics.warnings.extend(self.sampling());
         match other {
-            Ok(other) => statistics.compare(other),
+            Ok((other, _)) => statistics.compare(other),
             // A profile has no summits of 8 neighbours: nothing to warn of.
             Err(TopographyError::SummitsOfProfile) => {}
             Err(error) => {
@@ -137,6 +147,7 @@ impl Statistics {
             beta,
             beta_z: surface.roughness_parameter(),
             missing_share: 0.0,
+            mean_plane_offset: surface.mean_plane_offset(),
             estimator,
             moments,
             other: None,
@@ -184,13 +195,16 @@ impl Statistics {
     /// Two rough surfaces in contact, as the one rough surface that their gap is.
     ///
     /// The surfaces are independent, each with its heights counted away from its body: moments
-    /// and cumulants add. The asperities are those of the sum of the moments, whatever estimator
-    /// the two were made with: summits do not add. `missing_share` is the share of pairs of
-    /// points of which one is missing.
+    /// and cumulants add. The asperities are those of the sum of the moments. `missing_share` is
+    /// the share of pairs of points of which one is missing.
     ///
     /// # Errors
-    /// [`TopographyError::Moments`] when no isotropic Gaussian surface has the summed moments.
+    /// [`TopographyError::SummitsOfTwo`] when one of the two is known by its summits, which do not
+    /// add; [`TopographyError::Moments`] when no isotropic Gaussian surface has the summed moments.
     pub fn combined(first: &Self, second: &Self) -> Result<Self, TopographyError> {
+        if [first, second].iter().any(|of| of.estimator == Estimator::Summits) {
+            return Err(TopographyError::SummitsOfTwo);
+        }
         let moments = first.moments.plus(&second.moments);
         let surface = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments)?;
         let m0 = moments.profile.m0;

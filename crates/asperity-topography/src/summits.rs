@@ -32,12 +32,17 @@ impl Summits {
             return Err(TopographyError::TooFew { what: "summits", found, required: FEWEST });
         }
         let n = found as f64;
-        let mean = self.heights.iter().sum::<f64>() / n;
+        let mean = self.mean();
         let variance = self.heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
         let curvature = self.curvatures.iter().sum::<f64>() / n;
         let surface = Surface::new(1.0 / curvature, n / self.area, variance.sqrt());
         surface.check()?;
         Ok(surface)
+    }
+
+    /// Mean of the heights \[m\]; NaN where there is none.
+    pub(crate) fn mean(&self) -> f64 {
+        self.heights.iter().sum::<f64>() / self.heights.len() as f64
     }
 }
 

@@ -6,24 +6,31 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::TopographyError;
+use crate::error::named;
 
 /// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
 pub enum LengthUnit {
     /// m.
+    #[serde(rename = "m")]
     Metre,
     /// cm.
+    #[serde(rename = "cm")]
     Centimetre,
     /// mm.
+    #[serde(rename = "mm")]
     Millimetre,
-    /// µm, written `um`, `µm`, `micron` or `microns`.
+    /// µm, written `um`; [`FromStr`] takes `µm`, `micron` and `microns` as well.
+    #[serde(rename = "um")]
     Micrometre,
     /// nm.
+    #[serde(rename = "nm")]
     Nanometre,
-    /// Å, written `A`, `Å` or `angstrom`.
+    /// Å, written `angstrom`; [`FromStr`] takes `A` and `Å` as well.
+    #[serde(rename = "angstrom")]
     Angstrom,
     /// pm.
+    #[serde(rename = "pm")]
     Picometre,
 }
 
@@ -41,40 +48,12 @@ impl LengthUnit {
             Self::Picometre => 1e-12,
         }
     }
-
-    /// The name in ASCII.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Metre => "m",
-            Self::Centimetre => "cm",
-            Self::Millimetre => "mm",
-            Self::Micrometre => "um",
-            Self::Nanometre => "nm",
-            Self::Angstrom => "angstrom",
-            Self::Picometre => "pm",
-        }
-    }
-
-    /// The unit of this name, if it is one.
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        Some(match name.trim() {
-            "m" => Self::Metre,
-            "cm" => Self::Centimetre,
-            "mm" => Self::Millimetre,
-            // Both the micro sign and the Greek letter are in use.
-            "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => Self::Micrometre,
-            "nm" => Self::Nanometre,
-            "A" | "\u{c5}" | "\u{212b}" | "angstrom" => Self::Angstrom,
-            "pm" => Self::Picometre,
-            _ => return None,
-        })
-    }
 }
 
 impl fmt::Display for LengthUnit {
+    /// The name in ASCII.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        self.serialize(f)
     }
 }
 
@@ -82,25 +61,15 @@ impl FromStr for LengthUnit {
     type Err = TopographyError;
 
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        Self::named(name).ok_or_else(|| TopographyError::UnknownName {
-            field: "unit",
-            found: name.to_owned(),
-            known: "m, cm, mm, um, nm, angstrom, pm",
-        })
-    }
-}
-
-impl TryFrom<String> for LengthUnit {
-    type Error = TopographyError;
-
-    fn try_from(name: String) -> Result<Self, TopographyError> {
-        name.parse()
-    }
-}
-
-impl From<LengthUnit> for String {
-    fn from(unit: LengthUnit) -> Self {
-        unit.name().to_owned()
+        named(
+            "unit",
+            match name.trim() {
+                // Both the micro sign and the Greek letter are in use.
+                "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => "um",
+                "A" | "\u{c5}" | "\u{212b}" => "angstrom",
+                name => name,
+            },
+        )
     }
 }
 
@@ -110,7 +79,7 @@ mod tests {
 
     #[test]
     fn units_are_read_as_people_write_them() {
-        for name in ["um", "µm", "μm", " um "] {
+        for name in ["um", "µm", "μm", " um ", "microns"] {
             assert_eq!(name.parse::<LengthUnit>().unwrap(), LengthUnit::Micrometre);
         }
         let error = "furlong".parse::<LengthUnit>().unwrap_err().to_string();
@@ -120,6 +89,6 @@ mod tests {
         );
         let json = serde_json::to_string(&LengthUnit::Nanometre).unwrap();
         assert_eq!(json, "\"nm\"");
-        assert_eq!(serde_json::from_str::<LengthUnit>("\"µm\"").unwrap(), LengthUnit::Micrometre);
+        assert_eq!(serde_json::from_str::<LengthUnit>("\"um\"").unwrap(), LengthUnit::Micrometre);
     }
 }

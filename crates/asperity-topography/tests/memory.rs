@@ -6,6 +6,7 @@
 
 use asperity_topography::{ReadOptions, read_bytes};
 
+#[path = "suite/files.rs"]
 mod files;
 use files::{Sur, X3p, archive, x3p_of};
 

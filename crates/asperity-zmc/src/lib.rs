@@ -20,12 +20,12 @@
 //!
 //! # Example
 //! ```
-//! use asperity_core::{Asperity, ContactModel, Interface, Quantity, Tolerance};
+//! use asperity_core::{Asperity, AsperityModel, Interface, Quantity, Tolerance};
 //! use asperity_zmc::ZhaoMaiettaChang;
 //!
 //! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
 //! let [force, area] = [Quantity::Force, Quantity::Area]
-//!     .map(|q| ZhaoMaiettaChang.law(&asperity, q, Tolerance::default()).unwrap());
+//!     .map(|q| ZhaoMaiettaChang.law(&asperity, q, Tolerance::default()).unwrap().unwrap());
 //! let w = 54.0 * force.interference_unit; // fully plastic from here: mean pressure H
 //! assert!((force.value(w).unwrap() / area.value(w).unwrap() / 1.12e9 - 1.0).abs() < 1e-12);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -34,11 +34,13 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, ContactError, ContactModel, Form, Law, Power, Provenance, Quantity, Source, Tolerance,
+    Asperity, AsperityModel, Claims, ContactError, Form, Law, Power, Provenance, Quantity, Source,
+    Tolerance,
 };
+use serde::{Deserialize, Serialize};
 
 /// The model of Zhao, Maietta and Chang.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct ZhaoMaiettaChang;
 
 const SOURCE: Source = Source {
@@ -78,7 +80,7 @@ fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
     Err(ContactError::OutOfRange { field: "hardness", value: asperity.hardness, required })
 }
 
-impl ContactModel for ZhaoMaiettaChang {
+impl AsperityModel for ZhaoMaiettaChang {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -88,24 +90,29 @@ impl ContactModel for ZhaoMaiettaChang {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let yield_at = first_yield(asperity)?;
         let area_unit = PI * asperity.radius * yield_at;
         let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
-        match quantity {
+        Ok(Some(match quantity {
             Quantity::Force => {
                 let force = Form::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
-                Ok(Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness * area_unit)
+                Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness * area_unit)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
                     .elastic_plastic(between, force)
-                    .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)]))
+                    .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)])
             }
-            Quantity::Area => Ok(Law::in_units(yield_at, area_unit)
+            Quantity::Area => Law::in_units(yield_at, area_unit)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
                 .elastic_plastic(between, Form::function(area).known_as("ZMC area", vec![]))
-                .plastic(beyond, [Power::new(2.0, 1.0)])),
-            _ => Err(self.no_law(quantity)),
-        }
+                .plastic(beyond, [Power::new(2.0, 1.0)]),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn claims(&self) -> Claims {
+        Claims::default()
+            .valid_for("w_1 < R; runs smoothly from elastic at w_1 to plastic at 54 w_1")
     }
 }
 

@@ -2,8 +2,8 @@
 //! This one is Hertz up to w_c and fully plastic at once beyond 10 w_c, with a power law between.
 
 use asperity::{
-    Asperity, ContactError, ContactModel, Interface, Law, Power, Provenance, Quantity, Request,
-    Scene, Source, Surface, Tolerance, testkit,
+    Asperity, AsperityModel, ContactError, ContactModel, Interface, Law, Power, Provenance,
+    Quantity, Request, Scene, Source, Surface, Tolerance, testkit,
 };
 
 #[derive(Debug)]
@@ -18,7 +18,7 @@ const SOURCE: Source = Source {
     provenance: Provenance::Derived,
 };
 
-impl ContactModel for ThreeRanges {
+impl AsperityModel for ThreeRanges {
     fn source(&self) -> &Source {
         &SOURCE
     }
@@ -28,17 +28,18 @@ impl ContactModel for ThreeRanges {
         asperity: &Asperity,
         quantity: Quantity,
         _: Tolerance,
-    ) -> Result<Law, ContactError> {
+    ) -> Result<Option<Law>, ContactError> {
         let (w, f) = (asperity.critical_interference()?, asperity.critical_force()?);
         let (unit, elastic, at_ten) = match quantity {
             Quantity::Force => (f, 1.5, 30.0 / asperity.pressure_factor),
             Quantity::Area => (std::f64::consts::PI * asperity.radius * w, 1.0, 20.0),
-            _ => return Err(self.no_law(quantity)),
+            _ => return Ok(None),
         };
-        Ok(Law::in_units(w, unit)
+        let law = Law::in_units(w, unit)
             .elastic(0.0..1.0, [Power::new(1.0, elastic)])
             .elastic_plastic(1.0..10.0, [Power::new(1.0, at_ten.log10())])
-            .plastic(10.0..f64::INFINITY, [Power::new(at_ten / 10.0, 1.0)]))
+            .plastic(10.0..f64::INFINITY, [Power::new(at_ten / 10.0, 1.0)]);
+        Ok(Some(law))
     }
 }
 
@@ -55,7 +56,7 @@ fn main() -> Result<(), ContactError> {
         println!(
             "{:9} {:.4e} {}",
             column.quantity.to_string(),
-            column.values[1],
+            column.values()?[1],
             column.quantity.unit()
         );
     }

@@ -3,7 +3,10 @@
 use std::cmp::Ordering;
 
 use crate::cubic;
-use crate::{Compiled, ContactError, Model, Quantity, Request, Scene, Tolerance, linspace};
+use crate::{
+    At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit,
+    Tolerance, linspace,
+};
 
 /// More nodes than this are not added to meet an error.
 const MOST_NODES: usize = 100_000;
@@ -98,19 +101,20 @@ pub enum TableError {
 }
 
 impl ContactTable {
-    /// `count` ≥ 2 nodes at equal distances.
+    /// From one separation, load or pressure to another, larger one, with `count` ≥ 2 nodes at
+    /// equal distances of separation.
     ///
     /// # Errors
     /// [`TableError`]; the integrals are done to `tolerance`.
-    pub fn even(
-        model: &Model,
+    pub fn even<A: Into<At>>(
+        model: &dyn ContactModel,
         scene: &Scene,
         tolerance: Tolerance,
-        (first, last, count): (f64, f64, usize),
+        (first, last, count): (A, A, usize),
         interpolation: Interpolation,
     ) -> Result<Self, TableError> {
         let builder = Builder::new(model, scene, tolerance, interpolation)?;
-        builder.table(builder.even(first, last, count)?)
+        builder.table(builder.even(first.into(), last.into(), count)?)
     }
 
     /// As [`even`](Self::even), with nodes added between those until no interpolated pressure is
@@ -122,24 +126,24 @@ impl ContactTable {
     /// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
     /// let (range, cubic) = ((0.0, 4.0, 2), Interpolation::Hermite);
     /// let table =
-    ///     ContactTable::within(&"ke".parse()?, &scene, Tolerance::default(), range, 1e-6, cubic)?;
+    ///     ContactTable::within(&asperity::KogutEtsion, &scene, Tolerance::default(), range, 1e-6, cubic)?;
     /// assert!(table.pressure_error <= 1e-6 && table.nodes.len() < 100);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// [`TableError`]; the integrals are done to `tolerance`, below which `error` cannot be met.
-    pub fn within(
-        model: &Model,
+    pub fn within<A: Into<At>>(
+        model: &dyn ContactModel,
         scene: &Scene,
         tolerance: Tolerance,
-        (first, last, count): (f64, f64, usize),
+        (first, last, count): (A, A, usize),
         error: f64,
         interpolation: Interpolation,
     ) -> Result<Self, TableError> {
         crate::positive("error", error)?;
         let builder = Builder::new(model, scene, tolerance, interpolation)?;
-        let even = builder.even(first, last, count)?;
+        let even = builder.even(first.into(), last.into(), count)?;
         let mut nodes = vec![even[0]];
         // Intervals still to be looked at, the next one on top.
         let mut ahead: Vec<ContactNode> = even[1..].iter().rev().copied().collect();
@@ -169,36 +173,49 @@ impl ContactTable {
 }
 
 struct Builder {
-    compiled: Compiled,
+    contact: Box<dyn Contact>,
     nominal_area: f64,
     interpolation: Interpolation,
 }
 
 impl Builder {
     fn new(
-        model: &Model,
+        model: &dyn ContactModel,
         scene: &Scene,
         tolerance: Tolerance,
         interpolation: Interpolation,
     ) -> Result<Self, TableError> {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
-        let compiled = model.compile(scene, &request)?;
-        Ok(Self { compiled, nominal_area: scene.nominal_area, interpolation })
+        let contact = model.compile(scene, &request)?;
+        Ok(Self { contact, nominal_area: scene.nominal_area, interpolation })
+    }
+
+    fn height_std(&self) -> f64 {
+        self.contact.scene().surface.asperity_height_std
     }
 
     fn node(&self, separation: f64) -> Result<ContactNode, TableError> {
-        let value = |quantity| -> Result<f64, ContactError> {
-            Ok(self.compiled.evaluate(quantity, separation)?.value() / self.nominal_area)
-        };
-        let (pressure, stiffness) = (value(Quantity::Force)?, value(Quantity::Tangent)?);
+        let (force, tangent) = self.contact.force_and_tangent(separation)?;
+        let [pressure, stiffness] = [force, tangent].map(|e| e.value() / self.nominal_area);
         if pressure > 0.0 && stiffness > 0.0 {
             return Ok(ContactNode { separation, pressure, stiffness });
         }
-        let model = self.compiled.model().into();
+        let model = self.contact.model().into();
         Err(TableError::NotFalling { model, separation, pressure, stiffness })
     }
 
-    fn even(&self, first: f64, last: f64, count: usize) -> Result<Vec<ContactNode>, TableError> {
+    /// d/σ_z from the mean of the asperity heights.
+    fn sigmas(&self, at: At) -> Result<f64, TableError> {
+        let (unit, from) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let separation = self.contact.separation(at)?;
+        Ok(separation.measured_in(unit, from, self.contact.scene())?.value)
+    }
+
+    fn even(&self, first: At, last: At, count: usize) -> Result<Vec<ContactNode>, TableError> {
+        let by_load = !matches!(first, At::Separation(_));
+        let (first, last) = (self.sigmas(first)?, self.sigmas(last)?);
+        // The smaller load is at the larger separation.
+        let (first, last) = if by_load { (last, first) } else { (first, last) };
         if first.partial_cmp(&last) != Some(Ordering::Less) {
             return Err(TableError::Range { first, last });
         }
@@ -226,13 +243,13 @@ impl Builder {
             interpolation: self.interpolation,
             pressure_error,
             stiffness_error,
-            asperity_height_std: self.compiled.asperity_height_std(),
+            asperity_height_std: self.height_std(),
         })
     }
 
     /// Slopes at both ends over the secant's: positive, because the pressure falls.
     fn slopes(&self, from: &ContactNode, to: &ContactNode) -> (f64, f64) {
-        let width = (to.separation - from.separation) * self.compiled.asperity_height_std();
+        let width = (to.separation - from.separation) * self.height_std();
         let secant = (from.pressure - to.pressure) / width;
         (from.stiffness / secant, to.stiffness / secant)
     }
@@ -259,7 +276,7 @@ impl Builder {
             let t = k as f64 / (PROBES + 1) as f64;
             let exact = self.node(from.separation + t * width)?;
             let pressure = from.pressure - fall * cubic::value(a, b, t);
-            let secant = fall / (width * self.compiled.asperity_height_std());
+            let secant = fall / (width * self.height_std());
             let stiffness = secant * cubic::slope(a, b, t);
             pressure_error = pressure_error.max((pressure / exact.pressure - 1.0).abs());
             stiffness_error = stiffness_error.max((stiffness / exact.stiffness - 1.0).abs());
@@ -271,7 +288,7 @@ impl Builder {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Interface, Surface};
+    use crate::{Interface, KogutEtsion, Model, Surface};
 
     fn scene() -> Scene {
         let mut interface = Interface::new(116e9, 0.31, 1.12e9);
@@ -280,7 +297,7 @@ mod tests {
     }
 
     fn even(count: usize, interpolation: Interpolation) -> ContactTable {
-        let (model, tolerance) = ("ke".parse().unwrap(), Tolerance::default());
+        let (model, tolerance) = (KogutEtsion, Tolerance::default());
         ContactTable::even(&model, &scene(), tolerance, (0.0, 4.0, count), interpolation).unwrap()
     }
 
@@ -297,7 +314,7 @@ mod tests {
 
     #[test]
     fn an_asked_error_is_met_with_few_nodes() {
-        let (model, tolerance) = ("ke".parse().unwrap(), Tolerance::default());
+        let (model, tolerance) = (KogutEtsion, Tolerance::default());
         for (interpolation, most) in [(Interpolation::Linear, 700), (Interpolation::Hermite, 90)] {
             let range = (-1.0, 4.0, 2);
             let within = |error| {
@@ -319,6 +336,21 @@ mod tests {
     }
 
     #[test]
+    fn loads_and_pressures_are_ends_like_any_other() {
+        let (model, tolerance, scene) = (KogutEtsion, Tolerance::default(), scene());
+        let of = |a, b| {
+            let cubic = Interpolation::Hermite;
+            ContactTable::even(&model, &scene, tolerance, (a, b, 9), cubic).unwrap().nodes
+        };
+        let nodes = of(At::Pressure(1e4), At::Pressure(1e6));
+        assert!((nodes[0].pressure / 1e6 - 1.0).abs() < 1e-9);
+        assert!((nodes[8].pressure / 1e4 - 1.0).abs() < 1e-9);
+        assert_eq!(nodes, of(At::Load(1e4 * 3e-5), At::Load(1e6 * 3e-5)));
+        let metres = of(At::metres(1e-6), At::metres(3e-6));
+        assert!((metres[8].separation - 3.0).abs() < 1e-12);
+    }
+
+    #[test]
     fn the_tangent_of_the_last_node_ends_the_table() {
         let table = even(41, Interpolation::Linear);
         let (last, end) = (table.nodes[40], table.cut_off().unwrap());
@@ -330,9 +362,10 @@ mod tests {
     fn what_a_solver_cannot_use_is_refused() {
         let interface = scene().interface;
         let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
-        let odd = Scene { surface, ..scene() };
+        let mut odd = scene();
+        odd.surface = surface;
         let table = |scene: &Scene, id: &str, range| {
-            let (model, cubic) = (id.parse().unwrap(), Interpolation::Hermite);
+            let (model, cubic) = (id.parse::<Model>().unwrap(), Interpolation::Hermite);
             ContactTable::even(&model, scene, Tolerance::default(), range, cubic)
         };
         let message = table(&odd, "at", (0.0, 4.0, 9)).unwrap_err().to_string();

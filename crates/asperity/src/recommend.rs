@@ -2,10 +2,13 @@
 
 use std::fmt;
 
-use crate::{ContactError, Model, Quantity, Request, Scene};
+use serde::Serialize;
+
+use crate::{ContactError, ContactModel, Evaluation, Model, Quantity, Request, Scene};
 
 /// How far one model is from the reference.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Comparison {
     /// The model.
     pub model: Model,
@@ -27,16 +30,17 @@ impl Comparison {
 }
 
 /// All models against a reference, and the simplest that is near enough.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Recommendation {
     /// The model that the others are compared with.
     pub reference: Model,
     /// Largest relative deviation that was allowed.
     pub within: f64,
-    /// The simplest model within it: no angles before angles, then fewest regimes, then the order
-    /// of [`Model::all`], simplest first. The reference itself is always within.
+    /// The first of the comparisons within it. The reference itself is always within.
     pub simplest: Model,
-    /// Every model, in the order of [`Model::all`].
+    /// Every model, the simplest first: no angles before angles, then fewest parts of the force
+    /// law, then the order of [`Model::all`], which is that of their years.
     pub comparisons: Vec<Comparison>,
 }
 
@@ -68,8 +72,8 @@ pub fn recommend(
     recommend_among(Model::all(), scene, request, reference, within)
 }
 
-/// As [`recommend`], among these models, in the order of preference: those with a scene's options,
-/// say, or with some of your own.
+/// As [`recommend`], among these models: those with a scene's options, say, or with some of your
+/// own. Of two that are equally simple, the one that stands first here is named.
 ///
 /// # Errors
 /// Those of [`recommend`].
@@ -81,64 +85,51 @@ pub fn recommend_among(
     within: f64,
 ) -> Result<Recommendation, ContactError> {
     crate::positive("within", within)?;
-    if request.separations.is_empty() {
-        let (field, required) = ("number of separations", "at least 1");
+    if request.at.is_empty() {
+        let (field, required) = ("number of separations and loads", "at least 1");
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
     }
-    let wanted = logarithms(reference, scene, request)?;
-    let comparisons: Vec<Comparison> = models
+    let wanted = answers(reference, scene, request)?;
+    let mut comparisons: Vec<Comparison> = models
         .into_iter()
         .map(|model| {
-            let deviations = logarithms(&model, scene, request).map(|found| {
-                let quantities = request.quantities.iter().copied();
-                quantities
-                    .zip(found.iter().zip(&wanted).map(|(a, b)| largest_deviation(a, b)))
-                    .collect()
+            let deviations = answers(&model, scene, request).map(|found| {
+                let columns = request.quantities.iter().zip(found.iter().zip(&wanted));
+                columns.map(|(q, (a, b))| (*q, largest_deviation(*q, a, b))).collect()
             });
             let regimes = regimes(&model, scene, request);
             Comparison { model, deviations, regimes }
         })
         .collect();
-    let simplest = comparisons
-        .iter()
-        .filter(|c| c.largest() <= within)
-        .min_by_key(|c| (c.model.claims().angles, c.regimes))
-        .map_or_else(|| reference.clone(), |c| c.model.clone());
+    comparisons.sort_by_key(|c| (c.model.claims().angles, c.regimes));
+    let near = comparisons.iter().find(|c| c.largest() <= within);
+    let simplest = near.map_or_else(|| reference.clone(), |c| c.model.clone());
     Ok(Recommendation { reference: reference.clone(), within, simplest, comparisons })
 }
 
-/// Signs and logarithms of the values: far tails compare as well as near ones.
-type Column = Vec<(f64, f64)>;
+/// The values of one quantity.
+type Column = Vec<Evaluation>;
 
-fn logarithms(
-    model: &Model,
-    scene: &Scene,
-    request: &Request,
-) -> Result<Vec<Column>, ContactError> {
-    let compiled = model.compile(scene, request)?;
+fn answers(model: &Model, scene: &Scene, request: &Request) -> Result<Vec<Column>, ContactError> {
+    let contact = model.compile(scene, request)?;
     let column = |quantity: &Quantity| {
-        let value = |s: &f64| {
-            let found = compiled.evaluate(*quantity, *s)?;
-            Ok((found.scaled.signum(), found.ln_value()))
-        };
-        request.separations.iter().map(value).collect::<Result<Column, ContactError>>()
+        request.at.iter().map(|at| contact.evaluate(*quantity, *at)).collect()
     };
     request.quantities.iter().map(column).collect()
 }
 
-fn largest_deviation(found: &Column, wanted: &Column) -> f64 {
-    let deviation = |((s, a), (t, b)): (&(f64, f64), &(f64, f64))| {
-        if a.is_infinite() && b.is_infinite() { 0.0 } else { (s * t * (a - b).exp() - 1.0).abs() }
-    };
-    found.iter().zip(wanted).map(deviation).fold(0.0, f64::max)
+/// Infinite where there is none that is a number.
+fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Column) -> f64 {
+    let deviations = found.iter().zip(wanted).map(|(a, b)| a.deviation(b, quantity));
+    deviations.fold(0.0, |most, d| most.max(d.map_or(f64::INFINITY, f64::abs)))
 }
 
+/// 0 for a model that has no law of an asperity.
 fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
-    let parts = |asperity| {
-        let law = model.law(&asperity, Quantity::Force, request.tolerance);
-        law.map_or(0, |law| law.parts.len())
+    let law = |model: &dyn crate::AsperityModel| {
+        model.law(&scene.asperity().ok()?, Quantity::Force, request.tolerance).ok()?
     };
-    scene.asperity().map_or(0, parts)
+    model.asperity_model().and_then(law).map_or(0, |law| law.parts.len())
 }
 
 impl fmt::Display for Recommendation {

@@ -5,15 +5,19 @@ use std::ops::Deref;
 use std::str::FromStr;
 use std::sync::Arc;
 
+use serde::de::{DeserializeOwned, Error as _};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value};
 use strsim::osa_distance;
 
 use crate::{
-    AbdoFarhang, AminiTehrani, ChangEtsionBogy, ContactError, ContactModel, EtsionKligermanKadin,
-    Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen, KogutEtsion, Reading,
-    ZhaoMaiettaChang,
+    AbdoFarhang, AminiTehrani, AsperityModel, ChangEtsionBogy, Claims, Contact, ContactError,
+    ContactModel, EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen,
+    KogutEtsion, Reading, Request, Scene, Source, Warning, ZhaoMaiettaChang,
 };
 
-/// Any contact model, by value: cheap to clone, shared between threads, read from its name.
+/// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
+/// written with its options.
 ///
 /// ```
 /// use asperity::{ContactModel, Model};
@@ -22,51 +26,160 @@ use crate::{
 /// assert_eq!(model.name(), "KE");
 /// let mistyped = "zcm".parse::<Model>().unwrap_err().to_string();
 /// assert!(mistyped.contains("did you mean \"zmc\"?"));
-/// # Ok::<(), asperity::ContactError>(())
+///
+/// let text = r#"{"id": "gao", "options": {"displacement": "none"}}"#;
+/// let frictionless: Model = serde_json::from_str(text)?;
+/// assert_eq!(frictionless.options().unwrap()["displacement"], "none");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Model(Arc<dyn ContactModel>);
+pub struct Model {
+    model: Arc<dyn ContactModel>,
+    /// Its options, for a model of this project.
+    known: Option<Arc<dyn Configurable>>,
+}
 
-impl Model {
-    /// Wraps a model, of this project or your own.
-    #[must_use]
-    pub fn new(model: impl ContactModel + 'static) -> Self {
-        Self(Arc::new(model))
+/// A model with options that can be written and read.
+trait Configurable: ContactModel {
+    /// All options, with their values.
+    fn options(&self) -> Value;
+    /// The same model with these options in place of its own.
+    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error>;
+}
+
+impl<M: ContactModel + Serialize + DeserializeOwned + 'static> Configurable for M {
+    fn options(&self) -> Value {
+        // A unit struct has none.
+        match serde_json::to_value(self) {
+            Ok(Value::Object(options)) => Value::Object(options),
+            _ => Value::Object(Map::new()),
+        }
     }
 
-    /// Every model of this project with its default options, simplest first.
+    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error> {
+        if options.is_empty() && serde_json::to_value(self)?.is_null() {
+            return Ok(Model::known(serde_json::from_value::<M>(Value::Null)?));
+        }
+        let Value::Object(mut all) = self.options() else {
+            return Err(serde_json::Error::custom("options that are no map"));
+        };
+        for (name, value) in options {
+            if !all.contains_key(name) {
+                let known: Vec<&str> = all.keys().map(String::as_str).collect();
+                return Err(unknown_option(self.id(), name, &known));
+            }
+            all.insert(name.clone(), value.clone());
+        }
+        Ok(Model::known(serde_json::from_value::<M>(Value::Object(all))?))
+    }
+}
+
+fn unknown_option(id: &str, name: &str, known: &[&str]) -> serde_json::Error {
+    let listed = if known.is_empty() { "it has none".into() } else { known.join(", ") };
+    serde_json::Error::custom(format!("{id} has no option {name:?}: {listed}"))
+}
+
+impl Model {
+    /// Wraps a model of your own.
+    #[must_use]
+    pub fn new(model: impl ContactModel + 'static) -> Self {
+        Self { model: Arc::new(model), known: None }
+    }
+
+    /// Wraps a model whose options can be written and read.
+    #[must_use]
+    pub fn known(model: impl ContactModel + Serialize + DeserializeOwned + 'static) -> Self {
+        let model = Arc::new(model);
+        Self { known: Some(model.clone()), model }
+    }
+
+    /// Every model of this project with its default options, in the order of their years.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let reading = |reading| AminiTehrani { reading, ..AminiTehrani::default() };
         let cosine = JacksonGreen { hardness: GeometricHardness::Cosine };
         vec![
-            Self::new(GreenwoodWilliamson),
-            Self::new(ChangEtsionBogy),
-            Self::new(ZhaoMaiettaChang),
-            Self::new(KogutEtsion),
-            Self::new(EtsionKligermanKadin),
-            Self::new(JacksonGreen::default()),
-            Self::new(cosine),
-            Self::new(AbdoFarhang::default()),
-            Self::new(Gao::default()),
-            Self::new(reading(Reading::Printed)),
-            Self::new(reading(Reading::Additive)),
-            Self::new(reading(Reading::Overlap)),
+            Self::known(GreenwoodWilliamson),
+            Self::known(ChangEtsionBogy),
+            Self::known(ZhaoMaiettaChang),
+            Self::known(KogutEtsion),
+            Self::known(EtsionKligermanKadin),
+            Self::known(JacksonGreen::default()),
+            Self::known(cosine),
+            Self::known(AbdoFarhang::default()),
+            Self::known(Gao::default()),
+            Self::known(reading(Reading::Printed)),
+            Self::known(reading(Reading::Additive)),
+            Self::known(reading(Reading::Overlap)),
         ]
+    }
+
+    /// All options with their values; `None` for a model of your own.
+    #[must_use]
+    pub fn options(&self) -> Option<Value> {
+        self.known.as_ref().map(|known| known.options())
+    }
+
+    /// The same model with these options in place of its own.
+    ///
+    /// # Errors
+    /// [`ContactError::Option`] naming the option that the model does not have, or its value.
+    pub fn with_options(&self, options: &Map<String, Value>) -> Result<Self, ContactError> {
+        let refused = |reason: String| ContactError::Option { model: self.id().into(), reason };
+        match &self.known {
+            Some(known) => known.with(options).map_err(|error| refused(error.to_string())),
+            None if options.is_empty() => Ok(self.clone()),
+            None => Err(refused("its options are not known".into())),
+        }
     }
 }
 
+impl ContactModel for Model {
+    fn source(&self) -> &Source {
+        self.model.source()
+    }
+
+    fn id(&self) -> &str {
+        self.model.id()
+    }
+
+    fn name(&self) -> &str {
+        self.model.name()
+    }
+
+    fn claims(&self) -> Claims {
+        self.model.claims()
+    }
+
+    fn notes(&self) -> Vec<Warning> {
+        self.model.notes()
+    }
+
+    fn asperity_model(&self) -> Option<&dyn AsperityModel> {
+        self.model.asperity_model()
+    }
+
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        self.model.compile(scene, request)
+    }
+
+    fn solve(&self, scene: &Scene, request: &Request) -> Result<crate::Response, ContactError> {
+        self.model.solve(scene, request)
+    }
+}
+
+/// So that the methods are there without the trait.
 impl Deref for Model {
     type Target = dyn ContactModel;
 
     fn deref(&self) -> &Self::Target {
-        &*self.0
+        &*self.model
     }
 }
 
 impl fmt::Display for Model {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.id())
+        f.pad(self.id())
     }
 }
 
@@ -90,6 +203,36 @@ impl FromStr for Model {
     }
 }
 
+/// `{"id": .., "options": {..}}`.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    id: String,
+    #[serde(default)]
+    options: Map<String, Value>,
+}
+
+impl Serialize for Model {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.options() {
+            Some(Value::Object(options)) => {
+                Written { id: self.id().into(), options }.serialize(serializer)
+            }
+            _ => {
+                Err(serde::ser::Error::custom(format!("{}: its options are not known", self.id())))
+            }
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Model {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Written { id, options } = Written::deserialize(deserializer)?;
+        let model = id.parse::<Self>().and_then(|model| model.with_options(&options));
+        model.map_err(D::Error::custom)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -104,6 +247,23 @@ mod tests {
         unique.sort();
         unique.dedup();
         assert_eq!(unique.len(), ids.len());
+    }
+
+    #[test]
+    fn every_model_goes_to_its_id_and_options_and_back() {
+        for model in Model::all() {
+            let text = serde_json::to_string(&model).unwrap();
+            let back: Model = serde_json::from_str(&text).unwrap();
+            assert_eq!((back.id(), back.options()), (model.id(), model.options()), "{text}");
+            assert_eq!(format!("{back:?}"), format!("{model:?}"));
+        }
+        let refused = |text: &str| serde_json::from_str::<Model>(text).unwrap_err().to_string();
+        let message = refused(r#"{"id": "gao", "options": {"sitck": "clamped"}}"#);
+        assert!(message.contains("gao has no option \"sitck\"") && message.contains("stick"));
+        let message = refused(r#"{"id": "gao", "options": {"stick": "loose"}}"#);
+        assert!(message.contains("loose") && message.contains("clamped"), "{message}");
+        let message = refused(r#"{"id": "ke", "options": {"stick": "clamped"}}"#);
+        assert!(message.contains("ke has no option \"stick\": it has none"), "{message}");
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use anyhow::Result;
 use asperity::AngleDensity;
 
-use crate::draw::{Along, Axis, Band, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
+use asperity_plot::{Axis, Curve, Figure, Mark, Panel, Strip};
 
 const AZIMUTHS: [(f64, &str); 4] =
     [(45.0, "theta=45"), (90.0, "theta=90"), (135.0, "theta=135"), (225.0, "theta=225")];
@@ -38,19 +38,12 @@ pub fn style(_: &str) -> Result<Figure> {
     panel.curves = AZIMUTHS
         .iter()
         .enumerate()
-        .map(|(k, (theta, key))| {
-            CurveStyle::numbered(k + 1, key, &format!("as printed, θ = {theta}°"))
-        })
+        .map(|(k, (theta, key))| Curve::new(k + 1, key, &format!("as printed, θ = {theta}°")))
         .collect();
-    panel.curves.push(CurveStyle::numbered(0, FOLDED, "as used (folded)"));
-    panel.bands = vec![Band::new(Along::Y, f64::NEG_INFINITY, 0.0, "negative: no density")];
+    panel.curves.push(Curve::new(0, FOLDED, "as used (folded)"));
+    panel.strips = vec![Strip::across(f64::NEG_INFINITY, 0.0, "negative: no density")];
     panel.horizontals = vec![Mark::new(0.0, "")];
-    Ok(Figure {
-        title: "Density of contact normals, as printed and as used".into(),
-        caption: vec![
-            "4πψ = 1 + a₂₀P₂(cos φ) + (a₂₁cos θ + b₂₁sin θ)P₂¹(cos φ) with a₂₀ = -0.5, a₂₁ = b₂₁ = 1, as printed by Amini & Tehrani (2020). It is negative on 21.9 % of the sphere, down to -1.279. A normal and its opposite are one contact: folding them leaves 1.25 - 0.75 cos²φ, and the terms with a₂₁ and b₂₁ change no result. Markers tell the curves apart.".into(),
-        ],
-        panels: vec![panel],
-        ..Figure::default()
-    })
+    let title = "Density of contact normals, as printed and as used";
+    let caption = "4πψ = 1 + a₂₀P₂(cos φ) + (a₂₁cos θ + b₂₁sin θ)P₂¹(cos φ) with a₂₀ = -0.5, a₂₁ = b₂₁ = 1, as printed by Amini & Tehrani (2020). It is negative on 21.9 % of the sphere, down to -1.279. A normal and its opposite are one contact: folding them leaves 1.25 - 0.75 cos²φ, and the terms with a₂₁ and b₂₁ change no result. Markers tell the curves apart.";
+    Ok(Figure::new(title, &[caption], vec![panel]))
 }

@@ -1,11 +1,11 @@
 //! What one asperity does, in every model.
 
 use anyhow::Result;
-use asperity::{Law, Model, Quantity, Request};
+use asperity::{Law, Model, Quantity, Tolerance};
 
 use super::models::{self, MARKERS, curve};
-use crate::draw::{Arrangement, Axis, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
+use asperity_plot::{Axis, Curve, Figure, Mark, Panel};
 
 /// All models; the other readings of AT would only crowd the picture.
 const MODELS: [&str; 10] =
@@ -44,10 +44,9 @@ pub fn table() -> Result<Table> {
     let mut table = Table::new(&["curve", X, COLUMNS[0].0, COLUMNS[1].0, COLUMNS[2].0]);
     for id in MODELS {
         let model: Model = id.parse()?;
-        let request = Request::new([Quantity::Force, Quantity::Area]);
-        let compiled = model.compile(&scene, &request)?;
-        let (force, area) = (compiled.law(Quantity::Force)?, compiled.law(Quantity::Area)?);
-        for x in grid(&jumps(&model, force, critical)) {
+        let law = |quantity| model.law(&asperity, quantity, Tolerance::default());
+        let (force, area) = (law(Quantity::Force)?, law(Quantity::Area)?);
+        for x in grid(&jumps(&model, &force, critical)) {
             let Some(x) = x else {
                 table.push(&[Field::Word(id), Field::Gap, Field::Gap, Field::Gap, Field::Gap])?;
                 continue;
@@ -80,9 +79,10 @@ fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
     // The gaps of AT are where it is negative, the others' are jumps.
-    let style = |id: &str| -> Result<CurveStyle> {
-        let curve = curve(id)?;
-        Ok(if id == "at" { curve } else { curve.joined() })
+    let style = |id: &str| -> Result<Curve> {
+        let mut curve = curve(id)?;
+        curve.join_gaps = id != "at";
+        Ok(curve)
     };
     let curves = MODELS.iter().map(|id| style(id)).collect::<Result<Vec<_>>>()?;
     let panels = COLUMNS.map(|(column, label)| {
@@ -96,12 +96,5 @@ pub fn style(_: &str) -> Result<Figure> {
         "One asperity of the paper's scene (E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58, R = 359 µm), in units of F_c\u{a0}=\u{a0}(2/3)πRw_cSH and A_c\u{a0}=\u{a0}πRw_c. Jumps are those of the published laws: CEB at 1, KE at 1, 6 and 110, Etsion at 170, JG at 1.9 of its own unit. Gao and AT are averaged over the contact angles; AT as printed subtracts a part, and its curves break off where force or area is negative.",
         MARKERS,
     ];
-    Ok(Figure {
-        title: "The laws of one asperity".into(),
-        caption: caption.map(str::to_owned).to_vec(),
-        panels: panels.to_vec(),
-        arrangement: Arrangement::Stacked,
-        shared_legend: true,
-        ..Figure::default()
-    })
+    Ok(Figure::new("The laws of one asperity", &caption, panels.to_vec()))
 }

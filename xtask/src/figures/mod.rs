@@ -8,9 +8,10 @@ mod readings;
 mod shares;
 
 use anyhow::Result;
+use asperity::Quantity::{Area, Force, Stiffness};
 
-use crate::draw::Figure;
 use crate::table::Table;
+use asperity_plot::Figure;
 
 /// One figure.
 pub struct FigureSpec {
@@ -24,17 +25,45 @@ pub struct FigureSpec {
 
 /// All figures: the paper's, then those beyond it.
 pub const FIGURES: [FigureSpec; 11] = [
-    FigureSpec { name: "fig04-force-roughness", table: paper::table_04, style: paper::style_04 },
-    FigureSpec { name: "fig05-force-models", table: paper::table_05, style: paper::style_05 },
-    FigureSpec { name: "fig06-area-roughness", table: paper::table_06, style: paper::style_06 },
-    FigureSpec { name: "fig07-area-models", table: paper::table_07, style: paper::style_07 },
+    FigureSpec {
+        name: "fig04-force-roughness",
+        table: || paper::roughness(Force),
+        style: |_| paper::roughness_figure("Contact force against separation, AT model", Force),
+    },
+    FigureSpec {
+        name: "fig05-force-models",
+        table: || paper::nine_models(Force),
+        style: |_| paper::models_figure("Contact force against separation, nine models", Force),
+    },
+    FigureSpec {
+        name: "fig06-area-roughness",
+        table: || paper::roughness(Area),
+        style: |_| paper::roughness_figure("Real contact area against separation, AT model", Area),
+    },
+    FigureSpec {
+        name: "fig07-area-models",
+        table: || paper::nine_models(Area),
+        style: |_| paper::models_figure("Real contact area against separation, nine models", Area),
+    },
     FigureSpec {
         name: "fig08-stiffness-roughness",
-        table: paper::table_08,
-        style: paper::style_08,
+        table: || paper::roughness(Stiffness),
+        style: |_| {
+            paper::roughness_figure("Contact stiffness against separation, AT model", Stiffness)
+        },
     },
-    FigureSpec { name: "fig09-stiffness-models", table: paper::table_09, style: paper::style_09 },
-    FigureSpec { name: "fig10-area-kucharski", table: paper::table_10, style: paper::style_10 },
+    FigureSpec {
+        name: "fig09-stiffness-models",
+        table: || paper::nine_models(Stiffness),
+        style: |_| {
+            paper::models_figure("Contact stiffness against separation, nine models", Stiffness)
+        },
+    },
+    FigureSpec {
+        name: "fig10-area-kucharski",
+        table: paper::kucharski,
+        style: paper::kucharski_figure,
+    },
     FigureSpec { name: "laws-single-asperity", table: laws::table, style: laws::style },
     FigureSpec { name: "angle-density", table: angles::table, style: angles::style },
     FigureSpec { name: "at-regime-shares", table: shares::table, style: shares::style },

@@ -3,13 +3,13 @@
 use anyhow::Result;
 use asperity::{Body, Interface, Model, Scene, Surface};
 
-use crate::draw::CurveStyle;
+use asperity_plot::Curve;
 
 /// The models of the paper's figures.
 pub const PAPER: [&str; 9] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af", "gao", "at"];
 
 /// The curve of a model.
-pub fn curve(id: &str) -> Result<CurveStyle> {
+pub fn curve(id: &str) -> Result<Curve> {
     let model: Model = id.parse()?;
     let slot = PAPER.iter().position(|p| *p == id).unwrap_or(9);
     let label = match id {
@@ -17,7 +17,7 @@ pub fn curve(id: &str) -> Result<CurveStyle> {
         "etsion" => "Etsion",
         _ => model.name(),
     };
-    Ok(CurveStyle::numbered(slot, id, label))
+    Ok(Curve::new(slot, id, label))
 }
 
 /// The paper's interface: E = 116 GPa and G = 41 GPa are taken as the equivalent moduli.
@@ -49,12 +49,7 @@ pub fn scene(asperity_height_std: f64) -> Result<Scene> {
 
 /// Kucharski's steel on a rigid flat, on an assumed surface.
 pub fn kucharski() -> Result<Scene> {
-    let steel = Body {
-        youngs_modulus: 200e9,
-        poissons_ratio: 0.3,
-        hardness: None,
-        yield_strength: Some(400e6),
-    };
+    let steel = Body::yielding(200e9, 0.3, 400e6);
     let (radius, std) = (60e-6, 3e-6);
     let surface = Surface::new(radius, ROUGHNESS_PARAMETER / (radius * std), std);
     Ok(Scene::new(Interface::against_rigid(&steel)?, surface, 1e-4))

@@ -5,8 +5,8 @@ use asperity::{Model, Quantity, Request, linspace};
 use rayon::prelude::*;
 
 use super::models::{self, MARKERS, curve};
-use crate::draw::{Along, Arrangement, Axis, Band, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
+use asperity_plot::{Axis, Curve, Figure, Mark, Panel, Strip};
 
 const MODELS: [&str; 5] = ["at", "at-additive", "at-overlap", "gao", "ke"];
 /// Separations over σ_z, a panel each.
@@ -86,7 +86,7 @@ pub fn style(csv: &str) -> Result<Figure> {
     let mut curves = MODELS[3..].iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     let readings = ["AT as printed", "AT additive", "AT overlap"];
     for (k, (id, label)) in MODELS.iter().zip(readings).enumerate() {
-        curves.insert(k, CurveStyle::numbered([8, 0, 1][k], id, label));
+        curves.insert(k, Curve::new([8, 0, 1][k], id, label));
     }
     let mut panels = vec![];
     for separation in SEPARATIONS {
@@ -98,19 +98,10 @@ pub fn style(csv: &str) -> Result<Figure> {
         panel.horizontals = vec![Mark::new(0.0, "")];
         if let Some((from, to)) = negative_window(csv, separation)? {
             panel.title += &format!(": AT as printed is negative for ψ = {from:.2} to {to:.2}");
-            panel.bands = vec![Band::new(Along::X, from, to, "")];
+            panel.strips = vec![Strip::upright(from, to, "")];
         }
         panels.push(panel);
     }
-    Ok(Figure {
-        title: "Three readings of the AT sum".into(),
-        caption: vec![
-            "Printed: I[e;0,1] - I[ep1;1,6] + I[ep2;6,110] + I[p;110,∞]; additive: all plus; overlap: I[e;0,6] - I[ep1;1,6] + I[ep2;1,110] + I[p;110,∞]. Interface and R = 359 µm of the paper's scene; σ_z varies with the plasticity index. Gao and additive all but coincide.".into(),
-            MARKERS.into(),
-        ],
-        panels,
-        arrangement: Arrangement::Stacked,
-        shared_legend: true,
-        ..Figure::default()
-    })
+    let caption = "Printed: I[e;0,1] - I[ep1;1,6] + I[ep2;6,110] + I[p;110,∞]; additive: all plus; overlap: I[e;0,6] - I[ep1;1,6] + I[ep2;1,110] + I[p;110,∞]. Interface and R = 359 µm of the paper's scene; σ_z varies with the plasticity index. Gao and additive all but coincide.";
+    Ok(Figure::new("Three readings of the AT sum", &[caption, MARKERS], panels))
 }

@@ -4,8 +4,8 @@ use anyhow::Result;
 use asperity::{Model, Quantity, Request, linspace};
 
 use super::models::{self, INPUTS, MARKERS};
-use crate::draw::{Arrangement, Axis, CurveStyle, Figure, Mark, Panel};
 use crate::table::{Field, Table};
+use asperity_plot::{Axis, Curve, Figure, Mark, Panel};
 
 const READINGS: [(&str, &str); 2] =
     [("at", "as printed: shares are signed"), ("at-additive", "additive reading")];
@@ -48,27 +48,16 @@ pub fn style(_: &str) -> Result<Figure> {
         let mut panel = Panel::new(x, Axis::new("share_of_force", "share of the force"));
         panel.only = Some(("reading".into(), id.into()));
         panel.title = title.into();
-        panel.curves = PARTS
-            .iter()
-            .enumerate()
-            .map(|(k, (key, label))| CurveStyle::numbered(k, key, label))
-            .collect();
+        panel.curves =
+            PARTS.iter().enumerate().map(|(k, (key, label))| Curve::new(k, key, label)).collect();
         panel.stacked = id == "at-additive";
         if !panel.stacked {
             panel.horizontals = vec![Mark::new(0.0, "")];
         }
         panel
     });
-    Ok(Figure {
-        title: "Regimes of the AT model's force".into(),
-        caption: vec![
-            format!(
-                "y is the contact-normal interference over w_c, ep1 and ep2 are the elastic-plastic ranges. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
-            ),
-            MARKERS.into(),
-        ],
-        panels: panels.to_vec(),
-        arrangement: Arrangement::Stacked,
-        ..Figure::default()
-    })
+    let caption = format!(
+        "y is the contact-normal interference over w_c, ep1 and ep2 are the elastic-plastic ranges. Shares sum to 1; the printed sum subtracts the range 1 < y < 6. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
+    );
+    Ok(Figure::new("Regimes of the AT model's force", &[&caption, MARKERS], panels.to_vec()))
 }

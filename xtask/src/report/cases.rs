@@ -1,16 +1,17 @@
 //! The cases with a reference computed another way: `tests/reference`.
 
-use std::fs;
-use std::path::Path;
 use std::sync::Arc;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow};
 use asperity::{HeightDistribution, Interface, Model, Quantity, Scene, Surface};
 use rayon::prelude::*;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 
-use super::laws::Laws;
 use super::methods::{Failure, Outcome};
-use super::problem::Problem;
+use super::ours::{Laws, law_behind};
+use super::problem::{Asked, Problem};
+use crate::files::figures_folder;
 
 /// The family of the scenes that are not hard.
 pub const ORDINARY: &str = "ordinary";
@@ -64,110 +65,94 @@ impl Case {
         let within = |[low, high]: [f64; 2], x: f64| (low..=high).contains(&x);
         self.family != ORDINARY
             && !self.problem.exponential()
-            && within(HARD_GRID.0, self.problem.separation)
+            && within(HARD_GRID.0, self.problem.asked.separation)
             && within(HARD_GRID.1, self.critical)
     }
 }
 
-/// One row of a reference table before its law is built.
+/// The numbers of a scene.
+#[derive(Deserialize)]
+struct Numbers {
+    equivalent_modulus: f64,
+    equivalent_shear_modulus: f64,
+    poissons_ratio: f64,
+    hardness: f64,
+    pressure_factor: f64,
+    asperity_radius: f64,
+    asperity_density: f64,
+    asperity_height_std: f64,
+    nominal_area: f64,
+}
+
+impl Numbers {
+    fn scene(&self) -> Scene {
+        let mut interface =
+            Interface::new(self.equivalent_modulus, self.poissons_ratio, self.hardness);
+        interface.equivalent_shear_modulus = Some(self.equivalent_shear_modulus);
+        interface.pressure_factor = Some(self.pressure_factor);
+        let surface =
+            Surface::new(self.asperity_radius, self.asperity_density, self.asperity_height_std);
+        Scene::new(interface, surface, self.nominal_area)
+    }
+}
+
+/// A row of `hard_cases.csv`, and with some of it in words of our own, of `models.csv`.
+#[derive(Deserialize)]
 struct Row {
+    #[serde(default)]
     family: String,
-    name: String,
-    scene: Scene,
-    model: Model,
-    quantity: Quantity,
-    separation: f64,
+    case: String,
+    #[serde(flatten)]
+    numbers: Option<Numbers>,
+    #[serde(default)]
+    heights: String,
+    model: String,
+    quantity: String,
+    separation_over_sigma: f64,
     value: f64,
     /// Digits of ln |value|; where there are none, the value stands for itself.
+    #[serde(default)]
     ln_value: String,
 }
 
-/// The hard cases and the ordinary scenes of these models and quantities.
+#[derive(Deserialize)]
+struct Named {
+    case: String,
+    #[serde(flatten)]
+    numbers: Numbers,
+}
+
+fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
+    let path = figures_folder().with_file_name("tests").join("reference").join(name);
+    let rows = csv::Reader::from_path(&path).and_then(|mut csv| csv.deserialize().collect());
+    rows.with_context(|| path.display().to_string())
+}
+
+/// The hard cases and the ordinary scenes of these pairs of model and quantity.
 ///
 /// # Errors
 /// A table that is missing or is not what its head says.
-pub fn read(laws: &Laws, models: &[Model], quantities: &[Quantity]) -> Result<Vec<Case>> {
-    let mut rows = hard_rows()?;
-    rows.extend(ordinary_rows()?);
-    rows.retain(|row| {
-        quantities.contains(&row.quantity) && models.iter().any(|m| m.id() == row.model.id())
-    });
-    rows.into_par_iter().map(|row| case(laws, row)).collect()
-}
-
-fn table(name: &str) -> Result<Vec<Vec<String>>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference").join(name);
-    let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-    let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
-    Ok(text.lines().skip(1).map(cells).collect())
-}
-
-/// The scene in the nine columns from `equivalent_modulus` on.
-fn scene(cells: &[String]) -> Result<Scene> {
-    let numbers: Vec<f64> =
-        cells.iter().map(|cell| cell.parse()).collect::<Result<_, _>>().context("a scene")?;
-    let [modulus, shear, poisson, hardness, factor, radius, density, std, area] = numbers[..]
-    else {
-        bail!("a scene has {} numbers, 9 were required", numbers.len());
-    };
-    let mut interface = Interface::new(modulus, poisson, hardness);
-    interface.equivalent_shear_modulus = Some(shear);
-    interface.pressure_factor = Some(factor);
-    Ok(Scene::new(interface, Surface::new(radius, density, std), area))
-}
-
-fn hard_rows() -> Result<Vec<Row>> {
-    let read = |cells: &Vec<String>| -> Result<Row> {
-        let mut scene = scene(&cells[2..11])?;
-        match cells[11].as_str() {
-            "gaussian" => {}
-            "exponential" => scene.heights = HeightDistribution::Exponential,
-            other => bail!("heights {other:?}"),
-        }
-        Ok(Row {
-            family: cells[0].clone(),
-            name: cells[1].clone(),
-            scene,
-            model: cells[12].parse()?,
-            quantity: cells[13].parse().map_err(anyhow::Error::msg)?,
-            separation: cells[14].parse()?,
-            value: cells[15].parse()?,
-            ln_value: cells[16].clone(),
-        })
-    };
-    rows("hard_cases.csv", 20, read)
-}
-
-fn ordinary_rows() -> Result<Vec<Row>> {
-    let scenes: Vec<(String, Scene)> =
-        rows("models_scenes.csv", 10, |cells| Ok((cells[0].clone(), scene(&cells[1..10])?)))?;
-    let read = |cells: &Vec<String>| -> Result<Option<Row>> {
+pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
+    let scenes: Vec<Named> = table("models_scenes.csv")?;
+    let mut rows: Vec<Row> = table("hard_cases.csv")?;
+    rows.extend(table::<Row>("models.csv")?);
+    let cases = rows.into_par_iter().filter_map(|row| {
         // Options of the lateral models that are no defaults stand in words of their own.
-        let Ok(quantity) = cells[3].parse() else { return Ok(None) };
-        let scene = scenes.iter().find(|(name, _)| *name == cells[0]).context("a scene's name")?;
-        Ok(Some(Row {
-            family: ORDINARY.into(),
-            name: cells[0].clone(),
-            scene: scene.1.clone(),
-            model: cells[1].parse()?,
-            quantity,
-            separation: cells[2].parse()?,
-            value: cells[4].parse()?,
-            ln_value: String::new(),
-        }))
-    };
-    Ok(rows("models.csv", 5, read)?.into_iter().flatten().collect())
-}
-
-fn rows<T>(name: &str, columns: usize, read: impl Fn(&Vec<String>) -> Result<T>) -> Result<Vec<T>> {
-    let numbered = table(name)?.into_iter().enumerate();
-    numbered
-        .map(|(k, cells)| {
-            let place = || format!("{name} line {}", k + 2);
-            anyhow::ensure!(cells.len() >= columns, "{}: {} cells", place(), cells.len());
-            read(&cells).with_context(place)
-        })
-        .collect()
+        let wanted = |(model, quantity): &&(Model, Quantity)| {
+            model.id() == row.model && quantity.to_string() == row.quantity
+        };
+        let (model, quantity) = pairs.iter().find(wanted)?;
+        let named =
+            || scenes.iter().find(|named| named.case == row.case).map(|n| n.numbers.scene());
+        let Some(mut scene) = row.numbers.as_ref().map(Numbers::scene).or_else(named) else {
+            return Some(Err(anyhow!("scene {:?} is in no table", row.case)));
+        };
+        if row.heights == "exponential" {
+            scene.heights = HeightDistribution::Exponential;
+        }
+        Some(case(laws, row, scene, model.clone(), *quantity))
+    });
+    cases.collect()
 }
 
 /// The tightest tolerance that is promised for a model: its law is tabulated to it.
@@ -176,18 +161,22 @@ pub fn tightest(model: &Model) -> f64 {
     if model.claims().angles { 1e-11 } else { 1e-13 }
 }
 
-fn case(laws: &Laws, row: Row) -> Result<Case> {
-    let Row { family, name, scene, model, quantity, separation, value, ln_value } = row;
-    let compiled = laws.compiled(&model, quantity, &scene, tightest(&model))?;
-    let law = Arc::new(compiled.law(quantity)?.clone());
+fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -> Result<Case> {
+    let Row { family, case: name, value, ln_value, separation_over_sigma: separation, .. } = row;
+    let family = if family.is_empty() { ORDINARY.into() } else { family };
+    let tolerance = tightest(&model);
+    let asked = Asked { model, quantity, scene, separation };
+    let compiled = laws.scene(&asked, tolerance)?;
+    let Asked { model, scene, .. } = &asked;
+    let law = Arc::new(law_behind(model, quantity, &scene.asperity()?, tolerance)?);
     let evaluation = compiled.evaluate(quantity, separation)?;
-    let problem = Arc::new(Problem { model, quantity, scene, separation, law });
+    let problem = Arc::new(Problem { asked, law });
     let scaled = if ln_value.is_empty() {
         value * (-problem.ln_scale()).exp()
     } else {
         value.signum() * over_scale(&ln_value, &problem)?
     };
-    let critical = problem.scene.asperity()?.critical_interference()? / problem.std();
+    let critical = problem.asked.scene.asperity()?.critical_interference()? / problem.std();
     Ok(Case { family, name, problem, value, scaled, size: evaluation.size, critical })
 }
 
@@ -198,7 +187,7 @@ fn over_scale(ln_value: &str, problem: &Problem) -> Result<f64> {
     let (whole, fraction) = digits.split_once('.').context("a logarithm with a point")?;
     let whole = sign * whole.parse::<f64>()?;
     let fraction = sign * format!("0.{fraction}").parse::<f64>()?;
-    let s = problem.separation.max(0.0);
+    let s = problem.asked.separation.max(0.0);
     let (high, low) = if problem.exponential() {
         (s, 0.0)
     } else {
@@ -214,7 +203,9 @@ mod tests {
 
     #[test]
     fn errors_are_relative_to_the_sum_of_sizes_and_nothing_passes_for_an_answer() -> Result<()> {
-        let cases = read(&Laws::default(), &["gw".parse()?], &Quantity::ALL)?;
+        let pairs = Quantity::ALL.map(|quantity| ("gw".parse(), quantity));
+        let pairs = pairs.into_iter().map(|(model, quantity)| Ok((model?, quantity)));
+        let cases = read(&Laws::default(), &pairs.collect::<Result<Vec<_>>>()?)?;
         assert!(cases.iter().any(Case::on_hard_grid) && cases.len() > 60, "{}", cases.len());
         let case = Case { scaled: 2.0, size: 8.0, value: 1.0, ..cases[0].clone() };
         let found = |value, scaled| Ok(Outcome { value, scaled, evaluations: None });

@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 
@@ -25,49 +25,22 @@ pub struct External {
     arguments: Vec<String>,
 }
 
-/// Problems for one setting, all answered in one process.
-pub struct Group {
-    /// Relative tolerance.
-    pub tolerance: f64,
-    /// How many times all of them are run in turn, to take the median; 0 takes no time.
-    pub repeats: usize,
-    /// The problems; every law a sum of powers.
-    pub problems: Vec<Arc<Problem>>,
-}
+/// A relative tolerance, how many times the problem is run to take the median (0 takes no time),
+/// and the problem, whose law is a sum of powers.
+pub type Task = (f64, usize, Arc<Problem>);
 
-/// What came back for a group.
-pub struct Answers {
-    /// Median time of one integral \[ns\], if it was taken.
-    pub median_ns: Option<f64>,
-    /// One for each problem.
-    pub outcomes: Vec<Result<Outcome, Failure>>,
+/// What came back for a task.
+pub struct Answer {
+    /// What was found.
+    pub found: Result<Outcome, Failure>,
+    /// Median time \[ns\].
+    pub ns: f64,
 }
 
 /// Whether a problem can be handed over.
 #[must_use]
 pub fn can_take(problem: &Problem) -> bool {
     problem.law.parts.iter().all(|part| matches!(part.form, Form::Powers(_)))
-}
-
-/// A folder for what is made on the way; it goes with the value.
-pub struct Workshop(PathBuf);
-
-impl Workshop {
-    /// An empty folder.
-    ///
-    /// # Errors
-    /// When there is no room for it.
-    pub fn new() -> Result<Self> {
-        let folder = std::env::temp_dir().join(format!("asperity-report-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
-        Ok(Self(folder))
-    }
-}
-
-impl Drop for Workshop {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
 }
 
 /// The words a command prints, if it succeeds.
@@ -77,14 +50,15 @@ fn words(command: &str, arguments: &[&str]) -> Option<Vec<String>> {
     output.status.success().then(|| text.split_whitespace().map(str::to_owned).collect())
 }
 
-/// Those that are there. One that is installed and does not work is an error.
+/// Those that are there, with what is made for them in a folder. One that is installed and does not
+/// work is an error.
 ///
 /// # Errors
 /// When GSL is said to be there and a program that uses it cannot be built.
-pub fn find(workshop: &Workshop) -> Result<Vec<External>> {
+pub fn find(folder: &Path) -> Result<Vec<External>> {
     let mut found = vec![];
     if let Some(version) = words("python3", &["-c", "import scipy; print(scipy.__version__)"]) {
-        let script = workshop.0.join("quad.py");
+        let script = folder.join("quad.py");
         std::fs::write(&script, include_str!("external/quad.py"))?;
         found.push(External {
             name: "scipy",
@@ -99,7 +73,7 @@ pub fn find(workshop: &Workshop) -> Result<Vec<External>> {
         let version = words("pkg-config", &["--modversion", "gsl"])
             .or_else(|| words("gsl-config", &["--version"]))
             .unwrap_or_default();
-        let (source, program) = (workshop.0.join("qag.c"), workshop.0.join("qag"));
+        let (source, program) = (folder.join("qag.c"), folder.join("qag"));
         std::fs::write(&source, include_str!("external/qag.c"))?;
         let built = Command::new("cc")
             .args(["-O2", "-o"])
@@ -117,17 +91,15 @@ pub fn find(workshop: &Workshop) -> Result<Vec<External>> {
 }
 
 impl External {
-    /// Runs the groups.
+    /// Does the tasks, all in one process.
     ///
     /// # Errors
     /// When the process fails or answers something else.
-    pub fn run(&self, groups: &[Group]) -> Result<Vec<Answers>> {
+    pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
         let mut input = String::new();
-        for group in groups {
-            writeln!(input, "{:e} {} {}", group.tolerance, group.repeats, group.problems.len())?;
-            for problem in &group.problems {
-                write_problem(&mut input, problem)?;
-            }
+        for (tolerance, repeats, problem) in tasks {
+            write!(input, "{tolerance:e} {repeats} ")?;
+            write_problem(&mut input, problem)?;
         }
         let mut process = Command::new(&self.command)
             .args(&self.arguments)
@@ -140,12 +112,10 @@ impl External {
         let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
         let output = process.wait_with_output()?;
         ensure!(output.status.success(), "{} failed: {}", self.name, output.status);
-        if !matches!(writer.join(), Ok(Ok(()))) {
-            bail!("{} did not read its input", self.name);
-        }
+        ensure!(matches!(writer.join(), Ok(Ok(()))), "{} did not read its input", self.name);
         let text = String::from_utf8(output.stdout)?;
-        let mut lines = text.lines();
-        groups.iter().map(|group| answers(group, &mut lines)).collect()
+        ensure!(text.lines().count() == tasks.len(), "{}: answers are missing", self.name);
+        tasks.iter().zip(text.lines()).map(|(task, line)| answer(&task.2, line)).collect()
     }
 }
 
@@ -153,7 +123,7 @@ impl External {
 fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
     let flag = |flag: bool| u8::from(flag);
     let (slope, exponential) = (flag(problem.slope()), flag(problem.exponential()));
-    write!(out, "{:e} {slope} {exponential} {:e}", problem.separation, problem.scale())?;
+    write!(out, "{:e} {slope} {exponential} {:e}", problem.asked.separation, problem.scale())?;
     let breaks = problem.breaks();
     write!(out, " {}", breaks.len())?;
     breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;
@@ -170,21 +140,12 @@ fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
     Ok(())
 }
 
-/// A line with the time, then for each problem value, evaluations and 1 where it converged.
-fn answers<'a>(group: &Group, lines: &mut impl Iterator<Item = &'a str>) -> Result<Answers> {
-    let mut next = || lines.next().context("an answer is missing");
-    let time: f64 = next()?.trim().parse()?;
-    let mut outcomes = vec![];
-    for problem in &group.problems {
-        let line = next()?;
-        let fields: Vec<&str> = line.split_whitespace().collect();
-        let [value, evaluations, converged] = fields[..] else { bail!("answer {line:?}") };
-        let value = problem.in_units(value.parse()?);
-        outcomes.push(if converged == "1" {
-            Ok(Outcome { value, scaled: true, evaluations: Some(evaluations.parse()?) })
-        } else {
-            Err(Failure::NotConverged)
-        });
-    }
-    Ok(Answers { median_ns: (group.repeats > 0).then_some(time), outcomes })
+/// A line: value, evaluations, 1 where it converged, time.
+fn answer(problem: &Problem, line: &str) -> Result<Answer> {
+    let fields: Vec<&str> = line.split_whitespace().collect();
+    let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };
+    let (value, evaluations) = (problem.in_units(value.parse()?), Some(evaluations.parse()?));
+    let found = Outcome { value, scaled: true, evaluations };
+    let found = if converged == "1" { Ok(found) } else { Err(Failure::NotConverged) };
+    Ok(Answer { found, ns: ns.parse()? })
 }

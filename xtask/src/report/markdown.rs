@@ -5,58 +5,23 @@ use std::fmt::Write as _;
 use anyhow::Result;
 
 use super::external::External;
-use super::methods::{self, HARD_TOLERANCE};
-use super::sheet::Sheet;
-use super::speed::significant;
+use super::methods::{HARD_TOLERANCE, METHODS};
+use super::tables::{Row, read, significant};
 use super::throughput::Throughput;
 
-/// The row of a csv that these cells tell apart.
-struct Rows<'a> {
-    sheet: Sheet<'a>,
-    time: usize,
-    error: usize,
-    evaluations: usize,
-}
+const METHODS_END: &str = "| `build-law` | the law of a quantity, with its tables where it has them |
+| `build-scene` | law built: a scene ready at eight separations from -1 to 6 |
 
-/// Time \[ns\], error or word, and evaluations, as they stand in the csv.
-#[derive(Clone, Copy)]
-struct Entry<'a> {
-    time: f64,
-    error: &'a str,
-    evaluations: &'a str,
-}
+scipy and gsl have the laws that are sums of powers. Every method samples the same laws; those of Gao and AT are tables over the interference, whose angles are averaged already. A tangent is the integral of the force law times (d + w)/σ_z², which holds the law's jumps, for every method.
+";
 
-impl<'a> Rows<'a> {
-    fn new(csv: &'a str) -> Result<Self> {
-        let sheet = Sheet::new(csv);
-        let [time, error, evaluations] =
-            ["median_ns", "max_relative_error", "evaluations"].map(|name| sheet.column(name));
-        Ok(Self { time: time?, error: error?, evaluations: evaluations?, sheet })
-    }
-
-    /// The row of a method at a tolerance; at the tightest there is, if a model is not asked for
-    /// that, and the last row of a method without tolerances.
-    fn entry(&self, pair: (&str, &str), method: &str) -> Option<Entry<'a>> {
-        let rows = self.sheet.rows().iter();
-        let rows: Vec<&Vec<&str>> =
-            rows.filter(|row| (row[0], row[1], row[2]) == (pair.0, pair.1, method)).collect();
-        let asked = |row: &&&Vec<&str>| {
-            row[3].parse::<f64>().is_ok_and(|tolerance| tolerance >= 0.99 * HARD_TOLERANCE)
-        };
-        let row = rows.iter().rfind(asked).or(rows.last())?;
-        let (error, evaluations) = (row[self.error], row[self.evaluations]);
-        Some(Entry { time: row[self.time].parse().ok()?, error, evaluations })
-    }
-
-    fn pairs(&self) -> Vec<(&'a str, &'a str)> {
-        let mut pairs: Vec<(&str, &str)> = vec![];
-        for row in self.sheet.rows() {
-            if pairs.last() != Some(&(row[0], row[1])) {
-                pairs.push((row[0], row[1]));
-            }
-        }
-        pairs
-    }
+/// The row of a method at the hard cases' tolerance; at the tightest there is, if a model is not
+/// asked for that, and the last row of a method without tolerances.
+fn entry<'a>(rows: &'a [Row], pair: (&str, &str), method: &str) -> Option<&'a Row> {
+    let own =
+        |row: &&Row| (row.model.as_str(), row.quantity.as_str()) == pair && row.method == method;
+    let asked = |row: &&Row| row.asked().is_some_and(|asked| asked >= 0.99 * HARD_TOLERANCE);
+    rows.iter().filter(own).rfind(asked).or(rows.iter().rfind(own))
 }
 
 /// The Markdown.
@@ -69,7 +34,11 @@ pub fn text(
     libraries: &[External],
     machine: &str,
 ) -> Result<String> {
-    let rows = Rows::new(speed)?;
+    let rows = read(speed)?;
+    let mut pairs: Vec<(&str, &str)> = rows.iter().map(|r| (&*r.model, &*r.quantity)).collect();
+    pairs.dedup();
+    let mut columns: Vec<&str> = METHODS.iter().map(|method| method.1).collect();
+    columns.extend(libraries.iter().map(|library| library.name));
     let mut text = format!(
         "# Speed against error
 
@@ -79,108 +48,87 @@ Written by `cargo xtask report`; measured on {machine}. Times are medians of one
 
 Asked for {HARD_TOLERANCE:e} where a method takes a tolerance.
 
-"
+| model | quantity | {} |
+|---|---|{}
+",
+        columns.join(" | "),
+        "---|".repeat(columns.len())
     );
-    let columns = rows.sheet.values("method")?;
-    let columns: Vec<&str> = columns.into_iter().filter(|m| !m.starts_with("build-")).collect();
-    writeln!(text, "| model | quantity | {} |", columns.join(" | "))?;
-    writeln!(text, "|---|---|{}", "---|".repeat(columns.len()))?;
-    for pair in rows.pairs() {
+    for pair in &pairs {
         write!(text, "| {} | {} |", pair.0, pair.1)?;
         for method in &columns {
-            match rows.entry(pair, method) {
-                Some(entry) => write!(text, " {}, {} |", duration(entry.time), entry.error)?,
+            match entry(&rows, *pair, method) {
+                Some(row) => write!(text, " {}, {} |", duration(row)?, row.max_relative_error)?,
                 None => write!(text, " |")?,
             }
         }
         text.push('\n');
     }
     ratios(&mut text, &rows)?;
-    builds(&mut text, &rows)?;
-    sweeps(&mut text, throughput)?;
-    text.push_str("\n## Methods\n\n| method | what it is |\n|---|---|\n");
-    for method in methods::all() {
-        writeln!(text, "| `{}` | {} |", method.name, method.what)?;
-    }
-    for library in libraries {
-        writeln!(text, "| `{}` | {} |", library.name, library.what)?;
-    }
-    for name in ["scipy", "gsl"] {
-        if libraries.iter().all(|library| library.name != name) {
-            writeln!(text, "| `{name}` | not found on this machine |")?;
-        }
-    }
-    text.push_str("| `build-law` | the law of a quantity, with its tables where it has them |\n");
-    text.push_str(
-        "| `build-scene` | law built: a scene ready at eight separations from -1 to 6 |\n",
-    );
-    text.push_str(
-        "\nscipy and gsl have the laws that are sums of powers. Every method samples the same laws; those of Gao and AT are tables over the interference, whose angles are averaged already. A tangent is the integral of the force law times (d + w)/σ_z², which holds the law's jumps, for every method.\n",
-    );
-    Ok(text)
-}
-
-/// What the issue of speed is about, in numbers of one run.
-fn ratios(text: &mut String, rows: &Rows) -> Result<()> {
-    text.push_str("\n## Ratios in this run\n\n");
-    let ke = ("ke", "force");
-    for ours in ["compiled", "rule"] {
-        let Some(own) = rows.entry(ke, ours) else { continue };
-        for other in ["gauss-kronrod", "tanh-sinh", "gsl", "scipy"] {
-            if let Some(entry) = rows.entry(ke, other) {
-                let ratio = significant(entry.time / own.time);
-                writeln!(
-                    text,
-                    "* KE force at {HARD_TOLERANCE:e}: {other} takes {ratio} times as long as {ours} ({} against {} evaluations)",
-                    entry.evaluations, own.evaluations
-                )?;
-            }
-        }
-    }
-    if let Some(ke) = rows.entry(ke, "compiled") {
-        for (model, quantity) in rows.pairs() {
-            let angles = ["gao", "at"].contains(&model) && quantity == "force";
-            if let Some(entry) = rows.entry((model, quantity), "compiled").filter(|_| angles) {
-                let ratio = significant(entry.time / ke.time);
-                writeln!(text, "* {model} {quantity}, compiled: {ratio} times KE's force")?;
-            }
-        }
-    }
-    Ok(())
-}
-
-fn builds(text: &mut String, rows: &Rows) -> Result<()> {
-    text.push_str(
-        "\n## Building\n\n| model | quantity | law | scene, law sampled |\n|---|---|---|---|\n",
-    );
-    for pair in rows.pairs() {
-        let (law, scene) = (rows.entry(pair, "build-law"), rows.entry(pair, "build-scene"));
+    text += "\n## Building\n\n| model | quantity | law | scene, law sampled |\n|---|---|---|---|\n";
+    for pair in &pairs {
+        let [law, scene] = ["build-law", "build-scene"].map(|build| entry(&rows, *pair, build));
         if let (Some(law), Some(scene)) = (law, scene) {
-            let (law, time) = (duration(law.time), duration(scene.time));
+            let (law, time) = (duration(law)?, duration(scene)?);
             writeln!(text, "| {} | {} | {law} | {time}, {} |", pair.0, pair.1, scene.evaluations)?;
         }
     }
-    Ok(())
-}
-
-fn sweeps(text: &mut String, throughput: &[Throughput]) -> Result<()> {
-    text.push_str("\n## Throughput\n\nAt a tolerance of 1e-10, from nothing: laws and rules are built on the way. Each in a process of its own.\n\n| what | threads | million evaluations a second | peak memory of the process |\n|---|---|---|---|\n");
+    text += "\n## Throughput\n\nAt a tolerance of 1e-10, from nothing: laws and rules are built on the way. Each in a process of its own.\n\n| what | threads | million evaluations a second | peak memory of the process |\n|---|---|---|---|\n";
     for line in throughput {
         let millions = significant(line.per_second / 1e6);
         let memory = line.memory.map_or("–".into(), |bytes| format!("{:.0} MB", bytes / 1e6));
         writeln!(text, "| {} | {} | {millions} | {memory} |", line.what, line.threads)?;
     }
+    text += "\n## Methods\n\n| method | what it is |\n|---|---|\n";
+    let own = METHODS.iter().map(|(_, name, what)| (*name, *what));
+    let others = libraries.iter().map(|library| (library.name, library.what.as_str()));
+    let missing = ["scipy", "gsl"].into_iter().filter(|name| !columns.contains(name));
+    let missing = missing.map(|name| (name, "not found on this machine"));
+    for (name, what) in own.chain(others).chain(missing) {
+        writeln!(text, "| `{name}` | {what} |")?;
+    }
+    Ok(text + METHODS_END)
+}
+
+/// The machine that a text names.
+#[must_use]
+pub fn machine(text: &str) -> Option<&str> {
+    Some(text.split_once("measured on ")?.1.split_once(". Times")?.0)
+}
+
+/// What the issue of speed is about, in numbers of one run.
+fn ratios(text: &mut String, rows: &[Row]) -> Result<()> {
+    *text += "\n## Ratios in this run\n\n";
+    let ratio = |other: &Row, own: &Row| -> Result<String> {
+        Ok(significant(other.median_ns.parse::<f64>()? / own.median_ns.parse::<f64>()?))
+    };
+    let ke = |method| entry(rows, ("ke", "force"), method);
+    for own in ["compiled", "rule"].into_iter().filter_map(ke) {
+        for other in ["gauss-kronrod", "tanh-sinh", "gsl", "scipy"].into_iter().filter_map(ke) {
+            let (ours, theirs) = (&own.method, &other.method);
+            let (few, many, times) = (&own.evaluations, &other.evaluations, ratio(other, own)?);
+            writeln!(
+                text,
+                "* KE force at {HARD_TOLERANCE:e}: {theirs} takes {times} times as long as {ours} ({many} against {few} evaluations)"
+            )?;
+        }
+    }
+    for model in ["gao", "at"] {
+        if let (Some(own), Some(ke)) = (entry(rows, (model, "force"), "compiled"), ke("compiled")) {
+            writeln!(text, "* {model} force, compiled: {} times KE's force", ratio(own, ke)?)?;
+        }
+    }
     Ok(())
 }
 
-/// A time \[ns\] in the unit that suits it.
-fn duration(ns: f64) -> String {
-    let (number, unit) = match ns {
+/// A time in the unit that suits it.
+fn duration(row: &Row) -> Result<String> {
+    let (number, unit) = match row.median_ns.parse::<f64>()? {
         ns if ns < 1e3 => (ns, "ns"),
         ns if ns < 1e6 => (ns / 1e3, "µs"),
         ns => (ns / 1e6, "ms"),
     };
-    format!("{} {unit}", significant(number))
+    Ok(format!("{} {unit}", significant(number)))
 }
 
 #[cfg(test)]
@@ -198,13 +146,14 @@ ke,force,simpson,,4000,1.0e0,201
     #[test]
     fn the_table_holds_the_asked_tolerance_and_the_ratios_are_of_it() -> Result<()> {
         let text = text(CSV, &[], &[], "a machine")?;
-        assert!(
-            text.contains(
-                "| ke | force | 50.0 ns, 1e-15 | 5.00 µs, not-converged | 4.00 µs, 1.0e0 |"
-            )
-        );
-        assert!(text.contains("gauss-kronrod takes 100 times as long as compiled (300 against 8"));
-        assert!(text.contains("`scipy` | not found") && text.contains("a machine"));
+        for part in [
+            "| ke | force | 50.0 ns, 1e-15 | | 5.00 µs, not-converged | | | | | 4.00 µs, 1.0e0 |",
+            "gauss-kronrod takes 100 times as long as compiled (300 against 8 evaluations)",
+            "`scipy` | not found",
+        ] {
+            assert!(text.contains(part), "{part}");
+        }
+        assert_eq!(machine(&text), Some("a machine"));
         Ok(())
     }
 }

@@ -4,106 +4,74 @@
 //! one run: `speed-vs-error.{csv,svg,md}`; and where each method breaks: `hard-cases.{csv,svg}`.
 //! Errors and counts are the same in every run and guarded by tests; times are not.
 
-mod accuracy;
-mod builds;
 mod cases;
 mod external;
-mod hard;
-mod laws;
 mod machine;
 mod markdown;
 mod methods;
+mod ours;
 mod picture;
 mod problem;
 mod scope;
-mod sheet;
-mod speed;
+mod tables;
 pub mod throughput;
-mod timing;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 
 pub use scope::Scope;
 
-use laws::Laws;
-use speed::Run;
+use ours::Laws;
+use tables::Run;
 
-/// Measures and writes; returns the paths written. The bar shows on a terminal only.
+use crate::files::save;
+
+/// Measures and writes; returns the paths written. The counter shows on a terminal only.
 ///
 /// # Errors
 /// A reference table or another library that does not work, a case that is refused, a file that
 /// cannot be written.
 pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let bar = ProgressBar::no_length();
-    bar.set_style(ProgressStyle::with_template("{elapsed} {wide_bar} {pos}/{len} {msg}")?);
-    bar.set_message("references");
-    let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.models()?, scope.quantities())?;
-    let workshop = external::Workshop::new()?;
-    let libraries = external::find(&workshop)?;
+    let bar = ProgressBar::new_spinner().with_message("references");
     let tick = |what: &str| {
-        bar.set_message(what.to_owned());
+        bar.set_message(format!("{} {what}", bar.position()));
         bar.inc(1);
     };
-    let run = Run { scope, laws: &laws, cases: &cases, tick: &tick };
-    let pairs = run.pairs()?;
-    let mut length = 0;
-    for (model, _) in &pairs {
-        let settings = |method| scope.settings(method, model).len();
-        length += methods::all().iter().map(settings).sum::<usize>();
-        length += 2 * scope.tolerances(model).len();
-    }
-    bar.set_length(length as u64);
-    let mut rows = vec![];
-    for (model, quantity) in &pairs {
-        rows.extend(run.own(model, *quantity, true)?);
-        rows.extend(run.builds(model, *quantity)?);
-    }
-    for library in &libraries {
-        let found = run.external(library)?;
-        rows.extend(found);
-    }
-    bar.set_message("throughput");
+    let workshop = tempfile::tempdir()?;
+    let libraries = external::find(workshop.path())?;
+    let laws = Laws::default();
+    let cases = cases::read(&laws, &scope.pairs()?)?;
+    let run =
+        Run { scope, laws: &laws, cases: &cases, timed: true, libraries: &libraries, tick: &tick };
+    let (speed, hard) = (run.speed()?, run.hard()?);
     let throughput = throughput::measure(scope)?;
-    let speed = speed::csv(&rows)?;
-    bar.set_message("hard cases");
-    let hard = hard::csv(&laws, &cases, &libraries)?;
     bar.finish_and_clear();
-
-    let machine = machine::description();
-    let tables = [
-        ("speed-vs-error.md", markdown::text(&speed, &throughput, &libraries, &machine)?),
-        ("speed-vs-error.csv", speed.clone()),
-        ("hard-cases.csv", hard.clone()),
-    ];
+    let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
     // Numbers first: they took long, and a picture may fail.
-    let mut paths = save(folder, tables)?;
-    paths.extend(save(folder, pictures(&speed, &hard, &machine)?)?);
+    let tables =
+        [("speed-vs-error.md", text), ("speed-vs-error.csv", speed), ("hard-cases.csv", hard)];
+    let mut paths = save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?;
+    paths.extend(save(folder, pictures(folder)?)?);
     Ok(paths)
 }
 
-fn save<const N: usize>(folder: &Path, texts: [(&str, String); N]) -> Result<Vec<PathBuf>> {
-    let save = |(name, text): (&str, String)| {
-        let path = folder.join(name);
-        fs::write(&path, text).with_context(|| path.display().to_string())?;
-        Ok(path)
-    };
-    texts.into_iter().map(save).collect()
-}
-
-/// The pictures by name, from the texts of the two csv and the line that names the machine.
+/// The pictures by name, drawn from the tables in a folder.
 ///
 /// # Errors
-/// A csv that is none of the report's.
-pub fn pictures(speed: &str, hard: &str, machine: &str) -> Result<[(&'static str, String); 2]> {
+/// Tables that are missing or none of the report's.
+pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
+    let read = |name: &str| {
+        let path = folder.join(name);
+        fs::read_to_string(&path).with_context(|| path.display().to_string())
+    };
+    let text = read("speed-vs-error.md")?;
+    let machine = markdown::machine(&text).context("speed-vs-error.md names no machine")?;
     Ok([
-        ("speed-vs-error.svg", picture::frontier(speed, machine)?),
-        ("hard-cases.svg", picture::hard_cases(hard)?),
+        ("speed-vs-error.svg".into(), picture::frontier(&read("speed-vs-error.csv")?, machine)?),
+        ("hard-cases.svg".into(), picture::hard_cases(&read("hard-cases.csv")?)?),
     ])
 }
 
@@ -122,13 +90,10 @@ pub fn errors_agree(a: f64, b: f64) -> bool {
 /// A reference table that does not work, or a case that is refused.
 pub fn accuracy(scope: Scope) -> Result<(String, String)> {
     let laws = Laws::default();
-    let cases = cases::read(&laws, &scope.models()?, scope.quantities())?;
-    let run = Run { scope, laws: &laws, cases: &cases, tick: &|_| {} };
-    let mut rows = vec![];
-    for (model, quantity) in run.pairs()? {
-        rows.extend(run.own(&model, quantity, false)?);
-    }
-    Ok((speed::csv(&rows)?, hard::csv(&laws, &cases, &[])?))
+    let cases = cases::read(&laws, &scope.pairs()?)?;
+    let run =
+        Run { scope, laws: &laws, cases: &cases, timed: false, libraries: &[], tick: &|_| {} };
+    Ok((run.speed()?, run.hard()?))
 }
 
 #[cfg(test)]

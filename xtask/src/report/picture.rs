@@ -2,11 +2,11 @@
 
 use anyhow::Result;
 
-use super::hard::BEFORE;
-use super::sheet::{Sheet, worse};
-use crate::draw::{
-    Along, Arrangement, Axis, Band, Cell, Colour, CurveStyle, Dash, Figure, Legend, Marker, Matrix,
-    Panel, Shape, draw, draw_matrix,
+use super::cases::ORDINARY;
+use super::scope::median;
+use super::tables::{BEFORE, Row, read};
+use asperity_plot::{
+    Axis, Cell, Curve, Figure, Legend, Matrix, Panel, Strip, draw, draw_matrix, power_of_ten,
 };
 
 /// Errors above this have no digit worth the name.
@@ -14,18 +14,18 @@ const WRONG: f64 = 1e-2;
 /// The ends of the axis; what is beyond stands at the end. Names have room at the right.
 const ERRORS: (f64, f64) = (1e-16, 1e4);
 
-/// How each method is drawn.
-const METHODS: [(&str, Marker, Colour); 10] = [
-    ("compiled", Marker::filled(Shape::Circle), Colour::BLACK),
-    ("rule", Marker::filled(Shape::Square), Colour::BLUE),
-    ("gauss-kronrod", Marker::open(Shape::Diamond), Colour::VERMILLION),
-    ("tanh-sinh", Marker::filled(Shape::Triangle), Colour::GREEN),
-    ("gauss-legendre-split", Marker::open(Shape::Nabla), Colour::INDIGO),
-    ("gauss-legendre-64", Marker::open(Shape::Square), Colour::WINE),
-    ("trapezoid-1001", Marker::open(Shape::Plus), Colour::WINE),
-    ("simpson", Marker::open(Shape::Cross), Colour::WINE),
-    ("scipy", Marker::open(Shape::Circle), Colour::DARK_GREY),
-    ("gsl", Marker::filled(Shape::Diamond), Colour::GREY),
+/// The methods in the order of their looks.
+const METHODS: [&str; 10] = [
+    "compiled",
+    "gauss-legendre-64",
+    "rule",
+    "gauss-kronrod",
+    "gauss-legendre-split",
+    "tanh-sinh",
+    "gsl",
+    "scipy",
+    "simpson",
+    "trapezoid-1001",
 ];
 
 /// Whose rows are summed up in which panel.
@@ -39,45 +39,38 @@ fn panel_of(model: &str) -> &'static str {
     PANELS.iter().find(|panel| panel.2.contains(&model)).map_or(PANELS[0].0, |panel| panel.0)
 }
 
+/// An error as it stands in a csv; a word is worse than any number.
+fn size(error: &str) -> f64 {
+    error.parse().unwrap_or(f64::INFINITY)
+}
+
+/// Panel, method and number of the setting, with the worst error and all times.
+type Group<'a> = ((&'a str, &'a str, usize), f64, Vec<f64>);
+
 /// Median of times against worst of errors, for each method and setting over all models and
 /// quantities of a panel: `panel,method,error,time`.
 fn summary(csv: &str) -> Result<String> {
-    let sheet = Sheet::new(csv);
-    let [model, quantity, method, tolerance, time, error] =
-        ["model", "quantity", "method", "tolerance", "median_ns", "max_relative_error"]
-            .map(|name| sheet.column(name));
-    let (model, quantity, method, tolerance, time, error) =
-        (model?, quantity?, method?, tolerance?, time?, error?);
-    // A method without a tolerance is told apart by how many of its rows came before.
-    let mut groups: Vec<([String; 3], &str, Vec<f64>)> = vec![];
-    let mut before = (String::new(), 0);
-    for row in sheet.rows() {
-        let own = format!("{} {} {}", row[model], row[quantity], row[method]);
-        before = if before.0 == own { (own, before.1 + 1) } else { (own, 0) };
-        let setting = match row[tolerance] {
-            "" => before.1.to_string(),
-            tolerance => tolerance.to_owned(),
-        };
-        if row[error].is_empty() {
-            continue;
-        }
-        let key = [panel_of(row[model]).to_owned(), row[method].to_owned(), setting];
-        let number: f64 = row[time].parse()?;
+    let rows: Vec<Row> = read(csv)?;
+    let together =
+        |a: &Row, b: &Row| (&a.model, &a.quantity, &a.method) == (&b.model, &b.quantity, &b.method);
+    let settings = rows.chunk_by(together).flat_map(|rows| rows.iter().enumerate());
+    let mut groups: Vec<Group> = vec![];
+    for (setting, row) in settings.filter(|(_, row)| !row.max_relative_error.is_empty()) {
+        let key = (panel_of(&row.model), row.method.as_str(), setting);
+        let (error, time) = (size(&row.max_relative_error), row.median_ns.parse()?);
         match groups.iter_mut().find(|group| group.0 == key) {
             Some((_, worst, times)) => {
-                *worst = worse(worst, row[error]);
-                times.push(number);
+                *worst = worst.max(error);
+                times.push(time);
             }
-            None => groups.push((key, row[error], vec![number])),
+            None => groups.push((key, error, vec![time])),
         }
     }
     let mut text = String::from("panel,method,error,time\n");
-    for ([panel, method, _], worst, mut times) in groups {
-        // A word has no place on the axis: the table says it.
-        let Ok(worst) = worst.parse::<f64>() else { continue };
-        times.sort_by(f64::total_cmp);
-        let (worst, median) = (worst.clamp(ERRORS.0, ERRORS.1), times[times.len() / 2]);
-        text.push_str(&format!("{panel},{method},{worst:e},{median:e}\n"));
+    // A word has no place on the axis: the table says it.
+    for ((panel, method, _), worst, times) in groups.into_iter().filter(|g| g.1.is_finite()) {
+        let (worst, time) = (worst.clamp(ERRORS.0, ERRORS.1), median(times).unwrap_or(0.0));
+        text += &format!("{panel},{method},{worst:e},{time:e}\n");
     }
     Ok(text)
 }
@@ -88,10 +81,7 @@ fn summary(csv: &str) -> Result<String> {
 /// A csv that is not `speed-vs-error.csv`.
 pub fn frontier(csv: &str, machine: &str) -> Result<String> {
     let summary = summary(csv)?;
-    let sheet = Sheet::new(&summary);
-    let drawn = |panel: &str, method: &str| {
-        sheet.rows().iter().any(|row| row[0] == panel && row[1] == method)
-    };
+    let drawn = |panel: &str, method: &str| summary.contains(&format!("\n{panel},{method},"));
     let mut panels = vec![];
     for (key, title, _) in PANELS {
         let x = Axis::new("error", "worst relative error on the hard grid").log();
@@ -100,41 +90,26 @@ pub fn frontier(csv: &str, machine: &str) -> Result<String> {
         panel.title = title.into();
         panel.curve_column = "method".into();
         panel.only = Some(("panel".into(), key.into()));
-        panel.legend = Legend::Direct;
-        panel.bands = vec![Band::new(Along::X, WRONG, f64::INFINITY, "wrong")];
-        for (method, marker, colour) in METHODS {
+        panel.strips = vec![Strip::upright(WRONG, f64::INFINITY, "wrong")];
+        for (look, method) in METHODS.into_iter().enumerate() {
             if drawn(key, method) {
-                let line = CurveStyle {
-                    line: Some(Dash::Solid),
-                    marker: None,
-                    colour: colour.tint(0.5),
-                    ..CurveStyle::points(method, "", marker, colour)
-                };
-                panel.curves.push(line);
-            }
-        }
-        for (method, marker, colour) in METHODS {
-            if drawn(key, method) {
-                panel.curves.push(CurveStyle::points(method, method, marker, colour));
+                let mut curve = Curve::new(look, method, method);
+                curve.every_point = true;
+                panel.curves.push(curve);
             }
         }
         if !panel.curves.is_empty() {
             panels.push(panel);
         }
     }
-    let figure = Figure {
-        title: "Time against error of a height integral".into(),
-        caption: vec![
-            "A marker is one setting of a method: the median of its times over all models and quantities of the panel, and the worst of its errors. Times on d/σ_z from -1 to 6 and w_c/σ_z from 0.003 to 3; errors on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 10⁻⁸ to 10⁴, relative to the sum of the sizes of signed parts. Settings that do not converge somewhere are not drawn; scipy and gsl have the laws that are sums of powers.".into(),
-            "gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do, in plain doubles and blind to the kinks of the law; the other classical methods are scaled against underflow and split at the kinks. Laws of Gao and AT are sampled from their tables.".into(),
-            format!("{machine}."),
-        ],
-        panels,
-        arrangement: Arrangement::Stacked,
-        allow_undrawn: false,
-        ..Figure::default()
-    };
-    draw(&figure, &summary)
+    let caption = [
+        "A marker is one setting of a method: the median of its times over all models and quantities of the panel, and the worst of its errors. Times on d/σ_z from -1 to 6 and w_c/σ_z from 0.003 to 3; errors on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 10⁻⁸ to 10⁴, relative to the sum of the sizes of signed parts. Settings that do not converge somewhere are not drawn; scipy and gsl have the laws that are sums of powers.",
+        "gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do, in plain doubles and blind to the kinks of the law; the other classical methods are scaled against underflow and split at the kinks. Laws of Gao and AT are sampled from their tables.",
+        &format!("{machine}."),
+    ];
+    let mut figure = Figure::new("Time against error of a height integral", &caption, panels);
+    figure.legend = Legend::Direct;
+    Ok(draw(&figure, &summary)?)
 }
 
 /// Where each method breaks: families down, methods across.
@@ -142,56 +117,54 @@ pub fn frontier(csv: &str, machine: &str) -> Result<String> {
 /// # Errors
 /// A csv that is not `hard-cases.csv`.
 pub fn hard_cases(csv: &str) -> Result<String> {
-    let sheet = Sheet::new(csv);
-    let family = sheet.column("family")?;
-    let methods: Vec<(usize, &str)> =
-        sheet.head().iter().copied().enumerate().skip(BEFORE.len()).collect();
-    let mut families = sheet.values("family")?;
-    families.sort_by_key(|name| *name != super::cases::ORDINARY);
-    let mut cells = vec![];
-    for name in &families {
-        let rows: Vec<_> = sheet.rows().iter().filter(|row| row[family] == *name).collect();
-        let cell = |(column, _): &(usize, &str)| {
-            cell(rows.iter().map(|row| row[*column]).filter(|error| !error.is_empty()).collect())
-        };
-        cells.push(methods.iter().map(cell).collect());
-    }
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let methods: Vec<String> =
+        reader.headers()?.iter().skip(BEFORE.len()).map(str::to_owned).collect();
+    let rows = reader.records().collect::<Result<Vec<_>, _>>()?;
+    let mut families: Vec<&str> = rows.iter().map(|row| &row[0]).collect();
+    families.dedup();
+    families.sort_by_key(|name| *name != ORDINARY);
+    let column = |family: &str, k: usize| {
+        let own = rows.iter().filter(|row| row[0] == *family).map(|row| &row[BEFORE.len() + k]);
+        cell(own.filter(|error| !error.is_empty()).collect())
+    };
+    let row = |family: &&str| (0..methods.len()).map(|k| column(family, k)).collect();
+    let cells = families.iter().map(row).collect();
     let matrix = Matrix {
         title: "Where each method breaks: worst relative error".into(),
         caption: vec![
             "Below it, in how many cases of the family the error is above 10⁻⁶ or there is no number. “zero”: 0 for what is not 0; “not-converged”: the method says so itself. Errors are relative to the sum of the sizes of signed parts, against references computed another way. “Ordinary” are three scenes of engineering surfaces; their references for Gao and AT hold 5·10⁻¹³.".into(),
             "Asked of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do. scipy and gsl have the laws that are sums of powers.".into(),
         ],
-        columns: methods.iter().map(|(_, name)| (*name).to_owned()).collect(),
+        columns: methods,
         rows: families.iter().map(|name| (*name).to_owned()).collect(),
         cells,
     };
-    draw_matrix(&matrix)
+    Ok(draw_matrix(&matrix)?)
 }
 
 /// Errors above this count as off.
 const OFF: f64 = 1e-6;
 
 fn cell(errors: Vec<&str>) -> Cell {
-    let Some(worst) = errors.iter().copied().reduce(worse) else {
-        return Cell { text: "–".into(), ..Cell::default() };
-    };
-    let off = |error: &&&str| error.parse::<f64>().map_or(true, |error| error > OFF);
-    let note = format!("{} of {}", errors.iter().filter(off).count(), errors.len());
-    let Ok(number) = worst.parse::<f64>() else {
-        return Cell { text: worst.to_owned(), note, shade: 1.0 };
-    };
+    let worst = errors.iter().rev().max_by(|a, b| size(a).total_cmp(&size(b)));
+    let Some(worst) = worst else { return Cell { text: "–".into(), ..Cell::default() } };
+    let off = errors.iter().filter(|error| size(error) > OFF).count();
+    let note = format!("{off} of {}", errors.len());
     // White at 1e-14, dark at 1, and light for long: half way up there are still seven digits.
-    let shade = ((number.max(1e-300).log10() + 14.0) / 14.0).clamp(0.0, 1.0);
-    Cell { text: typeset(worst), note, shade: 0.9 * shade.powf(1.4) }
+    let shade = match size(worst) {
+        f64::INFINITY => 1.0,
+        number => 0.9 * ((number.max(1e-300).log10() + 14.0) / 14.0).clamp(0.0, 1.0).powf(1.4),
+    };
+    Cell { text: typeset(worst), note, shade }
 }
 
-/// `1.5e-7` as 1.5·10⁻⁷.
-fn typeset(number: &str) -> String {
-    let Some((digits, exponent)) = number.split_once('e') else { return number.to_owned() };
-    match exponent.parse() {
-        Ok(0) | Err(_) => digits.to_owned(),
-        Ok(exponent) => format!("{digits}·{}", crate::draw::power_of_ten(exponent)),
+/// `1.5e-7` as 1.5·10⁻⁷; a word as it is.
+fn typeset(error: &str) -> String {
+    match error.split_once('e').map(|(digits, exponent)| (digits, exponent.parse())) {
+        Some((digits, Ok(0))) => digits.to_owned(),
+        Some((digits, Ok(exponent))) => format!("{digits}·{}", power_of_ten(exponent)),
+        _ => error.to_owned(),
     }
 }
 

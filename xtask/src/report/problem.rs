@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{Form, HeightDistribution, Law, Model, Part, Quantity, Scene, StiffnessKind};
+use asperity::{Form, HeightDistribution, Law, Model, Part, Quantity, Scene};
 use asperity_quadrature::reach;
 
 /// 1/√(2π).
@@ -12,7 +12,7 @@ const CUT: f64 = 46.0;
 
 /// A model's quantity in a scene at one separation.
 #[derive(Debug, Clone)]
-pub struct Problem {
+pub struct Asked {
     /// The model.
     pub model: Model,
     /// What is asked.
@@ -21,6 +21,13 @@ pub struct Problem {
     pub scene: Scene,
     /// d/σ_z.
     pub separation: f64,
+}
+
+/// What is asked with its law.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// What is asked.
+    pub asked: Asked,
     /// The law behind the quantity; that of the force for a tangent.
     pub law: Arc<Law>,
 }
@@ -31,7 +38,7 @@ pub struct Problem {
 pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
     match quantity {
         Quantity::Tangent => true,
-        Quantity::Stiffness => model.stiffness() == StiffnessKind::Tangent,
+        Quantity::Stiffness => !model.claims().angles,
         _ => false,
     }
 }
@@ -46,25 +53,19 @@ impl Problem {
     /// σ_z \[m\].
     #[must_use]
     pub fn std(&self) -> f64 {
-        self.scene.surface.asperity_height_std
+        self.asked.scene.surface.asperity_height_std
     }
 
     /// Whether the integrand takes the factor that makes it a slope.
     #[must_use]
     pub fn slope(&self) -> bool {
-        is_slope(&self.model, self.quantity)
+        is_slope(&self.asked.model, self.asked.quantity)
     }
 
     /// Whether heights are exponential; Gaussian otherwise, and nothing else occurs here.
     #[must_use]
     pub fn exponential(&self) -> bool {
-        matches!(self.scene.heights, HeightDistribution::Exponential)
-    }
-
-    /// Whether normals are spread over angles: then the law is sampled from its table.
-    #[must_use]
-    pub fn lateral(&self) -> bool {
-        self.model.claims().angles
+        matches!(self.asked.scene.heights, HeightDistribution::Exponential)
     }
 
     /// The law over its unit at x = w over the interference unit: the parts of one sign, or all.
@@ -90,7 +91,7 @@ impl Problem {
     /// in overlap, the peak of the density between.
     #[must_use]
     pub fn breaks(&self) -> Vec<f64> {
-        let s = self.separation;
+        let s = self.asked.separation;
         let (low, high) = match (self.exponential(), s >= 0.0) {
             (false, _) => ((-s - (2.0 * CUT).sqrt()).max(0.0), reach(s)),
             (true, true) => (0.0, CUT),
@@ -107,7 +108,7 @@ impl Problem {
     /// The density at s + t over its scale, exp(-s²/2) or exp(-s) for s > 0, and the factor of a slope.
     #[must_use]
     pub fn weight(&self, t: f64) -> f64 {
-        let s = self.separation;
+        let s = self.asked.separation;
         if self.exponential() {
             return (-(t + s.min(0.0))).exp();
         }
@@ -120,7 +121,7 @@ impl Problem {
     #[must_use]
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();
-        let interference = z - self.separation * std;
+        let interference = z - self.asked.separation * std;
         if interference <= 0.0 {
             return 0.0;
         }
@@ -137,7 +138,7 @@ impl Problem {
     /// Lower end of the plain integral \[m\].
     #[must_use]
     pub fn plain_start(&self) -> f64 {
-        let start = self.separation * self.std();
+        let start = self.asked.separation * self.std();
         if self.exponential() { start.max(0.0) } else { start }
     }
 
@@ -145,19 +146,19 @@ impl Problem {
     /// lowest asperity, which takes the law's value there off the slope.
     #[must_use]
     pub fn in_units(&self, integral: f64) -> f64 {
-        let lowest = if self.slope() && self.exponential() && self.separation < 0.0 {
-            self.law_at(-self.separation / self.scale(), None)
+        let lowest = if self.slope() && self.exponential() && self.asked.separation < 0.0 {
+            self.law_at(-self.asked.separation / self.scale(), None)
         } else {
             0.0
         };
         let per_height = if self.slope() { self.std() } else { 1.0 };
-        self.scene.asperities() * self.law.value_unit * (integral - lowest) / per_height
+        self.asked.scene.asperities() * self.law.value_unit * (integral - lowest) / per_height
     }
 
     /// Logarithm of the scale, -max(s,0)²/2 or -max(s,0).
     #[must_use]
     pub fn ln_scale(&self) -> f64 {
-        let s = self.separation.max(0.0);
+        let s = self.asked.separation.max(0.0);
         if self.exponential() { -s } else { -0.5 * s * s }
     }
 }

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use std::process::Command;
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use asperity::{Case, Model, Quantity, Request, Scene, Sweep, Tolerance, linspace};
 
 use super::scope::{Scope, scenes};
@@ -26,11 +26,17 @@ pub struct Throughput {
     pub memory: Option<f64>,
 }
 
-/// What is swept.
-const KINDS: [(&str, &str); 3] = [
-    ("separations", "separations of one scene"),
-    ("surfaces", "scenes of other roughness and density, streamed"),
-    ("materials", "scenes of other materials, radius, roughness and density, streamed"),
+/// What is swept: model, kind, count, and what the table says of it.
+const SWEEPS: [(&str, &str, usize, &str); 4] = [
+    ("ke", "separations", 1_000_000, "separations of one scene"),
+    (
+        "ke",
+        "materials",
+        1_000_000,
+        "scenes of other materials, radius, roughness and density, streamed",
+    ),
+    ("gao", "separations", 1_000_000, "separations of one scene"),
+    ("gao", "surfaces", 100_000, "scenes of other roughness and density, streamed"),
 ];
 
 /// Measures.
@@ -40,25 +46,20 @@ const KINDS: [(&str, &str); 3] = [
 pub fn measure(scope: Scope) -> Result<Vec<Throughput>> {
     let program = std::env::current_exe()?;
     let mut lines = vec![];
-    for (model, kind, full) in [
-        ("ke", "separations", 1_000_000),
-        ("ke", "materials", 1_000_000),
-        ("gao", "separations", 1_000_000),
-        ("gao", "surfaces", 100_000),
-    ] {
+    for (model, kind, full, what) in SWEEPS {
         let count = if scope == Scope::Full { full } else { full / 10 };
-        let what = KINDS.iter().find(|known| known.0 == kind).map_or(kind, |known| known.1);
         for threads in [1, 2] {
-            let output = Command::new(&program)
-                .args([TASK, model, kind, &count.to_string(), &threads.to_string()])
-                .output()?;
+            let words = [TASK, model, kind, &count.to_string(), &threads.to_string()];
+            let output = Command::new(&program).args(words).output()?;
             ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
             let text = String::from_utf8(output.stdout)?;
             let mut numbers = text.split_whitespace().map(str::parse::<f64>);
+            let what = format!("{model} force, {count} {what}");
+            let per_second = numbers.next().context("no rate")??;
             lines.push(Throughput {
-                what: format!("{model} force, {count} {what}"),
+                what,
                 threads,
-                per_second: numbers.next().context("no rate")??,
+                per_second,
                 memory: numbers.next().transpose()?,
             });
         }
@@ -66,17 +67,14 @@ pub fn measure(scope: Scope) -> Result<Vec<Throughput>> {
     Ok(lines)
 }
 
-/// Runs one sweep: model, kind, count and threads. Gives evaluations per second and peak memory.
+/// Runs one sweep. Gives evaluations per second and peak memory.
 ///
 /// # Errors
-/// Other words, or a scene that is refused.
-pub fn run(words: &[&str]) -> Result<String> {
-    let [model, kind, count, threads] = words[..] else {
-        bail!("{TASK} MODEL KIND COUNT THREADS was required");
-    };
-    let (model, count): (Model, usize) = (model.parse()?, count.parse()?);
-    ensure!(KINDS.iter().any(|known| known.0 == kind), "{kind:?} is no kind of sweep");
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.parse()?).build()?;
+/// Another model or kind, or a scene that is refused.
+pub fn run(model: &str, kind: &str, count: usize, threads: usize) -> Result<String> {
+    let model: Model = model.parse()?;
+    ensure!(SWEEPS.iter().any(|known| known.1 == kind), "{kind:?} is no kind of sweep");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let start = Instant::now();
     pool.install(|| sweep(&model, kind, count))?;
     let rate = count as f64 / start.elapsed().as_secs_f64();
@@ -110,7 +108,7 @@ fn case(base: &Scene, k: usize, materials: bool) -> Case {
         scene.interface.hardness =
             scene.interface.hardness.map(|h| h * (0.8 + 0.4 * share(0.162_278)));
     }
-    Case { scene, separation: -1.0 + 7.0 * share(0.605_551) }
+    Case::new(scene, -1.0 + 7.0 * share(0.605_551))
 }
 
 /// The most memory this process has had resident \[bytes\]; Linux only.
@@ -126,12 +124,12 @@ mod tests {
 
     #[test]
     fn a_sweep_tells_its_rate_and_other_words_are_refused() -> Result<()> {
-        for kind in KINDS {
-            let line = run(&["ke", kind.0, "500", "2"])?;
+        for (_, kind, ..) in SWEEPS {
+            let line = run("ke", kind, 500, 2)?;
             let numbers: Vec<f64> = line.split_whitespace().flat_map(str::parse).collect();
             assert!(numbers[0] > 100.0 && numbers.get(1).is_none_or(|b| *b > 1e6), "{line}");
         }
-        assert!(run(&["ke", "moons", "500", "2"]).is_err() && run(&["ke"]).is_err());
+        assert!(run("ke", "moons", 500, 2).is_err() && run("moon", "surfaces", 500, 2).is_err());
         Ok(())
     }
 }

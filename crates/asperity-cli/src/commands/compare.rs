@@ -1,116 +1,68 @@
-//! `asperity compare`: all models at one point.
+//! `asperity compare`: models beside each other.
 
-use std::path::PathBuf;
-
-use anyhow::{Context, Result};
-use asperity::{Model, Quantity, Readout, Request};
+use anyhow::Result;
 use clap::Args;
 
-use crate::args::{ModelArgs, QuantityArgs, SceneArgs, SeparationUnit, model_id};
-use crate::numbers::{number, positive_number};
-use crate::output;
-use crate::progress::Progress;
-use crate::reading::{Values, Words, column_name, crossings, values};
+use crate::args::{Asked, OutputArgs, model_id};
+use crate::ask::{Question, Row, named};
+use crate::commands::curve::USUAL;
 use crate::scene::LoadedScene;
-use crate::table::{Format, Table};
+use crate::table::Cell;
 
-/// Models beside each other at one separation or load, with their deviation from a reference
+/// Models beside each other, with their deviation from a reference
 #[derive(Debug, Args)]
 #[command(after_help = "Deviations are relative to the reference (differences, for logarithms and
-shares). At a load, each model is at its own separation.
+shares), and 0 where the bounds on the errors do not tell two values apart. At a
+load, each model is at its own separation.
+Unless something is given, the separation is 2 in sigma.
 
 Examples:
   asperity compare scene.toml
-  asperity compare scene.toml --load 100 --reference jg --quantity area,mean-pressure
+  asperity compare scene.toml --load 10,100 --reference jg --quantity area,mean-pressure
   asperity compare scene.toml --separation -0.5 --model gw,ke,gao --format csv")]
 pub struct Compare {
     #[command(flatten)]
-    scene: SceneArgs,
-    #[command(flatten)]
-    models: ModelArgs,
+    asked: Asked,
     /// The model that the others are compared with
     #[arg(long, value_name = "M", value_parser = model_id, default_value = "ke")]
     reference: String,
-    /// Separation at which they are compared [default: 2 in sigma]
-    #[arg(long, value_name = "D", value_parser = number)]
-    #[arg(conflicts_with_all = ["load", "pressure"])]
-    separation: Option<f64>,
-    /// Unit of the separation
-    #[arg(long = "separation-unit", value_name = "UNIT", default_value = "sigma")]
-    unit: SeparationUnit,
-    /// Load in N at which they are compared
-    #[arg(long, value_name = "N", value_parser = positive_number)]
-    load: Option<f64>,
-    /// Load as pressure on the nominal area, in Pa
-    #[arg(long, value_name = "PA", value_parser = positive_number)]
-    #[arg(conflicts_with = "load")]
-    pressure: Option<f64>,
     #[command(flatten)]
-    quantities: QuantityArgs,
-    /// Form of the answer
-    #[arg(long, value_name = "FORM", default_value = "table")]
-    format: Format,
-    /// Write to a file in place of the standard output
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    output: OutputArgs,
 }
 
 impl Compare {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene.scene)?;
-        let models = scene.models(&self.models.models)?;
-        let outputs = self.quantities.outputs();
-        let (_, reference) = scene.model(&self.reference)?;
-        let load = self.load.or(self.pressure.map(|pressure| scene.load_at(pressure)));
-        let (given, unit) = match self.separation {
-            Some(separation) => (vec![separation], self.unit),
-            None => (vec![2.0], SeparationUnit::Sigma),
-        };
-        let request = match load {
-            Some(_) => Request::new([Quantity::Force]),
-            None => scene.request(&given, unit),
-        };
-        let request = request.within(self.quantities.tolerance);
+        let scene = LoadedScene::load(&self.asked.scene)?;
+        let models = scene.models(&self.asked.models)?;
+        let reference = scene.model(&self.reference)?;
+        let request = self.asked.request(&scene.file, &[2.0], &USUAL);
+        let mut question = Question::new(&scene, request);
+        let quantities = question.request.quantities.clone();
 
-        let progress = Progress::new("models", models.len() + 1);
-        let (mut table, mut words) = (Table::default(), Words::default());
-        let mut read = |id: &str, model: &Model| -> Result<(Vec<f64>, Vec<Values>)> {
-            let context = || format!("{}: {id}", self.scene.scene.display());
-            let readout = Readout::new(model, scene.scene(), &request, &outputs);
-            let readout = readout.with_context(context)?;
-            let separations = match load {
-                Some(load) => crossings(id, &readout, load, &mut words).with_context(context)?,
-                None => request.separations.clone(),
-            };
-            let found = values(&readout, &outputs, &separations, &mut words);
-            progress.step();
-            Ok((separations, found.with_context(context)?))
+        let mut table = question.head();
+        let heads = quantities.iter().flat_map(|q| [q.column(), named(*q, "deviation")]);
+        table.head.extend(heads);
+        let mut ask = |model| -> Result<Vec<Row>> {
+            let mut rows = vec![];
+            question.ask(model, |row| rows.push(row))?;
+            Ok(rows)
         };
-        let (at, wanted) = read(&self.reference, &reference)?;
-        for (id, model) in &models {
-            let (separations, columns) = read(id, model)?;
-            let mut part = Table::default();
-            part.words("model", vec![id.clone(); separations.len()]);
-            match load {
-                Some(_) => scene.found(&separations).columns(&mut part),
-                None => scene.places(&given, unit).columns(&mut part),
+        let wanted = ask(&reference)?;
+        let answers: Vec<_> = models.iter().map(ask).collect::<Result<_>>()?;
+        let mut answered = false;
+        for (k, wanted) in wanted.iter().enumerate() {
+            for Row { place, values } in answers.iter().map(|rows| &rows[k]) {
+                let mut row = place.clone();
+                for ((found, wanted), q) in values.iter().zip(&wanted.values).zip(&quantities) {
+                    answered |= found.is_some();
+                    let deviation = found.zip(*wanted).and_then(|(a, b)| a.deviation(&b, *q));
+                    row.push(Cell::Number(found.map(|found| found.value())));
+                    row.push(Cell::Number(deviation));
+                }
+                table.rows.push(row);
             }
-            for ((&output, values), wanted) in outputs.iter().zip(columns).zip(&wanted) {
-                // Where the reference has several separations, the first on approach is meant.
-                let wanted = wanted.last().copied().flatten();
-                let deviation = |value: &Option<f64>| output.deviation((*value)?, wanted?);
-                let deviations = values.iter().map(deviation).collect();
-                part.numbers(&column_name(output), output.unit(), values);
-                part.numbers(&(column_name(output) + "_deviation"), "", deviations);
-            }
-            table.append(part);
         }
-        drop(progress);
-        if at.len() > 1 {
-            let reference = &self.reference;
-            words.add(format!("the reference {reference} is taken at its largest separation"));
-        }
-        words.say();
-        output::write(self.output.as_deref(), |out| table.write(self.format, out))
+        question.finish(answered)?;
+        self.output.write(&table)
     }
 }

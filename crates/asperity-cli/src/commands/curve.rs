@@ -1,95 +1,67 @@
-//! `asperity curve`: quantities against separation.
+//! `asperity curve`: quantities against separation or load.
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
-use asperity::Readout;
+use anyhow::Result;
+use asperity::{Quantity, linspace};
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 
-use crate::args::{ModelArgs, OutputArgs, QuantityArgs, SceneArgs, SeparationArgs};
-use crate::progress::Progress;
-use crate::reading::{Words, column_name};
+use crate::args::{Asked, OutputArgs, svg_file};
+use crate::ask::Question;
 use crate::scene::LoadedScene;
-use crate::table::Table;
 use crate::{output, plot};
 
-/// Quantities against separation
+/// What is asked for unless something is given.
+pub const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
+
+/// Quantities against separation, load or pressure
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Columns: model, separation_over_sigma, separation_m, then the quantities as
-asked, in SI units.
+    mut_arg("format", |arg| arg.default_value("csv")),
+    after_help = "Columns: model, load_N and pressure_Pa at loads, separation_over_sigma,
+separation_m, then the quantities as asked, with their units: force_N, area_m2.
+Where a load has several separations (jg, at), the largest is meant: where the
+surfaces first meet it. A row that has no value is left blank, and said why.
+Unless something is given, separations are 0:4:401 in sigma.
 
 Examples:
   asperity curve scene.toml --format table --model gw,ke --separation -1:4:6
   asperity curve scene.toml --quantity mean-pressure --output curve.csv --plot curve.svg
+  asperity curve scene.toml --model ke --load 1:1000:50:log --output loads.csv --plot loads.svg
   asperity curve scene.toml --model jg --separation 1e-6,2e-6 --separation-unit m --errors"
 )]
 pub struct Curve {
     #[command(flatten)]
-    scene: SceneArgs,
-    #[command(flatten)]
-    models: ModelArgs,
-    #[command(flatten)]
-    quantities: QuantityArgs,
-    #[command(flatten)]
-    separations: SeparationArgs,
+    asked: Asked,
     /// Add a column <quantity>_error for each: a bound on the relative error (on the error itself
     /// for logarithms and shares)
     #[arg(long)]
     errors: bool,
     #[command(flatten)]
     output: OutputArgs,
-    /// Draw the curves, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg")]
+    /// Draw the curves against what is given, one panel for each quantity
+    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
     plot: Option<PathBuf>,
 }
 
 impl Curve {
     pub fn run(self) -> Result<()> {
-        if self.plot.is_some()
-            && output::is_standard(self.plot.as_deref())
-            && self.output.is_standard()
-        {
+        let drawn = self.plot.as_deref();
+        let both = [drawn, self.output.output.as_deref()].map(output::is_standard);
+        if drawn.is_some() && both == [true; 2] {
             let text = "--plot - leaves no place for the data: name a file with --output";
             crate::usage_error("curve", ErrorKind::ArgumentConflict, text);
         }
-        let scene = LoadedScene::load(&self.scene.scene)?;
-        let models = scene.models(&self.models.models)?;
-        let outputs = self.quantities.outputs();
-        let request = self.separations.request(&scene, self.quantities.tolerance);
-        let (given, unit) = self.separations.given();
-        let places = scene.places(&given, unit);
-
-        let points = request.separations.len();
-        let progress = Progress::new("curves", models.len() * outputs.len() * points);
-        let (mut table, mut words) = (Table::default(), Words::default());
-        for (id, model) in &models {
-            let context = || format!("{}: {id}", self.scene.scene.display());
-            let readout = Readout::new(model, scene.scene(), &request, &outputs);
-            let readout = readout.with_context(context)?;
-            let mut part = Table::default();
-            part.words("model", vec![id.clone(); points]);
-            places.columns(&mut part);
-            let mut errors = vec![];
-            for &output in &outputs {
-                let column = readout.column(output, &request.separations, || progress.step());
-                let column = column.with_context(context)?;
-                let values = column.values.iter().map(|v| v.value).collect();
-                part.numbers(&column_name(output), output.unit(), values);
-                errors.push((column_name(output) + "_error", column.values));
-                column.warnings.iter().for_each(|warning| words.add(warning.to_string()));
-            }
-            for (name, values) in errors.into_iter().filter(|_| self.errors) {
-                part.numbers(&name, "", values.iter().map(|v| Some(v.error)).collect());
-            }
-            table.append(part);
-        }
-        drop(progress);
-        words.say();
-        if let Some(path) = &self.plot {
-            let svg = plot::svg(&table, &outputs)?;
-            output::write(Some(path), |out| out.write_all(svg.as_bytes()))?;
+        let scene = LoadedScene::load(&self.asked.scene)?;
+        let models = scene.models(&self.asked.models)?;
+        let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
+        let mut question = Question::new(&scene, request);
+        let table = question.table(&models, self.errors)?;
+        if drawn.is_some() {
+            let svg = plot::svg(&table, &question.request, scene.file.separation_from)?;
+            output::write_text(drawn, &svg)?;
         }
         self.output.write(&table)
     }

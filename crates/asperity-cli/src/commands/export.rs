@@ -1,48 +1,51 @@
 //! `asperity export`: contact tables for finite-element codes.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::{ContactTable, Interpolation, Tolerance};
+use asperity::{
+    At, ContactTable, Datum, Interpolation, Scene, Separation, SeparationUnit, Tolerance,
+};
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
-use crate::args::{SceneArgs, SeparationUnit, model_id};
+use crate::args::{model_id, separation_unit};
 use crate::number::{exact, rounded};
 use crate::numbers::{Span, positive_number, range};
-use crate::output;
-use crate::progress::Progress;
+use crate::output::{self, progress};
 use crate::scene::LoadedScene;
 
 /// Pressure against clearance as a table for a finite-element code
 #[derive(Debug, Args)]
 #[command(
-    after_help = "csv holds pressure and stiffness (its exact slope) at every node. Read as cubics
-(Hermite), both are continuous, as Newton's method needs.
+    after_help = "csv holds the pressure and its tangent (its exact slope) at every node. Read as
+cubics (Hermite), both are continuous, as Newton's method needs.
 abaqus holds *SURFACE BEHAVIOR with pairs of pressure and overclosure, which the
 code joins by straight lines.
 Both state the interpolation error, measured between the nodes; --max-error adds
-nodes until it is met.
+nodes until it is met. The N nodes of A:B:N are at equal distances of clearance.
 
 Examples:
-  asperity export scene.toml --model ke --as csv --range 0:4:41
-  asperity export scene.toml --model ke --as abaqus --range -1:4 --max-error 1e-3 --output ke.inp"
+  asperity export scene.toml --model ke --as csv --separation 0:4:41
+  asperity export scene.toml --model ke --as csv --pressure 1e4:1e7 --max-error 1e-3
+  asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 1e-3 --output ke.inp"
 )]
 pub struct Export {
-    #[command(flatten)]
-    scene: SceneArgs,
+    /// Scene file; `asperity init` writes one to start from
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
     /// The model; `asperity models` lists them
     #[arg(long, value_name = "M", value_parser = model_id)]
     model: String,
     /// Form of the table
     #[arg(long = "as", value_name = "FORM")]
     form: Form,
-    /// Separations from A to B, in N nodes at equal distances
-    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
-    range: Span,
-    /// Unit of the separations
-    #[arg(long = "separation-unit", value_name = "UNIT", default_value = "sigma")]
+    #[command(flatten)]
+    ends: Ends,
+    /// Unit of the separations, sigma (of the asperity heights) or m
+    #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
+    #[arg(default_value = "sigma", requires = "separation")]
+    #[arg(conflicts_with_all = ["load", "pressure"])]
     unit: SeparationUnit,
     /// Add nodes until no interpolated pressure is off by more than this, relatively
     #[arg(long, value_name = "X", value_parser = positive_number)]
@@ -52,9 +55,24 @@ pub struct Export {
     output: Option<PathBuf>,
 }
 
+/// The range of the table, in one of three ways.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+struct Ends {
+    /// From one separation to another, in N nodes
+    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
+    separation: Option<Span>,
+    /// From one load to another, in N
+    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
+    load: Option<Span>,
+    /// From one pressure on the nominal area to another, in Pa
+    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
+    pressure: Option<Span>,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Form {
-    /// Clearance, pressure and stiffness, for cubics.
+    /// Clearance, pressure and tangent, for cubics.
     Csv,
     /// Pressure and overclosure, for straight lines.
     Abaqus,
@@ -62,99 +80,87 @@ enum Form {
 
 impl Export {
     pub fn run(self) -> Result<()> {
-        if self.range.count.is_none() && self.max_error.is_none() {
-            let text = "--range A:B needs --max-error, or a number of nodes: A:B:N";
+        let Ends { separation, load, pressure } = self.ends;
+        let span = separation.or(load).or(pressure).context("a range was required")?;
+        if span.count.is_none() && self.max_error.is_none() {
+            let text = "A:B needs --max-error, or a number of nodes: A:B:N";
             crate::usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
-        let scene = LoadedScene::load(&self.scene.scene)?;
+        let scene = LoadedScene::load(&self.scene)?;
         let (id, model) = scene.model(&self.model)?;
-        let ends = scene.request(&[self.range.first, self.range.last], self.unit).separations;
-        let range = (ends[0], ends[1], self.range.count.unwrap_or(2));
-        let interpolation = match self.form {
-            Form::Csv => Interpolation::Hermite,
-            Form::Abaqus => Interpolation::Linear,
+        let contact = &scene.file.scene;
+        let place = |value| match (separation, load) {
+            (Some(_), _) => scene.file.separation(value, self.unit).into(),
+            (_, Some(_)) => At::Load(value),
+            _ => At::Pressure(value),
         };
-        let progress = Progress::new("nodes", 0);
-        let (contact, tolerance) = (scene.scene(), Tolerance::default());
+        let range = (place(span.first), place(span.last), span.count.unwrap_or(2));
+        let (write, interpolation): (Writer, _) = match self.form {
+            Form::Csv => (csv, Interpolation::Hermite),
+            Form::Abaqus => (abaqus, Interpolation::Linear),
+        };
+        let (working, tolerance) = (progress("nodes"), Tolerance::default());
         let table = match self.max_error {
             Some(error) => {
                 ContactTable::within(&model, contact, tolerance, range, error, interpolation)
             }
             None => ContactTable::even(&model, contact, tolerance, range, interpolation),
         };
-        drop(progress);
-        let table = table.with_context(|| format!("{}: {id}", self.scene.scene.display()))?;
+        drop(working);
+        let table = table.with_context(|| format!("{}: {id}", scene.name))?;
         let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
-        output::write(self.output.as_deref(), |out| match self.form {
-            Form::Csv => csv(&table, &scene, &title, out),
-            Form::Abaqus => abaqus(&table, &scene, &title, out),
-        })
+        let text = write(&table, contact, scene.file.separation_from, &title)?;
+        output::write_text(self.output.as_deref(), &text)
     }
 }
 
-fn csv(
-    table: &ContactTable,
-    scene: &LoadedScene,
-    title: &str,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    writeln!(out, "# {title}: contact pressure against clearance")?;
-    writeln!(out, "# clearance is the separation from {}", scene.datum())?;
-    writeln!(
-        out,
-        "# stiffness is -dp/dclearance: cubics through both (Hermite) are continuous with"
-    )?;
-    writeln!(out, "# their slope and fall all the way")?;
-    writeln!(
-        out,
-        "# interpolation error, measured at 7 points between any two of {} nodes: pressure {}, stiffness {} (relative)",
-        table.nodes.len(),
-        rounded(table.pressure_error),
-        rounded(table.stiffness_error)
-    )?;
-    writeln!(out, "clearance_m,pressure_pa,stiffness_pa_per_m")?;
-    let places = scene.found(&table.nodes.iter().map(|n| n.separation).collect::<Vec<_>>());
-    for (node, metres) in table.nodes.iter().zip(&places.metres) {
-        writeln!(out, "{},{},{}", exact(*metres), exact(node.pressure), exact(node.stiffness))?;
-    }
-    Ok(())
+type Writer = fn(&ContactTable, &Scene, Datum, &str) -> Result<String>;
+
+/// A separation of a table in metres, from the scene's own plane.
+fn metres(sigmas: f64, scene: &Scene, from: Datum) -> Result<f64> {
+    Ok(Separation::sigmas(sigmas).measured_in(SeparationUnit::Metres, from, scene)?.value)
 }
 
-fn abaqus(
-    table: &ContactTable,
-    scene: &LoadedScene,
-    title: &str,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    writeln!(out, "** {title}: contact pressure against overclosure, in Pa and m")?;
-    writeln!(out, "** overclosure = -(separation from {})", scene.datum())?;
-    writeln!(
-        out,
-        "** so that a negative overclosure is a clearance and 0 is where the nominal surfaces meet"
-    )?;
-    writeln!(
-        out,
-        "** straight lines between {} nodes: largest relative error {} of the pressure, {} of its slope,",
-        table.nodes.len(),
-        rounded(table.pressure_error),
-        rounded(table.stiffness_error)
-    )?;
-    writeln!(out, "** measured at 7 points between any two; the slope jumps at the nodes")?;
-    writeln!(
-        out,
-        "** the first pair is where the tangent of the second reaches 0: the model's pressure there,"
-    )?;
-    writeln!(
-        out,
-        "** below that of the second pair, is left out; beyond the last pair the last slope goes on"
-    )?;
-    writeln!(out, "** to be included after *SURFACE INTERACTION, NAME=...")?;
-    writeln!(out, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR")?;
+fn csv(table: &ContactTable, scene: &Scene, from: Datum, title: &str) -> Result<String> {
+    let nodes = table.nodes.len();
+    let [pressure, slope] = [table.pressure_error, table.stiffness_error].map(rounded);
+    let mut text = format!(
+        "# {title}: contact pressure against clearance
+# clearance is the separation from {from}
+# tangent is -dp/dclearance: cubics through both (Hermite) are continuous with
+# their slope and fall all the way
+# interpolation error, measured at 7 points between any two of {nodes} nodes: pressure {pressure}, tangent {slope} (relative)
+clearance_m,pressure_Pa,tangent_Pa_per_m
+"
+    );
+    for node in &table.nodes {
+        let clearance = metres(node.separation, scene, from)?;
+        let [clearance, pressure, tangent] = [clearance, node.pressure, node.stiffness].map(exact);
+        text += &format!("{clearance},{pressure},{tangent}\n");
+    }
+    Ok(text)
+}
+
+fn abaqus(table: &ContactTable, scene: &Scene, from: Datum, title: &str) -> Result<String> {
+    let nodes = table.nodes.len();
+    let [pressure, slope] = [table.pressure_error, table.stiffness_error].map(rounded);
+    let mut text = format!(
+        "** {title}: contact pressure against overclosure, in Pa and m
+** overclosure = -(separation from {from})
+** so that a negative overclosure is a clearance and 0 is where the nominal surfaces meet
+** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
+** measured at 7 points between any two; the slope jumps at the nodes
+** the first pair is where the tangent of the second reaches 0: the model's pressure there,
+** below that of the second pair, is left out; beyond the last pair the last slope goes on
+** to be included after *SURFACE INTERACTION, NAME=...
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR
+"
+    );
     let end = table.cut_off().map(|separation| (separation, 0.0));
     let nodes = table.nodes.iter().rev().map(|node| (node.separation, node.pressure));
-    let (separations, pressures): (Vec<f64>, Vec<f64>) = end.into_iter().chain(nodes).unzip();
-    for (metres, pressure) in scene.found(&separations).metres.iter().zip(pressures) {
-        writeln!(out, "{}, {}", exact(pressure), exact(-metres))?;
+    for (separation, pressure) in end.into_iter().chain(nodes) {
+        let overclosure = -metres(separation, scene, from)?;
+        text += &format!("{}, {}\n", exact(pressure), exact(overclosure));
     }
-    Ok(())
+    Ok(text)
 }

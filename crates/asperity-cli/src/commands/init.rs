@@ -29,6 +29,6 @@ impl Init {
         if let Some(path) = &file {
             output::refuse_to_replace(path, self.force)?;
         }
-        output::write(file.as_deref(), |out| out.write_all(asperity_scene::template().as_bytes()))
+        output::write_text(file.as_deref(), asperity_scene::template())
     }
 }

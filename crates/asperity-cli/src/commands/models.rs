@@ -1,41 +1,50 @@
-//! `asperity models`: what there is, and where it comes from.
-
-use std::path::PathBuf;
+//! `asperity models`: what there is, what it is good for, and where it comes from.
 
 use anyhow::Result;
-use asperity::Model;
+use asperity::{ContactModel, Model};
 use clap::Args;
 
-use crate::output;
+use crate::args::OutputArgs;
 use crate::table::{Format, Table};
 
-/// The models, with their sources
+/// The models: what they are valid for, their sources
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(
+    after_help = "The interference of an asperity at which it begins to yield is w_c (w_c' with
+another constant in jg), R is its radius. csv and json hold the titles of the
+papers, how well the text of the equations is known, and notes as well.
+
+Examples:
   asperity models
-  asperity models --format csv --output models.csv")]
+  asperity models --format csv --output models.csv"
+)]
 pub struct Models {
-    /// Form of the answer
-    #[arg(long, value_name = "FORM", default_value = "table")]
-    format: Format,
-    /// Write to a file in place of the standard output
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
 }
 
 impl Models {
     pub fn run(self) -> Result<()> {
-        let models = Model::all();
-        let mut table = Table::default();
-        let mut column = |name: &str, cell: fn(&Model) -> String| {
-            table.words(name, models.iter().map(cell).collect());
-        };
-        column("model", |m| m.id().into());
-        column("name", |m| m.name().into());
-        column("year", |m| m.source().year.to_string());
-        column("authors", |m| m.source().authors.into());
-        column("title", |m| m.source().title.into());
-        column("equations", |m| m.source().provenance.to_string());
-        output::write(self.output.as_deref(), |out| table.write(self.format, out))
+        let all = ["model", "name", "year", "authors", "valid_for", "title", "equations", "notes"];
+        // The last ones are too wide to be looked at.
+        let shown = if self.output.format == Format::Table { 5 } else { all.len() };
+        let mut table = Table::new(&all[..shown]);
+        for model in Model::all() {
+            let (source, claims) = (model.source(), model.claims());
+            let (year, equations) = (source.year.to_string(), source.provenance.to_string());
+            let notes: String = model.notes().iter().map(ToString::to_string).collect();
+            let row: [&str; 8] = [
+                source.id,
+                source.name,
+                &year,
+                source.authors,
+                claims.valid_for,
+                source.title,
+                &equations,
+                &notes,
+            ];
+            table.rows.push(row[..shown].iter().map(|cell| (*cell).into()).collect());
+        }
+        self.output.write(&table)
     }
 }

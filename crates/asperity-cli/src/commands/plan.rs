@@ -3,28 +3,25 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::{Output, Quantity};
+use asperity::{ContactModel, linspace};
 use clap::Args;
 
-use crate::args::{ModelArgs, QuantityArgs, SceneArgs, SeparationArgs, once};
-use crate::output;
-use crate::progress::Progress;
+use crate::args::Asked;
+use crate::commands::curve::USUAL;
+use crate::output::{self, progress};
 use crate::scene::LoadedScene;
 
 /// What is integrated for an answer, with how many nodes, and what is left out
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:
+#[command(after_help = "Unless something is given, separations are 0:4:401 in sigma.
+
+Examples:
   asperity plan scene.toml --model ke --quantity force,tangent
+  asperity plan scene.toml --model ke --load 10:1000:50
   asperity plan scene.toml --model gw,zmc --separation 0:2:3 --tolerance 1e-6")]
 pub struct Plan {
     #[command(flatten)]
-    scene: SceneArgs,
-    #[command(flatten)]
-    models: ModelArgs,
-    #[command(flatten)]
-    quantities: QuantityArgs,
-    #[command(flatten)]
-    separations: SeparationArgs,
+    asked: Asked,
     /// Write to a file in place of the standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -32,22 +29,14 @@ pub struct Plan {
 
 impl Plan {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene.scene)?;
-        let models = scene.models(&self.models.models)?;
-        let mut request = self.separations.request(&scene, self.quantities.tolerance);
-        let needs = |output: Output| output.needs().iter().copied();
-        let needed: Vec<Quantity> = self.quantities.outputs().into_iter().flat_map(needs).collect();
-        request.quantities = once(&needed);
-        let progress = Progress::new("plans", models.len());
+        let scene = LoadedScene::load(&self.asked.scene)?;
+        let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let mut plans = String::new();
-        for (id, model) in &models {
-            let plan = model.compile(scene.scene(), &request).and_then(|c| c.plan(&request));
-            plans.push_str(
-                &plan.with_context(|| format!("{}: {id}", self.scene.scene.display()))?.to_string(),
-            );
-            progress.step();
+        for (id, model) in scene.models(&self.asked.models)? {
+            let _progress = progress(&id);
+            let plan = model.compile(&scene.file.scene, &request).and_then(|c| c.plan(&request));
+            plans += &plan.with_context(|| format!("{}: {id}", scene.name))?.to_string();
         }
-        drop(progress);
-        output::write(self.output.as_deref(), |out| out.write_all(plans.as_bytes()))
+        output::write_text(self.output.as_deref(), &plans)
     }
 }

@@ -1,104 +1,84 @@
 //! `asperity recommend`: the simplest model that will do.
 
-use std::path::PathBuf;
-
 use anyhow::{Context, Result};
-use asperity::{Comparison, Output, Quantity, Request, Tolerance, recommend_among};
+use asperity::{ContactModel, Quantity, linspace, recommend_among};
 use clap::Args;
 
-use crate::args::{SceneArgs, SeparationArgs, model_id, once};
+use crate::args::{Asked, OutputArgs, model_id};
+use crate::ask::named;
 use crate::numbers::positive_number;
-use crate::output;
-use crate::progress::Progress;
+use crate::output::{progress, say};
 use crate::scene::LoadedScene;
-use crate::table::{Format, Table};
+use crate::table::{Cell, Table};
 
 /// The simplest model that stays near a reference model
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Deviations are the largest over the separations, relative to the reference.
+    after_help = "Simple is, in this order: upright asperities before asperities at all angles; a
+force law of few parts before one of many; an older model before a newer one.
+The models are listed so. Deviations are the largest over the separations or
+loads, relative to the reference (differences, for logarithms and shares).
+Unless something is given, it is force and area (area, at loads) at separations
+of 0:4:401 in sigma.
 
 Examples:
   asperity recommend scene.toml
+  asperity recommend scene.toml --load 1:1000:20:log --quantity area,tangent
   asperity recommend scene.toml --reference gao --within 0.2 --quantity force --separation 0:3:7"
 )]
 pub struct Recommend {
     #[command(flatten)]
-    scene: SceneArgs,
+    asked: Asked,
     /// The model that the others are compared with
     #[arg(long, value_name = "M", value_parser = model_id, default_value = "ke")]
     reference: String,
     /// Largest relative deviation
     #[arg(long, value_name = "X", value_parser = positive_number, default_value = "0.05")]
     within: f64,
-    /// Quantities: force, area, stiffness, tangent
-    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', value_parser = quantity)]
-    #[arg(default_value = "force,area")]
-    quantities: Vec<Quantity>,
     #[command(flatten)]
-    separations: SeparationArgs,
-    /// Form of the answer
-    #[arg(long, value_name = "FORM", default_value = "table")]
-    format: Format,
-    /// Write to a file in place of the standard output
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
-}
-
-fn quantity(name: &str) -> Result<Quantity, String> {
-    let output: Output = name.parse().map_err(|e: asperity::UnknownOutput| e.to_string())?;
-    let same = |quantity: &Quantity| quantity.to_string() == output.to_string();
-    let found = Quantity::ALL.into_iter().find(same);
-    found.ok_or_else(|| format!("{output}: force, area, stiffness or tangent was expected"))
+    output: OutputArgs,
 }
 
 impl Recommend {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene.scene)?;
-        let models = scene.models(&[])?;
+        let scene = LoadedScene::load(&self.asked.scene)?;
+        let models = scene.models(&self.asked.models)?.into_iter().map(|(_, model)| model);
         let (_, reference) = scene.model(&self.reference)?;
-        let request = self.separations.request(&scene, Tolerance::default());
-        let request = Request { quantities: once(&self.quantities), ..request };
-        let progress = Progress::new("models", 0);
-        let models = models.into_iter().map(|(_, model)| model).collect();
-        let advice = recommend_among(models, scene.scene(), &request, &reference, self.within)
-            .with_context(|| {
-                format!("{}: the reference {}", self.scene.scene.display(), self.reference)
-            })?;
-        drop(progress);
+        let separations = linspace(0.0, 4.0, 401);
+        let usual = [Quantity::Force, Quantity::Area];
+        let request = self.asked.request(&scene.file, &separations, &usual);
+        let working = progress("comparing models");
+        let scene_of = &scene.file.scene;
+        let advice = recommend_among(models.collect(), scene_of, &request, &reference, self.within)
+            .with_context(|| format!("{}: the reference {}", scene.name, self.reference))?;
+        drop(working);
 
-        let all = &advice.comparisons;
-        let mut table = Table::default();
-        // To the eye, what is below the tolerance is rounding and nothing else.
-        let eye = self.format == Format::Table;
-        let noise = if eye { request.tolerance.relative() } else { 0.0 };
-        table.words("model", all.iter().map(|c| c.model.id().into()).collect());
-        for (k, quantity) in request.quantities.iter().enumerate() {
-            let deviation = |c: &Comparison| {
-                let found = c.deviations.as_ref().ok()?.get(k)?.1;
-                found.is_finite().then_some(if found < noise { 0.0 } else { found })
+        let mut table = Table::new(&["model", "asperities", "parts"]);
+        table.head.extend(request.quantities.iter().map(|q| named(*q, "deviation")));
+        table.head.push("verdict".into());
+        for found in &advice.comparisons {
+            let at_angles = found.model.claims().angles;
+            let asperities = if at_angles { "at angles" } else { "upright" };
+            let parts = Cell::Number(Some(found.regimes as f64));
+            let mut row = vec![found.model.id().into(), asperities.into(), parts];
+            let deviations = match &found.deviations {
+                Ok(all) => all.iter().map(|(_, d)| Some(*d).filter(|d| d.is_finite())).collect(),
+                Err(_) => vec![None; request.quantities.len()],
             };
-            let values = all.iter().map(deviation).collect();
-            table.numbers(&format!("{quantity}_deviation"), "", values);
+            row.extend(deviations.into_iter().map(Cell::Number));
+            row.push(match &found.deviations {
+                Err(error) => error.to_string().as_str().into(),
+                Ok(_) if found.model.id() == advice.simplest.id() => "recommended".into(),
+                Ok(_) if found.largest() <= advice.within => "near enough".into(),
+                Ok(_) => "too far".into(),
+            });
+            table.rows.push(row);
         }
-        let verdict = |c: &Comparison| match &c.deviations {
-            Err(error) => error.to_string(),
-            Ok(_) if c.model.id() == advice.simplest.id() => "recommended".into(),
-            Ok(_) if c.largest() <= advice.within => "near enough".into(),
-            Ok(_) => "too far".into(),
-        };
-        table.words("verdict", all.iter().map(verdict).collect());
-        output::write(self.output.as_deref(), |out| {
-            if self.format == Format::Table {
-                writeln!(
-                    out,
-                    "{} is the simplest model within {} of {}\n",
-                    advice.simplest.id(),
-                    advice.within,
-                    advice.reference.id()
-                )?;
-            }
-            table.write(self.format, out)
-        })
+        let [simplest, reference] = [&advice.simplest, &advice.reference].map(ContactModel::id);
+        let chosen =
+            format!("{simplest} is the simplest model within {} of {reference}", self.within);
+        let order = "simplest first: upright asperities before all angles, few parts of the force law before many, old before new";
+        say("note", &format!("{chosen}; {order}"));
+        self.output.write(&table)
     }
 }

@@ -1,69 +1,51 @@
 //! `asperity solve`: from loads to separations.
 
-use anyhow::{Context, Result};
-use asperity::{Quantity, Readout, Request};
-use clap::Args;
+use anyhow::Result;
+use clap::{ArgGroup, Args};
 
-use crate::args::{LoadArgs, OutputArgs, QuantityArgs, RequiredModelArgs, SceneArgs};
-use crate::progress::Progress;
-use crate::reading::{Words, columns, crossings, values};
+use crate::args::{Asked, OutputArgs};
+use crate::ask::Question;
+use crate::commands::curve::USUAL;
 use crate::scene::LoadedScene;
-use crate::table::Table;
 
 /// The separations that carry a load, and the quantities there
 #[derive(Debug, Args)]
-#[command(after_help = "Columns: model, load_n, separation_over_sigma, separation_m, then the
-quantities as asked, in SI units.
-A model whose force rises and falls (at) may have several separations for one
-load: each is a row.
+#[command(
+    group(ArgGroup::new("given").required(true)),
+    mut_arg("separations", |arg| arg.hide(true)),
+    mut_arg("unit", |arg| arg.hide(true)),
+    mut_arg("format", |arg| arg.default_value("csv")),
+    after_help = "Columns: model, load_N, pressure_Pa, separation_over_sigma, separation_m, then
+the quantities as asked, with their units.
+A model whose force rises and falls (at, jg) may have several separations for
+one load. The largest is given, where the surfaces first meet the load; with
+--all each is a row, the smallest first.
 
 Examples:
   asperity solve scene.toml --model ke --load 100
-  asperity solve scene.toml --model gw,ke --pressure 1e5,1e6,1e7 --quantity area-fraction,tangent")]
+  asperity solve scene.toml --model at --load 0.1,1,10 --all
+  asperity solve scene.toml --model gw,ke --pressure 1e5,1e6,1e7 --quantity area-fraction,tangent"
+)]
 pub struct Solve {
     #[command(flatten)]
-    scene: SceneArgs,
-    #[command(flatten)]
-    models: RequiredModelArgs,
-    #[command(flatten)]
-    loads: LoadArgs,
-    #[command(flatten)]
-    quantities: QuantityArgs,
+    asked: Asked,
+    /// Every separation that carries a load, and not just the largest
+    #[arg(long)]
+    all: bool,
+    /// Add a column <quantity>_error for each: a bound on the error
+    #[arg(long)]
+    errors: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
 
 impl Solve {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene.scene)?;
-        let models = scene.models(&self.models.models)?;
-        let outputs = self.quantities.outputs();
-        let loads = self.loads.newtons(&scene);
-        let request = Request::new([Quantity::Force]).within(self.quantities.tolerance);
-
-        let progress = Progress::new("separations", models.len() * loads.len());
-        let (mut table, mut words) = (Table::default(), Words::default());
-        for (id, model) in &models {
-            let context = || format!("{}: {id}", self.scene.scene.display());
-            let readout = Readout::new(model, scene.scene(), &request, &outputs);
-            let readout = readout.with_context(context)?;
-            let (mut carried, mut separations) = (vec![], vec![]);
-            for &load in &loads {
-                let found = crossings(id, &readout, load, &mut words).with_context(context)?;
-                carried.extend(found.iter().map(|_| Some(load)));
-                separations.extend(found);
-                progress.step();
-            }
-            let found = values(&readout, &outputs, &separations, &mut words);
-            let mut part = Table::default();
-            part.words("model", vec![id.clone(); separations.len()]);
-            part.numbers("load_n", "N", carried);
-            scene.found(&separations).columns(&mut part);
-            columns(&mut part, &outputs, found.with_context(context)?);
-            table.append(part);
-        }
-        drop(progress);
-        words.say();
-        self.output.write(&table)
+        let scene = LoadedScene::load(&self.asked.scene)?;
+        let models = scene.models(&self.asked.models)?;
+        let request = self.asked.request(&scene.file, &[], &USUAL);
+        let mut question = Question::new(&scene, request);
+        question.all = self.all;
+        self.output.write(&question.table(&models, self.errors)?)
     }
 }

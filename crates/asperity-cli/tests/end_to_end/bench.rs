@@ -103,9 +103,14 @@ pub fn csv(text: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
     (head, lines.map(|line| line.split(',').collect()).collect())
 }
 
-/// The numbers of one column.
-pub fn column(text: &str, name: &str) -> Vec<f64> {
+/// The cells of one column.
+pub fn cells<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
     let (head, rows) = csv(text);
     let place = head.iter().position(|h| *h == name).unwrap_or_else(|| panic!("no {name}"));
-    rows.iter().map(|row| row[place].parse().unwrap()).collect()
+    rows.iter().map(|row| row[place]).collect()
+}
+
+/// The numbers of one column.
+pub fn column(text: &str, name: &str) -> Vec<f64> {
+    cells(text, name).iter().map(|cell| cell.parse().unwrap()).collect()
 }

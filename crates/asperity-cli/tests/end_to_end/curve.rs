@@ -1,8 +1,8 @@
 //! `curve`: what is printed is what the library says.
 
-use asperity::{Model, Output, Quantity, Readout, Request};
+use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, NO_SHEAR, column, csv};
+use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column, csv};
 
 #[test]
 fn the_default_is_every_model_at_401_separations() {
@@ -11,7 +11,7 @@ fn the_default_is_every_model_at_401_separations() {
     let (head, rows) = csv(&data);
     assert_eq!(
         head,
-        ["model", "separation_over_sigma", "separation_m", "force", "area", "stiffness"]
+        ["model", "separation_over_sigma", "separation_m", "force_N", "area_m2", "tangent_N_per_m"]
     );
     assert_eq!(rows.len(), 12 * 401);
     assert_eq!(rows[0][..2], ["gw", "0"]);
@@ -22,39 +22,46 @@ fn the_default_is_every_model_at_401_separations() {
 fn every_digit_is_the_librarys() {
     let bench = Bench::new();
     let scene = bench.scene("scene.toml").scene;
-    let data = bench.data("curve scene.toml --model jg --separation -1:4:6 --tolerance 1e-12");
-    let request = Request::new([Quantity::Force, Quantity::Area, Quantity::Stiffness])
-        .at(column(&data, "separation_over_sigma"))
-        .within(asperity::Tolerance::new(1e-12).unwrap());
-    let answer = "jg".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
-    for quantity in request.quantities {
-        let (printed, computed) =
-            (column(&data, &quantity.to_string()), answer.values(quantity).unwrap());
-        assert!(printed.iter().zip(computed).all(|(a, b)| a.to_bits() == b.to_bits()));
+    let quantities = [Quantity::Force, Quantity::Area, Quantity::Tangent];
+    let tolerance = asperity::Tolerance::new(1e-12).unwrap();
+    for (words, at) in [
+        ("--separation -1:3:3", [-1.0, 1.0, 3.0].map(At::sigmas)),
+        ("--load 0.1,1,10 --quantity force,area,tangent", [0.1, 1.0, 10.0].map(At::Load)),
+    ] {
+        let data = bench.data(&format!("curve scene.toml --model jg --tolerance 1e-12 {words}"));
+        let request = Request::new(quantities).at(at).within(tolerance);
+        let contact = "jg".parse::<Model>().unwrap().compile(&scene, &request).unwrap();
+        let answer = contact.respond(&request);
+        for quantity in quantities {
+            let printed = column(&data, &quantity.column());
+            let computed = answer.values(quantity).unwrap();
+            assert!(printed.iter().zip(computed).all(|(a, b)| a.to_bits() == b.to_bits()));
+        }
     }
 }
 
 #[test]
 fn all_quantities_and_their_errors_have_columns() {
     let bench = Bench::new();
-    let names: Vec<String> = Output::ALL.iter().map(ToString::to_string).collect();
+    let names = Quantity::ALL.map(|quantity| quantity.to_string());
     let words = format!(
         "curve scene.toml --model ke,at-overlap --errors --separation -1,2.5 --quantity {}",
         names.join(",")
     );
     let data = bench.data(&words);
     let (head, rows) = csv(&data);
-    let columns: Vec<String> = names.iter().map(|name| name.replace('-', "_")).collect();
-    assert_eq!(head[3..16], columns);
-    let errors: Vec<String> = columns.iter().map(|name| format!("{name}_error")).collect();
+    assert_eq!(head[3..16], Quantity::ALL.map(Quantity::column));
+    let errors = names.map(|name| format!("{}_error", name.replace('-', "_")));
     assert_eq!(head[16..], errors);
     assert_eq!(rows.len(), 4);
     let scene = bench.scene("scene.toml").scene;
-    let model = "ke".parse().unwrap();
-    let readout = Readout::new(&model, &scene, &Request::new([]), &Output::ALL).unwrap();
-    for (output, (name, error)) in Output::ALL.into_iter().zip(columns.iter().zip(&errors)) {
-        let value = readout.value(output, 2.5).unwrap();
-        assert_eq!(Some(column(&data, name)[1]), value.value, "{name}");
+    let request = Request::new(Quantity::ALL).at([2.5]);
+    let answer = "ke".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
+    for (quantity, error) in Quantity::ALL.into_iter().zip(&errors) {
+        let printed = column(&data, &quantity.column())[1];
+        let value = answer.values(quantity).unwrap()[0];
+        // Few places and many may be integrated in different ways.
+        assert!((printed - value).abs() <= 1e-9 * value.abs(), "{quantity}");
         assert!(column(&data, error)[1] < 1e-8, "{error}");
     }
 }
@@ -87,7 +94,7 @@ fn metres_and_multiples_of_sigma_are_the_same_place() {
     let bench = Bench::new();
     let metres = bench.data("curve scene.toml --model ke --separation 2e-6 --separation-unit m");
     let sigmas = bench.data("curve scene.toml --model ke --separation 2");
-    for name in ["separation_over_sigma", "separation_m", "force"] {
+    for name in ["separation_over_sigma", "separation_m", "force_N"] {
         let (a, b) = (column(&metres, name)[0], column(&sigmas, name)[0]);
         assert!((a / b - 1.0).abs() < 1e-13, "{name}: {a} {b}");
     }
@@ -103,7 +110,7 @@ fn separations_from_the_mean_plane_are_printed_as_given() {
     let same =
         bench.data(&format!("curve asperities.toml --model ke --separation {}", 3.0 - offset));
     assert_eq!(column(&plane, "separation_over_sigma"), [3.0]);
-    let (a, b) = (column(&plane, "force")[0], column(&same, "force")[0]);
+    let (a, b) = (column(&plane, "force_N")[0], column(&same, "force_N")[0]);
     assert!(offset > 0.5 && (a / b - 1.0).abs() < 1e-12, "{offset}: {a} {b}");
     let solved = bench.data(&format!("solve plane.toml --model ke --load {a}"));
     assert!((column(&solved, "separation_over_sigma")[0] - 3.0).abs() < 1e-9, "{solved}");
@@ -117,14 +124,14 @@ fn json_and_table_hold_what_the_csv_holds() {
     let json: serde_json::Value =
         serde_json::from_str(&bench.data(&format!("{words} --format json"))).unwrap();
     let rows = json.as_array().unwrap();
-    for name in ["separation_m", "force", "mean_pressure"] {
+    for name in ["separation_m", "force_N", "mean_pressure_Pa"] {
         let numbers: Vec<f64> = rows.iter().map(|row| row[name].as_f64().unwrap()).collect();
         assert_eq!(numbers, column(&data, name));
     }
     assert_eq!(rows[3]["model"], "at");
     let table = bench.data(&format!("{words} --format table"));
     assert_eq!(table.lines().count(), data.lines().count());
-    assert!(table.starts_with("model  separation_over_sigma  separation_m [m]"), "{table}");
+    assert!(table.starts_with("model  separation_over_sigma  separation_m"), "{table}");
 }
 
 #[test]
@@ -150,11 +157,15 @@ fn odd_answers_stand_and_are_warned_of() {
     bench.write("scene.toml", NEGATIVE);
     let run = bench.run("curve scene.toml --model at --separation 1,500 --quantity force,ln-force");
     assert_eq!(run.code, Some(0));
-    let force = column(&run.out, "force");
+    let force = column(&run.out, "force_N");
     assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
-    assert!(column(&run.out, "ln_force")[1] < -1e5);
-    assert!(run.words.contains("the force is negative at 1 of"), "{}", run.words);
-    assert!(run.words.contains("too small for a double at 1 of"), "{}", run.words);
+    assert!(column(&run.out, &Quantity::LnForce.column())[1] < -1e5);
+    assert!(
+        run.words.contains("the force is negative in 1 row, first at a separation of 1 asp"),
+        "{}",
+        run.words
+    );
+    assert!(run.words.contains("too small for a double in 1 row"), "{}", run.words);
 }
 
 #[test]
@@ -166,18 +177,144 @@ fn pictures_have_a_curve_for_every_model_and_nothing_that_is_no_number() {
     );
     let svg = bench.read("p.svg");
     assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
-    // Each model in the legend and in the panel, of each quantity.
-    assert!(svg.matches("<polyline").count() >= 2 * 3 * 12);
+    for model in Model::all() {
+        assert_eq!(svg.matches(&format!(">{}</text>", model.id())).count(), 1, "{model}");
+    }
+    assert!(svg.matches("<polyline").count() >= (3 + 1) * 12);
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
-    assert!(svg.contains("at: values of 0 and below are not on this logarithmic axis"));
+    assert!(svg.contains("0 and below are not on logarithmic axes: force of at."));
     assert_eq!(bench.read("out.csv").lines().count(), 1 + 12 * 50);
 }
 
 #[test]
-fn the_default_separations_are_multiples_of_sigma_whatever_the_unit() {
+fn loads_and_pressures_are_places_like_separations() {
     let bench = Bench::new();
-    let sigmas = bench.data("curve scene.toml --model gw");
-    assert_eq!(bench.data("curve scene.toml --model gw --separation-unit m"), sigmas);
-    let two = bench.data("compare scene.toml --model gw --format csv --separation-unit m");
-    assert_eq!(column(&two, "separation_over_sigma"), [2.0]);
+    let data = bench.data("curve scene.toml --model gw,ke --load 10:1000:3:log");
+    let (head, rows) = csv(&data);
+    assert_eq!(
+        head.join(","),
+        "model,load_N,pressure_Pa,separation_over_sigma,separation_m,area_m2,tangent_N_per_m"
+    );
+    let loads = column(&data, "load_N");
+    assert_eq!((rows.len(), loads[0], loads[2], loads[5]), (6, 10.0, 1000.0, 1000.0));
+    assert!((loads[1] - 100.0).abs() < 1e-12);
+    // There and back.
+    let separations = cells(&data, "separation_over_sigma");
+    for (model, k) in [("gw", 0), ("ke", 3)] {
+        let places = separations[k..k + 3].join(",");
+        let back = bench.data(&format!("curve scene.toml --model {model} --separation {places}"));
+        for name in ["area_m2", "tangent_N_per_m"] {
+            let (there, back) = (column(&data, name), column(&back, name));
+            for (a, b) in there[k..].iter().zip(&back) {
+                assert!((a / b - 1.0).abs() < 1e-9, "{model} {name}: {a} {b}");
+            }
+        }
+        for (load, force) in loads[k..].iter().zip(column(&back, "force_N")) {
+            assert!((force / load - 1.0).abs() < 1e-9, "{model}: {load} {force}");
+        }
+    }
+    // 1e-4 m2 of nominal area; what was given is printed as given.
+    let pressures = bench.data("curve scene.toml --model ke --pressure 1e5 --pressure 0.3,7e6");
+    assert_eq!(column(&pressures, "pressure_Pa"), [1e5, 0.3, 7e6]);
+    assert_eq!(cells(&pressures, "load_N")[0], "10");
+    assert_eq!(cells(&pressures, "area_m2")[0], cells(&data, "area_m2")[3]);
+    let asked = bench.data("curve scene.toml --model ke --pressure 1e5 --quantity pressure,force");
+    let head = csv(&asked).0.join(",");
+    assert_eq!(head, "model,load_N,separation_over_sigma,separation_m,pressure_Pa,force_N");
+}
+
+#[test]
+fn rows_without_a_value_are_blank_and_said_once() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model gw,ke --load 5,1e30,2e30");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    for name in ["separation_over_sigma", "separation_m", "area_m2", "tangent_N_per_m"] {
+        let blank: Vec<bool> = cells(&run.out, name).iter().map(|cell| cell.is_empty()).collect();
+        assert_eq!(blank, [false, true, true, false, true, true], "{name}");
+    }
+    assert_eq!(cells(&run.out, "load_N")[1], "1e30");
+    assert_eq!(run.words.lines().count(), 2, "{}", run.words);
+    assert!(run.words.contains("ke: no value in 2 of 3 rows, in the first because load is 1e30 N"));
+    assert!(run.words.contains("a load above 0 and at most"), "{}", run.words);
+    let json = bench.run("curve scene.toml --model ke --load 5,1e30 --format json");
+    let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert!(rows[0]["area_m2"].is_f64() && rows[1]["area_m2"].is_null());
+    assert!(rows[1]["separation_m"].is_null() && rows[1]["load_N"].as_f64() == Some(1e30));
+    let separations = bench.run("curve scene.toml --model ke --separation 1,2e9");
+    assert_eq!(separations.code, Some(0));
+    assert_eq!(cells(&separations.out, "force_N")[1], "");
+    assert!(separations.words.contains("no value in 1 of 2 rows"), "{}", separations.words);
+}
+
+#[test]
+fn a_load_is_the_abscissa_of_its_picture() {
+    let bench = Bench::new();
+    for (words, label) in [
+        ("--load 1:100:20:log", ">load (N)<"),
+        ("--load 1:100:20", ">load (N)<"),
+        ("--load 1,1e30", ">load (N)<"),
+        ("--pressure 1e4,1e5,1e6", ">pressure (Pa)<"),
+        ("--pressure 1e4,1e5,1e6 --quantity pressure", ">pressure (Pa)<"),
+        (
+            "--separation 1e-6,2e-6 --separation-unit m",
+            ">separation from the mean of the asperity heights (µm)<",
+        ),
+        ("--separation 2,1,3", ">separation from the mean of the asperity heights (σ"),
+    ] {
+        bench.data(&format!("curve scene.toml --model gw,ke {words} --plot p.svg"));
+        let svg = bench.read("p.svg");
+        assert!(svg.contains(label), "{words}");
+        assert!(svg.contains(">ke</text>") && !svg.contains("NaN"), "{words}");
+    }
+    let data = bench.data("curve scene.toml --model ke --load 1,10 --output l.csv --plot -");
+    assert!(data.starts_with("<svg ") && bench.read("l.csv").contains("load_N"));
+}
+
+#[test]
+fn pictures_that_are_no_svg_are_refused_before_any_work() {
+    let bench = Bench::new();
+    for name in ["x.png", "x", "x.svg.pdf", ".svg"] {
+        let run = bench.run(&format!("curve nowhere.toml --output out.csv --plot {name}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{name}");
+        assert!(run.words.contains(name) && run.words.contains("ends with .svg"), "{}", run.words);
+    }
+    assert!(!bench.path("out.csv").exists());
+}
+
+#[test]
+fn words_are_in_the_unit_and_from_the_plane_that_was_asked() {
+    let bench = Bench::new();
+    bench.write("plane.toml", &format!("{NEGATIVE}separation_from = \"surface-mean\"\n"));
+    let run = bench.run("curve plane.toml --model at --separation 1.5e-6 --separation-unit m");
+    let said = "a separation of 1.5e-6 m from the mean plane of the surface";
+    assert!(run.words.contains(said), "{}", run.words);
+    assert_eq!(column(&run.out, "separation_m"), [1.5e-6]);
+    let plan = bench.data("plan plane.toml --model ke --separation 1:3:3");
+    assert!(plan.contains("a separation of 1 asperity_height_std from the mean plane"), "{plan}");
+    let plan = bench.data("plan plane.toml --model ke --load 10:1000:50");
+    assert!(plan.contains("50 rows from a load of 1000 N to a load of 10 N"), "{plan}");
+}
+
+#[test]
+fn facts_of_a_model_are_not_said_before_every_answer() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model gao,at --separation 2");
+    assert_eq!((run.code, run.words.as_str()), (Some(0), ""));
+    let models = bench.data("models --format json");
+    assert!(models.contains("Gao: the angle density falls to 4 pi psi"), "{models}");
+}
+
+#[test]
+fn a_unit_without_its_separations_is_refused() {
+    let bench = Bench::new();
+    for words in [
+        "curve scene.toml",
+        "compare scene.toml",
+        "recommend scene.toml --load 5",
+        "export scene.toml --model ke --as csv --load 1:5:3",
+    ] {
+        let run = bench.run(&format!("{words} --separation-unit m"));
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{words}");
+        assert!(run.words.contains("--separation"), "{words}");
+    }
 }

@@ -1,14 +1,13 @@
 //! `export`: the tables say how good they are, and are.
 
-use asperity::{Model, Quantity, Request};
+use asperity::{ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, column};
+use crate::bench::{Bench, NEGATIVE, cells, column};
 
 /// Pressures of the model itself at clearances in metres.
 fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
     let scene = bench.scene("scene.toml").scene;
-    let std = scene.surface.asperity_height_std;
-    let request = Request::new([Quantity::Force]).at_metres(clearances.iter().copied(), std);
+    let request = Request::new([Quantity::Force]).at_metres(clearances.iter().copied());
     let answer = "ke".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
     answer.values(Quantity::Force).unwrap().iter().map(|f| f / scene.nominal_area).collect()
 }
@@ -21,9 +20,9 @@ fn stated_error(table: &str, before: &str) -> f64 {
 #[test]
 fn cubics_through_the_csv_are_as_good_as_it_says() {
     let bench = Bench::new();
-    let table = bench.data("export scene.toml --model ke --as csv --range -1:4:51");
+    let table = bench.data("export scene.toml --model ke --as csv --separation -1:4:51");
     let [x, p, k] =
-        ["clearance_m", "pressure_pa", "stiffness_pa_per_m"].map(|name| column(&table, name));
+        ["clearance_m", "pressure_Pa", "tangent_Pa_per_m"].map(|name| column(&table, name));
     assert_eq!(x.len(), 51);
     let stated = stated_error(&table, "nodes: pressure ");
     assert!(stated > 1e-7 && stated < 1e-3, "{stated}");
@@ -47,7 +46,7 @@ fn cubics_through_the_csv_are_as_good_as_it_says() {
 fn lines_through_the_abaqus_pairs_meet_the_error_asked_for() {
     let bench = Bench::new();
     let table =
-        bench.data("export scene.toml --model ke --as abaqus --range -1:4 --max-error 1e-2");
+        bench.data("export scene.toml --model ke --as abaqus --separation -1:4 --max-error 1e-2");
     assert!(table.contains("\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n"));
     let pairs: Vec<(f64, f64)> = table
         .lines()
@@ -71,13 +70,35 @@ fn lines_through_the_abaqus_pairs_meet_the_error_asked_for() {
 }
 
 #[test]
+fn a_table_may_be_between_loads_or_pressures() {
+    let bench = Bench::new();
+    let of = |words: &str| bench.data(&format!("export scene.toml --model ke --as csv {words}"));
+    let table = of("--pressure 1e4:1e6:9");
+    let pressures = column(&table, "pressure_Pa");
+    assert!((pressures[0] / 1e6 - 1.0).abs() < 1e-9 && (pressures[8] / 1e4 - 1.0).abs() < 1e-9);
+    assert!(pressures.is_sorted_by(|a, b| a > b));
+    assert_eq!(of("--load 1:100:9"), table);
+    let fine = of("--load 1:100 --max-error 1e-5");
+    assert!(stated_error(&fine, "nodes: pressure ") <= 1e-5);
+    assert_eq!(cells(&fine, "clearance_m")[0], cells(&table, "clearance_m")[0]);
+    let metres = column(&of("--separation 0:2e-6:5 --separation-unit m"), "clearance_m");
+    assert_eq!((metres[0], metres.len()), (0.0, 5));
+    assert!((metres[4] / 2e-6 - 1.0).abs() < 1e-14);
+    for (words, said) in [("1:1e30:9", "ke: load is 1e30 N"), ("-1:5:9", "ke: load is -1.0")] {
+        let run = bench.run(&format!("export scene.toml --model ke --as csv --load {words}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{words}");
+        assert!(run.words.contains(&format!("scene.toml: {said}")), "{}", run.words);
+    }
+}
+
+#[test]
 fn what_a_solver_cannot_use_is_refused() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
-    let run = bench.run("export scene.toml --model at --as csv --range 0:3:31");
+    let run = bench.run("export scene.toml --model at --as csv --separation 0:3:31");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
     assert!(run.words.contains("both above 0 were required"), "{}", run.words);
-    let coarse = bench.run("export scene.toml --model ke --as csv --range 0:6:2");
+    let coarse = bench.run("export scene.toml --model ke --as csv --separation 0:6:2");
     assert_eq!(coarse.code, Some(1));
     assert!(coarse.words.contains("2 nodes are too few"), "{}", coarse.words);
 }

@@ -47,13 +47,17 @@ fn a_full_disk_is_an_error() {
 #[test]
 fn files_that_cannot_be_written_are_named_and_nothing_is_left_behind() {
     let bench = Bench::new();
-    bench.write("kept.csv", "kept");
-    let mut permissions = fs::metadata(bench.path("kept.csv")).unwrap().permissions();
-    permissions.set_readonly(true);
-    fs::set_permissions(bench.path("kept.csv"), permissions).unwrap();
-    fs::create_dir(bench.path("folder")).unwrap();
-    for target in ["missing/out.csv", "folder", "kept.csv", "scene.toml/out.csv"] {
-        for flag in ["--output", "--plot"] {
+    for end in ["csv", "svg"] {
+        let kept = bench.path(&format!("kept.{end}"));
+        fs::write(&kept, "kept").unwrap();
+        let mut permissions = fs::metadata(&kept).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&kept, permissions).unwrap();
+        fs::create_dir(bench.path(&format!("folder.{end}"))).unwrap();
+    }
+    for target in ["missing/out", "folder", "kept", "scene.toml/out"] {
+        for (flag, end) in [("--output", "csv"), ("--plot", "svg")] {
+            let target = format!("{target}.{end}");
             let run = bench.run(&format!("{CURVE} {flag} {target}"));
             assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{flag} {target}");
             assert!(run.words.contains(&format!("cannot write {target}: ")), "{}", run.words);
@@ -63,7 +67,7 @@ fn files_that_cannot_be_written_are_named_and_nothing_is_left_behind() {
     let mut names: Vec<_> =
         fs::read_dir(bench.folder()).unwrap().map(|e| e.unwrap().file_name()).collect();
     names.sort();
-    assert_eq!(names, ["folder", "kept.csv", "scene.toml"]);
+    assert_eq!(names, ["folder.csv", "folder.svg", "kept.csv", "kept.svg", "scene.toml"]);
 }
 
 #[test]

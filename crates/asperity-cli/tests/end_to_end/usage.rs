@@ -23,19 +23,32 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --separation 0:4", "A:B:N"),
         ("curve scene.toml --separation 1,two", "\"two\" is not a number"),
         ("curve scene.toml --separation nan", "finite"),
-        ("curve scene.toml --separation-unit mm", "sigma"),
+        ("curve scene.toml --separation 1 --separation-unit mm", "sigma"),
+        ("curve scene.toml --separation 1:4:5:lgo", "only log may follow"),
+        ("curve scene.toml --separation 0:4:5:log", "begin above 0"),
+        ("curve scene.toml --load 0:100:5", "0 is not above 0"),
+        ("curve scene.toml --load 10N", "\"10N\" is not a number"),
+        ("curve scene.toml --load 1:10", "how many numbers from A to B"),
+        ("curve scene.toml --load 5 --separation 2", "cannot be used with"),
+        ("curve scene.toml --pressure 5 --load 2", "cannot be used with"),
+        ("curve scene.toml --pressure -5:5:3", "-5 is not above 0"),
         ("curve scene.toml --tolerance 0", "1e-15 to 0.1"),
         ("curve scene.toml --plot -", "leaves no place for the data"),
         ("curve scene.toml --format xml", "[possible values: csv, json, table]"),
         ("solve scene.toml --model ke", "--load"),
-        ("solve scene.toml --load 5", "--model"),
+        ("solve scene.toml --model ke --separation 5", "--load"),
         ("solve scene.toml --model ke --load -5", "-5 is not above 0"),
         ("solve scene.toml --model ke --load 5 --pressure 5", "cannot be used with"),
         ("compare scene.toml --separation 1 --load 5", "cannot be used with"),
-        ("recommend scene.toml --quantity pressure", "force, area, stiffness or tangent"),
-        ("export scene.toml --model ke --as csv --range 0:4", "needs --max-error"),
-        ("export scene.toml --model ke --as ansys --range 0:4:5", "abaqus"),
-        ("export scene.toml --model ke --as csv --range 4:0:5", "A below B"),
+        ("recommend scene.toml --quantity wear", "the quantities are force, area"),
+        ("recommend scene.toml --load 5 --pressure 5", "cannot be used with"),
+        ("plan scene.toml --load 5 --separation 5", "cannot be used with"),
+        ("export scene.toml --model ke --as csv", "--separation"),
+        ("export scene.toml --model ke --as csv --separation 0:4", "needs --max-error"),
+        ("export scene.toml --model ke --as csv --load 1:4:3:log", "without log"),
+        ("export scene.toml --model ke --as csv --load 1:4:3 --pressure 1:4:3", "cannot be used"),
+        ("export scene.toml --model ke --as ansys --separation 0:4:5", "abaqus"),
+        ("export scene.toml --model ke --as csv --separation 4:0:5", "A below B"),
     ] {
         let run = bench.run(words);
         assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "asperity {words}\n{}", run.words);
@@ -57,7 +70,7 @@ fn bad_input_ends_with_1_and_says_where_it_stands() {
         "compare bad.toml",
         "plan bad.toml",
         "recommend bad.toml",
-        "export bad.toml --model ke --as csv --range 0:4:9",
+        "export bad.toml --model ke --as csv --separation 0:4:9",
     ];
     for (from, to, said) in [
         ("nominal_area =", "nominal_aera =", &["bad.toml:", "did you mean \"nominal_area\"?"][..]),
@@ -86,5 +99,5 @@ fn values_beyond_what_can_be_integrated_are_bad_input() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model ke --separation 2e9");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.words.contains("ke: separation is 2000000000.0"), "{}", run.words);
+    assert!(run.words.contains("ke: separation is 2000000000"), "{}", run.words);
 }

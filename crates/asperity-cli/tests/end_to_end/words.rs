@@ -1,12 +1,17 @@
 //! The commands that answer in words: plan, recommend, models.
 
-use crate::bench::{Bench, NO_SHEAR, column, csv};
+use crate::bench::{Bench, NO_SHEAR, cells, column, csv};
 
 #[test]
 fn a_plan_says_what_is_integrated() {
     let bench = Bench::new();
     let plan = bench.data("plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
-    assert!(plan.starts_with("KE, gaussian heights, 401 separations from 0 to 4"), "{plan}");
+    assert!(
+        plan.starts_with(
+            "KE, gaussian heights, 401 rows from a separation of 0 asperity_height_std to"
+        ),
+        "{plan}"
+    );
     assert!(plan.contains("force, tangent from the force law") && plan.contains("\nZMC,"));
 }
 
@@ -16,14 +21,43 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
     let run = bench.run("recommend soft.toml");
     assert_eq!(run.code, Some(0));
-    assert!(run.out.starts_with("gw is the simplest model within 0.05 of ke\n"), "{}", run.out);
+    let said = "note: gw is the simplest model within 0.05 of ke; simplest first: upright";
+    assert!(run.words.contains(said), "{}", run.words);
     assert!(run.words.contains("gao is left out"));
     let data = bench.data("recommend scene.toml --format csv --reference gao --within 1e-3");
     let (head, rows) = csv(&data);
-    assert_eq!(head, ["model", "force_deviation", "area_deviation", "verdict"]);
+    assert_eq!(
+        head,
+        ["model", "asperities", "parts", "force_deviation", "area_deviation", "verdict"]
+    );
     let gao = rows.iter().find(|row| row[0] == "gao").unwrap();
-    assert_eq!(gao[1..], ["0", "0", "recommended"]);
+    assert_eq!(gao[3..], ["0", "0", "recommended"]);
     assert!(column(&data, "force_deviation")[0] > 1.0);
+}
+
+#[test]
+fn the_order_of_the_recommendation_is_the_one_that_is_printed() {
+    let bench = Bench::new();
+    for (within, words) in
+        [("0.05", ""), ("0.02", "--load 1:1000:7:log"), ("0.3", "--pressure 1e6")]
+    {
+        let words =
+            format!("recommend scene.toml --within {within} --quantity area,tangent {words}");
+        let data = bench.data(&format!("{words} --format csv"));
+        let (_, rows) = csv(&data);
+        let simplicity =
+            |row: &Vec<&str>| (row[1] == "at angles", row[2].parse::<usize>().unwrap());
+        assert!(rows.is_sorted_by_key(simplicity), "{data}");
+        // The recommended model is the first that is near enough.
+        let most: f64 = within.parse().unwrap();
+        let near =
+            |row: &&Vec<&str>| row[3..5].iter().all(|cell| cell.parse::<f64>().unwrap() <= most);
+        let first = rows.iter().find(near).unwrap();
+        let recommended: Vec<_> = rows.iter().filter(|row| row[5] == "recommended").collect();
+        assert_eq!(recommended, [first], "{data}");
+    }
+    let some = bench.data("recommend scene.toml --model zmc,jg,ke --load 10 --format csv");
+    assert_eq!(cells(&some, "model"), ["jg", "zmc", "ke"]);
 }
 
 #[test]
@@ -35,5 +69,11 @@ fn the_list_of_models_has_every_source() {
         json.as_array().unwrap().iter().map(|row| row["model"].as_str().unwrap()).collect();
     assert_eq!(ids.join(" "), "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap");
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
-    assert_eq!(bench.data("models").lines().count(), 13);
+    let table = bench.data("models");
+    assert_eq!(table.lines().count(), 13);
+    assert!(table.lines().next().unwrap().contains("valid_for"), "{table}");
+    assert!(table.contains("fitted to finite elements up to 110 w_c"), "{table}");
+    for row in json.as_array().unwrap() {
+        assert!(row["valid_for"].as_str().unwrap().len() > 10, "{row}");
+    }
 }

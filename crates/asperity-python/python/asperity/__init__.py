@@ -2,7 +2,7 @@
 
 A scene is what is in contact, a model says how one asperity answers, and a curve is what comes
 back. Units are SI; separations are multiples of the standard deviation of the asperity heights,
-unless ``separation_unit="m"``.
+unless ``separation_unit="m"``; loads go wherever they go.
 
 >>> import asperity
 >>> steel = asperity.Body(210e9, 0.3, hardness=2e9)
@@ -21,22 +21,12 @@ True
 from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
-from asperity._asperity import (
-    Asperity,
-    Body,
-    Contact,
-    ContactWarning,
-    Interface,
-    NotConverged,
-    Scene,
-    Scenes,
-    Surface,
-    Topography,
-    template,
-)
+from asperity._asperity import Contact, ContactWarning, NotConverged, template
 from asperity._curve import Curve
-from asperity._model import AsperityLaws, Model, model, models
-from asperity._surfaces import topography
+from asperity._laws import AsperityLaws
+from asperity._model import Model, model, models
+from asperity._scene import Asperity, Body, Interface, Scene, Scenes, Surface
+from asperity._surfaces import Topography, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy.typing as npt
 
-from asperity._arguments import floats, in_metres, quantity_names
-from asperity._asperity import Scene
-from asperity._asperity import recommend as _recommend
+from asperity import _asperity
+from asperity._arguments import Rows, place, quantity_names
 from asperity._model import Model
+from asperity._scene import Scene
 
 
 @dataclass(frozen=True)
@@ -67,17 +67,20 @@ def _model(model: str | Model) -> Model:
 def plan(
     model: str | Model,
     scene: Scene,
-    separation: npt.ArrayLike,
+    separation: npt.ArrayLike | None = None,
     quantities: str | Sequence[str] = ("force",),
     rtol: float = 1e-10,
     separation_unit: str = "asperity_height_std",
+    *,
+    load: npt.ArrayLike | None = None,
+    pressure: npt.ArrayLike | None = None,
 ) -> Plan:
     """What is integrated for a request, with how many nodes, and what is left out.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
     >>> print(asperity.plan("ke", scene, [0.0, 2.0]))
-    KE, gaussian heights, 2 separations from 0 to 2, relative tolerance 1e-10
+    KE, gaussian heights, 2 rows from a separation of 0 asperity_height_std to a separation of 2 asperity_height_std, relative tolerance 1e-10
       force from the force law: Gauss rules with the law as weight
         8 nodes: exponentials a value; 320 samples of the law, once
         elastic: sum of powers
@@ -85,24 +88,32 @@ def plan(
         elastic-plastic 2: sum of powers
         plastic: sum of powers
     """
-    metres = in_metres(separation_unit)
-    contact = _model(model).compile(scene, quantity_names(quantities), rtol)
-    text, rows = contact._plan(floats(separation).ravel(), metres)
+    rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+    text, found = _asperity.plan(_model(model), rows, quantity_names(quantities), rtol)
     steps = (
-        PlanStep(law, tuple(names), method, nodes, samples)
-        for law, names, method, nodes, samples in rows
+        PlanStep(
+            law=step["law"],
+            quantities=tuple(step["quantities"]),
+            method=step["method"],
+            nodes=step["nodes"] and tuple(step["nodes"]),
+            samples=step["samples"],
+        )
+        for step in found["steps"]
     )
     return Plan(tuple(steps), text.rstrip("\n"))
 
 
 def recommend(
     scene: Scene,
-    separation: npt.ArrayLike,
+    separation: npt.ArrayLike | None = None,
     quantities: str | Sequence[str] = ("force", "area"),
     reference: str | Model = "ke",
     within: float = 0.05,
     rtol: float = 1e-10,
     separation_unit: str = "asperity_height_std",
+    *,
+    load: npt.ArrayLike | None = None,
+    pressure: npt.ArrayLike | None = None,
 ) -> Recommendation:
     """The simplest model that stays within a relative deviation of the reference.
 
@@ -113,21 +124,14 @@ def recommend(
     >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
     'gw'
     """
-    against = _model(reference)
-    text, simplest, rows = _recommend(
-        scene,
-        against._engine,
-        quantity_names(quantities),
-        floats(separation).ravel().tolist(),
-        in_metres(separation_unit),
-        within,
-        rtol,
-    )
+    rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+    against, names = _model(reference), quantity_names(quantities)
+    text, simplest, found = _asperity.recommend(against, rows, names, within, rtol)
     return Recommendation(
         simplest=simplest,
         reference=against.id,
         within=within,
-        deviations={model: dict(found) for model, found, refusal in rows if refusal is None},
-        refused={model: refusal for model, _, refusal in rows if refusal is not None},
+        deviations={model: dict(far) for model, far, refusal in found if refusal is None},
+        refused={model: refusal for model, _, refusal in found if refusal is not None},
         text=text.rstrip("\n"),
     )

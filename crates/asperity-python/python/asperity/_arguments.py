@@ -1,87 +1,184 @@
-"""Arguments as NumPy broadcasts them."""
+"""Arguments as NumPy broadcasts them, and answers in their shape."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, TypeAlias
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from asperity._asperity import Scene, Scenes
+from asperity import _asperity
+from asperity._asperity import Engine, NotConverged, SceneFile, floats
+from asperity._scene import Floats, Scene, Scenes
 
-Floats: TypeAlias = npt.NDArray[np.float64]
-Shape: TypeAlias = tuple[int, ...]
 #: One scene, or many in any shape.
 SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
+Aspect: TypeAlias = Literal["value", "ln", "error"]
+Failures: TypeAlias = list[tuple[int, BaseException]]
 
-UNITS = {"force": "N", "area": "m2", "stiffness": "N_per_m", "tangent": "N_per_m"}
-SEPARATION_UNITS = ("asperity_height_std", "m")
+#: What numbers can stand for, with the head of their column.
+AXES = {
+    "asperity_height_std": "separation",
+    "m": "separation_m",
+    "load": "load_N",
+    "pressure": "pressure_Pa",
+}
+LOADS = ("load", "pressure")
+ERRORS = ("raise", "mask")
 
 
-def quantity_names(quantities: str | Sequence[str]) -> list[str]:
-    """One name or several, each once; the engine knows which there are."""
+def quantity_names(quantities: str | Iterable[str]) -> list[str]:
+    """One name or several, each once, as the library spells them."""
     names = [quantities] if isinstance(quantities, str) else list(quantities)
     if not names:
-        raise ValueError(f"quantities is empty: some of {', '.join(UNITS)} were required")
-    return list(dict.fromkeys(names))
+        known = ", ".join(_asperity.quantities())
+        raise ValueError(f"quantities is empty: some of {known} were required")
+    return list(_asperity.quantities(names))
 
 
-def in_metres(separation_unit: str) -> bool:
-    """Whether separations are in metres."""
-    if separation_unit not in SEPARATION_UNITS:
-        known = " or ".join(repr(unit) for unit in SEPARATION_UNITS)
-        raise ValueError(f"separation_unit is {separation_unit!r}: {known} was required")
-    return separation_unit == "m"
+def checked_unit(separation_unit: str) -> str:
+    """A unit of separations."""
+    if separation_unit not in ("asperity_height_std", "m"):
+        raise ValueError(
+            f"separation_unit is {separation_unit!r}: 'asperity_height_std' or 'm' was required"
+        )
+    return separation_unit
 
 
-def floats(values: npt.ArrayLike) -> Floats:
-    """A contiguous array of doubles; complex numbers and texts are refused."""
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiub":
-        raise TypeError(f"numbers of type {array.dtype} were given: real ones were required")
-    # ascontiguousarray makes one dimension of none.
-    return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+def place(separation: Any, load: Any, pressure: Any, separation_unit: str) -> tuple[str, Any]:
+    """What was given of the three, and what its numbers stand for."""
+    given = {checked_unit(separation_unit): separation, "load": load, "pressure": pressure}
+    found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
+    if len(found) != 1:
+        raise TypeError("exactly one of separation, load and pressure was required")
+    return found[0]
 
 
-class Many:
-    """Scenes, broadcast against numbers."""
+def checked_errors(errors: str) -> str:
+    """What is done about rows that fail."""
+    if errors not in ERRORS:
+        raise ValueError(f"errors is {errors!r}: 'raise' or 'mask' was required")
+    return errors
 
-    def __init__(self, scenes: SceneLike, numbers: npt.ArrayLike) -> None:
-        self.numbers = floats(numbers)
-        self.one: Scene | None = None
-        self._scenes_shape: Shape = ()
-        self.scenes: Scenes | list[Scene]
-        if isinstance(scenes, Scene):
-            self.one, self.scenes = scenes, [scenes]
-        elif isinstance(scenes, Scenes):
-            self.scenes, self._scenes_shape = scenes, scenes.shape
+
+def placed(words: str, error: BaseException) -> BaseException:
+    """A refusal that says where; an exception of the user's own as it is."""
+    if type(error) in (ValueError, NotConverged):
+        return type(error)(f"{words}{error}")
+    return error
+
+
+def reason(error: BaseException) -> str:
+    """The words of a refusal; of an exception of the user's own, also its kind."""
+    if isinstance(error, ValueError | NotConverged):
+        return str(error)
+    return f"{type(error).__name__}: {error}"
+
+
+class Rows:
+    """Scenes and numbers, broadcast: row after row in the order of memory.
+
+    Rows whose number is masked are left out.
+    """
+
+    def __init__(self, scenes: SceneLike, axis: str, numbers: npt.ArrayLike) -> None:
+        #: What the numbers stand for.
+        self.axis = axis
+        name = axis if axis in LOADS else "separation"
+        #: The numbers, in their own shape.
+        self.given: Floats = floats(np.ma.getdata(numbers), name)
+        #: The scenes, as they were given.
+        self.scenes = scenes
+        if isinstance(scenes, Scene | Scenes):
+            self._scenes_shape = getattr(scenes, "shape", ())
         else:
             array = np.asarray(scenes, dtype=object)
-            self.scenes, self._scenes_shape = list(array.ravel()), array.shape
-            for k, scene in enumerate(self.scenes):
+            self._scenes_shape = array.shape
+            for k, scene in enumerate(array.ravel()):
                 if not isinstance(scene, Scene):
                     raise TypeError(f"scene {k} is {scene!r}: a Scene was required")
-        self.shape: Shape = np.broadcast_shapes(self._scenes_shape, self.numbers.shape)
+        #: Shape of every answer.
+        self.shape: tuple[int, ...] = np.broadcast_shapes(self._scenes_shape, self.given.shape)
+        self._kept: npt.NDArray[np.bool_] | None = None
+        if np.ma.isMaskedArray(numbers):
+            self._kept = ~np.broadcast_to(np.ma.getmaskarray(numbers), self.shape).ravel()
+
+    @property
+    def one(self) -> Scene | None:
+        """The scene, where there is but one."""
+        return self.scenes if isinstance(self.scenes, Scene) else None
+
+    @property
+    def files(self) -> list[SceneFile]:
+        """The scenes for the engine; the one that the others are like, where there are columns."""
+        if isinstance(self.scenes, Scenes):
+            return [self.scenes._base._file]
+        return [scene._file for scene in np.asarray(self.scenes, dtype=object).ravel()]
+
+    @property
+    def columns(self) -> dict[str, Floats]:
+        """Numbers of the scenes that differ from it."""
+        columns = self.scenes._columns if isinstance(self.scenes, Scenes) else {}
+        return {name: values.ravel() for name, values in columns.items()}
+
+    @property
+    def places(self) -> npt.NDArray[np.int64]:
+        """The numbers of the scenes, in their shape."""
+        count = math.prod(self._scenes_shape)
+        return np.arange(count, dtype=np.int64).reshape(self._scenes_shape)
 
     @property
     def index(self) -> npt.NDArray[np.int64]:
-        """Which scene each value is of, flat."""
-        places = np.arange(int(np.prod(self._scenes_shape)), dtype=np.int64)
-        spread = np.broadcast_to(places.reshape(self._scenes_shape), self.shape)
-        return np.ascontiguousarray(spread).ravel()
+        """Which scene each row is on."""
+        return self._rows(self.places)
 
     @property
-    def flat(self) -> Floats:
-        """The numbers, flat."""
-        return np.ascontiguousarray(np.broadcast_to(self.numbers, self.shape)).ravel()
+    def numbers(self) -> Floats:
+        """The number of each row."""
+        return self._rows(self.given)
 
-    def scene(self, place: int) -> Scene:
-        """One scene, by its place in the order of memory."""
-        if isinstance(self.scenes, list):
-            return self.scenes[place]
-        return self.scenes.reshape(-1)[place]
+    def _rows(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
+        flat = np.ascontiguousarray(np.broadcast_to(values, self.shape)).ravel()
+        return flat if self._kept is None else flat[self._kept]
 
-    def shaped(self, values: Floats) -> Floats:
-        """Flat values in the shape of scenes and numbers."""
-        return values.reshape(self.shape)
+    def without(self, missing: npt.NDArray[np.bool_]) -> Rows:
+        """The same rows but those that are missing in an answer of their shape."""
+        rows = Rows(self.scenes, self.axis, self.given)
+        rows._kept = ~missing.ravel()
+        return rows
+
+    def shaped(self, values: npt.NDArray[Any], missing: npt.NDArray[np.bool_]) -> Any:
+        """Values of the rows in their shape; masked where a row was left out, or has none."""
+        if self._kept is not None:
+            whole, hidden = np.full(self._kept.shape, np.nan, values.dtype), ~self._kept
+            whole[self._kept], hidden[self._kept] = values, missing
+            values, missing = whole, hidden
+        elif not missing.any():
+            return values.reshape(self.shape)
+        return np.ma.MaskedArray(values, missing).reshape(self.shape)
+
+    def failed(self, failures: Failures, errors: str) -> dict[int, str]:
+        """Why rows failed, by their place in the order of memory; or the first of it, raised."""
+        for row, error in failures:
+            if errors == "raise" or not isinstance(error, Exception):
+                words = "" if self.one is not None else f"scene {self.index[row]}: "
+                raise placed(words, error)
+        places = range(len(self.numbers)) if self._kept is None else np.flatnonzero(self._kept)
+        return {int(places[row]): reason(error) for row, error in failures}
+
+    def answer(
+        self,
+        engine: Engine,
+        names: list[str],
+        rtol: float,
+        aspect: Aspect,
+        errors: str,
+    ) -> tuple[dict[str, Floats], dict[int, str], list[str]]:
+        """Quantities of the rows in their shape, why rows failed, and what deserves a word."""
+        arguments = self, names, rtol, aspect, errors == "raise", None
+        columns, failures, said = _asperity.answer(engine, *arguments)
+        why = self.failed(failures, errors)
+        found = {q: self.shaped(v, np.isnan(v)) for q, v in zip(names, columns, strict=True)}
+        return found, why, said

@@ -2,32 +2,35 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
-from asperity._arguments import UNITS, Floats, Many, SceneLike, Shape
-from asperity._asperity import Contact, Engine
+from asperity import _asperity
+from asperity._arguments import AXES, Aspect, Rows, SceneLike
+from asperity._asperity import Engine
+from asperity._scene import Floats
 
 if TYPE_CHECKING:
     import pandas as pd
 
-Aspect: TypeAlias = Literal["value", "ln_value", "error"]
-
 
 class Curve:
-    """Quantities of a contact at separations, in SI units; made by ``Model.solve``.
+    """Quantities of a contact at separations or under loads, in SI units; made by ``Model.solve``.
 
-    Arrays have the shape of scenes and separations, broadcast. Logarithms, errors and shares are
-    computed when they are asked for.
+    A quantity is an attribute (``curve.force``, ``curve.mean_pressure``) or an item
+    (``curve["mean-pressure"]``), in the shape of scenes and separations, broadcast. Logarithms,
+    errors and shares are computed when they are asked for.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
-    >>> curve = asperity.model("ke").solve(scene, separation=[0.0, 2.0, 60.0])
+    >>> curve = asperity.model("ke").solve(scene, separation=[0.0, 2.0, 30.0])
     >>> curve
-    <asperity.Curve of KE: force at 3 separations from 0 to 60 asperity_height_std, rtol=1e-10>
-    >>> curve.force.shape, float(curve.force[2]), round(float(curve.ln("force")[2]), 3)
-    ((3,), 0.0, -1800.189)
+    <asperity.Curve of KE: force at 3 separations from 0 to 30 asperity_height_std, rtol=1e-10>
+    >>> curve.force.shape, round(float(curve.ln("force")[2]), 3)
+    ((3,), -448.475)
     >>> {part: round(float(share[1]), 4) for part, share in curve.shares("force").items()}
     {'elastic': 0.0022, 'elastic-plastic': 0.1221, 'elastic-plastic 2': 0.8757, 'plastic': 0.0}
     """
@@ -36,21 +39,26 @@ class Curve:
         self,
         engine: Engine,
         name: str,
-        scene: SceneLike,
-        many: Many,
+        rows: Rows,
         rtol: float,
-        metres: bool,
-        contact: Contact | None,
+        separation_unit: str,
         columns: dict[str, Floats],
+        failures: dict[int, str],
     ) -> None:
-        self._engine, self._many, self._metres = engine, many, metres
-        self._contact, self._columns = contact, columns
+        self._engine, self._rows, self._columns = engine, rows, columns
         #: Name of the model.
         self.model = name
-        #: The scene, or the scenes, as they were given.
-        self.scene = scene
         #: Relative tolerance of every value.
         self.rtol = rtol
+        #: ``"asperity_height_std"`` or ``"m"``.
+        self.separation_unit = separation_unit
+        #: Why rows have no values, where ``errors="mask"``: by their place in the order of memory.
+        self.failures = failures
+
+    @property
+    def scene(self) -> SceneLike:
+        """The scene, or the scenes, as they were given."""
+        return self._rows.scenes
 
     @property
     def quantities(self) -> tuple[str, ...]:
@@ -58,87 +66,96 @@ class Curve:
         return tuple(self._columns)
 
     @property
-    def separation(self) -> Floats:
-        """The separations as they were asked for, in ``separation_unit``."""
-        return self._many.numbers
-
-    @property
-    def separation_unit(self) -> str:
-        """``"asperity_height_std"`` or ``"m"``."""
-        return "m" if self._metres else "asperity_height_std"
-
-    @property
-    def shape(self) -> Shape:
+    def shape(self) -> tuple[int, ...]:
         """Shape of every array."""
-        return self._many.shape
+        return self._rows.shape
+
+    @property
+    def separation(self) -> Floats:
+        """The separations as they were asked for; under loads, those that carry them, in the shape
+        of the curve, the largest where there are several."""
+        rows = self._rows
+        if rows.axis == self.separation_unit:
+            return rows.given
+        arguments = rows, self.separation_unit, self.rtol, False, False
+        found, counts, _ = _asperity.separations(self._engine, *arguments)
+        values = np.full(len(counts), np.nan)
+        values[counts > 0] = found
+        shaped: Floats = rows.shaped(values, counts == 0)
+        return shaped
 
     def __getitem__(self, quantity: str) -> Floats:
-        return self._column(quantity, KeyError)
-
-    def _column(self, quantity: str, error: type[Exception]) -> Floats:
-        if quantity not in self._columns:
+        name = quantity.replace("_", "-")
+        if name not in self._columns:
             asked = ", ".join(self._columns)
-            raise error(f"{quantity} was not requested: add it to the quantities ({asked})")
-        return self._columns[quantity]
+            raise KeyError(f"{name} was not requested: add it to the quantities ({asked})")
+        return self._columns[name]
 
-    @property
-    def force(self) -> Floats:
-        """Contact force [N]."""
-        return self._column("force", AttributeError)
+    def __getattr__(self, name: str) -> Floats:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name == self._rows.axis and name not in self._columns:
+            return self._rows.given
+        try:
+            return self[name]
+        except KeyError as error:
+            raise AttributeError(*error.args) from None
 
-    @property
-    def area(self) -> Floats:
-        """Real area of contact [m^2]."""
-        return self._column("area", AttributeError)
-
-    @property
-    def stiffness(self) -> Floats:
-        """Stiffness as the model's paper defines it [N/m]."""
-        return self._column("stiffness", AttributeError)
-
-    @property
-    def tangent(self) -> Floats:
-        """-dF/dd [N/m], jumps of the law included."""
-        return self._column("tangent", AttributeError)
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(name.replace("-", "_") for name in self._columns)]
 
     def _aspect(self, quantity: str, aspect: Aspect) -> Floats:
-        self._column(quantity, ValueError)
-        many = self._many
-        if self._contact is not None:
-            found, _ = self._contact._column(quantity, many.flat, self._metres, aspect)
-        else:
-            asked = [quantity], self.rtol, aspect
-            columns, _ = self._engine.sweep(
-                many.scenes, many.index, many.flat, self._metres, *asked
-            )
-            found = columns[0]
-        return many.shaped(found)
+        (name,) = _asperity.quantities([quantity])
+        self[name]
+        found, _, _ = self._rows.answer(self._engine, [name], self.rtol, aspect, "mask")
+        return found[name]
 
     def error(self, quantity: str) -> Floats:
-        """A bound on the relative error of every value."""
+        """A bound on the error of every value: relative, but a difference for logarithms and
+        shares."""
         return self._aspect(quantity, "error")
 
     def ln(self, quantity: str) -> Floats:
         """The natural logarithm of every absolute value, also where the value underflows to 0."""
-        return self._aspect(quantity, "ln_value")
+        return self._aspect(quantity, "ln")
 
     def shares(self, quantity: str) -> dict[str, Floats]:
         """The share of every part of the law in every value; shares sum to 1."""
-        self._column(quantity, ValueError)
-        many = self._many
-        if self._contact is not None:
-            found = self._contact._shares(quantity, many.flat, self._metres)
-            return {name: many.shaped(share) for name, _, share in found}
-        shares: dict[str, Floats] = {}
-        index, flat = many.index, many.flat
-        order = np.argsort(index, kind="stable")
-        starts = np.flatnonzero(np.diff(index[order], prepend=-1))
-        for here in np.split(order, starts[1:]) if len(order) else []:
-            scene = many.scene(int(index[here[0]]))
-            contact = self._engine.compile(scene, [quantity], self.rtol)
-            for name, _, share in contact._shares(quantity, flat[here], self._metres):
-                shares.setdefault(name, np.zeros(len(flat)))[here] = share
-        return {name: many.shaped(share) for name, share in shares.items()}
+        rows = self._rows
+        missing = np.ma.getmaskarray(self[quantity])
+        if missing.any():
+            rows = rows.without(missing)
+        found = _asperity.shares(self._engine, rows, quantity, self.rtol)
+        return {name: rows.shaped(share, np.isnan(share)) for name, share in found}
+
+    def _table(self) -> dict[str, npt.NDArray[Any]]:
+        """Columns with units in their heads, a row for each value."""
+        rows = self._rows
+        table: dict[str, npt.NDArray[Any]] = {}
+        if rows.one is None:
+            table["scene"] = np.broadcast_to(rows.places, rows.shape).ravel()
+        table[AXES[rows.axis]] = np.broadcast_to(rows.given, rows.shape).ravel()
+        for head, values in zip(
+            _asperity.quantities(list(self._columns)).values(), self._columns.values(), strict=True
+        ):
+            table[head] = np.ma.filled(values, np.nan).ravel()
+        return table
+
+    def to_csv(self) -> str:
+        """The text of a table with a row for each value, units in its head, every digit, and
+        nothing where there is no value.
+
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> print(asperity.model("gw").solve(scene, [1.0, 2.0], rtol=1e-14).to_csv(), end="")
+        separation,force_N
+        1.0,3292.645006349853
+        2.0,289.290552625914
+        """
+        table = self._table()
+        cells = ([("" if math.isnan(v) else repr(v)) for v in c.tolist()] for c in table.values())
+        lines = [",".join(table), *map(",".join, zip(*cells, strict=True))]
+        return "\n".join(lines) + "\n"
 
     def to_dataframe(self) -> pd.DataFrame:
         """A table with a row for each value, units in its head; needs pandas.
@@ -151,23 +168,21 @@ class Curve:
         """
         import pandas as pd
 
-        columns: dict[str, Any] = {}
-        if self._many.one is None:
-            columns["scene"] = self._many.index
-        columns["separation_m" if self._metres else "separation"] = self._many.flat
-        for quantity, values in self._columns.items():
-            columns[f"{quantity}_{UNITS[quantity]}"] = values.ravel()
-        return pd.DataFrame(columns)
+        return pd.DataFrame(self._table())
 
     def __repr__(self) -> str:
-        numbers = self._many.numbers
-        where = f"{numbers.size} separation{'s' if numbers.size != 1 else ''}"
+        rows = self._rows
+        numbers = rows.given
+        what, unit = {"load": ("load", "N"), "pressure": ("pressure", "Pa")}.get(
+            rows.axis, ("separation", rows.axis)
+        )
+        where = f"{numbers.size} {what}{'s' if numbers.size != 1 else ''}"
         if numbers.size > 1:
             where += f" from {numbers.min():g} to {numbers.max():g}"
         elif numbers.size == 1:
             where += f", {numbers.item():g}"
-        shape = "" if self._many.one is not None else f" of shape {self.shape}, on many scenes,"
+        shape = "" if rows.one is not None else f" of shape {self.shape}, on many scenes,"
         return (
             f"<asperity.Curve of {self.model}: {', '.join(self.quantities)}{shape} at {where} "
-            f"{self.separation_unit}, rtol={self.rtol:g}>"
+            f"{unit}, rtol={self.rtol:g}>"
         )

@@ -3,50 +3,28 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Sequence
-from typing import Any, Protocol, TypeAlias
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import Floats, Many, SceneLike, floats, in_metres, quantity_names
-from asperity._asperity import (
-    Asperity,
-    Contact,
-    ContactWarning,
-    Engine,
-    Scene,
-    model_ids,
-    separations,
+from asperity import _asperity
+from asperity._arguments import (
+    Rows,
+    SceneLike,
+    checked_errors,
+    checked_unit,
+    place,
+    quantity_names,
 )
+from asperity._asperity import Contact, ContactWarning, Engine, floats
 from asperity._curve import Curve
+from asperity._laws import Laws, LawsOfAsperity
+from asperity._scene import Floats, Options, Scene
 
 
-class AsperityLaws(Protocol):
-    """What a model written in Python must offer: the laws of one asperity.
-
-    The class is called with an ``Asperity``. ``w`` is an array of interferences in metres, all
-    above 0; forces come back in N, areas in m^2.
-
-    Optional: ``stiffness(w)`` in N/m, where it is not the tangent of the force; ``kinks``, the
-    interferences [m] where a formula changes (a sequence, or a dict of them by quantity), which
-    saves time and changes no digit; ``regimes``, a name for each range between the kinks, for
-    shares; and on the class ``name``, and ``force_monotone = True`` where the force never falls as
-    ``w`` grows, which makes ``separation_at`` quicker.
-    """
-
-    def force(self, w: Floats, /) -> npt.ArrayLike:
-        """Force [N] at interferences [m]."""
-
-    def area(self, w: Floats, /) -> npt.ArrayLike:
-        """Real area [m^2] at interferences [m]."""
-
-
-LawsOfAsperity: TypeAlias = Callable[[Asperity], AsperityLaws]
-Options: TypeAlias = dict[str, str | dict[str, float]]
-
-
-class Model:
+class Model(Engine):
     """A model of rough contact; ``asperity.model`` makes one.
 
     >>> import asperity
@@ -54,35 +32,38 @@ class Model:
     <asperity.Model 'ke': Kogut & Etsion (2002)>
     """
 
-    __slots__ = ("_engine", "_options", "_source", "_what")
-
-    def __init__(self, model: str | LawsOfAsperity, /, **options: str | dict[str, float]) -> None:
-        if isinstance(model, str):
-            self._engine = Engine.named(model, options)
-        elif options:
+    def __new__(cls, model: str | LawsOfAsperity, /, **options: Any) -> Model:
+        if options and not isinstance(model, str):
             raise TypeError("options were given: a model written in Python takes none")
-        else:
-            self._engine = Engine.of_class(model)
+        return super().__new__(cls, model if isinstance(model, str) else Laws(model), options)
+
+    def __init__(self, model: str | LawsOfAsperity, /, **options: Any) -> None:
         self._what, self._options = model, options
-        self._source = self._engine.source()
+        self._id, self._name, self._origin, self._notes = self._source()
 
     @property
     def id(self) -> str:
         """Short name in lower case: ``ke``."""
-        return self._source[0]
+        return self._id
 
     @property
     def name(self) -> str:
         """The acronym: ``KE``."""
-        return self._source[1]
+        return self._name
 
     @property
     def source(self) -> str:
         """Authors, year and title of the paper, and how well its text is known."""
-        _, name, authors, year, title, provenance = self._source
-        if not authors:
-            return f"{name}, written in Python"
-        return f"{authors} ({year}){', ' + title if title else ''} [{provenance}]"
+        source = self._origin
+        if not source["authors"]:
+            return f"{self.name}, written in Python"
+        title = f", {source['title']}" if source["title"] else ""
+        return f"{source['authors']} ({source['year']}){title} [{source['provenance']}]"
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a user of these options should know, whatever the scene."""
+        return tuple(self._notes)
 
     @property
     def options(self) -> Options:
@@ -92,25 +73,39 @@ class Model:
     def solve(
         self,
         scene: SceneLike,
-        separation: npt.ArrayLike,
+        separation: npt.ArrayLike | None = None,
         quantities: str | Sequence[str] = ("force",),
         rtol: float = 1e-10,
         separation_unit: str = "asperity_height_std",
+        *,
+        load: npt.ArrayLike | None = None,
+        pressure: npt.ArrayLike | None = None,
+        errors: str = "raise",
     ) -> Curve:
-        """Quantities at separations.
+        """Quantities at separations, or under loads or pressures.
 
         Parameters
         ----------
         scene : Scene, Scenes or sequence of Scene
-            What is in contact. Many scenes are broadcast against the separations.
+            What is in contact. Many scenes are broadcast against separations or loads.
         separation : array_like
-            From the plane that the scene chose, in ``separation_unit``.
+            From the plane that the scene chose, in ``separation_unit``. Masked values stay masked.
         quantities : str or sequence of str
-            Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m].
+            Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m], "pressure" [Pa],
+            "area-fraction", "contacts", "mean-pressure" [Pa], "ln-force", "ln-area",
+            "elastic-share", "elastic-plastic-share" and "plastic-share".
         rtol : float
             Relative tolerance of every value, from 1e-15 to 0.1.
         separation_unit : "asperity_height_std" or "m"
             Unit of the separations.
+        load : array_like, optional
+            Normal loads [N], in the place of separations. Where several separations carry one, the
+            values are those at the largest: where two approaching bodies first meet the load.
+        pressure : array_like, optional
+            Mean pressures on the nominal area [Pa], in the place of separations.
+        errors : "raise" or "mask"
+            What happens when a row is refused, as for a load that no separation carries: the first
+            is raised, or the values of such rows are masked and ``Curve.failures`` has the reasons.
 
         Examples
         --------
@@ -119,112 +114,85 @@ class Model:
         >>> rougher = scene.vary(asperity_height_std=[1e-6, 2e-6]).reshape(2, 1)
         >>> asperity.model("ke").solve(rougher, separation=np.linspace(0, 4, 401)).force.shape
         (2, 401)
+        >>> asperity.model("ke").solve(rougher, load=1200.0, quantities="area").area.round(9)
+        array([[7.68e-07],
+               [7.15e-07]])
         """
-        names, metres, many = (
-            quantity_names(quantities),
-            in_metres(separation_unit),
-            Many(scene, separation),
-        )
-        contact: Contact | None = None
-        name, flat = self.name, many.flat
-        if many.one is not None:
-            contact = self._engine.compile(many.one, names, rtol)
-            name, messages, found = contact.model, contact._warnings(), []
-            for quantity in names:
-                values, warning = contact._column(quantity, flat, metres, "value")
-                found.append(values)
-                messages += [warning] if warning is not None else []
-        else:
-            found, messages = self._engine.sweep(
-                many.scenes, many.index, flat, metres, names, rtol, "value"
-            )
-            messages += [
-                f"{name}: the {quantity} is negative at {count} of the values: the model subtracts "
-                "more than it adds there"
-                for quantity, values in zip(names, found, strict=True)
-                if (count := int(np.count_nonzero(values < 0)))
-            ]
-        for message in messages:
-            warnings.warn(message, ContactWarning, stacklevel=2)
-        columns = {q: many.shaped(values) for q, values in zip(names, found, strict=True)}
-        return Curve(self._engine, name, scene, many, rtol, metres, contact, columns)
+        axis, numbers = place(separation, load, pressure, separation_unit)
+        rows, names = Rows(scene, axis, numbers), quantity_names(quantities)
+        columns, failures, said = rows.answer(self, names, rtol, "value", checked_errors(errors))
+        for words in said:
+            warnings.warn(words, ContactWarning, stacklevel=2)
+        name = self._source(*rows.files[:1])[1]
+        return Curve(self, name, rows, rtol, separation_unit, columns, failures)
 
     def separation_at(
         self,
         scene: SceneLike,
-        load: npt.ArrayLike,
+        load: npt.ArrayLike | None = None,
         rtol: float = 1e-10,
         separation_unit: str = "asperity_height_std",
+        *,
+        pressure: npt.ArrayLike | None = None,
+        all: bool = False,
+        errors: str = "raise",
     ) -> Floats:
-        """The separation at which the force is ``load`` [N], in the shape of scenes and loads.
+        """The separation at which the force is ``load`` [N], or the mean pressure on the nominal
+        area ``pressure`` [Pa], in the shape of scenes and loads.
 
-        Where several separations carry a load, as for AT as printed, it is the largest: the one
-        that two approaching bodies come to first. A warning says so; ``separations_at`` has all.
+        Where several separations carry a load, as for AT as printed and for JG, it is the largest:
+        the one that two approaching bodies come to first. With ``all=True`` there is an ascending
+        array of all of them in the place of every number.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
         >>> asperity.model("ke").separation_at(scene, load=[1, 10, 100]).round(4)
         array([3.5715, 2.9723, 2.2698])
         """
-        many, everything = self._separations(scene, load, rtol, separation_unit)
-        several = sum(len(found) > 1 for found in everything)
-        if several:
-            warnings.warn(
-                f"{self.name}: {several} of the loads have several separations, the largest was "
-                "taken: separations_at has all",
-                ContactWarning,
-                stacklevel=2,
-            )
-        return many.shaped(np.array([found[-1] for found in everything], dtype=np.float64))
-
-    def separations_at(
-        self,
-        scene: SceneLike,
-        load: npt.ArrayLike,
-        rtol: float = 1e-10,
-        separation_unit: str = "asperity_height_std",
-    ) -> npt.NDArray[np.object_]:
-        """All separations at which the force is ``load`` [N]: an ascending array for each load."""
-        many, everything = self._separations(scene, load, rtol, separation_unit)
-        arrays = np.empty(len(everything), dtype=object)
-        for k, found in enumerate(everything):
-            arrays[k] = found
-        return arrays.reshape(many.shape)
-
-    def _separations(
-        self, scene: SceneLike, load: npt.ArrayLike, rtol: float, separation_unit: str
-    ) -> tuple[Many, list[Floats]]:
-        many, metres = Many(scene, load), in_metres(separation_unit)
-        found = separations(self._engine, many.scenes, many.index, many.flat, metres, rtol)
-        return many, found
+        rows = Rows(scene, *place(None, load, pressure, separation_unit))
+        arguments = rows, separation_unit, rtol, all, checked_errors(errors) == "raise"
+        found, counts, failures = _asperity.separations(self, *arguments)
+        rows.failed(failures, errors)
+        values: npt.NDArray[Any] = np.full(len(counts), np.nan, dtype=object if all else np.float64)
+        if all:
+            ends = np.cumsum(counts)
+            for k in np.flatnonzero(counts):
+                values[k] = found[ends[k] - counts[k] : ends[k]]
+        else:
+            values[counts > 0] = found
+        shaped: Floats = rows.shaped(values, counts == 0)
+        return shaped
 
     def compile(
         self,
         scene: Scene,
         quantities: str | Sequence[str] = ("force", "tangent"),
         rtol: float = 1e-10,
+        separation_unit: str = "asperity_height_std",
     ) -> Contact:
         """One scene, prepared for many evaluations: for codes that step in time.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
-        >>> contact = asperity.model("ke").compile(scene)
+        >>> contact = asperity.model("ke").compile(scene, separation_unit="m")
         >>> force, tangent = contact.force_and_tangent(2e-6)  # N and N/m at a gap in m
         >>> f"{force:.2f} N, {tangent:.3e} N/m"
         '216.94 N, 5.988e+08 N/m'
         """
-        return self._engine.compile(scene, quantity_names(quantities), rtol)
+        names = quantity_names(quantities)
+        return Contact(self, scene, names, rtol, checked_unit(separation_unit))
 
     def law(
         self, scene: Scene, quantity: str, interference: npt.ArrayLike, rtol: float = 1e-10
     ) -> Floats:
         """The law of one asperity of a scene at interferences [m]: N, m^2 or N/m."""
-        w = floats(interference)
-        return self._engine.law(scene, quantity, w.ravel(), rtol).reshape(w.shape)
+        w = floats(interference, "interference")
+        return self._law(scene._file, quantity, w.ravel(), rtol).reshape(w.shape)
 
     def check(self, scene: Scene) -> list[str]:
         """What is wrong with the laws on one asperity of a scene: for models of your own."""
-        return self._engine.check(scene)
+        laws = None if isinstance(self._what, str) else Laws(self._what)
+        return (laws and laws.findings(scene.asperity)) or self._check(scene._file)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):
@@ -238,9 +206,9 @@ class Model:
         return _rebuilt, (self._what, self._options)
 
     def __repr__(self) -> str:
-        _, _, authors, year, _, _ = self._source
+        source = self._origin
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
-        whose = f"{authors} ({year})" if authors else "written in Python"
+        whose = f"{source['authors']} ({source['year']})" if source["authors"] else "written in Python"
         return f"<asperity.Model {self.id!r}{given}: {whose}>"
 
 
@@ -248,7 +216,7 @@ def _rebuilt(what: str | LawsOfAsperity, options: Options) -> Model:
     return Model(what, **options)
 
 
-def model(model: str | LawsOfAsperity, /, **options: str | dict[str, float]) -> Model:
+def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
     """A model by its id, with options by the names of a scene file's [options].
 
     Options that are not given are those of the scene. A class whose instances are the laws of one
@@ -281,4 +249,4 @@ def models() -> list[Model]:
     >>> [model.id for model in asperity.models()][:4]
     ['gw', 'ceb', 'zmc', 'ke']
     """
-    return [Model(name) for name in model_ids()]
+    return [Model(name) for name in _asperity.model_ids()]

@@ -4,9 +4,30 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
+from asperity import _asperity
+from asperity._scene import Surface
 
-from asperity._asperity import Topography
+
+class Topography(_asperity.Topography):
+    """A measured surface: heights on a regular grid.
+
+    Parameters
+    ----------
+    heights : array_like
+        One or two dimensions, row by row; NaN, or masked, where a point is missing.
+    dx : float or (float, float)
+        Distance of neighbouring points along a row, and along a column.
+    unit : str
+        Unit of both, heights and dx: "m", "cm", "mm", "um", "nm", "angstrom", "pm".
+    periodic : bool
+        Whether the surface goes on beyond its edges.
+    """
+
+    def surface(
+        self, level: str = "plane", estimator: str = "moments", cutoff: float | None = None
+    ) -> Surface:
+        """The equivalent rough surface of this one on a flat; see ``statistics``."""
+        return Surface(**self._surface(level, estimator, cutoff))
 
 
 def topography(surface: Any, unit: str | None = None) -> Topography:
@@ -40,8 +61,8 @@ def _from_surface_topography(surface: Any, unit: str | None) -> Topography:
             f"{type(surface).__name__} has points at unequal distances: a uniform surface was "
             "required, as of surface.to_uniform()"
         )
-    # Its first axis is x; missing points are masked.
-    heights = np.ma.filled(np.ma.asarray(surface.heights(), dtype=np.float64), np.nan).T
+    # Its first axis is x.
+    heights = surface.heights().T
     dx, dy = (*surface.pixel_size, surface.pixel_size[0])[:2]
     found = _one_unit(surface.unit, unit, "this surface of SurfaceTopography")
     return Topography(heights, (dx, dy), found, periodic=bool(surface.is_periodic))

@@ -23,7 +23,7 @@ pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
 /// The surface in a file.
 ///
-/// The first bytes tell NumPy, X3P and SUR files; all else is text, told by its number of columns:
+/// The extension or the first bytes tell NumPy, X3P and SUR files; all else is text, told by its number of columns:
 ///
 /// | columns | |
 /// |---|---|
@@ -42,7 +42,8 @@ pub const MAX_FILE_BYTES: u64 = 1 << 31;
 /// [`TopographyError::File`] with the path and what was wrong.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Topography, TopographyError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    all_bytes(path)
+    let checked = options.check().and_then(|()| all_bytes(path));
+    checked
         .and_then(|bytes| scan(&name, bytes)?.topography(options))
         .map_err(|error| TopographyError::File { path: path.to_owned(), source: Box::new(error) })
 }
@@ -56,6 +57,7 @@ pub fn read_bytes(
     bytes: &[u8],
     options: &ReadOptions,
 ) -> Result<Topography, TopographyError> {
+    options.check()?;
     scan(name, bytes)?.topography(options)
 }
 
@@ -65,6 +67,7 @@ fn scan(name: &str, bytes: impl AsRef<[u8]>) -> Result<scan::Scan, TopographyErr
     let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
     match extension.as_deref() {
         Some("npy") => npy::scan(bytes),
+        Some("npz") => Err(npy::archive(bytes)),
         Some("x3p") => x3p::scan(bytes),
         Some("sur") => sur::scan(bytes),
         _ if bytes.starts_with(npy::MAGIC) => npy::scan(bytes),

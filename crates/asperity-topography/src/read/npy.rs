@@ -3,6 +3,10 @@
 //! The header is read here and not by a crate: those at hand multiply declared shapes and set
 //! memory aside before they can be checked against the file, and take nested brackets to any depth.
 
+use std::io::Cursor;
+
+use zip::ZipArchive;
+
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, points};
 use crate::TopographyError;
@@ -35,6 +39,21 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         heights = (0..n).map(|i| heights[i / columns + rows * (i % columns)]).collect();
     }
     Ok(Scan { heights, columns, unit: None, pixel_size: PixelSize::Unknown })
+}
+
+/// What to say of an `.npz`: which of its arrays is the surface, nobody knows.
+pub(super) fn archive(bytes: &[u8]) -> TopographyError {
+    let archive = ZipArchive::new(Cursor::new(bytes)).ok();
+    let names =
+        archive.map(|archive| archive.file_names().flatten().collect::<Vec<_>>().join(", "));
+    let found = format!("an archive of arrays ({})", names.unwrap_or_else(|| "broken".into()));
+    let required = "a single array: numpy.save(\"scan.npy\", numpy.load(\"scan.npz\")[name])";
+    TopographyError::Field {
+        format: "npz",
+        field: "file",
+        found: excerpt(&found),
+        required: required.to_owned(),
+    }
 }
 
 /// Header text and data.

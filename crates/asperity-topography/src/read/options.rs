@@ -1,6 +1,6 @@
 //! What a file may leave open.
 
-use crate::LengthUnit;
+use crate::{LengthUnit, TopographyError};
 
 /// What a file may leave open, and how much of it may be missing.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +14,22 @@ pub struct ReadOptions {
     pub pixel_size: Option<[f64; 2]>,
     /// The largest share of missing points that is accepted, 0 to 1; 0.1 by default.
     pub max_missing: f64,
+}
+
+impl ReadOptions {
+    /// Whether every option is within its range: asked before a file is read.
+    pub(crate) fn check(&self) -> Result<(), TopographyError> {
+        let share = ("max_missing", self.max_missing, 0.0..=1.0, "a share from 0 to 1");
+        let pixel =
+            |size| ("pixel_size", size, f64::MIN_POSITIVE..=f64::MAX, "a finite length above 0");
+        let pixels = self.pixel_size.into_iter().flatten().map(pixel);
+        for (field, value, range, required) in pixels.chain([share]) {
+            if !range.contains(&value) {
+                return Err(TopographyError::OutOfRange { field, value, required });
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Default for ReadOptions {

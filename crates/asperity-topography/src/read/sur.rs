@@ -106,7 +106,7 @@ impl Header<'_> {
         let name = latin.trim_end_matches(['\0', ' ']);
         // Old files write µ as in MS-DOS; in Latin 1 that is æ.
         let name = if name == "\u{e6}m" { "um" } else { name };
-        LengthUnit::named(name).ok_or_else(|| bad(field, format!("{name:?}"), "a unit of length"))
+        name.parse().map_err(|_| bad(field, format!("{name:?}"), "a unit of length"))
     }
 }
 

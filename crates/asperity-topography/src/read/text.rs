@@ -103,8 +103,8 @@ impl Header {
                 | "z unit"
                 | "units"
                 | "unit" => {
-                    let unit = LengthUnit::named(value);
-                    said.unit = Some(unit.ok_or_else(|| wrong("a unit of length"))?);
+                    let unit = value.parse();
+                    said.unit = Some(unit.map_err(|_| wrong("a unit of length"))?);
                 }
                 _ => {}
             }
@@ -146,7 +146,7 @@ impl Header {
 fn length(text: &str) -> Option<f64> {
     let end = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'))?;
     let (number, unit) = text.split_at(end);
-    let length = number.trim().parse::<f64>().ok()? * LengthUnit::named(unit)?.metres();
+    let length = number.trim().parse::<f64>().ok()? * unit.parse::<LengthUnit>().ok()?.metres();
     (length.is_finite() && length > 0.0).then_some(length)
 }
 
@@ -154,5 +154,5 @@ fn length(text: &str) -> Option<f64> {
 fn unit_in(name: &str) -> Option<LengthUnit> {
     let name = name.trim().trim_matches('"').trim_end_matches([']', ')']);
     let (_, unit) = name.rsplit_once(['[', '(', '_', '/'])?;
-    LengthUnit::named(unit)
+    unit.parse().ok()
 }

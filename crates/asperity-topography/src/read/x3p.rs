@@ -7,6 +7,7 @@ use std::io::{Cursor, Read};
 use roxmltree::{Document, Node, ParsingOptions};
 use zip::ZipArchive;
 
+use super::npy;
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, points};
 use crate::error::excerpt;
@@ -26,6 +27,9 @@ type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes))
         .map_err(|error| bad("archive", error, "a zip archive"))?;
+    if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
+        return Err(npy::archive(bytes));
+    }
     let xml = main_xml(&mut archive)?;
     let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(&xml, options)

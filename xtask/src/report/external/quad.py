@@ -6,16 +6,17 @@ import time
 from scipy.integrate import quad
 
 
-def read_problem(line):
+def read_task(line):
     cells = iter(line.split())
     number = lambda: float(next(cells))
+    tolerance, repeats = number(), int(next(cells))
     s, slope, exponential, scale = number(), number() > 0, number() > 0, number()
     breaks = [number() for _ in range(int(next(cells)))]
     parts = []
     for _ in range(int(next(cells))):
         start, end, sign = number(), number(), number()
         parts.append((start, end, sign, [(number(), number(), number()) for _ in range(int(next(cells)))]))
-    return s, slope, exponential, scale, breaks, parts
+    return tolerance, repeats, breaks, integrand(s, slope, exponential, scale, parts)
 
 
 def integrand(s, slope, exponential, scale, parts):
@@ -38,9 +39,7 @@ def integrand(s, slope, exponential, scale, parts):
     return lambda t: law(t / scale) * weight(t)
 
 
-def integrate(problem, tolerance):
-    s, slope, exponential, scale, breaks, parts = problem
-    f = integrand(s, slope, exponential, scale, parts)
+def integrate(tolerance, breaks, f):
     total, count, converged = 0.0, 0, 1
     for a, b in zip(breaks, breaks[1:]):
         if b > a:
@@ -52,18 +51,12 @@ def integrate(problem, tolerance):
     return total, count, converged
 
 
-lines = iter(sys.stdin.read().splitlines())
-for head in lines:
-    tolerance, repeats, count = head.split()
-    tolerance, repeats = float(tolerance), int(repeats)
-    problems = [read_problem(next(lines)) for _ in range(int(count))]
-    answers = [integrate(p, tolerance) for p in problems]
-    times = []
-    for _ in range(repeats):
+for line in sys.stdin:
+    tolerance, repeats, breaks, f = read_task(line)
+    answer = integrate(tolerance, breaks, f)
+    times = [0]
+    for k in range(repeats):
         start = time.perf_counter_ns()
-        for p in problems:
-            integrate(p, tolerance)
-        times.append((time.perf_counter_ns() - start) / len(problems))
-    print(sorted(times)[repeats // 2] if repeats else 0)
-    for value, evaluations, converged in answers:
-        print("%r %d %d" % (value, evaluations, converged))
+        integrate(tolerance, breaks, f)
+        times[k:] = [time.perf_counter_ns() - start]
+    print("%r %d %d" % answer, sorted(times)[len(times) // 2])

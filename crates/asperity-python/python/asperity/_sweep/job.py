@@ -8,14 +8,13 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from asperity._arguments import Floats
-from asperity._asperity import NotConverged, evaluate_rows
+from asperity import _asperity
+from asperity._arguments import placed, reason
 from asperity._model import Model
+from asperity._scene import Floats
 from asperity._sweep.design import Design
 from asperity._sweep.part import Part
 from asperity._sweep.space import Space
-
-ERRORS = ("raise", "record")
 
 
 @dataclass(frozen=True)
@@ -27,7 +26,7 @@ class Job:
     quantities: tuple[str, ...]
     design: Design
     rtol: float
-    in_metres: bool
+    separation_unit: str
     errors: str
     version: str
 
@@ -39,25 +38,16 @@ class Job:
         self, number: int, inputs: dict[str, Floats], threads: int | None = None
     ) -> tuple[Part, list[str]]:
         """One part, and the warnings of the model."""
-        columns = self.space.all_columns(inputs)
-        scenes, roughness = self.space.scenes(columns)
-        values, failed, warnings = evaluate_rows(
-            self.model._engine,
-            scenes,
-            columns["separation"],
-            self.in_metres,
-            roughness,
-            self.quantities,
-            self.rtol,
-            threads,
-        )
+        rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
+        arguments = rows, self.quantities, self.rtol, "value", stop, threads
+        values, failures, said = _asperity.answer(self.model, *arguments)
         first = self.design.first_row(number)
-        for k, error in failed:
-            if self.errors == "raise" or not isinstance(error, Exception):
-                raise _at_row(first + k, {name: v[k] for name, v in columns.items()}, error)
-        errors = {k: reason(error) for k, error in failed}
-        named = dict(zip(self.quantities, values, strict=True))
-        return Part(first, inputs, named, errors), warnings
+        for k, error in failures:
+            if stop or not isinstance(error, Exception):
+                words = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
+                raise placed(f"row {first + k} ({words}): ", error)
+        errors = {k: reason(error) for k, error in failures}
+        return Part(first, inputs, dict(zip(self.quantities, values, strict=True)), errors), said
 
     def identity(self) -> dict[str, Any]:
         """Everything that the digits depend on, for JSON."""
@@ -76,7 +66,7 @@ class Job:
             "parts": design.parts,
             "part_size": design.part_size,
             "rtol": self.rtol,
-            "separation_unit": "m" if self.in_metres else "asperity_height_std",
+            "separation_unit": self.separation_unit,
             "space": self.space.identity(),
         }
 
@@ -84,20 +74,6 @@ class Job:
 def fingerprint(identity: dict[str, Any]) -> str:
     """A short name for an identity."""
     return hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()
-
-
-def reason(error: Exception) -> str:
-    """The words of a refusal; of an exception of the user's own, also its kind."""
-    if isinstance(error, ValueError | NotConverged):
-        return str(error)
-    return f"{type(error).__name__}: {error}"
-
-
-def _at_row(row: int, inputs: dict[str, Any], error: BaseException) -> BaseException:
-    words = ", ".join(f"{name}={value:.6g}" for name, value in inputs.items())
-    if type(error) in (ValueError, NotConverged):
-        return type(error)(f"row {row} ({words}): {error}")
-    return error
 
 
 def _model_words(model: Model) -> dict[str, Any]:

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from asperity._arguments import UNITS, Floats
+from asperity._asperity import quantities as column_names
+from asperity._scene import Floats
 
 FINGERPRINT = b"asperity.sweep"
 
@@ -91,4 +92,4 @@ class Part:
 
 def column_name(quantity: str) -> str:
     """A quantity with its unit, as in ``Curve.to_dataframe``."""
-    return f"{quantity}_{UNITS[quantity]}"
+    return column_names([quantity])[quantity]

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import Floats, floats
-from asperity._asperity import ContactWarning
+from asperity._asperity import ContactWarning, floats
+from asperity._scene import Floats
 from asperity._sweep import statistics
 from asperity._sweep.folder import Folder
 from asperity._sweep.part import Part, column_name
@@ -143,7 +143,7 @@ class SweepResult:
 
     def quantile(self, quantity: str, q: npt.ArrayLike) -> Floats:
         """Quantiles of a quantity at probabilities ``q``, as ``numpy.quantile`` has them."""
-        chunks, probabilities = self._answers(quantity), floats(q)
+        chunks, probabilities = self._answers(quantity), floats(q, "q")
         if not ((probabilities >= 0.0) & (probabilities <= 1.0)).all():
             raise ValueError(f"q is {probabilities}: probabilities from 0 to 1 were required")
         self._moments(quantity)
@@ -175,7 +175,7 @@ class SweepResult:
                 f"{self.rows - len(values)} of {self.rows} rows failed: every row is required for "
                 "indices"
             )
-        values = values if transform is None else floats(transform(values))
+        values = values if transform is None else floats(transform(values), "the transform")
         if not np.isfinite(values).all():
             raise ValueError("the transform is not finite everywhere: finite numbers were required")
         if np.ptp(values) == 0.0:

@@ -9,12 +9,12 @@ from concurrent.futures import ThreadPoolExecutor
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
-from asperity._arguments import in_metres, quantity_names
+from asperity._arguments import checked_errors, checked_unit, quantity_names
 from asperity._asperity import ContactWarning
 from asperity._model import Model
 from asperity._sweep.design import Design, integer
 from asperity._sweep.folder import Folder
-from asperity._sweep.job import ERRORS, Job
+from asperity._sweep.job import Job
 from asperity._sweep.part import Part
 from asperity._sweep.progress import Progress, Run, peak_memory
 from asperity._sweep.result import SweepResult
@@ -49,7 +49,7 @@ def sweep(
     model : str or Model
         An id, or what ``asperity.model`` made.
     quantities : str or sequence of str
-        Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m].
+        Any that ``Model.solve`` knows.
     n : int
         Rows. A Sobol sequence is best balanced where this is a power of two. For Saltelli's scheme
         it is rounded up to N (D + 2) rows ("saltelli") or N (2 D + 2) rows ("saltelli-pairs"), N a
@@ -63,9 +63,9 @@ def sweep(
         Relative tolerance of every value, from 1e-15 to 0.1.
     separation_unit : "asperity_height_std" or "m"
         Unit of the separations of the space.
-    errors : "raise" or "record"
+    errors : "raise" or "mask"
         What happens when a row is refused, say a negative hardness: the sweep ends with the row's
-        number, inputs and reason; or it goes on, and the row is without values and has its reason
+        number, inputs and reason; or it goes on, and the row's values are masked and its reason is
         in ``SweepResult.failures`` and in the column ``error``.
     folder : path, optional
         Where parts are written as Parquet files. A sweep that was interrupted goes on from the
@@ -91,8 +91,6 @@ def sweep(
     >>> bool(low < median < result.mean("force") < high)
     True
     """
-    if errors not in ERRORS:
-        raise ValueError(f"errors is {errors!r}: 'raise' or 'record' was required")
     if client is not None and folder is None:
         raise ValueError("a client was given without a folder: its workers write their parts there")
     if not isinstance(space, Space):
@@ -109,8 +107,8 @@ def sweep(
             integer("part_size", part_size, 1),
         ),
         rtol,
-        in_metres(separation_unit),
-        errors,
+        checked_unit(separation_unit),
+        checked_errors(errors),
         version("asperity"),
     )
     run, rows = Run(), job.design.rows

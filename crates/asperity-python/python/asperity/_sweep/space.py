@@ -7,8 +7,9 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import Floats
-from asperity._asperity import Scene, Scenes
+from asperity._arguments import Rows, place
+from asperity._asperity import check_inputs
+from asperity._scene import Floats, Scene
 
 
 @runtime_checkable
@@ -30,7 +31,6 @@ class HasIcdf(Protocol):
 #: A distribution; (low, high) for a uniform one; or one number, which does not vary.
 Input: TypeAlias = HasPpf | HasIcdf | tuple[float, float] | float
 
-ROUGHNESS = ("plasticity_index", "roughness_parameter")
 # Probabilities at which a distribution is written down, to tell it from another.
 PROBES = np.array([0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999])
 
@@ -42,8 +42,9 @@ class Space:
     ----------
     scene : Scene
         Says everything that is not given here.
-    separation : distribution, (low, high) or float
-        Where it is evaluated, in the ``separation_unit`` of the sweep.
+    separation, load or pressure : distribution, (low, high) or float
+        Where it is evaluated: at a separation in the ``separation_unit`` of the sweep, under a load
+        [N], or under a mean pressure on the nominal area [Pa]. One of the three.
     **inputs : distribution, (low, high) or float
         By the names of ``Scene.replace``, in SI units; or ``plasticity_index`` and
         ``roughness_parameter`` in the place of ``asperity_radius`` and ``asperity_density``
@@ -56,27 +57,31 @@ class Space:
     --------
     >>> import asperity, scipy.stats
     >>> scene = asperity.Scene.parse(asperity.template())
-    >>> asperity.Space(scene, separation=(1.0, 3.0), hardness=scipy.stats.norm(2e9, 1e8))
-    <asperity.Space: separation=(1.0, 3.0), hardness=norm(2000000000.0, 100000000.0)>
+    >>> asperity.Space(scene, load=(100.0, 200.0), hardness=scipy.stats.norm(2e9, 1e8))
+    <asperity.Space: load=(100.0, 200.0), hardness=norm(2000000000.0, 100000000.0)>
     """
 
-    def __init__(self, scene: Scene, separation: Input, **inputs: Input) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        separation: Input | None = None,
+        *,
+        load: Input | None = None,
+        pressure: Input | None = None,
+        **inputs: Input,
+    ) -> None:
         if not isinstance(scene, Scene):
             raise TypeError(f"scene is {scene!r}: a Scene was required")
+        check_inputs(list(inputs))
+        axis, where = place(separation, load, pressure, "m")
         #: What is not given by an input.
         self.scene = scene
-        #: What was given, separation first.
-        self.inputs: dict[str, Input] = {"separation": separation, **inputs}
+        #: What is drawn beside the scenes: "separation", "load" or "pressure".
+        self.axis = "separation" if axis == "m" else axis
+        #: What was given, this first.
+        self.inputs: dict[str, Input] = {self.axis: where, **inputs}
         for name, given in self.inputs.items():
             _check(name, given)
-            if name != "separation" and name not in ROUGHNESS:
-                scene.vary(**{name: np.empty(0)})  # refuses names that there are not
-        both = [name for name in ("asperity_radius", "asperity_density") if name in inputs]
-        if both and any(name in inputs for name in ROUGHNESS):
-            raise ValueError(
-                f"{both[0]} is given beside {' or '.join(ROUGHNESS)}: the one follows from the "
-                "others, leave it out"
-            )
         if not self.names:
             raise ValueError("no input has a distribution: at least one was required")
 
@@ -90,56 +95,21 @@ class Space:
         places = zip(self.names, sample.T, strict=True)
         return {name: _quantiles(name, self.inputs[name], u) for name, u in places}
 
-    def all_columns(self, varying: dict[str, Floats]) -> dict[str, Floats]:
-        """The same with those that do not vary."""
-        size = len(next(iter(varying.values())))
-        return {
-            name: varying[name] if name in varying else np.full(size, float(given))  # type: ignore[arg-type]
-            for name, given in self.inputs.items()
-        }
-
-    def scenes(self, columns: dict[str, Floats]) -> tuple[Scenes, tuple[Floats, Floats] | None]:
-        """The scenes of columns; with their plasticity index and roughness parameter, if given."""
-        plain = {
-            name: values
-            for name, values in columns.items()
-            if name != "separation" and name not in ROUGHNESS
-        }
-        size = len(columns["separation"])
-        if not plain:
-            plain["nominal_area"] = np.full(size, self.scene.nominal_area)
-        scenes = self.scene.vary(**plain)
-        if not any(name in columns for name in ROUGHNESS):
-            return scenes, None
-        index = columns.get("plasticity_index")
-        parameter = columns.get("roughness_parameter")
-        if index is None:
-            index = np.full(size, self.scene.plasticity_index)
-        if parameter is None:
-            parameter = np.full(size, self.scene.surface.roughness_parameter)
-        return scenes, (index, parameter)
+    def rows(self, columns: dict[str, Floats], separation_unit: str) -> Rows:
+        """The rows of such columns."""
+        given: dict[str, Any] = {**self.inputs, **columns}
+        where = given.pop(self.axis)
+        axis = separation_unit if self.axis == "separation" else self.axis
+        return Rows(self.scene.vary(**given), axis, where)
 
     def identity(self) -> dict[str, Any]:
         """What makes it this space and no other, for JSON."""
-        scene = self.scene
-        interface, surface = scene.interface, scene.surface
-        heights: Any = scene.heights
-        if not isinstance(heights, str):
-            heights = [column.tolist() for column in heights]
         inputs: dict[str, Any] = {}
         for name, given in self.inputs.items():
             inputs[name] = {"is": _words(given)}
             if not _is_number(given):
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
-        return {
-            "interface": list(interface.__getnewargs__()),
-            "surface": list(surface.__getnewargs__()),
-            "nominal_area": scene.nominal_area,
-            "heights": heights,
-            "separation_from": scene.separation_from,
-            "options": scene.options,
-            "inputs": inputs,
-        }
+        return {**self.scene._file.fields(), "inputs": inputs}
 
     def __repr__(self) -> str:
         inputs = ", ".join(f"{name}={_words(given)}" for name, given in self.inputs.items())

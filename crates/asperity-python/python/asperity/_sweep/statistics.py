@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import Floats
+from asperity._scene import Floats
 
 DIGIT = 16
 TOP = np.uint64(1 << 63)

@@ -1,0 +1,154 @@
+//! Asks models of a scene, row by row; what deserves a word is said once.
+
+use std::mem::discriminant;
+
+use anyhow::{Context, Result, bail};
+use asperity::{
+    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Separation,
+    SeparationUnit, Warnings,
+};
+
+use crate::output::{once, progress, say};
+use crate::scene::{LoadedScene, NamedModel};
+use crate::table::{Cell, Table};
+
+/// Rows that are asked for at a time.
+const TOGETHER: usize = 8192;
+
+/// A question to the models of a scene.
+pub struct Question<'s> {
+    scene: &'s LoadedScene,
+    pub request: Request,
+    /// Every separation that carries a load is a row, and not the largest alone.
+    pub all: bool,
+    words: Vec<String>,
+}
+
+/// One row of a model's answer.
+pub struct Row {
+    /// The cells under [`Question::head`].
+    pub place: Vec<Cell>,
+    /// One for each quantity; `None` where there is no value.
+    pub values: Vec<Option<Evaluation>>,
+}
+
+impl<'s> Question<'s> {
+    pub fn new(scene: &'s LoadedScene, request: Request) -> Self {
+        Self { scene, request, all: false, words: vec![] }
+    }
+
+    /// Names of the columns that say which model is asked, and where.
+    pub fn head(&self) -> Table {
+        let loads = match self.request.at.first() {
+            None | Some(At::Separation(_)) => &[][..],
+            // As a quantity, the pressure has that column.
+            _ if self.request.quantities.contains(&Quantity::Pressure) => &["load_N"],
+            _ => &["load_N", "pressure_Pa"],
+        };
+        Table::new(&[&["model"], loads, &["separation_over_sigma", "separation_m"]].concat())
+    }
+
+    /// Delivers the rows of one model: the cells under [`head`](Self::head), and one value for each
+    /// quantity, `None` where there is none.
+    pub fn ask(&mut self, (id, model): &NamedModel, mut deliver: impl FnMut(Row)) -> Result<()> {
+        let _progress = progress(id);
+        let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
+        let contact = model.compile(scene, &self.request);
+        let contact = contact.with_context(|| format!("{}: {id}", self.scene.name))?;
+        let model = Cell::from(id.as_str());
+        let loads = self.head().head.len() - 3;
+        let (mut rows, mut warnings, mut reasons) = (0, Warnings::default(), vec![]);
+        for block in self.request.at.chunks(TOGETHER) {
+            // What was given, and where that is.
+            let places: Vec<(At, At)> =
+                block.iter().flat_map(|at| self.places(&*contact, *at)).collect();
+            let request =
+                Request::new(self.request.quantities.clone()).within(self.request.tolerance);
+            let response = contact.respond(&request.at(places.iter().map(|place| place.1)));
+            rows += places.len();
+            for (k, (given, at)) in places.into_iter().enumerate() {
+                let values = || response.columns.iter().map(|column| column.rows[k].as_ref());
+                if let Some(reason) = values().filter_map(Result::err).find(|e| !is_told(e)) {
+                    count(&mut reasons, reason);
+                }
+                let separation = contact.separation(at);
+                let length = |unit| {
+                    Some(separation.as_ref().ok()?.measured_in(unit, from, scene).ok()?.value)
+                };
+                let lengths = [SeparationUnit::Sigma, SeparationUnit::Metres].map(length);
+                let given = [given.load(scene), given.pressure(scene)];
+                let mut place = vec![model.clone()];
+                place.extend(given.into_iter().take(loads).chain(lengths).map(Cell::Number));
+                deliver(Row { place, values: values().map(|value| value.ok().copied()).collect() });
+            }
+            warnings.append(response.warnings);
+        }
+        self.words.extend(warnings.into_vec().iter().map(ToString::to_string));
+        self.words.extend(reasons.into_iter().map(|(count, reason)| match rows {
+            1 => format!("{id}: {reason}"),
+            _ => format!("{id}: no value in {count} of {rows} rows, in the first because {reason}"),
+        }));
+        Ok(())
+    }
+
+    /// A place as given, and where that is: everywhere that a load is carried, if all is asked.
+    fn places(&self, contact: &dyn Contact, at: At) -> Vec<(At, At)> {
+        let (scene, from) = (contact.scene(), self.scene.file.separation_from);
+        let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
+        let load = at.load(scene).filter(|_| self.all);
+        match load.map(|load| contact.separations_at(load)) {
+            Some(Ok(found)) => {
+                found.into_iter().map(|s| (at, counted(s).unwrap_or(s).into())).collect()
+            }
+            _ => vec![(at, at)],
+        }
+    }
+
+    /// Every model's answer in one table, with bounds on the errors if they are asked for.
+    pub fn table(&mut self, models: &[NamedModel], errors: bool) -> Result<Table> {
+        let quantities = self.request.quantities.clone();
+        let (mut table, mut answered) = (self.head(), false);
+        table.head.extend(quantities.iter().map(|quantity| quantity.column()));
+        let bounded = if errors { &quantities[..] } else { &[] };
+        table.head.extend(bounded.iter().map(|quantity| named(*quantity, "error")));
+        for model in models {
+            self.ask(model, |Row { mut place, values }| {
+                answered |= values.iter().any(Option::is_some);
+                place.reserve_exact(values.len() + bounded.len());
+                place.extend(values.iter().map(|v| Cell::Number(v.map(|v| v.value()))));
+                let bounds = values.iter().zip(bounded).map(|(v, q)| Some((*v)?.bound(*q)));
+                place.extend(bounds.map(Cell::Number));
+                table.rows.push(place);
+            })?;
+        }
+        self.finish(answered)?;
+        Ok(table)
+    }
+
+    /// Says what deserves a word; that nothing at all was answered is an error.
+    pub fn finish(&self, answered: bool) -> Result<()> {
+        once(&self.words).iter().for_each(|text| say("warning", text));
+        if !answered {
+            bail!("{}: no row has a value", self.scene.name);
+        }
+        Ok(())
+    }
+}
+
+/// Whether a reason is among the warnings: that nothing touches.
+fn is_told(reason: &ContactError) -> bool {
+    matches!(reason, ContactError::NoValue { .. })
+}
+
+/// Counts why rows have no value, each kind of reason once.
+fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
+    match kinds.iter_mut().find(|(_, known)| discriminant(known) == discriminant(reason)) {
+        Some((count, _)) => *count += 1,
+        None => kinds.push((1, reason.clone())),
+    }
+}
+
+/// The name of a column that says something about a quantity: `mean_pressure_error`.
+pub fn named(quantity: Quantity, what: &str) -> String {
+    format!("{quantity}_{what}").replace('-', "_")
+}

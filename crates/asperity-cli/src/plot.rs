@@ -1,0 +1,93 @@
+//! Curves as a picture: from the table that is printed, and from nothing else.
+
+use anyhow::{Context, Result};
+use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit};
+use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+
+use crate::output::once;
+use crate::table::{Cell, Table};
+
+/// The picture of a table's quantities against what was given, one panel for each.
+pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
+    let mut x = match request.at.first() {
+        Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
+        Some(At::Pressure(_)) => Axis::new("pressure_Pa", "pressure (Pa)"),
+        Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => {
+            Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6)
+        }
+        _ => Axis::new("separation_over_sigma", &format!("separation from {from} (σ_z)")),
+    };
+    let along = numbers(table, &x.column)?;
+    if !is_even(&along) {
+        x.scale = Scale::fitting(&along);
+    }
+    let models: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
+    let curve = |model: &&Cell| {
+        let Cell::Word(id) = model else { return None };
+        let look = Model::all().iter().position(|model| model.id() == &**id);
+        Some(Curve::new(look.unwrap_or(0), id, id))
+    };
+    let mut curves: Vec<Curve> = once(&models).iter().filter_map(curve).collect();
+    // Of a dozen points each is seen, of more a few tell the curves apart.
+    let few = table.rows.len() <= 12 * curves.len();
+    curves.iter_mut().for_each(|curve| curve.every_point = few);
+
+    let (mut panels, mut hidden) = (vec![], vec![]);
+    for &quantity in &request.quantities {
+        let name = quantity.column();
+        let mut y = Axis::new(&name, &label(quantity));
+        if !quantity.is_absolute() {
+            y.scale = Scale::fitting(&numbers(table, &name)?);
+        }
+        if y.scale == Scale::Log {
+            let k = place(table, &name)?;
+            let low = |row: &&Vec<Cell>| matches!(row[k], Cell::Number(Some(y)) if y <= 0.0);
+            let low = table.rows.iter().filter(low).filter_map(|row| curve(&&row[0]));
+            let ids = once(&low.map(|curve| curve.key).collect::<Vec<_>>());
+            hidden.extend(ids.iter().map(|id| format!("{quantity} of {id}")));
+        }
+        let mut panel = Panel::new(x.clone(), y);
+        panel.curve_column = "model".into();
+        panel.curves.clone_from(&curves);
+        panels.push(panel);
+    }
+    let caption = match hidden.join(", ") {
+        none if none.is_empty() => none,
+        which => format!("Values of 0 and below are not on logarithmic axes: {which}."),
+    };
+    // A line runs from left to right, whatever the order of the rows.
+    let mut sorted = table.clone();
+    let k = place(table, &x.column)?;
+    let at = |row: &Vec<Cell>| if let Cell::Number(Some(x)) = row[k] { x } else { f64::NAN };
+    sorted.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
+    let mut csv = vec![];
+    sorted.csv(&mut csv)?;
+    let figure = Figure::new("", &[&*caption][..usize::from(!caption.is_empty())], panels);
+    Ok(draw(&figure, &String::from_utf8(csv)?)?)
+}
+
+fn place(table: &Table, name: &str) -> Result<usize> {
+    let place = table.head.iter().position(|head| head == name);
+    place.with_context(|| format!("the table has no column {name}"))
+}
+
+fn numbers(table: &Table, name: &str) -> Result<Vec<f64>> {
+    let k = place(table, name)?;
+    let number = |row: &Vec<Cell>| if let Cell::Number(number) = row[k] { number } else { None };
+    Ok(table.rows.iter().filter_map(number).collect())
+}
+
+/// Whether numbers follow each other in equal steps, as those of A:B:N.
+fn is_even(values: &[f64]) -> bool {
+    let steps = || values.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0);
+    let (low, high) = (steps().fold(f64::INFINITY, f64::min), steps().fold(0.0, f64::max));
+    values.len() > 2 && high <= 1.001 * low
+}
+
+fn label(quantity: Quantity) -> String {
+    match quantity.unit().trim_start_matches("ln ").replace("m2", "m²") {
+        none if none.is_empty() => quantity.to_string(),
+        unit if quantity.is_absolute() => format!("{quantity} (of {unit})"),
+        unit => format!("{quantity} ({unit})"),
+    }
+}

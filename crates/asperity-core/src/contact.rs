@@ -1,0 +1,348 @@
+//! What callers hold: a contact model, and a model applied to a scene.
+
+use std::fmt;
+
+use crate::compiled::Compiled;
+use crate::few::few;
+use crate::response::{Response, Row, respond};
+use crate::{
+    Asperity, AsperityModel, At, Claims, ContactError, Evaluation, Law, Plan, Quantity, Request,
+    Scene, Separation, Share, Source, Tolerance, Warning,
+};
+
+/// A model of rough surfaces in contact: to be named, swapped and asked.
+///
+/// Every [`AsperityModel`] is one. A model that is no average over heights (a closed form, a
+/// whole-surface theory, a table) implements this trait itself, and a [`Contact`].
+pub trait ContactModel: fmt::Debug + Send + Sync {
+    /// Its names, and where the model comes from.
+    fn source(&self) -> &Source;
+
+    /// Short name in lower case: `ke`.
+    fn id(&self) -> &str {
+        self.source().id
+    }
+
+    /// The acronym: `KE`.
+    fn name(&self) -> &str {
+        self.source().name
+    }
+
+    /// What the model says of itself.
+    fn claims(&self) -> Claims {
+        Claims::default()
+    }
+
+    /// What a user of these options should know.
+    fn notes(&self) -> Vec<Warning> {
+        vec![]
+    }
+
+    /// The laws of one asperity behind it, if there are any.
+    fn asperity_model(&self) -> Option<&dyn AsperityModel> {
+        None
+    }
+
+    /// Prepares a scene for many evaluations of the request's quantities, and of nothing else.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the input that is out of range or missing.
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError>;
+
+    /// Answers a request, row by row.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the input that is out of range or missing. What fails in one row
+    /// alone stands in that row of the answer.
+    fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
+        Ok(self.compile(scene, request)?.respond(request))
+    }
+}
+
+impl dyn ContactModel + '_ {
+    /// The law of one asperity for a quantity.
+    ///
+    /// # Errors
+    /// [`ContactError::NoLaw`] where the model has none, and those of [`AsperityModel::law`].
+    pub fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        tolerance: Tolerance,
+    ) -> Result<Law, ContactError> {
+        let law = match self.asperity_model() {
+            Some(model) => model.law(asperity, quantity, tolerance)?,
+            None => None,
+        };
+        law.ok_or_else(|| ContactError::NoLaw { model: self.name().into(), quantity })
+    }
+}
+
+impl<M: AsperityModel> ContactModel for M {
+    fn source(&self) -> &Source {
+        AsperityModel::source(self)
+    }
+
+    fn id(&self) -> &str {
+        AsperityModel::id(self)
+    }
+
+    fn name(&self) -> &str {
+        AsperityModel::name(self)
+    }
+
+    fn claims(&self) -> Claims {
+        AsperityModel::claims(self)
+    }
+
+    fn notes(&self) -> Vec<Warning> {
+        AsperityModel::notes(self)
+    }
+
+    fn asperity_model(&self) -> Option<&dyn AsperityModel> {
+        Some(self)
+    }
+
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        Ok(Box::new(Compiled::new(self, scene, request)?))
+    }
+
+    fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
+        match few(self, scene, request)? {
+            Some(answer) => Ok(answer),
+            None => Ok(Compiled::new(self, scene, request)?.respond(request)),
+        }
+    }
+}
+
+/// A model applied to a scene: shared by threads, asked as often as wanted.
+///
+/// The methods that take `impl Into<At>` are those to call, on `dyn Contact`.
+pub trait Contact: fmt::Debug + Send + Sync {
+    /// The model's name.
+    fn model(&self) -> &str;
+
+    /// The scene.
+    fn scene(&self) -> &Scene;
+
+    /// The quantities that were asked for.
+    fn quantities(&self) -> &[Quantity];
+
+    /// What the model's options deserve to be noted of; the same for every answer.
+    fn notes(&self) -> &[Warning] {
+        &[]
+    }
+
+    /// A quantity at one place.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`] for a quantity that was not asked for;
+    /// [`ContactError::SeparationOutOfRange`], [`ContactError::OutOfReach`] for a load that no
+    /// separation carries, [`ContactError::NoValue`] for a ratio where nothing touches, and
+    /// [`ContactError::Integral`].
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError>;
+
+    /// Force \[N\] and tangent -dF/dd \[N/m\] in one pass: for codes that step in time.
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Self::evaluate_at).
+    fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
+        let of = |quantity| self.evaluate_at(quantity, at);
+        Ok((of(Quantity::Force)?, of(Quantity::Tangent)?))
+    }
+
+    /// All separations at which the force is `load` \[N\], ascending, over σ_z from the mean of
+    /// the asperity heights: one for a model whose force falls all the way, possibly several for
+    /// others (AT as printed rises and falls).
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] for a load that is not positive, [`ContactError::OutOfReach`]
+    /// for one that the model cannot carry, and [`ContactError::Unsupported`] for a model that
+    /// knows no separations.
+    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
+        let _ = load;
+        Err(self.unsupported("separations at a load"))
+    }
+
+    /// The largest of these separations: where the load is first met on approach.
+    ///
+    /// # Errors
+    /// Those of [`separations_at`](Self::separations_at).
+    fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
+        let found = self.separations_at(load)?;
+        found.last().copied().ok_or_else(|| self.unsupported("separations at a load"))
+    }
+
+    /// The share of every part of the law in a quantity (in the force, for the tangent).
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
+    fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
+        let _ = (quantity, at);
+        Err(self.unsupported("shares of regimes"))
+    }
+
+    /// d²Q/dd² \[unit of Q over m²\] of a quantity that has a law of its own, jumps and kinks
+    /// included: the derivative of the tangent is -d²F/dd².
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`] for
+    /// quantities without a law, and for heights that are not Gaussian.
+    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        let _ = at;
+        Err(self.unsupported(&format!("a second derivative of the {quantity}")))
+    }
+
+    /// What is done for a request, in numbers.
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
+    fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
+        let _ = request;
+        Err(self.unsupported("a plan"))
+    }
+
+    /// The same laws on another surface or with other heights: what a law has tabulated is shared,
+    /// so that a study of roughness or density builds it once.
+    ///
+    /// # Errors
+    /// [`ContactError::OtherAsperity`] when interface or asperity radius differ, which the law
+    /// depends on, what the scene is refused for, and [`ContactError::Unsupported`].
+    fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
+        let _ = scene;
+        Err(self.unsupported("moving to another scene"))
+    }
+
+    /// Answers a request for the quantities this scene was compiled for, row by row.
+    fn respond(&self, request: &Request) -> Response {
+        let row = |at: &At| -> Row {
+            let of = |q: &Quantity| self.evaluate_at(*q, *at).map_err(Box::new);
+            request.quantities.iter().map(of).collect()
+        };
+        let rows = |places: &[At]| crate::parallel::map(places, row);
+        let shares = |quantity, at| self.shares_at(quantity, at);
+        respond((self.model(), self.scene()), request, rows, shares, |_, _| None)
+    }
+
+    /// The error of what this model cannot answer.
+    fn unsupported(&self, what: &str) -> ContactError {
+        ContactError::Unsupported { model: self.model().into(), what: what.into() }
+    }
+}
+
+impl dyn Contact + '_ {
+    /// [`evaluate_at`](Contact::evaluate_at); a plain number is a multiple of σ_z.
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Contact::evaluate_at).
+    #[inline]
+    pub fn evaluate(
+        &self,
+        quantity: Quantity,
+        at: impl Into<At>,
+    ) -> Result<Evaluation, ContactError> {
+        self.evaluate_at(quantity, at.into())
+    }
+
+    /// [`force_and_tangent_at`](Contact::force_and_tangent_at).
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Contact::evaluate_at).
+    #[inline]
+    pub fn force_and_tangent(
+        &self,
+        at: impl Into<At>,
+    ) -> Result<(Evaluation, Evaluation), ContactError> {
+        self.force_and_tangent_at(at.into())
+    }
+
+    /// The separation of a place: of a load, the largest that carries it.
+    ///
+    /// # Errors
+    /// Those of [`separation_at`](Contact::separation_at).
+    pub fn separation(&self, at: impl Into<At>) -> Result<Separation, ContactError> {
+        match at.into() {
+            At::Separation(separation) => Ok(separation),
+            at => self.separation_at(at.load(self.scene()).unwrap_or(f64::NAN)),
+        }
+    }
+
+    /// [`shares_at`](Contact::shares_at).
+    ///
+    /// # Errors
+    /// Those of [`shares_at`](Contact::shares_at).
+    pub fn shares(
+        &self,
+        quantity: Quantity,
+        at: impl Into<At>,
+    ) -> Result<Vec<Share>, ContactError> {
+        self.shares_at(quantity, at.into())
+    }
+
+    /// [`second_derivative_at`](Contact::second_derivative_at).
+    ///
+    /// # Errors
+    /// Those of [`second_derivative_at`](Contact::second_derivative_at).
+    pub fn second_derivative(
+        &self,
+        quantity: Quantity,
+        at: impl Into<At>,
+    ) -> Result<Evaluation, ContactError> {
+        self.second_derivative_at(quantity, at.into())
+    }
+}
+
+/// So that a reference to a box is a contact too.
+impl Contact for Box<dyn Contact> {
+    fn model(&self) -> &str {
+        (**self).model()
+    }
+
+    fn scene(&self) -> &Scene {
+        (**self).scene()
+    }
+
+    fn quantities(&self) -> &[Quantity] {
+        (**self).quantities()
+    }
+
+    fn notes(&self) -> &[Warning] {
+        (**self).notes()
+    }
+
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        (**self).evaluate_at(quantity, at)
+    }
+
+    fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
+        (**self).force_and_tangent_at(at)
+    }
+
+    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
+        (**self).separations_at(load)
+    }
+
+    fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
+        (**self).separation_at(load)
+    }
+
+    fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
+        (**self).shares_at(quantity, at)
+    }
+
+    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        (**self).second_derivative_at(quantity, at)
+    }
+
+    fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
+        (**self).plan(request)
+    }
+
+    fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
+        (**self).on(scene)
+    }
+
+    fn respond(&self, request: &Request) -> Response {
+        (**self).respond(request)
+    }
+}

@@ -1,0 +1,101 @@
+//! Every separation that carries a load, where the force need not fall all the way.
+
+use asperity_quadrature::bracketed_root;
+
+use crate::ContactError;
+use crate::inverse::{DEEP, ForceCurve, Of, Target};
+use crate::separation::LOWEST;
+
+/// Down to [`DEEP`], crossings are looked for in these steps; deeper down, where all asperities are
+/// in contact, none is known to turn around. The force is the law folded with heights of standard
+/// deviation 1: nothing of it is narrower, and slopes tell what lies between.
+const STEP: f64 = 0.25;
+
+/// Force over load, less 1, at s.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    s: f64,
+    value: f64,
+    slope: f64,
+}
+
+impl Target {
+    /// Force over load, less 1, and its derivative.
+    fn excess(&self, curve: &mut impl ForceCurve, s: f64) -> Result<Sample, ContactError> {
+        let moments = curve.at(s)?;
+        let unit = (moments.ln_scale + (self.factor / self.load).ln()).exp();
+        Ok(Sample { s, value: moments.value * unit - 1.0, slope: -moments.slope * unit })
+    }
+
+    /// Newton's step from s to where the force is the load.
+    pub(crate) fn step(&self, curve: &mut impl ForceCurve, s: f64) -> Result<f64, ContactError> {
+        let Sample { value, slope, .. } = self.excess(curve, s)?;
+        Ok((-value / slope).clamp(-STEP, STEP))
+    }
+
+    /// Crossings from the largest on, or the largest alone.
+    pub(crate) fn crossings(
+        &self,
+        curve: &mut impl ForceCurve,
+        first_only: bool,
+    ) -> Result<Vec<f64>, ContactError> {
+        let top = self.newton(curve, Of::Size)?.s;
+        let mut found = vec![];
+        if !self.signed {
+            found.push(top);
+        }
+        // No crossing lies above: a hair off, so that rounding does not show this one twice.
+        let hair = 1e-9 * (1.0 + top.abs());
+        let mut right = self.excess(curve, if self.signed { top + hair } else { top - hair })?;
+        let mut largest = right;
+        while right.s > LOWEST && (found.is_empty() || !first_only) {
+            let step = if right.s > DEEP { STEP } else { right.s.abs() };
+            if right.s <= DEEP && !found.is_empty() {
+                break;
+            }
+            let left = match self.excess(curve, (right.s - step).max(LOWEST)) {
+                Err(ContactError::Integral { .. }) if right.s <= DEEP => break,
+                other => other?,
+            };
+            self.between(curve, left, right, &mut found)?;
+            if left.value > largest.value {
+                largest = left;
+            }
+            right = left;
+        }
+        if found.is_empty() {
+            return Err(self.out_of_reach(curve, largest.s));
+        }
+        Ok(found)
+    }
+
+    /// Crossings between two samples, the larger first.
+    fn between(
+        &self,
+        curve: &mut impl ForceCurve,
+        left: Sample,
+        right: Sample,
+        found: &mut Vec<f64>,
+    ) -> Result<(), ContactError> {
+        if left.value * right.value <= 0.0 {
+            let root = bracketed_root(
+                |s| self.excess(curve, s).map_or(f64::NAN, |sample| sample.value),
+                left.s,
+                right.s,
+            );
+            found.extend(root);
+            return Ok(());
+        }
+        // Two crossings hide where the force turns towards the load between the samples.
+        let towards = -left.value.signum();
+        let turns = left.slope * towards > 0.0 && right.slope * towards < 0.0;
+        let reach = 0.5 * (right.s - left.s) * left.slope.abs().max(right.slope.abs());
+        let near = left.value.abs().min(right.value.abs()) <= reach;
+        if turns && near && right.s - left.s > 1e-9 * (1.0 + left.s.abs()) {
+            let middle = self.excess(curve, 0.5 * (left.s + right.s))?;
+            self.between(curve, middle, right, found)?;
+            self.between(curve, left, middle, found)?;
+        }
+        Ok(())
+    }
+}

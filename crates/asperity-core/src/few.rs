@@ -1,0 +1,49 @@
+//! Requests of a few rows, answered with no rules and no tables.
+
+use crate::channel::Laws;
+use crate::of_case::OfCase;
+use crate::response::{Row, respond};
+use crate::{
+    AsperityModel, At, ContactError, HeightDistribution, Quantity, Request, Response, Scene,
+};
+
+/// Rows for which nothing is worth preparing: a rule costs some ten of them.
+const FEW: usize = 4;
+
+/// Answers a request of a few rows, if it is one, with no rules and no tables.
+pub(crate) fn few(
+    model: &dyn AsperityModel,
+    scene: &Scene,
+    request: &Request,
+) -> Result<Option<Response>, ContactError> {
+    let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
+    if request.at.len() > FEW || request.shares || !gaussian {
+        return Ok(None);
+    }
+    let (asperity, tolerance) = (scene.asperity()?, request.tolerance);
+    let by_load = request.at.iter().any(|at| !matches!(at, At::Separation(_)));
+    let laws = Laws::new(model, asperity, &request.quantities, by_load, tolerance)?;
+    // What cannot be done on this scene is not done row by row.
+    OfCase::alone(scene, &laws, tolerance)?;
+    let signed = laws.laws.iter().any(|(_, law)| law.is_signed());
+    let one = |quantity: Quantity, at: At| {
+        let mut case = OfCase::alone(scene, &laws, tolerance)?;
+        case.reading(at)?.of(quantity, &mut case)
+    };
+    let row = |at: &At| -> Row {
+        let answers = OfCase::alone(scene, &laws, tolerance).and_then(|mut case| {
+            let reading = case.reading(*at)?;
+            let of = |q: &Quantity| reading.of(*q, &mut case).map_err(Box::new);
+            Ok(request.quantities.iter().map(of).collect())
+        });
+        let refused = |error: ContactError| {
+            let error = Box::new(error);
+            request.quantities.iter().map(|_| Err(error.clone())).collect()
+        };
+        answers.unwrap_or_else(refused)
+    };
+    let rows = |places: &[At]| places.iter().map(row).collect();
+    let behind = |q, at| if signed { Some(one(q, at).ok()?.value()) } else { None };
+    let none = |_, _| Ok(vec![]);
+    Ok(Some(respond((model.name(), scene), request, rows, none, behind)))
+}

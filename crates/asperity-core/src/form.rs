@@ -1,0 +1,146 @@
+//! The formula of a part of a law: a sum of powers, or any function.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::Arc;
+
+use asperity_quadrature::{QuadratureError, Sampler};
+
+/// One term c (x - o)^p.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Power {
+    /// c.
+    pub coefficient: f64,
+    /// o, not above the beginning of the part.
+    pub origin: f64,
+    /// p ≥ 0.
+    pub exponent: f64,
+}
+
+impl Power {
+    /// c x^p.
+    #[must_use]
+    pub fn new(coefficient: f64, exponent: f64) -> Self {
+        Self { coefficient, origin: 0.0, exponent }
+    }
+
+    /// c (x - o)^p.
+    #[must_use]
+    pub fn from_origin(coefficient: f64, origin: f64, exponent: f64) -> Self {
+        Self { coefficient, origin, exponent }
+    }
+
+    /// The value at x.
+    #[must_use]
+    pub fn value(&self, x: f64) -> f64 {
+        let base = x - self.origin;
+        self.coefficient
+            * match self.exponent {
+                0.0 => 1.0,
+                1.0 => base,
+                1.5 => base * base.sqrt(),
+                p => base.powf(p),
+            }
+    }
+}
+
+/// The formula of a part.
+#[derive(Clone)]
+pub enum Form {
+    /// A sum of powers.
+    Powers(Vec<Power>),
+    /// Any function, sampled many points at a time.
+    Function {
+        /// The function.
+        sampler: Arc<dyn Sampler>,
+        /// What tells it from other functions, if anything does.
+        key: Option<FunctionKey>,
+    },
+}
+
+/// Two functions with the same key are the same function: a sweep then integrates it once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FunctionKey {
+    /// What the function is, in words: a plan shows them.
+    pub name: Cow<'static, str>,
+    /// What it is made of, where the name does not say it all.
+    pub of: String,
+    /// Everything else it depends on but x.
+    pub parameters: Vec<f64>,
+}
+
+impl Form {
+    /// A function given point by point.
+    pub fn function(f: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
+            out.iter_mut().zip(x).for_each(|(out, &x)| *out = f(x));
+            Ok(())
+        }))
+    }
+
+    /// A function sampled many points at a time.
+    pub fn sampled(sampler: Arc<dyn Sampler>) -> Self {
+        Self::Function { sampler, key: None }
+    }
+
+    /// Says of a function that it is this one, and depends on these parameters alone.
+    #[must_use]
+    pub fn known_as(self, name: impl Into<Cow<'static, str>>, parameters: Vec<f64>) -> Self {
+        self.with_key(FunctionKey { name: name.into(), of: String::new(), parameters })
+    }
+
+    /// Says of a function which it is; powers need no telling.
+    #[must_use]
+    pub fn with_key(self, key: FunctionKey) -> Self {
+        match self {
+            Self::Powers(powers) => Self::Powers(powers),
+            Self::Function { sampler, .. } => Self::Function { sampler, key: Some(key) },
+        }
+    }
+
+    /// What the form is, in words.
+    #[must_use]
+    pub fn describe(&self) -> &str {
+        match self {
+            Self::Powers(_) => "sum of powers",
+            Self::Function { key: Some(key), .. } => &key.name,
+            Self::Function { key: None, .. } => "function",
+        }
+    }
+}
+
+impl<const N: usize> From<[Power; N]> for Form {
+    fn from(powers: [Power; N]) -> Self {
+        Self::Powers(powers.to_vec())
+    }
+}
+
+impl fmt::Debug for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Powers(powers) => f.debug_list().entries(powers).finish(),
+            Self::Function { .. } => f.write_str(self.describe()),
+        }
+    }
+}
+
+impl Sampler for Form {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        match self {
+            Self::Powers(powers) => {
+                for (out, &x) in out.iter_mut().zip(x) {
+                    *out = powers.iter().map(|p| p.value(x)).sum();
+                }
+                Ok(())
+            }
+            Self::Function { sampler, .. } => sampler.sample(x, out),
+        }
+    }
+
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        match self {
+            Self::Powers(_) => 0.0,
+            Self::Function { sampler, .. } => sampler.relative_error(x),
+        }
+    }
+}

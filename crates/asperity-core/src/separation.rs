@@ -1,0 +1,301 @@
+//! Where a contact is asked about: a separation with its unit and its plane, or a load.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{ContactError, HeightDistribution, Scene};
+
+/// The unit of a separation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum SeparationUnit {
+    /// Multiples of the scene's `asperity_height_std` σ_z.
+    #[default]
+    Sigma,
+    /// Metres.
+    #[serde(rename = "m")]
+    Metres,
+}
+
+/// The plane that a separation is measured from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Datum {
+    /// The mean of the asperity heights (the lowest asperity, for exponential heights).
+    #[default]
+    AsperityMean,
+    /// The mean plane of the rough surface, [`Scene::mean_plane_offset`] below.
+    SurfaceMean,
+}
+
+impl fmt::Display for Datum {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::AsperityMean => "the mean of the asperity heights",
+            Self::SurfaceMean => "the mean plane of the surface",
+        })
+    }
+}
+
+/// A separation, with its unit and the plane it is measured from.
+///
+/// ```
+/// use asperity_core::{Datum, Interface, Scene, Separation, SeparationUnit, Surface};
+///
+/// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
+/// let gap = Separation::metres(2e-6).from_surface_mean();
+/// // The mean of the asperity heights lies 0.0459/(η R) = 1.16 µm above the mean plane here.
+/// let s = gap.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, &scene)?;
+/// assert!((s.value - 0.8398).abs() < 1e-4);
+/// # Ok::<(), asperity_core::ContactError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Separation {
+    /// The number.
+    pub value: f64,
+    /// Its unit.
+    #[serde(default)]
+    pub unit: SeparationUnit,
+    /// What it is measured from.
+    #[serde(default)]
+    pub from: Datum,
+}
+
+impl Separation {
+    /// d/σ_z from the mean of the asperity heights.
+    #[must_use]
+    pub fn sigmas(value: f64) -> Self {
+        Self { value, unit: SeparationUnit::Sigma, from: Datum::AsperityMean }
+    }
+
+    /// d \[m\] from the mean of the asperity heights.
+    #[must_use]
+    pub fn metres(value: f64) -> Self {
+        Self { value, unit: SeparationUnit::Metres, from: Datum::AsperityMean }
+    }
+
+    /// The same number, counted from the mean plane of the surface.
+    #[must_use]
+    pub fn from_surface_mean(self) -> Self {
+        Self { from: Datum::SurfaceMean, ..self }
+    }
+
+    /// The same place on a scene in another unit, from another plane.
+    ///
+    /// # Errors
+    /// [`ContactError::NoMeanPlane`] for exponential heights, to which no mean plane belongs,
+    /// where one of the two planes is the surface's.
+    pub fn measured_in(
+        self,
+        unit: SeparationUnit,
+        from: Datum,
+        scene: &Scene,
+    ) -> Result<Self, ContactError> {
+        let sigma = scene.surface.asperity_height_std;
+        let shift = match (self.from, from) {
+            (Datum::SurfaceMean, Datum::AsperityMean) => -mean_plane_offset(scene)?,
+            (Datum::AsperityMean, Datum::SurfaceMean) => mean_plane_offset(scene)?,
+            _ => 0.0,
+        };
+        // In the unit given; exact where neither unit nor plane changes.
+        let value = match self.unit {
+            _ if shift == 0.0 => self.value,
+            SeparationUnit::Sigma => self.value + shift / sigma,
+            SeparationUnit::Metres => self.value + shift,
+        };
+        let value = match (self.unit, unit) {
+            (SeparationUnit::Sigma, SeparationUnit::Metres) => value * sigma,
+            (SeparationUnit::Metres, SeparationUnit::Sigma) => value / sigma,
+            _ => value,
+        };
+        Ok(Self { value, unit, from })
+    }
+
+    /// d/σ_z as the engine takes it, with what conversion has rounded.
+    #[inline]
+    pub(crate) fn place(self, scene: &Scene) -> Result<Place, ContactError> {
+        let mut place = Place { s: self.value, rounding: 0.0 };
+        if (self.unit, self.from) != (SeparationUnit::Sigma, Datum::AsperityMean) {
+            place = self.converted(scene)?;
+        }
+        if (LOWEST..=HIGHEST).contains(&place.s) {
+            Ok(place)
+        } else {
+            Err(ContactError::SeparationOutOfRange { separation: self, over_sigma: place.s })
+        }
+    }
+
+    fn converted(self, scene: &Scene) -> Result<Place, ContactError> {
+        let sigma = scene.surface.asperity_height_std;
+        let s = self.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, scene)?.value;
+        let mut rounding = f64::EPSILON * s.abs();
+        if self.from == Datum::SurfaceMean {
+            // Two numbers that may be larger than their difference.
+            rounding += 2.0 * f64::EPSILON * (mean_plane_offset(scene)? / sigma).abs();
+        }
+        Ok(Place { s, rounding })
+    }
+}
+
+/// The smallest and the largest d/σ_z that can be evaluated.
+pub(crate) const LOWEST: f64 = -1e6;
+pub(crate) const HIGHEST: f64 = 1e9;
+
+fn mean_plane_offset(scene: &Scene) -> Result<f64, ContactError> {
+    if scene.mean_plane_offset.is_none() && matches!(scene.heights, HeightDistribution::Exponential)
+    {
+        return Err(ContactError::NoMeanPlane);
+    }
+    Ok(scene.mean_plane_offset())
+}
+
+/// d/σ_z from the mean of the asperity heights, and how much it may be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) s: f64,
+    /// Absolute.
+    pub(crate) rounding: f64,
+}
+
+impl fmt::Display for Separation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.unit {
+            SeparationUnit::Sigma => write!(f, "{} asperity_height_std", self.value)?,
+            SeparationUnit::Metres => write!(f, "{:e} m", self.value)?,
+        }
+        match self.from {
+            Datum::AsperityMean => Ok(()),
+            from => write!(f, " from {from}"),
+        }
+    }
+}
+
+/// Where a contact is asked about. A plain number is a multiple of σ_z from the mean of the
+/// asperity heights.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum At {
+    /// At a separation.
+    Separation(Separation),
+    /// Under a normal load \[N\], > 0: where several separations carry it, at the largest, where
+    /// the surfaces first meet it on approach.
+    Load(f64),
+    /// Under a mean pressure on the nominal area \[Pa\], > 0.
+    Pressure(f64),
+}
+
+impl At {
+    /// A separation of d/σ_z from the mean of the asperity heights.
+    #[must_use]
+    pub fn sigmas(value: f64) -> Self {
+        Self::Separation(Separation::sigmas(value))
+    }
+
+    /// A separation of d \[m\] from the mean of the asperity heights.
+    #[must_use]
+    pub fn metres(value: f64) -> Self {
+        Self::Separation(Separation::metres(value))
+    }
+
+    /// The load \[N\] on a scene; `None` for a separation.
+    #[must_use]
+    pub fn load(self, scene: &Scene) -> Option<f64> {
+        match self {
+            Self::Separation(_) => None,
+            Self::Load(load) => Some(load),
+            Self::Pressure(pressure) => Some(pressure * scene.nominal_area),
+        }
+    }
+
+    /// The mean pressure \[Pa\] on the nominal area of a scene; `None` for a separation.
+    #[must_use]
+    pub fn pressure(self, scene: &Scene) -> Option<f64> {
+        match self {
+            Self::Separation(_) => None,
+            Self::Load(load) => Some(load / scene.nominal_area),
+            Self::Pressure(pressure) => Some(pressure),
+        }
+    }
+}
+
+impl From<f64> for At {
+    fn from(sigmas: f64) -> Self {
+        Self::sigmas(sigmas)
+    }
+}
+
+impl From<Separation> for At {
+    fn from(separation: Separation) -> Self {
+        Self::Separation(separation)
+    }
+}
+
+impl fmt::Display for At {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Separation(separation) => write!(f, "a separation of {separation}"),
+            Self::Load(load) => write!(f, "a load of {load} N"),
+            Self::Pressure(pressure) => write!(f, "a pressure of {pressure:e} Pa"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Interface, Surface};
+
+    fn scene() -> Scene {
+        Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 0.5e-6), 1e-5)
+    }
+
+    #[test]
+    fn units_and_planes_lead_there_and_back() {
+        let scene = scene();
+        let offset = scene.surface.mean_plane_offset();
+        for (unit, from) in [
+            (SeparationUnit::Metres, Datum::AsperityMean),
+            (SeparationUnit::Metres, Datum::SurfaceMean),
+            (SeparationUnit::Sigma, Datum::SurfaceMean),
+        ] {
+            let there = Separation::sigmas(1.7).measured_in(unit, from, &scene).unwrap();
+            let place = there.place(&scene).unwrap();
+            assert!((place.s - 1.7).abs() <= place.rounding && place.rounding < 2e-15);
+        }
+        let gap = Separation::metres(1e-6 + offset).from_surface_mean();
+        assert!((gap.place(&scene).unwrap().s - 2.0).abs() < 1e-14);
+        // A measured offset goes before the one of an isotropic Gaussian surface.
+        let measured = Scene { mean_plane_offset: Some(0.25e-6), ..scene };
+        let gap = Separation::metres(1e-6).from_surface_mean();
+        assert!((gap.place(&measured).unwrap().s - 1.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn loads_are_pressures_on_the_nominal_area() {
+        let scene = scene();
+        assert_eq!(At::Pressure(2e6).load(&scene), Some(20.0));
+        let pressure = At::Load(20.0).pressure(&scene).unwrap();
+        assert!((pressure / 2e6 - 1.0).abs() < 1e-15);
+        assert_eq!((At::Load(0.1).load(&scene), At::sigmas(1.0).load(&scene)), (Some(0.1), None));
+    }
+
+    #[test]
+    fn multiples_of_sigma_are_not_touched_and_planes_that_are_none_refused() {
+        let mut scene = scene();
+        let place = Separation::sigmas(0.1).place(&scene).unwrap();
+        assert!(place.s.to_bits() == 0.1f64.to_bits() && place.rounding == 0.0);
+        scene.heights = HeightDistribution::Exponential;
+        let refused = Separation::sigmas(1.0).from_surface_mean().place(&scene).unwrap_err();
+        assert_eq!(refused, ContactError::NoMeanPlane);
+        for bad in [f64::NAN, 2e9, -2e6] {
+            let message = Separation::sigmas(bad).place(&scene).unwrap_err().to_string();
+            assert!(message.starts_with("separation is"), "{message}");
+        }
+        let message = Separation::metres(-1.0).place(&scene).unwrap_err().to_string();
+        assert!(message.contains("-1e0 m (-2000000.0 asperity_height_std)"), "{message}");
+    }
+}

@@ -1,0 +1,66 @@
+//! How accurately a value is wanted.
+
+use serde::{Deserialize, Serialize};
+
+use crate::ContactError;
+
+/// A relative tolerance, from 1e-15 to 0.1.
+///
+/// The error of every value is below it; where a law has negative parts (the printed AT sum) it
+/// is relative to the integral of the law's absolute value.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
+#[serde(try_from = "f64", into = "f64")]
+pub struct Tolerance(f64);
+
+impl Tolerance {
+    /// # Errors
+    /// [`ContactError::OutOfRange`] unless 1e-15 ≤ `relative` ≤ 0.1.
+    pub fn new(relative: f64) -> Result<Self, ContactError> {
+        if (1e-15..=0.1).contains(&relative) {
+            Ok(Self(relative))
+        } else {
+            let required = "a relative tolerance from 1e-15 to 0.1";
+            Err(ContactError::OutOfRange { field: "tolerance", value: relative, required })
+        }
+    }
+
+    /// The number.
+    #[must_use]
+    pub fn relative(self) -> f64 {
+        self.0
+    }
+}
+
+impl Default for Tolerance {
+    /// 1e-10.
+    fn default() -> Self {
+        Self(1e-10)
+    }
+}
+
+impl TryFrom<f64> for Tolerance {
+    type Error = ContactError;
+    fn try_from(relative: f64) -> Result<Self, ContactError> {
+        Self::new(relative)
+    }
+}
+
+impl From<Tolerance> for f64 {
+    fn from(tolerance: Tolerance) -> Self {
+        tolerance.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tolerances_outside_their_range_are_refused_by_name() {
+        for bad in [0.0, -1.0, 0.2, 1e-16, f64::NAN, f64::INFINITY] {
+            let message = Tolerance::new(bad).unwrap_err().to_string();
+            assert!(message.starts_with("tolerance is") && message.contains("1e-15"), "{message}");
+        }
+        assert!(serde_json::from_str::<Tolerance>("0").is_err());
+    }
+}

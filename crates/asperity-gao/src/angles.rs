@@ -1,0 +1,102 @@
+//! How contact normals are spread over angles.
+
+use asperity_core::ContactError;
+use serde::{Deserialize, Serialize};
+
+/// How contact normals are spread, over u = |cos φ| in 0..1 (1: upright, 0: grazing).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AngleDensity {
+    /// 4π ψ = 1 + a₂₀ P₂(cos φ) + (a₂₁ cos θ + b₂₁ sin θ) P₂¹(cos φ).
+    ///
+    /// A normal and its opposite are the same contact, so the density is folded to
+    /// 1 + a₂₀ (3u² - 1)/2; the P₂¹ terms average out of every law. \[derived\]
+    Harmonic {
+        /// a₂₀, from -1 to 2.
+        a20: f64,
+        /// a₂₁; changes no result.
+        a21: f64,
+        /// b₂₁; changes no result.
+        b21: f64,
+    },
+    /// All normals upright: u = 1.
+    Upright,
+}
+
+impl Default for AngleDensity {
+    /// The AT paper's: a₂₀ = -0.5, a₂₁ = b₂₁ = 1. \[seen\]
+    fn default() -> Self {
+        Self::Harmonic { a20: -0.5, a21: 1.0, b21: 1.0 }
+    }
+}
+
+impl AngleDensity {
+    /// # Errors
+    /// [`ContactError::OutOfRange`] when the folded density would be negative, or an input is not
+    /// finite.
+    pub fn check(&self) -> Result<(), ContactError> {
+        let Self::Harmonic { a20, a21, b21 } = *self else {
+            return Ok(());
+        };
+        if !(-1.0..=2.0).contains(&a20) {
+            let required = "from -1 to 2, or the density is negative,";
+            return Err(ContactError::OutOfRange { field: "a20", value: a20, required });
+        }
+        for (field, value) in [("a21", a21), ("b21", b21)] {
+            if !value.is_finite() {
+                return Err(ContactError::OutOfRange { field, value, required: "a finite number" });
+            }
+        }
+        Ok(())
+    }
+
+    /// Smallest value of 4π ψ over the sphere, all terms in.
+    ///
+    /// With P₂¹ = -3 cos φ sin φ it is 1 + a₂₀/4 - √((3a₂₀/4)² + (9/4)(a₂₁² + b₂₁²)). \[derived\]
+    #[must_use]
+    pub fn minimum(&self) -> f64 {
+        match *self {
+            Self::Upright => 0.0,
+            Self::Harmonic { a20, a21, b21 } => {
+                1.0 + 0.25 * a20 - (0.75 * a20).hypot(1.5 * a21.hypot(b21))
+            }
+        }
+    }
+
+    /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms in; 0 for upright normals, whose
+    /// density is no function.
+    #[must_use]
+    pub fn printed(&self, phi: f64, theta: f64) -> f64 {
+        let Self::Harmonic { a20, a21, b21 } = *self else {
+            return 0.0;
+        };
+        let (s, u) = phi.sin_cos();
+        // P₂¹ = -3 cos φ sin φ.
+        1.0 + 0.5 * a20 * (3.0 * u * u - 1.0)
+            - 3.0 * u * s * (a21 * theta.cos() + b21 * theta.sin())
+    }
+
+    /// c₀ and c₂ of the folded density c₀ + c₂ u²; `None` for upright normals.
+    #[must_use]
+    pub fn folded(&self) -> Option<(f64, f64)> {
+        match *self {
+            Self::Upright => None,
+            Self::Harmonic { a20, .. } => Some((1.0 - 0.5 * a20, 1.5 * a20)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AngleDensity;
+
+    #[test]
+    fn the_printed_density_is_negative_as_the_sheet_says() {
+        assert!((AngleDensity::default().minimum() + 1.27921).abs() < 1e-5);
+        let limit = AngleDensity::Harmonic { a20: -0.5, a21: 0.37268, b21: 0.37268 };
+        assert!(limit.minimum().abs() < 1e-5);
+        for (a20, ok) in [(-1.0, true), (2.0, true), (-1.01, false), (f64::NAN, false)] {
+            assert_eq!(AngleDensity::Harmonic { a20, a21: 0.0, b21: 0.0 }.check().is_ok(), ok);
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! What can be wrong with a description or its csv.
+
+use plotters::drawing::DrawingAreaErrorKind;
+
+/// A picture that cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlotError {
+    /// The text is no table.
+    #[error("the csv cannot be read: {0}")]
+    Csv(#[from] csv::Error),
+    /// A column that the description names.
+    #[error("column `{column}` is missing from the csv, which has: {has}")]
+    MissingColumn {
+        /// The name that was looked for.
+        column: String,
+        /// The names that are there.
+        has: String,
+    },
+    /// A curve that the description names.
+    #[error("curve `{curve}` is not in column `{column}` of the csv")]
+    MissingCurve {
+        /// The name that was looked for.
+        curve: String,
+        /// The column that names the curve of a row.
+        column: String,
+    },
+    /// A curve of the csv that would be lost unseen.
+    #[error("curve `{curve}` of column `{column}` is drawn by no panel")]
+    Undrawn {
+        /// The curve.
+        curve: String,
+        /// The column that names the curve of a row.
+        column: String,
+    },
+    /// A word where a number belongs.
+    #[error("line {line} of the csv: `{text}` is not a number, as column `{column}` requires")]
+    NotANumber {
+        /// Counted from 1, the head's.
+        line: u64,
+        /// The column.
+        column: String,
+        /// What is there.
+        text: String,
+    },
+    /// A range or a factor without a use.
+    #[error("axis `{axis}` from {low} to {high}: {required} was required")]
+    Range {
+        /// The axis by its label.
+        axis: String,
+        /// Its low end.
+        low: f64,
+        /// Its high end.
+        high: f64,
+        /// What was required.
+        required: &'static str,
+    },
+    /// Two curves that do not go together as the edges of an area.
+    #[error("curve `{curve}` cannot be an edge of an area: {required} was required")]
+    Area {
+        /// The curve.
+        curve: String,
+        /// What was required.
+        required: &'static str,
+    },
+    /// A matrix whose cells do not fit its heads.
+    #[error("a matrix of {rows} rows and {columns} columns with other cells, or without any")]
+    Cells {
+        /// Names of rows.
+        rows: usize,
+        /// Names of columns.
+        columns: usize,
+    },
+    /// The drawing library failed.
+    #[error("drawing failed: {0}")]
+    Drawing(String),
+}
+
+impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for PlotError {
+    fn from(error: DrawingAreaErrorKind<E>) -> Self {
+        Self::Drawing(error.to_string())
+    }
+}

@@ -1,0 +1,96 @@
+//! Where everything goes: margins from the width of labels, then the frames.
+
+use crate::canvas::{Canvas, Rect, Type};
+use crate::figure::{self, Figure};
+use crate::legend::Legend;
+use crate::panel::Plot;
+use crate::size::{EDGE, HEIGHT, SMALL, TITLE, WIDTH, least_height};
+use crate::style::{BLACK, DARK_GREY};
+use crate::text::{LINE, wrap};
+
+/// The places of all parts of a figure.
+pub(crate) struct Layout<'a> {
+    title: Vec<String>,
+    pub(crate) frames: Vec<Rect>,
+    legend: Option<(Legend<'a>, f64)>,
+    caption: Vec<String>,
+    caption_top: f64,
+    pub(crate) height: f64,
+}
+
+impl<'a> Layout<'a> {
+    /// Places the parts of a figure.
+    pub(crate) fn new(figure: &'a Figure, plots: &[Plot]) -> Self {
+        let title = wrap(&figure.title, TITLE, WIDTH - 2.0 * EDGE);
+        let caption = caption_lines(&figure.caption);
+        let legend = Legend::new(&figure.panels, WIDTH - 2.0 * EDGE);
+        let legend =
+            (figure.legend == figure::Legend::Below && !legend.is_empty()).then_some(legend);
+        let legend_height = legend.as_ref().map_or(0.0, |legend| legend.height + 4.0);
+        let caption_height = if caption.is_empty() { 0.0 } else { lines_height(&caption) + 9.0 };
+        let tail = legend_height + caption_height + EDGE;
+        let head = EDGE + title.len() as f64 * TITLE * LINE;
+        let (frames, foot) = frames(figure, plots, head, tail);
+        let caption_top = foot + legend_height + 9.0;
+        let legend = legend.map(|legend| (legend, foot));
+        Self { title, frames, legend, caption, caption_top, height: foot + tail }
+    }
+
+    /// Draws what belongs to no panel.
+    pub(crate) fn draw(&self, canvas: &Canvas) {
+        draw_title(canvas, &self.title);
+        draw_caption(canvas, &self.caption, self.caption_top);
+        if let Some((legend, top)) = &self.legend {
+            legend.draw(canvas, ((WIDTH - legend.width) / 2.0, *top));
+        }
+    }
+}
+
+/// The frames of the panels, all equally wide, and where they end with their axes.
+fn frames(figure: &Figure, plots: &[Plot], head: f64, tail: f64) -> (Vec<Rect>, f64) {
+    let largest = |of: fn(&Plot) -> f64| plots.iter().map(of).fold(0.0, f64::max);
+    let (left, right) = (largest(|plot| plot.left()), largest(|plot| plot.right()));
+    let (above, below) = (largest(|plot| plot.above()), largest(|plot| plot.below()));
+    let mut frames = vec![];
+    let each = (WIDTH - EDGE) / plots.len().max(1) as f64;
+    let width = each - left - right;
+    // Many panels find no room beside each other.
+    if figure.side_by_side && width > 100.0 {
+        let height = (1.1 * width).min(293.0);
+        for index in 0..plots.len() {
+            let from = 0.5 * EDGE + index as f64 * each + left;
+            frames.push(Rect::sized(from, head + above, width, height));
+        }
+        return (frames, head + above + height + below);
+    }
+    let height = match plots {
+        [_] => (HEIGHT - head - tail - above - below).max(least_height(figure)),
+        _ => least_height(figure),
+    };
+    let mut foot = head;
+    for plot in plots {
+        let width = WIDTH - EDGE - left - right;
+        frames.push(Rect::sized(0.5 * EDGE + left, foot + plot.above(), width, height));
+        foot += plot.above() + height + plot.below();
+    }
+    (frames, foot)
+}
+
+/// The paragraphs of a caption, wrapped.
+pub(crate) fn caption_lines(caption: &[String]) -> Vec<String> {
+    caption.iter().flat_map(|part| wrap(part, SMALL, WIDTH - 4.0 * EDGE)).collect()
+}
+
+/// The height that lines of small text take.
+pub(crate) fn lines_height(lines: &[String]) -> f64 {
+    lines.len() as f64 * SMALL * LINE
+}
+
+pub(crate) fn draw_title(canvas: &Canvas, title: &[String]) {
+    let face = Type { bold: true, ..Type::new(TITLE, BLACK, "middle") };
+    canvas.lines(title, (WIDTH / 2.0, EDGE), face);
+}
+
+pub(crate) fn draw_caption(canvas: &Canvas, caption: &[String], top: f64) {
+    canvas.lines(caption, (2.0 * EDGE, top), Type::new(SMALL, DARK_GREY, "start"));
+}

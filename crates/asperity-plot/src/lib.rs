@@ -1,0 +1,202 @@
+//! Curves as pictures: the text of a csv and a description give the text of an svg.
+//!
+//! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
+//! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
+//! what it lacks is here: curves cut at the frame and at gaps before they are drawn, dashes of several
+//! lengths, legend keys with dash and marker, areas between curves, lowered letters, captions that
+//! wrap, and several panels in one picture.
+//!
+//! ```
+//! use asperity_plot::{Axis, Curve, Figure, Panel, draw};
+//!
+//! let mut panel = Panel::new(
+//!     Axis::new("separation_m", "separation (µm)").times(1e6),
+//!     Axis::new("force_N", "force (N)").log(),
+//! );
+//! panel.curves = vec![Curve::new(0, "a", "the first model")];
+//! let csv = "curve,separation_m,force_N\na,0,100\na,1e-6,1\n";
+//! let svg = draw(&Figure::new("Force against separation", &[], vec![panel]), csv)?;
+//! assert!(svg.starts_with("<svg "));
+//! # Ok::<(), asperity_plot::PlotError>(())
+//! ```
+
+mod canvas;
+mod clip;
+mod direct;
+mod error;
+mod figure;
+mod layout;
+mod legend;
+mod matrix;
+mod panel;
+mod ruler;
+mod series;
+mod size;
+mod style;
+mod text;
+mod trace;
+
+pub use error::PlotError;
+pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
+pub use matrix::{Cell, Matrix, draw_matrix};
+pub use style::Curve;
+pub use text::{number, power_of_ten};
+
+use layout::Layout;
+use panel::Plot;
+use series::Table;
+
+/// Draws a figure from the text of a csv; gives the text of an svg.
+///
+/// # Errors
+/// A column or a curve that the csv does not have, a curve in it that no panel draws, a cell that is
+/// not a number, or an axis without a usable range.
+pub fn draw(figure: &Figure, csv: &str) -> Result<String, PlotError> {
+    let table = Table::read(csv)?;
+    let plots = (0..figure.panels.len())
+        .map(|index| Plot::new(figure, index, &table))
+        .collect::<Result<Vec<Plot>, _>>()?;
+    series::check_all_drawn(figure, &table)?;
+    let layout = Layout::new(figure, &plots);
+    canvas::picture(&figure.title, (size::WIDTH, layout.height), |canvas| {
+        layout.draw(canvas);
+        plots.iter().zip(&layout.frames).try_for_each(|(plot, frame)| plot.draw(canvas, frame))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CSV: &str = "curve,x,y\na,0,1\na,1,10\na,2,100\nb,0,3\nb,1,-5\nb,2,30\n";
+
+    fn figure(keys: &[&str], log: bool) -> Figure {
+        let y = Axis::new("y", "force (N)");
+        let y = if log { y.log() } else { y };
+        let mut panel = Panel::new(Axis::new("x", "separation (m)"), y);
+        panel.curves =
+            keys.iter().enumerate().map(|(look, key)| Curve::new(look, key, key)).collect();
+        Figure::new("", &[], vec![panel])
+    }
+
+    fn message(figure: &Figure, csv: &str) -> String {
+        draw(figure, csv).err().map(|error| error.to_string()).unwrap_or_default()
+    }
+
+    /// The points of the lines of a colour and a width.
+    fn lines(svg: &str, style: &str) -> Vec<Vec<(f64, f64)>> {
+        let point = |pair: &str| {
+            let (x, y) = pair.split_once(',')?;
+            Some((x.parse().ok()?, y.parse().ok()?))
+        };
+        let lines =
+            svg.lines().filter(|line| line.starts_with("<polyline") && line.contains(style));
+        let points = lines.filter_map(|line| line.split('"').nth(1));
+        points.map(|points| points.split(' ').filter_map(point).collect()).collect()
+    }
+
+    #[test]
+    fn the_same_input_gives_the_same_bytes_and_nothing_that_is_no_number() {
+        let figure = figure(&["a", "b"], true);
+        let svg = draw(&figure, CSV).unwrap();
+        assert!(svg == draw(&figure, CSV).unwrap());
+        assert!(svg.contains("width=\"800\" height=\"600\" viewBox=\"0 0 800 600\""));
+        assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
+    }
+
+    #[test]
+    fn no_curve_is_drawn_outside_or_along_the_frame() {
+        let mut figure = figure(&["a", "b"], true);
+        figure.panels[0].y.range = Some((2.0, 50.0));
+        figure.panels[0].curves.iter_mut().for_each(|curve| curve.label.clear());
+        let svg = draw(&figure, CSV).unwrap();
+        let frame = lines(&svg, "stroke-width=\"1.3\"").concat();
+        let (top, foot) =
+            frame.iter().fold((600.0_f64, 0.0_f64), |(t, f), p| (t.min(p.1), f.max(p.1)));
+        assert!(foot > top + 350.0);
+        let curves = lines(&svg, "stroke-width=\"2\"");
+        // b leaves by the foot and comes back.
+        assert_eq!(curves.len(), 3);
+        for curve in curves {
+            assert!(curve.iter().all(|point| (top..=foot).contains(&point.1)), "{curve:?}");
+            let along = |ends: &[(f64, f64)]| (ends[0].1 - ends[1].1).abs() < 0.1;
+            assert!(!curve.windows(2).any(along), "{curve:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_missing_and_what_would_be_lost_is_named() {
+        assert!(message(&figure(&["a"], false), "").contains("column `x`"));
+        assert!(message(&figure(&["a"], false), "curve,x,z\na,1,2\n").contains("column `y`"));
+        assert!(message(&figure(&["a", "b", "nobody"], false), CSV).contains("`nobody`"));
+        assert!(message(&figure(&["a"], false), CSV).contains("`b`"));
+    }
+
+    #[test]
+    fn legend_keys_have_line_and_marker() {
+        let mut figure = figure(&["a", "b"], false);
+        let with = draw(&figure, CSV).unwrap();
+        figure.panels[0].curves.iter_mut().for_each(|curve| curve.label.clear());
+        let without = draw(&figure, CSV).unwrap();
+        // A marker is its rim and itself.
+        for (tag, more) in [("stroke-dasharray", 1), ("<path", 4), (">b</text>", 1)] {
+            assert_eq!(with.matches(tag).count(), without.matches(tag).count() + more, "{tag}");
+        }
+    }
+
+    #[test]
+    fn a_gap_is_a_break_that_can_be_joined_by_dots() {
+        let csv = "curve,x,y\na,0,1\na,1,1\na,,\na,1,5\na,2,5\n";
+        let mut figure = figure(&["a"], false);
+        figure.panels[0].curves[0].label.clear();
+        let plain = draw(&figure, csv).unwrap();
+        assert_eq!(lines(&plain, "stroke-width=\"2\"").len(), 2);
+        figure.panels[0].curves[0].join_gaps = true;
+        let joined = draw(&figure, csv).unwrap();
+        assert_eq!(joined.matches("<polyline").count(), plain.matches("<polyline").count() + 1);
+    }
+
+    #[test]
+    fn many_panels_are_labelled_and_text_is_escaped() {
+        let mut figure = figure(&["a", "b"], false);
+        figure.title = "a < b & c".into();
+        figure.panels = vec![figure.panels[0].clone(); 3];
+        for side_by_side in [false, true] {
+            figure.side_by_side = side_by_side;
+            let svg = draw(&figure, CSV).unwrap();
+            for label in [">(a)<", ">(b)<", ">(c)<", "a &lt; b &amp; c"] {
+                assert!(svg.contains(label), "{label}");
+            }
+        }
+        figure.panels = vec![figure.panels[0].clone(); 30];
+        assert!(draw(&figure, CSV).is_ok());
+        figure.panels.clear();
+        assert!(draw(&figure, CSV).is_ok());
+    }
+
+    #[test]
+    fn direct_names_stand_beside_their_points_inside_the_frame() {
+        let mut figure = figure(&["a", "b"], false);
+        figure.legend = Legend::Direct;
+        figure.panels[0].curves[1].label = "second name".into();
+        assert_eq!(draw(&figure, CSV).unwrap().matches("second name").count(), 1);
+        figure.panels[0].curves[1].label.clear();
+        assert!(!draw(&figure, CSV).unwrap().contains("second name"));
+    }
+
+    #[test]
+    fn areas_marks_and_strips_are_drawn_with_their_words() {
+        let csv = "curve,x,y\na,0,1\na,1,2\nlow,0,0.5\nlow,1,1\nhigh,0,2\nhigh,1,9\n";
+        let mut figure = figure(&["a"], false);
+        let panel = &mut figure.panels[0];
+        panel.between = vec![Between { lower: "low".into(), upper: "high".into(), look: 2 }];
+        panel.strips = vec![Strip::upright(0.5, f64::INFINITY, "half")];
+        panel.verticals = vec![Mark::new(0.25, "quarter")];
+        panel.horizontals = vec![Mark::new(3.0, "three")];
+        let svg = draw(&figure, csv).unwrap();
+        assert_eq!(svg.matches("<polygon").count(), 2);
+        for word in ["half", "quarter", "three"] {
+            assert!(svg.contains(&format!(">{word}<")), "{word}");
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! The curves of a panel, taken from the text of the csv and split at gaps.
+
+use std::collections::BTreeSet;
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+
+use crate::error::PlotError;
+use crate::figure::{Figure, Panel, Scale};
+use crate::style::{Colour, Curve};
+
+/// A pair of numbers: in the units of the csv, in shares of a frame, or in pixels.
+pub(crate) type Point = (f64, f64);
+
+/// The csv: a head, then rows of as many cells.
+pub(crate) struct Table {
+    head: StringRecord,
+    rows: Vec<StringRecord>,
+}
+
+impl Table {
+    pub(crate) fn read(csv: &str) -> Result<Self, PlotError> {
+        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(csv.as_bytes());
+        Ok(Self {
+            head: reader.headers()?.clone(),
+            rows: reader.records().collect::<Result<_, _>>()?,
+        })
+    }
+
+    fn column(&self, name: &str) -> Result<usize, PlotError> {
+        self.head.iter().position(|known| known == name).ok_or_else(|| PlotError::MissingColumn {
+            column: name.into(),
+            has: self.head.iter().collect::<Vec<_>>().join(", "),
+        })
+    }
+
+    /// The number in a cell; `None` when the cell is empty or holds no finite number.
+    fn number(&self, row: &StringRecord, column: usize) -> Result<Option<f64>, PlotError> {
+        let text = &row[column];
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let value: f64 = text.parse().map_err(|_| PlotError::NotANumber {
+            line: row.position().map_or(0, csv::Position::line),
+            column: self.head[column].into(),
+            text: text.into(),
+        })?;
+        Ok(value.is_finite().then_some(value))
+    }
+}
+
+/// One curve: its pieces between gaps, in the units of the csv.
+pub(crate) struct Series<'a> {
+    pub(crate) curve: &'a Curve,
+    pub(crate) pieces: Vec<Vec<Point>>,
+}
+
+/// The area between two curves with the same x.
+pub(crate) struct Area<'a> {
+    pub(crate) lower: Vec<Point>,
+    pub(crate) upper: Vec<Point>,
+    pub(crate) colour: Colour,
+    /// Written inside; may be empty.
+    pub(crate) label: &'a str,
+}
+
+/// Takes the curves of a panel from the table.
+pub(crate) fn curves<'a>(panel: &'a Panel, table: &Table) -> Result<Vec<Series<'a>>, PlotError> {
+    let take = |curve| Ok(Series { curve, pieces: pieces(panel, table, &curve.key)? });
+    panel.curves.iter().map(take).collect()
+}
+
+fn pieces(panel: &Panel, table: &Table, key: &str) -> Result<Vec<Vec<Point>>, PlotError> {
+    let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
+    let keys = table.column(&panel.curve_column)?;
+    let only = match &panel.only {
+        Some((column, word)) => Some((table.column(column)?, word)),
+        None => None,
+    };
+    let wanted = |row: &&StringRecord| {
+        &row[keys] == key && only.is_none_or(|(column, word)| row[column] == **word)
+    };
+    let (mut pieces, mut found) = (vec![vec![]], false);
+    for row in table.rows.iter().filter(wanted) {
+        found = true;
+        match (table.number(row, x)?, table.number(row, y)?, pieces.last_mut()) {
+            (Some(x), Some(y), Some(piece)) => piece.push((x, y)),
+            _ => pieces.push(vec![]),
+        }
+    }
+    if !found {
+        let (curve, column) = (key.into(), panel.curve_column.clone());
+        return Err(PlotError::MissingCurve { curve, column });
+    }
+    pieces.retain(|piece| !piece.is_empty());
+    Ok(pieces)
+}
+
+/// The areas of a panel. Stacked curves are lifted, each by those before it.
+pub(crate) fn areas<'a>(
+    panel: &'a Panel,
+    table: &Table,
+    all: &mut [Series<'a>],
+) -> Result<Vec<Area<'a>>, PlotError> {
+    let whole = |mut pieces: Vec<Vec<Point>>, curve: &str, x: Option<&[Point]>| {
+        let required = "one piece without gaps and with the x of the other edge";
+        let same = |piece: &Vec<Point>| x.is_none_or(|x| same_x(piece, x));
+        match pieces.pop().filter(|piece| pieces.is_empty() && same(piece)) {
+            Some(piece) => Ok(piece),
+            None => Err(PlotError::Area { curve: curve.into(), required }),
+        }
+    };
+    let mut areas = vec![];
+    for between in &panel.between {
+        let lower = whole(pieces(panel, table, &between.lower)?, &between.lower, None)?;
+        let upper = whole(pieces(panel, table, &between.upper)?, &between.upper, Some(&lower))?;
+        areas.push(Area {
+            lower,
+            upper,
+            colour: Curve::new(between.look, "", "").colour(),
+            label: "",
+        });
+    }
+    let mut below: Option<Vec<Point>> = None;
+    for Series { curve, pieces } in all.iter_mut().filter(|_| panel.stacked) {
+        if panel.y.scale == Scale::Log {
+            let required = "a linear vertical axis";
+            return Err(PlotError::Area { curve: curve.key.clone(), required });
+        }
+        let mut upper = whole(std::mem::take(pieces), &curve.key, below.as_deref())?;
+        let lower = below.unwrap_or_else(|| upper.iter().map(|point| (point.0, 0.0)).collect());
+        upper.iter_mut().zip(&lower).for_each(|(up, low)| up.1 += low.1);
+        *pieces = vec![upper.clone()];
+        below = Some(upper.clone());
+        areas.push(Area { lower, upper, colour: curve.colour(), label: &curve.label });
+    }
+    Ok(areas)
+}
+
+fn same_x(a: &[Point], b: &[Point]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0.total_cmp(&b.0).is_eq())
+}
+
+/// Refuses a csv with a curve that no panel draws, so that none is lost unseen.
+pub(crate) fn check_all_drawn(figure: &Figure, table: &Table) -> Result<(), PlotError> {
+    for column in figure.panels.iter().map(|panel| &panel.curve_column).collect::<BTreeSet<_>>() {
+        let panels = || figure.panels.iter().filter(|panel| panel.curve_column == *column);
+        let curves = panels().flat_map(|panel| &panel.curves).map(|curve| curve.key.as_str());
+        let edges = panels().flat_map(|panel| &panel.between);
+        let edges = edges.flat_map(|between| [between.lower.as_str(), between.upper.as_str()]);
+        let drawn: BTreeSet<&str> = curves.chain(edges).collect();
+        let place = table.column(column)?;
+        if let Some(row) = table.rows.iter().find(|row| !drawn.contains(&row[place])) {
+            let (curve, column) = (row[place].into(), column.clone());
+            return Err(PlotError::Undrawn { curve, column });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{Axis, Between};
+
+    fn panel(keys: &[&str]) -> Panel {
+        let mut panel = Panel::new(Axis::new("x", "x"), Axis::new("y", "y"));
+        panel.curves = keys.iter().enumerate().map(|(i, key)| Curve::new(i, key, key)).collect();
+        panel
+    }
+
+    #[test]
+    fn empty_cells_and_what_is_not_finite_split_a_curve_and_quotes_are_read() {
+        let csv = "curve,x,y\n\"a, b\",0,1\n\"a, b\",1,\n\"a, b\",2,3\nc,0,1\nc,1,NaN\nc,2,2\n";
+        let table = Table::read(csv).unwrap();
+        let panel = panel(&["a, b", "c"]);
+        let all = curves(&panel, &table).unwrap();
+        assert_eq!(all[0].pieces, [vec![(0.0, 1.0)], vec![(2.0, 3.0)]]);
+        assert_eq!(all[1].pieces, [vec![(0.0, 1.0)], vec![(2.0, 2.0)]]);
+    }
+
+    #[test]
+    fn a_word_in_a_number_column_is_named_with_its_line() {
+        let table = Table::read("curve,x,y\na,abc,1\n").unwrap();
+        let panel = panel(&["a"]);
+        let refused = curves(&panel, &table).err().map(|error| error.to_string()).unwrap();
+        assert!(refused.starts_with("line 2 of the csv: `abc`"), "{refused}");
+        assert!(Table::read("curve,x\na,1,2\n").is_err());
+    }
+
+    #[test]
+    fn stacked_curves_add_up_and_areas_lie_between_curves_with_the_same_x() {
+        let table = Table::read("curve,x,y\na,0,1\na,1,2\nb,0,3\nb,1,4\nc,0,1\n").unwrap();
+        let mut panel = panel(&["a", "b"]);
+        panel.stacked = true;
+        let mut all = curves(&panel, &table).unwrap();
+        assert_eq!(areas(&panel, &table, &mut all).unwrap()[1].lower, [(0.0, 1.0), (1.0, 2.0)]);
+        assert_eq!(all[1].pieces, [vec![(0.0, 4.0), (1.0, 6.0)]]);
+        panel.stacked = false;
+        for (upper, fits) in [("b", true), ("c", false)] {
+            panel.between = vec![Between { lower: "a".into(), upper: upper.into(), look: 2 }];
+            assert_eq!(areas(&panel, &table, &mut []).is_ok(), fits);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! How large everything is, in the pixels that are shown.
+
+use crate::figure::Figure;
+
+/// Width of every figure in pixels.
+pub(crate) const WIDTH: f64 = 800.0;
+/// Height of a figure of one panel, unless its caption is very long.
+pub(crate) const HEIGHT: f64 = 600.0;
+/// Size of the numbers at the ticks.
+pub(crate) const TICK: f64 = 14.0;
+/// Size of the names of axes and panels.
+pub(crate) const LABEL: f64 = 15.3;
+/// Size of the title.
+pub(crate) const TITLE: f64 = 16.7;
+/// Size of caption and marks.
+pub(crate) const SMALL: f64 = 12.7;
+/// Between title, headings and frames.
+pub(crate) const TITLE_GAP: f64 = 5.0;
+/// Around everything.
+pub(crate) const EDGE: f64 = 12.0;
+
+/// How many labels fit along the two axes of a panel.
+pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
+    let across =
+        if figure.side_by_side { WIDTH / figure.panels.len() as f64 - 75.0 } else { WIDTH };
+    ((across / 60.0) as usize + 1, (least_height(figure) / 40.0) as usize + 1)
+}
+
+/// A length that the frames of a figure are at least high.
+pub(crate) fn least_height(figure: &Figure) -> f64 {
+    match (figure.panels.len(), figure.side_by_side) {
+        (0 | 1, _) => 350.0,
+        (2, false) => 273.0,
+        (_, false) => 213.0,
+        (_, true) => 293.0,
+    }
+}

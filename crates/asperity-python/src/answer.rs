@@ -1,0 +1,249 @@
+//! Answers to rows: on all cores, in order, and open to Ctrl-C. The one place where arrays are
+//! evaluated.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use asperity::{
+    At, Case, ContactError, ContactModel, Evaluation, Model, Quantity, Request, Response, Scene,
+    Sweep, Warnings,
+};
+use pyo3::prelude::*;
+
+use crate::error::value_error;
+use crate::long::{pool, stretches};
+use crate::rows::View;
+
+/// Rows that a thread walks through at a time: what their laws have in common is found among
+/// neighbours, and Ctrl-C waits for them.
+pub(crate) const TOGETHER: usize = 16;
+/// The same for rows on one scene, most of which take no time.
+const ON_ONE: usize = 256;
+
+/// What is asked of every value.
+#[derive(Clone, Copy)]
+pub(crate) struct Aspect(fn(&Evaluation, Quantity) -> f64);
+
+impl Aspect {
+    pub(crate) const VALUE: Self = Self(|evaluation, _| evaluation.value());
+}
+
+impl<'py> FromPyObject<'_, 'py> for Aspect {
+    type Error = PyErr;
+
+    fn extract(name: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        match name.extract()? {
+            "value" => Ok(Self::VALUE),
+            "ln" => Ok(Self(|evaluation, _| evaluation.ln_value())),
+            "error" => Ok(Self(|evaluation, quantity| evaluation.bound(quantity))),
+            other => Err(value_error(format!("{other:?} is no aspect of a value"))),
+        }
+    }
+}
+
+/// Who is asked: a contact that is ready, or a model.
+pub(crate) enum Source<'m> {
+    Ready(Arc<dyn asperity::Contact>),
+    Model(&'m Model),
+}
+
+/// What is asked, whom, and about which rows.
+pub(crate) struct Question<'q> {
+    pub(crate) rows: &'q View<'q>,
+    pub(crate) source: Source<'q>,
+    /// Quantities and tolerance.
+    pub(crate) request: Request,
+    pub(crate) aspect: Aspect,
+}
+
+/// Columns in the order of the quantities, NaN where there is no value; the rows that failed, with
+/// their exceptions, ascending; and what deserves a word.
+#[derive(Default)]
+pub(crate) struct Answer {
+    pub(crate) columns: Vec<Vec<f64>>,
+    pub(crate) failures: Vec<(usize, PyErr)>,
+    pub(crate) warnings: Warnings,
+}
+
+/// The same of some rows, row by row.
+#[derive(Default)]
+struct Found {
+    values: Vec<f64>,
+    failures: Vec<(usize, ContactError)>,
+    warnings: Warnings,
+}
+
+/// A row, and where it is.
+struct Here<'h> {
+    row: usize,
+    at: At,
+    scene: &'h Scene,
+    model: &'h str,
+}
+
+impl Found {
+    /// The next value. What fails of one quantity need not of the others of its row.
+    fn push(
+        &mut self,
+        here: &Here<'_>,
+        quantity: Quantity,
+        value: Result<Evaluation, ContactError>,
+        aspect: Aspect,
+    ) {
+        let &Here { row, at, scene, model } = here;
+        self.warnings.look_at(model, quantity, value.as_ref(), at, scene, |_| None);
+        match value {
+            Ok(value) => self.values.push(aspect.0(&value, quantity)),
+            Err(error) => {
+                self.values.push(f64::NAN);
+                if self.failures.last().is_none_or(|(last, _)| *last != row) {
+                    self.failures.push((row, error));
+                }
+            }
+        }
+    }
+}
+
+impl Question<'_> {
+    /// All rows; the first that fails ends it where `stop` says so.
+    pub(crate) fn answer(
+        &self,
+        py: Python<'_>,
+        threads: Option<usize>,
+        stop: bool,
+        raise: impl Fn(ContactError) -> PyErr + Copy,
+    ) -> PyResult<Answer> {
+        let (len, quantities) = (self.rows.len(), self.request.quantities.len());
+        let mut answer = Answer::default();
+        answer.columns.resize_with(quantities, || Vec::with_capacity(len));
+        let mut take = |found: Found| {
+            for row in found.values.chunks_exact(quantities) {
+                answer.columns.iter_mut().zip(row).for_each(|(column, v)| column.push(*v));
+            }
+            answer.warnings.append(found.warnings.into_vec());
+            answer.failures.extend(found.failures.into_iter().map(|(row, e)| (row, raise(e))));
+            Ok(!stop || answer.failures.is_empty())
+        };
+        let few = len <= ON_ONE;
+        let at = |range: Range<usize>| range.map(|row| self.rows.at(row));
+        let request = |range| self.request.clone().at(at(range));
+        match (&self.source, self.rows.one_scene()) {
+            // Threads would have to be woken for these.
+            (Source::Ready(contact), _) if few => {
+                take(py.detach(|| self.on_one(&**contact, 0..len)))?;
+            }
+            (Source::Model(model), Some(scene)) if few => {
+                let response = py.detach(|| model.solve(scene, &request(0..len)));
+                take(self.found(0, response.map_err(raise)?))?;
+            }
+            (Source::Ready(contact), _) => {
+                let run = |range| self.on_one(&**contact, range);
+                stretches(py, &*pool(threads)?, len, ON_ONE, run, take)?;
+            }
+            (Source::Model(model), Some(scene)) => {
+                let contact = py.detach(|| model.compile(scene, &request(0..1)));
+                let contact = contact.map_err(raise)?;
+                let run = |range| self.on_one(&*contact, range);
+                stretches(py, &*pool(threads)?, len, ON_ONE, run, take)?;
+            }
+            (Source::Model(model), None) => {
+                let sweep = Sweep::new(*model, &self.request.quantities, self.request.tolerance);
+                let run = |range| self.on_many(model, &sweep, range);
+                stretches(py, &*pool(threads)?, len, TOGETHER, run, take)?;
+            }
+        }
+        Ok(answer)
+    }
+
+    fn on_one(&self, contact: &dyn asperity::Contact, range: Range<usize>) -> Found {
+        let (first, quantities) = (range.start, &self.request.quantities[..]);
+        if !self.rows.are_separations() || quantities.iter().any(|q| q.is_absolute()) {
+            let request = self.request.clone().at(range.map(|row| self.rows.at(row)));
+            return self.found(first, contact.respond(&request));
+        }
+        // Value by value: a response holds much that nobody asks for.
+        let mut found = Found::default();
+        for row in range {
+            let at = self.rows.at(row);
+            let here = Here { row, at, scene: contact.scene(), model: contact.model() };
+            let mut push = |quantity, value| found.push(&here, quantity, value, self.aspect);
+            if let [Quantity::Force, Quantity::Tangent] = quantities
+                && let Ok((force, tangent)) = contact.force_and_tangent_at(at)
+            {
+                push(Quantity::Force, Ok(force));
+                push(Quantity::Tangent, Ok(tangent));
+            } else {
+                quantities.iter().for_each(|&q| push(q, contact.evaluate_at(q, at)));
+            }
+        }
+        found
+    }
+
+    /// Of a response to rows from `first` on.
+    fn found(&self, first: usize, response: Response) -> Found {
+        let count = response.columns.len();
+        let values = vec![f64::NAN; response.at.len() * count];
+        let mut found = Found { values, ..Found::default() };
+        for (j, column) in response.columns.into_iter().enumerate() {
+            for (k, row) in column.rows.into_iter().enumerate() {
+                match row {
+                    Ok(value) => {
+                        found.values[k * count + j] = self.aspect.0(&value, column.quantity)
+                    }
+                    Err(error) => found.failures.push((first + k, *error)),
+                }
+            }
+        }
+        found.failures.sort_by_key(|(row, _)| *row);
+        found.failures.dedup_by_key(|(row, _)| *row);
+        found.warnings.append(response.warnings);
+        found
+    }
+
+    fn on_many(&self, model: &Model, sweep: &Sweep<'_>, range: Range<usize>) -> Found {
+        let (mut found, quantities) = (Found::default(), &self.request.quantities);
+        for (row, case, answer) in walked(self.rows, range, |cases| sweep.evaluate_all(cases)) {
+            let Some(Case { scene, at, .. }) = case else {
+                found.values.extend(quantities.iter().map(|_| f64::NAN));
+                found.failures.extend(answer.err().map(|error| (row, error)));
+                continue;
+            };
+            let here = Here { row, at, scene: &scene, model: model.name() };
+            let alone = || model.compile(&scene, &self.request.clone().at([at]));
+            let alone = answer.as_ref().err().map(|_| alone());
+            for (k, &quantity) in quantities.iter().enumerate() {
+                let value = match (&answer, &alone) {
+                    (Ok(values), _) => Ok(values[k]),
+                    (_, Some(Ok(contact))) => contact.evaluate_at(quantity, at),
+                    (Err(error), _) => Err(error.clone()),
+                };
+                found.push(&here, quantity, value, self.aspect);
+            }
+        }
+        found
+    }
+}
+
+/// The cases of some rows, each with what `answer` makes of it; without one where its scene is
+/// refused.
+pub(crate) fn walked<T>(
+    rows: &View<'_>,
+    range: Range<usize>,
+    answer: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
+) -> Vec<(usize, Option<Case>, Result<T, ContactError>)> {
+    let (mut places, mut cases, mut found) = (vec![], vec![], vec![]);
+    for row in range {
+        match rows.case(row) {
+            Ok(case) => {
+                places.push(row);
+                cases.push(case);
+            }
+            Err(error) => found.push((row, None, Err(error))),
+        }
+    }
+    let answers = answer(&cases);
+    let answered = places.into_iter().zip(cases).zip(answers);
+    found.extend(answered.map(|((row, case), answer)| (row, Some(case), answer)));
+    found.sort_by_key(|(row, _, _)| *row);
+    found
+}

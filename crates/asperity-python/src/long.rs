@@ -1,0 +1,95 @@
+//! Long loops without the interpreter: on all cores, in order, and open to Ctrl-C.
+
+use std::ops::Range;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use pyo3::prelude::*;
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::error::value_error;
+
+/// Between two looks at signals as much is done as takes about this long.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+/// However quick it is: what is in memory between two looks.
+const MOST: usize = 1 << 16;
+
+/// Runs `work` on ranges that cover 0..len, without the interpreter, until it answers false; looks
+/// at signals between. The first range has `first` rows.
+pub(crate) fn in_blocks(
+    py: Python<'_>,
+    len: usize,
+    first: usize,
+    mut work: impl FnMut(Range<usize>) -> PyResult<bool>,
+) -> PyResult<()> {
+    let (mut start, mut size) = (0, first);
+    while start < len {
+        let end = len.min(start + size);
+        let begun = Instant::now();
+        let go_on = work(start..end)?;
+        py.check_signals()?;
+        if !go_on {
+            break;
+        }
+        start = end;
+        match begun.elapsed() {
+            short if short < BETWEEN_LOOKS => size = MOST.min(2 * size),
+            long if long > 4 * BETWEEN_LOOKS => size = first.max(size / 2),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The pool of this process, and the process it belongs to.
+static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+
+/// Threads that share out loops: as many as asked for, or one for every core (or
+/// `RAYON_NUM_THREADS`).
+///
+/// Not rayon's global pool: a process that was forked, as by `multiprocessing`, has its pool but
+/// not its threads, and would wait for them forever.
+pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
+    let build = |threads| {
+        let built = ThreadPoolBuilder::new().num_threads(threads).build();
+        built.map(Arc::new).map_err(value_error)
+    };
+    if let Some(threads) = threads {
+        return build(threads);
+    }
+    let mut held = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    let process = std::process::id();
+    match &*held {
+        Some((owner, pool)) if *owner == process => Ok(pool.clone()),
+        _ => {
+            let pool = build(0)?;
+            // The threads of the one before are in another process: nobody to be told to end.
+            std::mem::forget(held.replace((process, pool.clone())));
+            Ok(pool)
+        }
+    }
+}
+
+/// `run` of stretches of `together` rows, on all threads of a pool; `take` has what comes of them
+/// in order, until it answers false. Where stretches begin does not depend on time or threads.
+pub(crate) fn stretches<S: Send>(
+    py: Python<'_>,
+    pool: &ThreadPool,
+    len: usize,
+    together: usize,
+    run: impl Fn(Range<usize>) -> S + Sync,
+    mut take: impl FnMut(S) -> PyResult<bool>,
+) -> PyResult<()> {
+    in_blocks(py, len, 2 * together, |range| {
+        let starts: Vec<usize> = range.clone().step_by(together).collect();
+        let stretch = |start: &usize| run(*start..range.end.min(start + together));
+        let found: Vec<S> = py.detach(|| pool.install(|| starts.par_iter().map(stretch).collect()));
+        for one in found {
+            if !take(one)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    })
+}

@@ -1,0 +1,188 @@
+"""Loads and pressures wherever separations go; rows that fail; masks."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import asperity
+import numpy as np
+import pytest
+
+QUANTITIES = ["force", "area", "tangent", "pressure", "mean-pressure", "contacts", "ln-force"]
+LOADS = np.geomspace(1e-3, 1e4, 8)
+
+
+@pytest.mark.parametrize("name", ["gw", "zmc", "ke", "jg", "af"])
+def test_values_at_loads_are_those_at_their_separations(name: str, scene: asperity.Scene) -> None:
+    model = asperity.model(name)
+    curve = model.solve(scene, load=LOADS, quantities=QUANTITIES)
+    at = model.solve(scene, curve.separation, QUANTITIES)
+    np.testing.assert_allclose(curve.separation, model.separation_at(scene, LOADS), rtol=1e-13)
+    assert (np.abs(curve.force / LOADS - 1.0) <= curve.error("force")).all()
+    for quantity in QUANTITIES:
+        far = np.abs(curve[quantity] - at[quantity])
+        if not quantity.startswith("ln"):
+            far /= at[quantity]
+        # What the inversion does is in the bound.
+        assert (far <= curve.error(quantity) + at.error(quantity)).all(), quantity
+        assert curve.error(quantity).max() < 2e-9
+    assert (curve.load == LOADS).all()
+
+
+@pytest.mark.parametrize("name", ["gw", "ke", "jg"])
+def test_pressures_are_loads_over_the_nominal_area(name: str, scene: asperity.Scene) -> None:
+    model, area = asperity.model(name), scene.nominal_area
+    scenes = scene.vary(hardness=[1e9, 2e9, 3e9]).reshape(3, 1)
+    for scene_or_many in (scene, scenes):
+        by_load = model.solve(scene_or_many, load=LOADS, quantities="area")
+        by_pressure = model.solve(scene_or_many, pressure=LOADS / area, quantities="area")
+        np.testing.assert_allclose(by_load.area, by_pressure.area, rtol=1e-9)
+        loads, pressures = (
+            model.separation_at(scene_or_many, load=LOADS),
+            model.separation_at(scene_or_many, pressure=LOADS / area),
+        )
+        np.testing.assert_allclose(loads, pressures, atol=1e-10)
+        np.testing.assert_allclose(by_load.separation, loads, atol=1e-10)
+
+
+def test_many_scenes_are_each_under_their_load(scene: asperity.Scene) -> None:
+    scenes = scene.vary(asperity_height_std=np.linspace(1e-6, 2e-6, 40), hardness=[[2e9], [3e9]])
+    loads = np.geomspace(1.0, 1e3, 40)
+    for name in ("ke", "jg"):
+        model = asperity.model(name)
+        curve = model.solve(scenes, load=loads, quantities=["area", "tangent"])
+        for place in ((0, 0), (1, 17), (0, 39)):
+            alone = model.solve(scenes[place], load=loads[place[1]], quantities=["area", "tangent"])
+            assert curve.area[place] == pytest.approx(float(alone.area), rel=1e-9)
+            assert curve.tangent[place] == pytest.approx(float(alone.tangent), rel=1e-9)
+
+
+def test_separations_of_loads_are_in_the_unit_and_from_the_plane(scene: asperity.Scene) -> None:
+    plane = asperity.Scene(
+        scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
+    )
+    ke, std = asperity.model("ke"), scene.surface.asperity_height_std
+    offset = scene.surface.mean_plane_offset
+    here = ke.separation_at(scene, 100.0)
+    assert ke.separation_at(plane, 100.0) == pytest.approx(here + offset / std, rel=1e-12)
+    for scenes in (plane, [plane], plane.vary(hardness=[2e9])):
+        metres = ke.separation_at(scenes, 100.0, separation_unit="m")
+        np.testing.assert_allclose(metres, here * std + offset, rtol=1e-12)
+        curve = ke.solve(scenes, load=[100.0], quantities="area", separation_unit="m")
+        np.testing.assert_allclose(curve.separation, metres, rtol=1e-12)
+
+
+def test_rows_that_no_separation_carries_are_masked_with_their_reasons(
+    scene: asperity.Scene,
+) -> None:
+    ke = asperity.model("ke")
+    loads = [1.0, 1e30, 100.0, -1.0, 10.0]
+    for scenes in (scene, [scene], scene.vary(hardness=[2e9])):
+        curve = ke.solve(scenes, load=loads, quantities=["area", "force"], errors="mask")
+        assert np.ma.getmaskarray(curve.area).tolist() == [False, True, False, True, False]
+        assert not np.isnan(curve.area.compressed()).any()
+        assert sorted(curve.failures) == [1, 3]
+        assert curve.failures[1].startswith("load is 1e30 N: a load above 0 and at most")
+        assert curve.failures[3].startswith("load is -1.0: ")
+        good = ke.solve(scenes, load=loads[::2], quantities="area")
+        np.testing.assert_allclose(curve.area.compressed(), good.area, rtol=1e-12)
+        for values in (curve.error("area"), curve.ln("force"), curve.separation):
+            assert np.ma.getmaskarray(values).tolist() == [False, True, False, True, False]
+        shares = curve.shares("force")
+        np.testing.assert_allclose(sum(shares.values()).compressed(), 1.0, rtol=1e-12)
+        found = ke.separation_at(scenes, loads, errors="mask")
+        np.testing.assert_allclose(found, curve.separation)
+        with pytest.raises(ValueError, match="load is 1e30 N"):
+            ke.solve(scenes, load=loads)
+        with pytest.raises(ValueError, match="load is 1e30 N"):
+            ke.separation_at(scenes, loads)
+    with pytest.raises(ValueError, match="errors is 'ignore': 'raise' or 'mask'"):
+        ke.solve(scene, load=1.0, errors="ignore")
+
+
+def test_what_fails_of_one_quantity_does_not_take_the_others_with_it() -> None:
+    # Nothing is higher than 1 um: beyond, the force is 0 and its logarithm is nothing.
+    table = (np.array([-1e-6, 1e-6]), np.array([5e5, 5e5]))
+    scene = asperity.Scene(
+        asperity.Interface(116e9, 0.31, 1e9), asperity.Surface(3.6e-4, 1.1e8, 6e-7), 3e-5, table
+    )
+    ke = asperity.model("ke")
+    for scenes in (scene, [scene]):
+        with pytest.warns(asperity.ContactWarning, match="no asperity touches in 1 row"):
+            curve = ke.solve(
+                scenes, [0.5, 3.0], ["force", "ln-force", "mean-pressure"], errors="mask"
+            )
+        assert curve.force[1] == 0.0 and not np.ma.getmaskarray(curve.force).any()
+        assert np.ma.getmaskarray(curve.mean_pressure).tolist() == [False, True]
+        assert "no asperity touches there" in curve.failures[1]
+        with pytest.raises(ValueError, match="ln-force has no value at a separation of 3 "):
+            ke.solve(scenes, [0.5, 3.0], ["force", "ln-force"])
+
+
+def test_all_crossings_are_given_where_they_are_asked_for(soft_steel: asperity.Scene) -> None:
+    printed = asperity.model("at")
+    load = 1e-4
+    scenes: Any
+    for scenes in (soft_steel, [soft_steel]):
+        largest = printed.separation_at(scenes, load)
+        everything = printed.separation_at(scenes, load, all=True)
+        found = np.asarray(everything).item()
+        assert len(found) == 3 and (np.diff(found) > 0.0).all()
+        assert float(np.asarray(largest).item()) == pytest.approx(found[-1], rel=1e-12)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        back = printed.solve(soft_steel, found).force
+    np.testing.assert_allclose(back, load, rtol=1e-6)
+    ke = asperity.model("ke")
+    some = ke.separation_at(soft_steel, [[1.0], [1e30]], all=True, errors="mask")
+    assert some.shape == (2, 1) and np.ma.getmaskarray(some).tolist() == [[False], [True]]
+    assert some[0, 0].tolist() == [pytest.approx(float(ke.separation_at(soft_steel, 1.0)))]
+
+
+def test_masked_in_is_masked_out(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    separation = np.ma.masked_array([0.0, 1.0, np.nan, 2.0], [False, False, True, False])
+    for scenes in (scene, [scene]):
+        curve = ke.solve(scenes, separation, ["force", "area"])
+        for values in (curve.force, curve.area, curve.error("force"), curve.shares("area")["plastic"]):
+            assert np.ma.getmaskarray(values).tolist() == [False, False, True, False]
+        plain = ke.solve(scenes, [0.0, 1.0, 2.0])
+        np.testing.assert_array_equal(curve.force.compressed(), plain.force)
+        assert curve.failures == {}
+        found = ke.separation_at(scenes, np.ma.masked_less([-1.0, 1.0], 0.0))
+        assert np.ma.getmaskarray(found).tolist() == [True, False]
+        failing = np.ma.masked_array([1.0, -1.0, 1e30], [True, False, False])
+        curve = ke.solve(scenes, load=failing, errors="mask")
+        assert sorted(curve.failures) == [1, 2]
+    with pytest.raises(ValueError, match="hardness is a masked array"):
+        scene.vary(hardness=np.ma.masked_less([1e9, 2e9], 1.5e9))
+    with pytest.raises(ValueError, match="interference is a masked array"):
+        ke.law(scene, "force", separation)
+
+
+def test_exactly_one_of_the_three_is_required(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    for arguments in ({}, {"separation": 1.0, "load": 1.0}, {"load": 1.0, "pressure": 1.0}):
+        with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
+            ke.solve(scene, **arguments)
+    with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
+        ke.separation_at(scene)
+    for wrong in ({"load": "1 N"}, {"pressure": [1j]}):
+        with pytest.raises(TypeError):
+            ke.solve(scene, **wrong)  # type: ignore[arg-type]
+
+
+def test_every_quantity_of_the_library_is_there(scene: asperity.Scene) -> None:
+    names = list(asperity._asperity.quantities())
+    assert len(names) >= 13
+    for scenes in (scene, [scene]):
+        curve = asperity.model("ke").solve(scenes, [0.0, 2.0], names)
+        assert list(curve.quantities) == names
+        np.testing.assert_allclose(curve.pressure, curve.force / scene.nominal_area, rtol=1e-14)
+        np.testing.assert_allclose(curve["area_fraction"], curve.area / scene.nominal_area)
+        np.testing.assert_allclose(curve.mean_pressure, curve.force / curve.area, rtol=1e-12)
+        np.testing.assert_allclose(curve.ln_force, np.log(curve.force), rtol=1e-13)
+        shares = curve.elastic_share + curve.elastic_plastic_share + curve.plastic_share
+        np.testing.assert_allclose(shares, 1.0, rtol=1e-12)
+        assert "mean_pressure" in dir(curve)

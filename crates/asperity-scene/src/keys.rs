@@ -1,0 +1,75 @@
+//! The keys of a scene file, as serde reads them: what is not here is refused.
+
+use std::path::PathBuf;
+
+use asperity::{Body, Datum, Interface};
+use asperity_topography::{Estimator, LengthUnit, Level};
+use serde::Deserialize;
+
+use crate::ModelOptions;
+
+/// The top of the file and its sections.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SceneKeys {
+    pub(crate) nominal_area: f64,
+    pub(crate) rigid_counterface: Option<bool>,
+    pub(crate) interface: Option<Interface>,
+    #[serde(default)]
+    pub(crate) body: Vec<Body>,
+    pub(crate) surface: SurfaceKeys,
+    #[serde(default)]
+    pub(crate) options: ModelOptions,
+}
+
+/// `[surface]`.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields, expecting = "a table, [surface],")]
+pub(crate) struct SurfaceKeys {
+    pub(crate) asperity_radius: Option<f64>,
+    pub(crate) asperity_density: Option<f64>,
+    pub(crate) asperity_height_std: Option<f64>,
+    pub(crate) plasticity_index: Option<f64>,
+    pub(crate) roughness_parameter: Option<f64>,
+    pub(crate) m0: Option<f64>,
+    pub(crate) m2: Option<f64>,
+    pub(crate) m4: Option<f64>,
+    pub(crate) file: Option<PathBuf>,
+    pub(crate) files: Option<Vec<PathBuf>>,
+    pub(crate) unit: Option<LengthUnit>,
+    pub(crate) pixel_size: Option<PixelSize>,
+    pub(crate) estimator: Estimator,
+    pub(crate) level: Level,
+    pub(crate) filter: Option<f64>,
+    pub(crate) max_missing: Option<f64>,
+    pub(crate) separation_from: Datum,
+    pub(crate) heights: HeightsKey,
+}
+
+/// `pixel_size`: of square pixels, or along a row and along a column.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a length in the unit of the heights, or a list of two, along a row and a column,"
+)]
+pub(crate) enum PixelSize {
+    Square(f64),
+    Rectangle([f64; 2]),
+}
+
+/// `heights`.
+#[derive(Debug, Default, Deserialize)]
+#[serde(
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"gaussian\" or \"exponential\" or { file = \"pdf.csv\" }"
+)]
+pub(crate) enum HeightsKey {
+    #[default]
+    Gaussian,
+    Exponential,
+    #[serde(untagged)]
+    Table {
+        file: PathBuf,
+    },
+}

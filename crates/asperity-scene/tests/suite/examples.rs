@@ -1,0 +1,70 @@
+//! The example scenes are what their comments say they are.
+
+use std::path::{Path, PathBuf};
+
+use asperity::{Quantity, Request, linspace, recommend};
+use asperity_scene::{SceneFile, load};
+
+fn example(name: &str) -> SceneFile {
+    load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name)).unwrap()
+}
+
+fn simplest(file: &SceneFile) -> String {
+    let request = Request::new([Quantity::Force, Quantity::Area]).at(linspace(0.0, 4.0, 9));
+    let ke = file.model("ke").unwrap();
+    recommend(&file.scene, &request, &ke, 0.05).unwrap().simplest.id().to_string()
+}
+
+#[test]
+fn every_example_is_solved_by_every_model() {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let paths: Vec<PathBuf> =
+        std::fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path()).collect();
+    assert_eq!(paths.len(), 3);
+    for path in paths {
+        let file = load(&path).unwrap();
+        assert!(file.warnings.is_empty(), "{:?}", file.warnings);
+        let (models, left_out) = file.models();
+        assert!(models.len() == 12 && left_out.is_empty(), "{left_out:?}");
+        let beta = file.scene.surface.roughness_parameter();
+        assert!((0.03..0.06).contains(&beta), "{}: beta_z = {beta}", path.display());
+        for model in models {
+            let request = Request::new([Quantity::Force]).at([3.0]);
+            let answer = model.solve(&file.scene, &request).unwrap();
+            let force = answer.values(Quantity::Force).unwrap()[0];
+            assert!(force.is_finite() && (force > 0.0 || model.id() == "at"), "{model}: {force}");
+        }
+    }
+}
+
+#[test]
+fn the_elastomer_is_elastic_and_greenwood_and_williamson_will_do() {
+    let file = example("elastomer-on-glass.toml");
+    assert!(file.scene.plasticity_index().unwrap() < 0.2);
+    assert_eq!(simplest(&file), "gw");
+}
+
+#[test]
+fn metals_yield_and_greenwood_and_williamson_will_not_do() {
+    for (name, index) in [("wheel-rail.toml", 9.0), ("bolted-joint.toml", 15.0)] {
+        let file = example(name);
+        let found = file.scene.plasticity_index().unwrap();
+        assert!((found / index - 1.0).abs() < 0.05, "{name}: {found}");
+        assert_ne!(simplest(&file), "gw");
+    }
+}
+
+#[test]
+fn the_real_area_under_the_loads_is_that_of_the_hardness() {
+    // Fully plastic contacts carry H: A/A_n = p/H, and somewhat more before they are.
+    for (name, load) in [("wheel-rail.toml", 100e3), ("bolted-joint.toml", 20e3)] {
+        let file = example(name);
+        let request = Request::new([Quantity::Force, Quantity::Area]);
+        let compiled = file.model("ke").unwrap().compile(&file.scene, &request).unwrap();
+        let found = compiled.separations_at(load).unwrap();
+        let area = compiled.evaluate(Quantity::Area, found[0]).unwrap().value();
+        let (hardness, _, _) = file.scene.interface.check().unwrap();
+        let ratio = area * hardness / load;
+        assert!(found.len() == 1 && (1.0..1.3).contains(&ratio), "{name}: {found:?} {ratio}");
+    }
+}

@@ -1,0 +1,10 @@
+//! Tests of scene files, in one binary: it is linked once, and they run side by side.
+#![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+mod examples;
+mod hostile;
+mod measured;
+mod options;
+mod scene_files;
+mod tabulated_heights;
+mod written;

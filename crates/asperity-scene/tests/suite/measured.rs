@@ -1,0 +1,144 @@
+//! Scenes whose surface is a measured file.
+
+use std::path::{Path, PathBuf};
+
+use asperity::{Quantity, Request};
+use asperity_scene::{SceneError, SceneFile, load};
+use asperity_topography::{Estimator, Level, ReadOptions, Statistics, read};
+
+const HEAD: &str = "nominal_area = 1e-4
+rigid_counterface = true
+[[body]]
+youngs_modulus = 210e9
+poissons_ratio = 0.3
+hardness = 2e9
+[surface]
+";
+
+fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+fn scene(directory: &Path, surface: &str) -> Result<SceneFile, SceneError> {
+    let path = directory.join("scene.toml");
+    std::fs::write(&path, format!("{HEAD}{surface}\n")).unwrap();
+    load(&path)
+}
+
+#[test]
+fn what_is_wrong_with_a_measured_surface_is_said_with_line_and_field() {
+    let directory = directory("measured-errors");
+    std::fs::write(directory.join("empty.txt"), "").unwrap();
+    std::fs::write(
+        directory.join("a.txt"),
+        format!("# Width: 1 um\n# Height: 1 um\n# Value units: nm\n{}", scan(1.0)),
+    )
+    .unwrap();
+    let mut failures = String::new();
+    for (surface, wanted) in [
+        ("file = 3", ":8: surface.file is 3: the path of a file, in quotes (text, NumPy"),
+        ("file = \"absent.x3p\"", ":8: surface.file: "),
+        ("file = \"absent.x3p\"", "absent.x3p"),
+        ("file = \"empty.txt\"", "empty.txt: "),
+        (
+            "files = \"a\"",
+            ":8: surface.files is \"a\": a list (the two that are pressed together) was",
+        ),
+        ("files = [\"a\"]", ":8: surface.files is a list of 1: a list of two paths"),
+        ("files = [\"a\", 3]", "surface.files"),
+        ("files = [\"empty.txt\", \"b\"]", ":8: surface.files[1]: "),
+        (
+            "file = \"a\"\nfiles = [\"a\", \"b\"]",
+            "surface.file and surface.files (line 9) exclude each other",
+        ),
+        (
+            "file = \"a\"\nm0 = 1e-12",
+            "surface.m0 and surface.file (line 8) exclude each other: exactly one way",
+        ),
+        (
+            "file = \"a\"\nasperity_height_std = 1e-6",
+            "surface.asperity_height_std and surface.file (line 8)",
+        ),
+        ("file = \"a\"\nunit = \"miles\"", ":9: surface.unit is \"miles\": one of \"m\", \"cm\", "),
+        ("file = \"a\"\nunit = \"Um\"", "did you mean \"um\"?"),
+        (
+            "file = \"a\"\npixel_size = \"1 um\"",
+            ":9: surface.pixel_size is \"1 um\": a length in the unit",
+        ),
+        ("file = \"a\"\npixel_size = 0", "surface.pixel_size is 0.0: a finite length above 0"),
+        ("file = \"a\"\npixel_size = [1, 2, 3]", "surface.pixel_size is [1, 2, 3]: a length"),
+        (
+            "file = \"a\"\npixel_size = [1, nan]",
+            "surface.pixel_size is NaN: a finite length above 0",
+        ),
+        ("file = \"a\"\nestimator = \"sumits\"", "did you mean \"summits\"?"),
+        ("file = \"a\"\nlevel = \"plain\"", "did you mean \"plane\"?"),
+        ("file = \"a.txt\"\nfilter = -1", ":9: surface.filter is -1.0: a length of at least two"),
+        ("file = \"a\"\nmax_missing = 10", ":9: surface.max_missing is 10.0: a share from 0 to 1"),
+        (
+            "files = [\"a\", \"b\"]\nestimator = \"summits\"",
+            "surface.estimator and surface.files (line 8) exclude each other: estimator = \"moments\"",
+        ),
+    ] {
+        let message = scene(&directory, surface).unwrap_err().to_string();
+        if !message.contains(wanted) || message.contains('\n') {
+            failures += &format!("{message}\n  lacks: {wanted}\n");
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}
+
+/// Heights \[nm\] of 96 x 96 points, as text: waves in many directions.
+fn scan(phase: f64) -> String {
+    let waves: Vec<[f64; 3]> = (0..40)
+        .map(|k| {
+            let (turn, size) = (2.399_963 * f64::from(k), 0.2 + 0.4 * f64::from(k % 7) / 7.0);
+            [size * turn.cos(), size * turn.sin(), phase * f64::from(k * k)]
+        })
+        .collect();
+    let height = |x: i32, y: i32| {
+        let wave = |[a, b, c]: &[f64; 3]| (a * f64::from(x) + b * f64::from(y) + c).cos();
+        100.0 * waves.iter().map(wave).sum::<f64>()
+    };
+    let row = |y| (0..96).map(|x| format!("{:.4}", height(x, y))).collect::<Vec<_>>().join("\t");
+    (0..96).map(|y| row(y) + "\n").collect()
+}
+
+#[test]
+fn files_become_the_surfaces_that_topography_makes_of_them() {
+    let directory = directory("measured-files");
+    let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
+    std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
+    std::fs::write(directory.join("b.txt"), header.to_string() + &scan(2.7)).unwrap();
+    std::fs::write(directory.join("bare.txt"), scan(5.1)).unwrap();
+
+    let statistics = |name: &str| {
+        let topography = read(&directory.join(name), &ReadOptions::default()).unwrap();
+        topography.level(Level::Plane).unwrap().statistics(Estimator::Moments).unwrap()
+    };
+    let (a, b) = (statistics("a.txt"), statistics("b.txt"));
+    let one = scene(&directory, "file = \"a.txt\"").unwrap();
+    assert_eq!(one.scene.surface, a.surface());
+    assert!(one.warnings.len() == a.warnings.len());
+    let both = scene(&directory, "files = [\"a.txt\", \"b.txt\"]").unwrap();
+    assert_eq!(both.scene.surface, Statistics::combined(&a, &b).unwrap().surface());
+
+    let bare = scene(&directory, "file = \"bare.txt\"").unwrap_err().to_string();
+    assert!(bare.contains("scene.toml:8: surface.file: ") && bare.contains("bare.txt"), "{bare}");
+    let told = scene(&directory, "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = 1000").unwrap();
+    assert!((told.scene.surface.asperity_radius / a.asperity_radius - 1.0).abs() < 1e-9);
+    let wide = "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = [1000, 2000]";
+    let wide = scene(&directory, wide).unwrap().scene.surface;
+    assert!(wide.asperity_radius > 1.1 * a.asperity_radius);
+
+    let from = scene(&directory, "file = \"a.txt\"\nseparation_from = \"surface-mean\"").unwrap();
+    assert!((from.scene.mean_plane_offset() - a.surface().mean_plane_offset()).abs() < 1e-15);
+    assert!(
+        from.model("ke")
+            .unwrap()
+            .solve(&from.scene, &Request::new([Quantity::Force]).at([1.0]))
+            .is_ok()
+    );
+}

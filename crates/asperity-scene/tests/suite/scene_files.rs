@@ -1,0 +1,386 @@
+//! What a scene file may say, and what it is told when it errs.
+
+use std::path::{Path, PathBuf};
+
+use asperity::{
+    Body, Datum, HeightDistribution, Interface, ProfileMoments, SeparationUnit, Surface,
+};
+use asperity_scene::{SceneError, SceneFile, load, parse};
+
+const INTERFACE: &str = "[interface]
+equivalent_modulus = 116e9
+equivalent_shear_modulus = 41e9
+poissons_ratio = 0.31
+hardness = 1.12e9
+";
+const SURFACE: &str = "[surface]
+asperity_radius = 3.59e-4
+asperity_density = 1.11e8
+asperity_height_std = 1e-6
+";
+
+fn text(top: &str, interface: &str, surface: &str) -> String {
+    format!("nominal_area = 3e-5\n{top}\n{interface}\n{surface}\n")
+}
+
+fn read(text: &str) -> Result<SceneFile, SceneError> {
+    parse(text, Path::new("."))
+}
+
+fn message(text: &str) -> String {
+    read(text).unwrap_err().to_string()
+}
+
+/// A fresh directory for the files of one test.
+fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+#[test]
+fn the_scene_of_the_manual_is_read_as_it_stands() {
+    let file = read(&text("", INTERFACE, SURFACE)).unwrap();
+    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+    interface.equivalent_shear_modulus = Some(41e9);
+    assert_eq!(file.scene.interface, interface);
+    assert_eq!(file.scene.surface, Surface::new(3.59e-4, 1.11e8, 1e-6));
+    assert!(matches!(file.scene.heights, HeightDistribution::Gaussian));
+    assert_eq!((file.separation_from, file.warnings.len()), (Datum::AsperityMean, 0));
+    let integers = text("", &INTERFACE.replace("116e9", "116_000_000_000"), SURFACE);
+    assert_eq!(read(&integers).unwrap().scene.interface, interface);
+}
+
+#[test]
+fn two_bodies_and_a_rigid_counterface_give_the_librarys_interfaces() {
+    let soft = "[[body]]\nyoungs_modulus = 70e9\npoissons_ratio = 0.33\nyield_strength = 300e6\n";
+    let hard = "[[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 7e9\nyield_strength = 2e9\n";
+    let a = Body::yielding(70e9, 0.33, 300e6);
+    let mut b = Body::new(210e9, 0.3, 7e9);
+    b.yield_strength = Some(2e9);
+    let both = read(&text("", &format!("{soft}{hard}"), SURFACE)).unwrap();
+    assert_eq!(both.scene.interface, Interface::between(&a, &b).unwrap());
+    assert_eq!(both.scene.interface.yield_strength, Some(300e6), "of the softer body");
+    let rigid = read(&text("rigid_counterface = true", hard, SURFACE)).unwrap();
+    assert_eq!(rigid.scene.interface, Interface::against_rigid(&b).unwrap());
+    let false_is_two = read(&text("rigid_counterface = false", &format!("{soft}{hard}"), SURFACE));
+    assert_eq!(false_is_two.unwrap().scene.interface, both.scene.interface);
+}
+
+#[test]
+fn the_four_ways_lead_to_the_librarys_surfaces() {
+    let interface = read(&text("", INTERFACE, SURFACE)).unwrap().scene.interface;
+    let index =
+        "[surface]\nplasticity_index = 6\nroughness_parameter = 0.04\nasperity_height_std = 1e-6";
+    assert_eq!(
+        read(&text("", INTERFACE, index)).unwrap().scene.surface,
+        Surface::from_plasticity_index(6.0, 0.04, 1e-6, &interface).unwrap()
+    );
+    let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 5e4 };
+    assert_eq!(
+        read(&text("", INTERFACE, "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 5e4"))
+            .unwrap()
+            .scene
+            .surface,
+        Surface::from_moments(&moments).unwrap()
+    );
+}
+
+#[test]
+fn separations_from_the_mean_plane_are_moved_by_its_offset() {
+    let from = format!("{SURFACE}separation_from = \"surface-mean\"\n");
+    let file = read(&text("", INTERFACE, &from)).unwrap();
+    let offset = file.scene.surface.mean_plane_offset();
+    assert!((file.scene.mean_plane_offset() - offset).abs() < 1e-20 && offset > 1e-6);
+    let given = file.separation(3.0, SeparationUnit::Sigma);
+    assert_eq!(given.from, Datum::SurfaceMean);
+    let inner = given.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, &file.scene).unwrap();
+    assert!((inner.value - (3.0 - offset / 1e-6)).abs() < 1e-12);
+    let exponential = message(&text("", INTERFACE, &format!("{from}heights = \"exponential\"\n")));
+    assert!(exponential.contains("surface.separation_from and surface.heights"), "{exponential}");
+}
+
+#[test]
+fn every_error_names_line_and_field_and_what_is_needed() {
+    let bodies = "[[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n";
+    let two = format!("{bodies}{}", bodies.replace("0.3", "0.7"));
+    let with = |line: &str| format!("{SURFACE}{line}\n");
+    let cases: Vec<(String, &[&str])> = vec![
+        (
+            text("", INTERFACE, &SURFACE.replace("asperity_radius", "asperity_radus")),
+            &[
+                "line 10: surface.asperity_radus is not known",
+                "did you mean \"asperity_radius\"?",
+                "m4",
+            ],
+        ),
+        (
+            text("", &format!("{INTERFACE}nominal_area = 1\n"), SURFACE),
+            &["line 8: interface.nominal_area is not known: it belongs to the top of the file"],
+        ),
+        (
+            text("[grains]", INTERFACE, SURFACE),
+            &["line 2: grains is not known: the keys here are nominal_area"],
+        ),
+        (text("interfaces = 3", INTERFACE, SURFACE), &["did you mean \"interface\"?"]),
+        (
+            text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 um\"")),
+            &[
+                "line 12: surface.asperity_height_std is \"1 um\": a number in SI units, without quotes (m, ",
+            ],
+        ),
+        (
+            text("", INTERFACE, &SURFACE.replace("1e-6", "-1e-6")),
+            &[
+                "line 12: surface.asperity_height_std is -1e-6: a finite number above 0 was required",
+            ],
+        ),
+        (
+            text("", INTERFACE, &SURFACE.replace("1e-6", "nan")),
+            &["line 12: surface.asperity_height_std is NaN"],
+        ),
+        (
+            text("", INTERFACE, &SURFACE.replace("1e-6", "1e999")),
+            &["line 12: surface.asperity_height_std is 1e999: a number of at most 1.8e308"],
+        ),
+        (
+            text("", &INTERFACE.replace("0.31", "0.6"), SURFACE),
+            &["line 6: interface.poissons_ratio is 0.6: a number above -1 and at most 0.5"],
+        ),
+        (
+            text("", &INTERFACE.replace("hardness = 1.12e9", ""), SURFACE),
+            &[
+                "line 3: interface.hardness is missing: every interface (or yield_strength) needs it",
+            ],
+        ),
+        (text("", &two, SURFACE), &["line 9: body[2].poissons_ratio is 0.7"]),
+        (text("", bodies, SURFACE), &["body[2] is missing", "rigid_counterface = true"]),
+        (
+            text("rigid_counterface = true", &two.replace("0.7", "0.3"), SURFACE),
+            &["line 2: rigid_counterface and body (line 3) exclude each other: one [[body]]"],
+        ),
+        (
+            text("rigid_counterface = true", INTERFACE, SURFACE),
+            &["line 2: rigid_counterface and interface (line 3) exclude each other"],
+        ),
+        (
+            text("rigid_counterface = 1", bodies, SURFACE),
+            &["line 2: rigid_counterface is 1: true or false was required"],
+        ),
+        (text("", &bodies.repeat(3), SURFACE), &["body is a list of 3: two tables [[body]]"]),
+        (text("body = 3", "", SURFACE), &["line 2: body is 3: a list (two of them"]),
+        (
+            text("", &format!("{INTERFACE}{bodies}"), SURFACE),
+            &["line 3: interface and body (line 8) exclude each other: either [interface]"],
+        ),
+        (
+            text("", "", SURFACE),
+            &["interface is missing: either [interface]", "(one with rigid_counterface = true)"],
+        ),
+        (text("", INTERFACE, ""), &["surface is missing"]),
+        (
+            text("surface = 3", INTERFACE, ""),
+            &["line 2: surface is 3: a table, [surface], was required"],
+        ),
+        (text("", INTERFACE, "[surface]"), &["line 9: surface is missing: exactly one way"]),
+        (
+            text("", INTERFACE, &with("plasticity_index = 6")),
+            &[
+                "line 10: surface.asperity_radius and surface.plasticity_index (line 13) exclude each other: exactly one way",
+            ],
+        ),
+        (
+            text("", INTERFACE, "[surface]\nm0 = 1e-12\nm4 = 5e4"),
+            &["surface.m2 is missing: m0, m2, m4 go together"],
+        ),
+        (
+            text("", INTERFACE, "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 1.4e4"),
+            &["line 9: surface.roughness_parameter is 0.024", "at least 0.02493"],
+        ),
+        (
+            text("", INTERFACE, "[surface]\nm0 = 1\nm2 = 1\nm4 = 1\nasperity_height_std = 1"),
+            &["surface.asperity_height_std and surface.m0 (line 10) exclude each other"],
+        ),
+        (
+            text("", INTERFACE, &with("unit = \"um\"")),
+            &[
+                "surface.unit and surface.asperity_radius (line 10) exclude each other: a measured file",
+            ],
+        ),
+        (
+            text("", INTERFACE, &with("separation_from = \"surfacemean\"")),
+            &[
+                "did you mean \"surface-mean\"?",
+                "\"asperity-mean\" or \"surface-mean\" was required",
+            ],
+        ),
+        (
+            text("", INTERFACE, &with("heights = \"gausian\"")),
+            &["did you mean \"gaussian\"?", "or { file = \"pdf.csv\" } was required"],
+        ),
+        (
+            text("", INTERFACE, &with("heights = { fil = \"pdf.csv\" }")),
+            &[
+                "line 13: surface.heights is { fil = \"pdf.csv\" }: ",
+                "or { file = \"pdf.csv\" } was",
+            ],
+        ),
+        (text("", INTERFACE, &with("heights = 3")), &["surface.heights is 3: \"gaussian\" or"]),
+        (
+            text("", INTERFACE, &with("heights = { file = \"absent.csv\" }")),
+            &["line 13: surface.heights.file = \"./absent.csv\" cannot be read: "],
+        ),
+        (
+            text("", INTERFACE, &with("[options]\nstick = \"clampd\"")),
+            &[
+                "line 14: options.stick is \"clampd\" (did you mean \"clamped\"?): \"clamped\" or \"unlimited\"",
+            ],
+        ),
+        (
+            text("", INTERFACE, &with("[options]\nangle_density = { a20 = 3, a21 = 0, b21 = 0 }")),
+            &["line 14: options.angle_density.a20 is 3.0: from -1 to 2"],
+        ),
+        (
+            text("", INTERFACE, &with("[options]\ndisplacement = { zeta = 1 }")),
+            &["line 14: options.displacement is { zeta = 1 }: ", "or { zeta = 0.1, xi = 0.1 }"],
+        ),
+        (
+            text("", INTERFACE, &with("[options]\ndisplacement = { zeta = 1, xi = -1 }")),
+            &["line 14: options.displacement.xi is -1.0: a finite number, at least 0"],
+        ),
+        (
+            text("", INTERFACE, &with("[options]\ndisplacement = { zeta = 1, xi = 1, eta = 1 }")),
+            &["line 14: options.displacement is { zeta = 1, xi = 1, eta = 1 }: "],
+        ),
+        (
+            text("", INTERFACE, &with("[options.displacement]\nzeta = 1\n")),
+            &["line 13: options.displacement is [options.displacement]: \"vertical\" or \"none\""],
+        ),
+        (
+            text("surface = { m0 = 1, \"m 2\" = 3 }", INTERFACE, ""),
+            &["line 2: surface.m 2 is not known (did you mean \"m2\"?)"],
+        ),
+        (
+            text("", "[interface]\nequivalent_modulus = 1e9", SURFACE),
+            &["line 3: interface.poissons_ratio is missing: of the softer body"],
+        ),
+        (
+            text("", INTERFACE, &with("[options]\nforce = 3")),
+            &["options.force is 3: a word in quotes"],
+        ),
+        (text("", INTERFACE, &with("[options]\nat_readin = 3")), &["did you mean \"at_reading\"?"]),
+        (
+            text("", INTERFACE, &with("asperity_radius = 1")),
+            &["line 13: TOML: duplicate key: \"asperity_radius = 1\" was found"],
+        ),
+        ("nominal_area = ".into(), &["line 1: TOML: "]),
+        (String::new(), &["line 1: nominal_area is missing: m^2, the apparent area of contact"]),
+        (format!("{INTERFACE}{SURFACE}"), &["line 1: nominal_area is missing: m^2, the app"]),
+        ("[surface]\nm0 = 1".into(), &["line 1: nominal_area is missing"]),
+        ("nominal_area = 1".into(), &["line 1: surface is missing: the rough surface, in exactly"]),
+        (
+            text("", INTERFACE, SURFACE).replace("3e-5", "0"),
+            &["line 1: nominal_area is 0.0: a finite number above 0"],
+        ),
+    ];
+    let mut failures = String::new();
+    for (text, parts) in cases {
+        let message = message(&text);
+        for part in parts.iter().filter(|part| !message.contains(**part) || message.contains('\n'))
+        {
+            failures += &format!("{message}\n  lacks: {part}\n");
+        }
+    }
+    assert!(failures.is_empty(), "{failures}");
+}
+
+#[test]
+fn errors_of_files_name_the_file() {
+    let directory = directory("names");
+    let path = directory.join("scene.toml");
+    std::fs::write(&path, text("", INTERFACE, &SURFACE.replace("1e-6", "0"))).unwrap();
+    let message = load(&path).unwrap_err().to_string();
+    let wanted = format!("{}:12: surface.asperity_height_std is 0.0: ", path.display());
+    assert!(message.starts_with(&wanted), "{message}");
+    for (name, bytes) in [("utf16.toml", &b"\xff\xfe\x00"[..]), ("big.toml", &[b'#'; 1_100_000])] {
+        let path = directory.join(name);
+        std::fs::write(&path, bytes).unwrap();
+        let message = load(&path).unwrap_err().to_string();
+        assert!(message.contains(name) && message.contains("cannot be read"), "{message}");
+    }
+    assert!(load(&directory).unwrap_err().to_string().contains("cannot be read"));
+    assert!(load(Path::new("absent.toml")).unwrap_err().to_string().starts_with("absent.toml: "));
+}
+
+#[test]
+fn a_table_of_heights_is_found_beside_the_scene_and_keeps_its_metres() {
+    let directory = directory("heights");
+    // Triangular, of standard deviation sqrt(6)/6 of its half width, mean 2e-6.
+    let table = "# measured\nheight_m, density_per_m\n0,0\n2e-6,5e5\n4e-6,0\n";
+    std::fs::write(directory.join("pdf.csv"), table).unwrap();
+    let read = |lines: &str| {
+        let surface = format!(
+            "[surface]\nasperity_radius = 3.59e-4\nasperity_density = 1.11e8\nheights = {{ file = \"pdf.csv\" }}\n{lines}"
+        );
+        std::fs::write(directory.join("scene.toml"), text("", INTERFACE, &surface)).unwrap();
+        load(&directory.join("scene.toml"))
+    };
+    let std = 2e-6 / 6f64.sqrt();
+    let own = read("").unwrap();
+    assert!((own.scene.surface.asperity_height_std / std - 1.0).abs() < 1e-12);
+    assert!(own.warnings.is_empty(), "{:?}", own.warnings);
+    let other = read("asperity_height_std = 1e-6").unwrap();
+    assert!(
+        other.warnings.len() == 1 && other.warnings[0].contains("8.1650e-7 m"),
+        "{:?}",
+        other.warnings
+    );
+    // The same metres of separation, the same force, whatever the unit.
+    let force = |file: &SceneFile, metres: f64| {
+        let request = asperity::Request::new([asperity::Quantity::Force]).at_metres([metres]);
+        let answer = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
+        answer.values(asperity::Quantity::Force).unwrap()[0]
+    };
+    assert!((force(&own, 0.5e-6) / force(&other, 0.5e-6) - 1.0).abs() < 1e-12);
+    // Its mean is the offset from the plane that its heights are measured from.
+    let plane = read("separation_from = \"surface-mean\"").unwrap();
+    assert!((plane.scene.mean_plane_offset() - 2e-6).abs() < 1e-18);
+    std::fs::write(directory.join("pdf.csv"), "height_m,density_per_m\n-2e-6,0\n0,1\n2e-6,0\n")
+        .unwrap();
+    let centred = read("separation_from = \"surface-mean\"").unwrap_err().to_string();
+    assert!(centred.contains("this one's mean is 0"), "{centred}");
+    let normalised = read("").unwrap().warnings;
+    assert!(normalised[0].contains("the table's integral is 2.0000e-6, not 1"), "{normalised:?}");
+    let unit = read("asperity_height_std = 1").unwrap_err().to_string();
+    assert!(
+        unit.contains("surface.heights is a table") && unit.contains("heights in metres"),
+        "{unit}"
+    );
+}
+
+#[test]
+fn tables_of_heights_that_are_none_are_refused_with_their_line() {
+    let directory = directory("bad-heights");
+    let surface = format!("{SURFACE}heights = {{ file = \"pdf.csv\" }}\n");
+    std::fs::write(directory.join("scene.toml"), text("", INTERFACE, &surface)).unwrap();
+    let long: String = (0..10_001).map(|k| format!("{k},1\n")).collect();
+    for (table, wanted) in [
+        ("", "pdf.csv:1: the header is \"\": \"height_m,density_per_m\""),
+        ("z,p\n0,1\n1,1\n", "pdf.csv:1: the header is \"z,p\""),
+        ("height_m,density_per_m\n", "pdf.csv: number of points is 0.0: at least 2"),
+        ("height_m,density_per_m\n0,1\n\n1e-6,x\n", "pdf.csv:4: density_per_m is \"x\": a number"),
+        ("height_m,density_per_m\n0,1\n1e-6,-1\n", "pdf.csv:3: density_per_m is -1.0"),
+        ("height_m,density_per_m\n0,1\n#\n1e-6,1\n0,1\n", "pdf.csv:5: height_m is 0.0"),
+        ("height_m,density_per_m\n0,1\n1e-6\n", "pdf.csv:3: the row is \"1e-6\": two numbers"),
+        ("height_m,density_per_m\n0,0\n1e-6,0\n", "pdf.csv: integral of density_per_m is 0.0"),
+        (
+            &format!("height_m,density_per_m\n{long}"),
+            "pdf.csv:10002: CSV: there are more than 10000",
+        ),
+    ] {
+        std::fs::write(directory.join("pdf.csv"), table).unwrap();
+        let message = load(&directory.join("scene.toml")).unwrap_err().to_string();
+        assert!(message.contains(wanted), "{message}\nlacks: {wanted}");
+        assert!(!message.contains('\n'), "{message}");
+    }
+}

@@ -1,0 +1,190 @@
+//! Small files of every format, written here, are read back.
+
+#![allow(clippy::float_cmp, reason = "tests")]
+
+use std::io::Write;
+
+use asperity_topography::{LengthUnit, ReadOptions, Topography, read, read_bytes};
+
+use crate::files::{Sur, X3p, x3p_of};
+
+/// 5 columns, 4 rows, heights that tell row and column.
+const HEIGHTS: [f64; 20] =
+    [0., 1., 2., 3., 4., 10., 11., 12., 13., 14., 20., 21., 22., 23., 24., 30., 31., 32., 33., 34.];
+
+fn in_um(pixel_size: [f64; 2]) -> ReadOptions {
+    ReadOptions {
+        unit: Some(LengthUnit::Micrometre),
+        pixel_size: Some(pixel_size),
+        ..ReadOptions::default()
+    }
+}
+
+fn check(surface: &Topography, unit: f64, pixel_size: [f64; 2]) {
+    assert_eq!((surface.columns(), surface.rows()), (5, 4));
+    for (found, expected) in surface.heights().iter().zip(HEIGHTS) {
+        assert!((found / unit - expected).abs() < 1e-9, "{found:e} is not {expected} {unit:e}");
+    }
+    for (found, expected) in surface.pixel_size().iter().zip(pixel_size) {
+        assert!((found / expected - 1.0).abs() < 1e-6, "{found:e} {expected:e}");
+    }
+}
+
+fn lines(delimiter: &str) -> String {
+    let row = |row: &[f64]| row.iter().map(f64::to_string).collect::<Vec<_>>().join(delimiter);
+    HEIGHTS.chunks(5).map(|heights| row(heights) + "\n").collect()
+}
+
+fn message(name: &str, bytes: &[u8], options: &ReadOptions) -> String {
+    read_bytes(name, bytes, options).unwrap_err().to_string()
+}
+
+#[test]
+fn matrices_with_and_without_header() {
+    for delimiter in [" ", "\t", ",", "; "] {
+        let bare = read_bytes("a.txt", lines(delimiter).as_bytes(), &in_um([0.5, 0.25])).unwrap();
+        check(&bare, 1e-6, [5e-7, 2.5e-7]);
+    }
+    // n pixels of size/n; the header's µ in UTF-8 and in Latin 1.
+    let head = "# Channel: Z\n# Width: 10.00 µm\n# Height: 4 um\n# Value units: nm\n";
+    let text = head.to_owned() + &lines("\t");
+    check(
+        &read_bytes("a.txt", text.as_bytes(), &ReadOptions::default()).unwrap(),
+        1e-9,
+        [2e-6, 1e-6],
+    );
+    let latin: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    check(&read_bytes("a.txt", &latin, &ReadOptions::default()).unwrap(), 1e-9, [2e-6, 1e-6]);
+    // The unit alone: the pixel size is asked for, in that unit.
+    let text = "\\Exported image units: nm\n".to_owned() + &lines(" ");
+    let asked = message("a.txt", text.as_bytes(), &ReadOptions::default());
+    assert!(asked.contains("pixel_size"), "{asked}");
+    let options = ReadOptions { pixel_size: Some([3.0, 4.0]), ..ReadOptions::default() };
+    check(&read_bytes("a.txt", text.as_bytes(), &options).unwrap(), 1e-9, [3e-9, 4e-9]);
+    let wrong = message("a.txt", b"# Value units: V\n1 2 3 4\n", &in_um([1.0; 2]));
+    assert!(wrong.starts_with("line 1: \"Value units: V\""), "{wrong}");
+}
+
+#[test]
+fn points_of_a_grid() {
+    let mut text = String::from("x_mm,y_mm,z_nm\n");
+    for i in (0..20).map(|i| (i * 7) % 20) {
+        let (x, y) = (0.1 * (i % 5) as f64, 0.2 * (i / 5) as f64);
+        text += &format!("{x:.3},{y:.3},{}\n", HEIGHTS[i]);
+    }
+    let surface = read_bytes("a.xyz", text.as_bytes(), &ReadOptions::default()).unwrap();
+    check(&surface, 1e-9, [1e-4, 2e-4]);
+    // Without a header all three are in the unit asked for.
+    let bare: String = text.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
+    assert!(message("a.xyz", bare.as_bytes(), &ReadOptions::default()).contains("--unit"));
+    let options = ReadOptions { unit: Some(LengthUnit::Millimetre), ..ReadOptions::default() };
+    check(&read_bytes("a.xyz", bare.as_bytes(), &options).unwrap(), 1e-3, [1e-4, 2e-4]);
+    // A point that is not there is missing.
+    let holed: String = bare.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
+    let surface = read_bytes("a.xyz", holed.as_bytes(), &options).unwrap();
+    assert!((surface.missing_share() - 0.05).abs() < 1e-12 && surface.heights()[0].is_nan());
+}
+
+#[test]
+fn profiles() {
+    let text = "x [mm]; z [µm]\n0;1.5\n0.01;2.5\n0.02;nan\n0.03;4.5\n";
+    let options = ReadOptions { max_missing: 0.25, ..ReadOptions::default() };
+    let profile = read_bytes("a.csv", text.as_bytes(), &options).unwrap();
+    assert!(profile.is_profile());
+    assert!((profile.pixel_size()[0] / 1e-5 - 1.0).abs() < 1e-12);
+    assert!((profile.heights()[3] / 4.5e-6 - 1.0).abs() < 1e-12 && profile.heights()[2].is_nan());
+    let column = read_bytes("a.csv", b"1\n2\n3\n", &in_um([0.5, 9.0])).unwrap();
+    assert!(column.is_profile() && (column.pixel_size()[0] / 5e-7 - 1.0).abs() < 1e-12);
+    let row = read_bytes("a.txt", b"1 2 3 4 5", &in_um([0.5, 9.0])).unwrap();
+    assert_eq!((row.is_profile(), row.columns()), (true, 5));
+    let uneven = message("a.csv", b"0,1\n1,2\n3,3\n", &in_um([1.0; 2]));
+    assert!(uneven.starts_with("x: 1.0 as place 2 of 3"), "{uneven}");
+}
+
+#[test]
+fn numpy_arrays() {
+    let options = in_um([0.5, 0.25]);
+    for array in [
+        &include_bytes!("numpy/f8.npy")[..],
+        include_bytes!("numpy/f4.npy"),
+        include_bytes!("numpy/u1.npy"),
+        include_bytes!("numpy/i2.npy"),
+        include_bytes!("numpy/big-endian.npy"),
+        include_bytes!("numpy/fortran.npy"),
+        include_bytes!("numpy/version-2.npy"),
+        include_bytes!("numpy/version-3.npy"),
+    ] {
+        check(&read_bytes("a.npy", array, &options).unwrap(), 1e-6, [5e-7, 2.5e-7]);
+        assert!(message("a.npy", array, &ReadOptions::default()).contains("--unit"));
+    }
+    let archive = message("a.npz", include_bytes!("numpy/archive.npz"), &options);
+    assert!(
+        archive.starts_with("npz file: an archive of arrays (heights.npy, x.npy)"),
+        "{archive}"
+    );
+}
+
+#[test]
+fn x3p_archives() {
+    let doubles: Vec<u8> = HEIGHTS.iter().flat_map(|z| (z * 1e-6).to_le_bytes()).collect();
+    let surface = x3p_of(&X3p { data: doubles.clone(), ..X3p::default() });
+    check(&read_bytes("a.x3p", &surface, &ReadOptions::default()).unwrap(), 1e-6, [5e-7, 2.5e-7]);
+    // The options may say the same, and nothing else.
+    let options = ReadOptions { unit: Some(LengthUnit::Metre), ..ReadOptions::default() };
+    assert!(read_bytes("a.x3p", &surface, &options).is_ok());
+    let unit = message("a.x3p", &surface, &in_um([0.5, 0.25]));
+    assert!(unit.starts_with("unit is um, but the file says m"), "{unit}");
+    // Whole numbers with a step and an offset, points valid but one.
+    let data = HEIGHTS.iter().flat_map(|z| (*z as i16 - 100).to_le_bytes()).collect();
+    let whole = X3p {
+        data,
+        kind: "I",
+        of_z: "<Increment>1e-6</Increment><Offset>1e-4</Offset>",
+        valid: Some(vec![0xff, 0xdf, 0x0f]),
+        ..X3p::default()
+    };
+    let surface = read_bytes("a.x3p", &x3p_of(&whole), &ReadOptions::default()).unwrap();
+    assert!(surface.heights()[13].is_nan() && (surface.missing_share() - 0.05).abs() < 1e-12);
+    assert!((surface.heights()[14] / 24e-6 - 1.0).abs() < 1e-9);
+    // A profile.
+    let profile = X3p { data: doubles, size: [20, 1], feature: "PRF", ..X3p::default() };
+    let profile = read_bytes("a.x3p", &x3p_of(&profile), &ReadOptions::default()).unwrap();
+    assert!(profile.is_profile() && profile.columns() == 20);
+}
+
+#[test]
+fn digital_surf_files() {
+    let options = ReadOptions::default();
+    let sur = Sur::default();
+    check(&read_bytes("a.sur", &sur.bytes(&HEIGHTS), &options).unwrap(), 1.25e-7, [5e-6, 2.5e-6]);
+    let short = Sur { bits: 16, comment: 300, ..Sur::default() };
+    check(&read_bytes("a.sur", &short.bytes(&HEIGHTS), &options).unwrap(), 1.25e-7, [5e-6, 2.5e-6]);
+    // µ as in MS-DOS; upside down; points that were not measured.
+    let mut heights = HEIGHTS.map(|z| -z);
+    (heights[7], heights[12]) = (-36.0, -36.0);
+    let holes = Sur { unit: b"\xe6m", inversion: 1, lowest: Some(-34), ..Sur::default() };
+    let surface = read_bytes("a.sur", &holes.bytes(&heights), &options).unwrap();
+    assert!(surface.heights()[7].is_nan() && surface.heights()[12].is_nan());
+    assert!((surface.missing_share() - 0.1).abs() < 1e-12);
+    assert!((surface.heights()[19] / 4.25e-6 - 1.0).abs() < 1e-6);
+    let packed = message("a.sur", b"DSCOMPRESSED and so on", &options);
+    assert!(packed.contains("uncompressed"), "{packed}");
+    let volt = Sur { unit: b"V", ..Sur::default() };
+    let volt = message("a.sur", &volt.bytes(&HEIGHTS), &options);
+    assert!(volt.contains("unit of") && volt.contains("\"V\""), "{volt}");
+}
+
+#[test]
+fn files_are_named_in_their_errors() {
+    let folder = std::env::temp_dir().join(format!("asperity-topography-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("scan.txt");
+    std::fs::File::create(&path).unwrap().write_all(lines(" ").as_bytes()).unwrap();
+    check(&read(&path, &in_um([0.5, 0.25])).unwrap(), 1e-6, [5e-7, 2.5e-7]);
+    let error = read(&path, &ReadOptions::default()).unwrap_err().to_string();
+    assert!(error.contains("scan.txt: the file does not say the unit"), "{error}");
+    let error = read(&folder.join("none.txt"), &ReadOptions::default()).unwrap_err().to_string();
+    assert!(error.contains("none.txt: cannot be read"), "{error}");
+    assert!(read(&folder, &ReadOptions::default()).is_err());
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -1,0 +1,280 @@
+//! Broken and hostile files end in an error that says what was wrong.
+
+use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, read_bytes};
+use proptest::prelude::*;
+
+use crate::files::{Sur, X3p, archive, x3p_of};
+
+/// Everything allowed, so that little is refused for its units.
+fn lenient() -> ReadOptions {
+    ReadOptions { unit: Some(LengthUnit::Micrometre), pixel_size: Some([1.0; 2]), max_missing: 1.0 }
+}
+
+fn refused(name: &str, bytes: &[u8], expected: &str) {
+    let options = match name {
+        "a.x3p" | "a.sur" => ReadOptions::default(),
+        _ => lenient(),
+    };
+    let message = read_bytes(name, bytes, &options).unwrap_err().to_string();
+    assert!(message.contains(expected), "{name}: {message}");
+    assert!(message.contains("required") || message.contains("but the file says"), "{message}");
+    assert!(message.len() < 600, "{message}");
+}
+
+fn npy(header: &str, data: &[u8]) -> Vec<u8> {
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    bytes.extend((header.len() as u16).to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes.extend(data);
+    bytes
+}
+
+fn npy_of(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    npy(&format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}"), data)
+}
+
+#[test]
+fn empty_and_foreign_files() {
+    for name in ["a.npy", "a.x3p", "a.sur", "a.txt", "a.csv", "a.xyz", "a", ""] {
+        refused(name, b"", "required");
+        refused(name, b"\x00\x01\x02\x03", "required");
+    }
+    refused("a.txt", b"\xff\xfe1\x00 \x002\x00\n\x00", "the format is not known");
+    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a row of numbers");
+}
+
+#[test]
+fn hostile_text() {
+    refused("a.txt", b"1 2 3 4\n1 2 3\n", "line 2 has 3 numbers");
+    refused("a.txt", b"1 2 3 4\n1 2 inf 4\n", "line 2: \"inf\"");
+    refused("a.txt", b"1 2 3 4\n1 2 \xff 4\n", "line 2: \"\u{ff}\"");
+    refused("a.txt", b"1 2 3 4\n1 2 3 1e300\n", "row 1, column 3");
+    refused("a.txt", b"nan nan nan nan\n", "0 points with a height");
+    refused("a.txt", b"# Width: nan um\n1 2 3 4\n", "line 1");
+    refused("a.txt", b"# Width: 1e400 um\n1 2 3 4\n", "line 1");
+    refused("a.txt", b"# Width: -3 um\n1 2 3 4\n", "line 1");
+    refused("a.csv", b"0 1\n1e308 1\n-1e308 2\n", "x: ");
+    refused("a.xyz", b"0 0 1\n1e308 1 1\n-1e308 2 1\n", "x: ");
+    refused("a.xyz", b"0 0 1\n1 0 1\n1e9 1e9 1\n2 5 1\n", "required");
+    refused("a.txt", "x".repeat(100_000).as_bytes(), "a row of numbers");
+}
+
+#[test]
+fn hostile_npy() {
+    let good = npy_of("<f8", "(2, 3)", &[0; 48]);
+    assert!(read_bytes("a.npy", &good, &lenient()).is_ok());
+    for length in 0..good.len() {
+        assert!(read_bytes("a.npy", &good[..length], &lenient()).is_err(), "{length}");
+    }
+    refused("a.npy", &npy_of("<f8", "(4294967295, 4294967295)", &[]), "the number of points is");
+    refused("a.npy", &npy_of("<f8", "(18446744073709551615, 2)", &[]), "the number of points is");
+    refused("a.npy", &npy_of("<f8", "(99999999999999999999, 2)", &[]), "whole numbers");
+    refused("a.npy", &npy_of("<f8", "(-1, 2)", &[]), "whole numbers");
+    refused("a.npy", &npy_of("<f8", "(10000, 10000)", &[0; 64]), "64 bytes");
+    refused("a.npy", &npy_of("<f8", "()", &[0; 8]), "(n,) or (rows, columns)");
+    refused("a.npy", &npy_of("<f8", "(1, 2, 3)", &[0; 48]), "(n,) or (rows, columns)");
+    refused("a.npy", &npy_of("<f8", "(0, 3)", &[]), "0 heights");
+    refused("a.npy", &npy_of("<f8", "(2, 3)", &[0; 49]), "49 bytes");
+    refused("a.npy", &npy_of("|O", "(2, 3)", &[0; 48]), "|O");
+    refused("a.npy", &npy_of("<c16", "(2, 3)", &[0; 96]), "<c16");
+    refused("a.npy", &npy_of("é", "(2, 3)", &[0; 48]), "é");
+    refused("a.npy", &npy(&"(".repeat(9_000), &[]), "plain numbers");
+    let mut gigantic = b"\x93NUMPY\x02\x00\xff\xff\xff\xff".to_vec();
+    gigantic.extend([b' '; 100]);
+    refused("a.npy", &gigantic, "4294967295 bytes");
+    // Read from the wrong end, numbers of a µm are beyond all heights or below all differences.
+    let wrong: Vec<u8> = (1..7).flat_map(|i| f64::from(i).to_be_bytes()).collect();
+    let swapped = read_bytes("a.npy", &npy_of("<f8", "(2, 3)", &wrong), &lenient());
+    let flat = swapped.map(|surface| surface.statistics(Estimator::Moments).is_err());
+    assert!(flat.unwrap_or(true));
+    let infinite: Vec<u8> = (0..6).flat_map(|i| (1.0 / f64::from(i)).to_le_bytes()).collect();
+    refused("a.npy", &npy_of("<f8", "(2, 3)", &infinite), "row 0, column 0");
+}
+
+#[test]
+fn archives_of_numpy_are_called_what_they_are() {
+    let array = npy_of("<f8", "(2, 3)", &[0; 48]);
+    let archive = archive(&[("height.npy", &array), ("x.npy", &array)]);
+    for name in ["a.npz", "a.NPZ", "a.x3p", "a.zip", "a"] {
+        refused(name, &archive, "npz file: an archive of arrays (height.npy, x.npy) was found");
+        refused(name, &archive, "numpy.save(\"scan.npy\", numpy.load(\"scan.npz\")[name])");
+    }
+    refused("a.npz", b"PK\x03\x04", "npz file: an archive of arrays (broken)");
+}
+
+#[test]
+fn options_are_refused_before_a_file_is_read() {
+    let of = |max_missing, dx| ReadOptions { unit: None, pixel_size: Some([1.0, dx]), max_missing };
+    for (options, wanted) in [
+        (of(-0.1, 1.0), "max_missing is -0.1: a share"),
+        (of(f64::NAN, 1.0), "max_missing is NaN: a share"),
+        (of(0.1, 0.0), "pixel_size is 0.0: a finite length above 0"),
+        (of(0.1, f64::NAN), "pixel_size is NaN: a finite length above 0"),
+        (of(0.1, f64::INFINITY), "pixel_size is inf: a finite length above 0"),
+    ] {
+        let message = read_bytes("a.txt", b"", &options).unwrap_err().to_string();
+        assert!(message.starts_with(wanted), "{message}");
+    }
+}
+
+#[test]
+fn hostile_sur() {
+    let heights: Vec<f64> = (0..20).map(f64::from).collect();
+    let good = Sur::default().bytes(&heights);
+    assert!(read_bytes("a.sur", &good, &ReadOptions::default()).is_ok());
+    for length in 0..good.len() {
+        assert!(read_bytes("a.sur", &good[..length], &lenient()).is_err(), "{length}");
+    }
+    let sized = |size| Sur { size, ..Sur::default() }.bytes(&heights);
+    refused("a.sur", &sized([i32::MAX, i32::MAX]), "the number of points is");
+    refused("a.sur", &sized([10_000, 10_000]), "80 bytes after the header");
+    refused("a.sur", &sized([0, 4]), "number of columns: 0");
+    refused("a.sur", &sized([5, -4]), "number of rows: -4");
+    let comment = Sur { comment: 7, ..Sur::default() }.bytes(&heights);
+    refused("a.sur", &comment[..comment.len() - 1], "bytes after the comments");
+    let with = |at: usize, bytes: &[u8]| {
+        let mut broken = good.clone();
+        broken[at..at + bytes.len()].copy_from_slice(bytes);
+        broken
+    };
+    refused("a.sur", &with(12, &[1, 0]), "low byte first");
+    refused("a.sur", &with(98, &[0, 32]), "bits of a point: 8192");
+    refused("a.sur", &with(128, &f32::NAN.to_le_bytes()), "height of one step: NaN");
+    refused("a.sur", &with(120, &f32::INFINITY.to_le_bytes()), "distance of columns: inf");
+    refused("a.sur", &with(124, &0f32.to_le_bytes()), "distance of rows: 0");
+}
+
+#[test]
+fn hostile_x3p() {
+    let data: Vec<u8> = (0..20).flat_map(|i| (f64::from(i) * 1e-6).to_le_bytes()).collect();
+    let good = x3p_of(&X3p { data: data.clone(), ..X3p::default() });
+    assert!(read_bytes("a.x3p", &good, &ReadOptions::default()).is_ok());
+    for length in 0..good.len() {
+        assert!(read_bytes("a.x3p", &good[..length], &lenient()).is_err(), "{length}");
+    }
+    let sized = |size| x3p_of(&X3p { data: data.clone(), size, ..X3p::default() });
+    refused("a.x3p", &sized([u64::MAX, u64::MAX]), "the number of points is");
+    refused("a.x3p", &sized([10_000, 10_000]), "for so many points");
+    refused("a.x3p", &sized([5, 5]), "200 bytes, as main.xml says");
+    refused("a.x3p", &sized([5, 3]), "120 bytes, as main.xml says");
+    refused("a.x3p", &sized([5, 0]), "SizeY: 0");
+    let of_z = |of_z| x3p_of(&X3p { data: data.clone(), of_z, ..X3p::default() });
+    refused("a.x3p", &of_z("<Increment>inf</Increment>"), "CZ Increment: inf");
+    refused("a.x3p", &of_z("<Offset>much</Offset>"), "CZ Offset: much");
+    refused("a.x3p", &x3p_of(&X3p { kind: "X", ..X3p::default() }), "CZ DataType: X");
+    refused("a.x3p", &x3p_of(&X3p { feature: "PCL", ..X3p::default() }), "FeatureType: PCL");
+    let short = X3p { data: data.clone(), valid: Some(vec![0xff; 2]), ..X3p::default() };
+    refused("a.x3p", &x3p_of(&short), "3 bytes, as main.xml says");
+    refused("a.x3p", &archive(&[("other.xml", b"<a/>")]), "main.xml");
+    refused("a.x3p", &archive(&[("main.xml", b"<a/>")]), "FeatureType: nothing");
+    refused("a.x3p", &archive(&[("main.xml", b"<a><b></a>")]), "an XML document");
+    refused("a.x3p", &archive(&[("main.xml", b"\xff\xfe")]), "UTF-8");
+    let xml = X3p::default().xml();
+    refused("a.x3p", &archive(&[("main.xml", xml.as_bytes())]), "bindata/data.bin");
+    // Depth, breadth, and entities that grow.
+    let deep = "<a>".repeat(300_000);
+    refused("a.x3p", &archive(&[("main.xml", deep.as_bytes())]), "an XML document");
+    let broad = format!("<a>{}</a>", "<b/>".repeat(200_000));
+    refused("a.x3p", &archive(&[("main.xml", broad.as_bytes())]), "an XML document");
+    let lol = "<!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \"&b;&b;&b;\">]><a>&c;</a>";
+    refused("a.x3p", &archive(&[("main.xml", lol.as_bytes())]), "an XML document");
+    // A flipped bit is noticed by the checksum.
+    let mut flipped = good.clone();
+    let at = good.windows(8).position(|part| part == 3e-6f64.to_le_bytes());
+    if let Some(at) = at {
+        flipped[at] ^= 1;
+        assert!(read_bytes("a.x3p", &flipped, &ReadOptions::default()).is_err());
+    }
+}
+
+/// Whatever a surface is read from, measuring it does not panic.
+fn measure(name: &str, bytes: &[u8]) {
+    for options in [lenient(), ReadOptions { max_missing: 1.0, ..ReadOptions::default() }] {
+        let Ok(surface) = read_bytes(name, bytes, &options) else { continue };
+        for level in [Level::None, Level::Plane, Level::Quadratic] {
+            let Ok(levelled) = surface.clone().level(level) else { continue };
+            for estimator in [Estimator::Moments, Estimator::Summits] {
+                if let Ok(statistics) = levelled.statistics(estimator) {
+                    assert!(statistics.sq.is_finite() && statistics.surface().check().is_ok());
+                }
+            }
+            let _ = levelled.height_density();
+            let cutoff = 3.0 * levelled.pixel_size()[0];
+            let _ = levelled.filter(cutoff).map(|rough| rough.statistics(Estimator::Moments));
+        }
+    }
+}
+
+/// A good file with some bytes changed and its end cut.
+fn broken(good: Vec<u8>) -> impl Strategy<Value = Vec<u8>> {
+    let n = good.len();
+    let changes = prop::collection::vec((0..n, any::<u8>()), 0..6);
+    (changes, 0..=2 * n).prop_map(move |(changes, end)| {
+        let mut bytes = good.clone();
+        for (at, byte) in changes {
+            bytes[at] = byte;
+        }
+        bytes.truncate(end);
+        bytes
+    })
+}
+
+fn waves(n: i32) -> Vec<f64> {
+    (0..n * n).map(|i| 9.0 * f64::from(i % n).sin() + 7.0 * f64::from(i / n).cos()).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    #[test]
+    fn any_bytes(name in "a\\.(npy|x3p|sur|txt|xyz)", bytes in prop::collection::vec(any::<u8>(), 0..700)) {
+        measure(&name, &bytes);
+    }
+
+    #[test]
+    fn any_text(text in "([-+0-9.eE, ;\t\nna#*x]|nan|1e9|: |um){0,200}") {
+        measure("a.txt", text.as_bytes());
+    }
+
+    #[test]
+    fn any_numbers(rows in prop::collection::vec(prop::array::uniform4(any::<f64>()), 1..20), columns in 1..5usize) {
+        let row = |row: &[f64; 4]| row[..columns].iter().map(|z| format!("{z:e}")).collect::<Vec<_>>().join(" ");
+        measure("a.txt", rows.iter().map(row).collect::<Vec<_>>().join("\n").as_bytes());
+    }
+
+    #[test]
+    fn broken_npy(bytes in broken(npy_of("<f4", "(9, 9)", &waves(9).iter().flat_map(|z| (*z as f32).to_le_bytes()).collect::<Vec<_>>()))) {
+        measure("a.npy", &bytes);
+    }
+
+    #[test]
+    fn any_npy_header(header in "\\{('descr': '[<>|][fiu][1248]', |'fortran_order': (True|False), |'shape': \\([0-9]{1,3}, ?[0-9]{0,20}\\), |[a-z(){}',:]){0,6}\\}") {
+        measure("a.npy", &npy(&header, &[63; 64]));
+    }
+
+    #[test]
+    fn broken_sur(bytes in broken(Sur { size: [9, 9], ..Sur::default() }.bytes(&waves(9)))) {
+        measure("a.sur", &bytes);
+    }
+
+    #[test]
+    fn broken_x3p(bytes in broken(x3p_of(&X3p { size: [9, 9], data: waves(9).iter().flat_map(|z| z.to_le_bytes()).collect(), ..X3p::default() }))) {
+        measure("a.x3p", &bytes);
+    }
+
+    #[test]
+    fn broken_main_xml(bytes in broken(X3p { size: [9, 9], ..X3p::default() }.xml().into_bytes())) {
+        let data: Vec<u8> = waves(9).iter().flat_map(|z| z.to_le_bytes()).collect();
+        measure("a.x3p", &archive(&[("main.xml", &bytes), ("bindata/data.bin", &data)]));
+    }
+
+    #[test]
+    fn broken_text(bytes in broken(b"# Width: 9 um\n# Height: 9 um\n# Value units: nm\n1 2 4 7\n3 nan 1 2\n9 8 1 3\n5 1 2 7\n".to_vec())) {
+        measure("a.txt", &bytes);
+    }
+
+    #[test]
+    fn broken_xyz(bytes in broken(b"x_um y_um z_nm\n0 0 1\n1 0 4\n2 0 3\n0 1 7\n1 1 2\n2 1 8\n0 2 1\n1 2 9\n2 2 4\n".to_vec())) {
+        measure("a.xyz", &bytes);
+    }
+}

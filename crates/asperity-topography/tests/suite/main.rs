@@ -1,0 +1,8 @@
+//! Tests of measured surfaces, in one binary: it is linked once, and they run side by side.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod files;
+mod formats;
+mod gaussian;
+mod hostile;
+mod spectra;

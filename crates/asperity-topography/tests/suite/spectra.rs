@@ -1,0 +1,264 @@
+//! Gaussian surfaces of known spectrum give their moments back.
+
+use asperity_core::{ProfileMoments, Surface};
+use asperity_topography::{Estimator, Level, Statistics, Topography, Warning};
+
+use crate::gaussian::{Spectrum, Uniform};
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() < tolerance, "{found:e} is not {expected:e}");
+}
+
+/// Broad, well sampled: 19 points to the shortest wave.
+fn broad() -> Spectrum {
+    Spectrum::isotropic(768, 1e-6, [4.0, 40.0], 2.5, 1e-6, |_, _| true)
+}
+
+#[test]
+fn moments_are_those_of_the_spectrum() {
+    let spectrum = broad();
+    let surface = spectrum.surface(1);
+    let moments = surface.moments().unwrap();
+    let [x, y] = spectrum.moments(true);
+    // Sums over waves and sums over points, for the differences of a periodic surface.
+    close(moments.profile.m0, spectrum.m0(), 1e-10);
+    close(moments.along_rows[0], x[0], 1e-10);
+    close(moments.along_rows[1], x[1], 1e-10);
+    close(moments.along_columns.unwrap()[0], y[0], 1e-10);
+    close(moments.along_columns.unwrap()[1], y[1], 1e-10);
+    // Of the surface itself, as far as its sampling shows it.
+    let [x, y] = spectrum.moments(false);
+    close(moments.profile.m2, 0.5 * (x[0] + y[0]), 0.005);
+    close(moments.profile.m4, 0.5 * (x[1] + y[1]), 0.015);
+    let areal = moments.areal.unwrap();
+    close(areal.m2, 2.0 * moments.profile.m2, 1e-12);
+    close(areal.m4, 8.0 / 3.0 * moments.profile.m4, 0.01);
+}
+
+#[test]
+fn both_estimators_find_the_asperities_of_the_spectrum() {
+    let spectrum = broad();
+    let [x, y] = spectrum.moments(false);
+    let (m0, m2, m4) = (spectrum.m0(), 0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1]));
+    let expected = Surface::from_moments(&ProfileMoments { m0, m2, m4 }).unwrap();
+    for seed in 1..4 {
+        let surface = spectrum.surface(seed);
+        let by_moments = surface.statistics(Estimator::Moments).unwrap();
+        close(by_moments.asperity_density, expected.asperity_density, 0.01);
+        close(by_moments.asperity_radius, expected.asperity_radius, 0.01);
+        close(by_moments.asperity_height_std, expected.asperity_height_std, 0.002);
+        close(by_moments.beta.powi(2) * 768.0 * std::f64::consts::PI, by_moments.alpha, 1e-10);
+        assert_eq!(by_moments.warnings, []);
+        // Some thousand summits: their count, mean and spread are those numbers but for chance.
+        let by_summits = surface.statistics(Estimator::Summits).unwrap();
+        close(by_summits.asperity_density, expected.asperity_density, 0.05);
+        close(by_summits.asperity_radius, expected.asperity_radius, 0.05);
+        close(by_summits.asperity_height_std, expected.asperity_height_std, 0.05);
+        assert_eq!(by_summits.warnings, []);
+        assert_eq!(by_summits.other, Some(by_moments.surface()));
+        // The mean of the summits lies where the moments say.
+        let heights = surface.summits().unwrap().heights;
+        let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+        close(mean, expected.mean_plane_offset(), 0.1);
+    }
+}
+
+#[test]
+fn a_tilted_surface_that_is_not_periodic_is_measured_as_well() {
+    let spectrum = broad();
+    let surface = spectrum.surface(5);
+    let whole = surface.statistics(Estimator::Moments).unwrap();
+    let tilted: Vec<f64> = surface
+        .heights()
+        .iter()
+        .enumerate()
+        .map(|(i, z)| z + 1e-3 + 2e-8 * (i % 768) as f64 - 5e-9 * (i / 768) as f64)
+        .collect();
+    let tilted = Topography::new(tilted, 768, [1e-6; 2]).unwrap();
+    let levelled = tilted.clone().level(Level::Plane).unwrap();
+    let levelled = levelled.statistics(Estimator::Moments).unwrap();
+    close(levelled.m0, whole.m0, 0.01);
+    close(levelled.m2, whole.m2, 0.01);
+    close(levelled.m4, whole.m4, 0.01);
+    let skew = tilted.statistics(Estimator::Moments).unwrap();
+    assert!(skew.m0 > 10.0 * whole.m0, "{:e}", skew.m0);
+}
+
+#[test]
+fn two_surfaces_are_one_with_the_sum_of_moments() {
+    // Waves of odd and of even p do not meet: the sum of the surfaces has the sum of the moments.
+    let odd = Spectrum::isotropic(384, 1e-6, [3.0, 20.0], 2.0, 1e-6, |p, _| p % 2 != 0);
+    let even = Spectrum::isotropic(384, 1e-6, [3.0, 24.0], 3.0, 4e-7, |p, _| p % 2 == 0);
+    let (a, b) = (odd.surface(1), even.surface(2));
+    let sum = a.heights().iter().zip(b.heights()).map(|(a, b)| a + b).collect();
+    let sum = Topography::new(sum, 384, [1e-6; 2]).unwrap().with_periodic(true);
+    let sum = sum.statistics(Estimator::Moments).unwrap();
+    let of = |surface: Topography| surface.statistics(Estimator::Moments).unwrap();
+    let both = Statistics::combined(&of(a), &of(b)).unwrap();
+    for (found, expected) in [
+        (both.sq, sum.sq),
+        (both.m2, sum.m2),
+        (both.m4, sum.m4),
+        (both.asperity_density, sum.asperity_density),
+        (both.asperity_radius, sum.asperity_radius),
+        (both.asperity_height_std, sum.asperity_height_std),
+        (both.moments.areal.unwrap().m4, sum.moments.areal.unwrap().m4),
+    ] {
+        close(found, expected, 1e-9);
+    }
+}
+
+#[test]
+fn summits_of_two_surfaces_are_refused() {
+    let of = |estimator| broad().surface(7).statistics(estimator).unwrap();
+    let (moments, summits) = (of(Estimator::Moments), of(Estimator::Summits));
+    for (a, b) in [(&summits, &moments), (&moments, &summits), (&summits, &summits)] {
+        let message = Statistics::combined(a, b).unwrap_err().to_string();
+        assert!(message.starts_with("the estimator is \"summits\": \"moments\" was"), "{message}");
+    }
+    assert!(Statistics::combined(&moments, &moments).is_ok());
+}
+
+#[test]
+fn skewness_and_kurtosis_of_two_surfaces_are_those_of_their_sum() {
+    let mut uniform = Uniform(5);
+    // Blocks of two by two points: noise by the point is on the edge of having asperities.
+    let mut skew = |power| {
+        let blocks: Vec<f64> = (0..62_500).map(|_| uniform.next().powi(power)).collect();
+        (0..250_000).map(|i| blocks[i % 500 / 2 + i / 1000 * 250]).collect::<Vec<_>>()
+    };
+    let (a, b) = (skew(4), skew(2));
+    let sum = a.iter().zip(&b).map(|(a, b)| a + b).collect();
+    let of = |heights| {
+        let surface = Topography::new(heights, 500, [1.0; 2]).unwrap();
+        surface.statistics(Estimator::Moments).unwrap()
+    };
+    let (a, b, sum) = (of(a), of(b), of(sum));
+    let both = Statistics::combined(&a, &b).unwrap();
+    assert!(a.ssk > 1.0 && (both.ssk - sum.ssk).abs() < 0.02, "{} {}", both.ssk, sum.ssk);
+    assert!((both.sku - sum.sku).abs() < 0.05, "{} {}", both.sku, sum.sku);
+}
+
+fn noisy(noise: f64) -> Topography {
+    let smooth = broad().surface(7);
+    let mut uniform = Uniform(11);
+    let heights = smooth.heights().iter().map(|z| z + noise * (uniform.next() - 0.5)).collect();
+    Topography::new(heights, 768, [1e-6; 2]).unwrap()
+}
+
+#[test]
+fn noise_is_warned_of_and_smoothing_takes_it_away() {
+    let noisy = noisy(2e-7);
+    let warnings = noisy.statistics(Estimator::Moments).unwrap().warnings;
+    let follows = |warning: &Warning| matches!(warning, Warning::SummitsFollowSampling { .. });
+    assert!(warnings.iter().any(follows), "{warnings:?}");
+    let steep = |warning: &Warning| matches!(warning, Warning::RoughnessParameter { .. });
+    assert!(warnings.iter().any(steep), "{warnings:?}");
+    assert!(warnings.iter().all(|warning| warning.to_string().len() > 60));
+    let smooth = noisy.smooth(10e-6).unwrap().statistics(Estimator::Moments).unwrap();
+    assert!(!smooth.warnings.iter().any(follows), "{:?}", smooth.warnings);
+    // A profile of it is warned of as well.
+    let profile = Topography::new(noisy_row(), 768, [1e-6; 2]).unwrap();
+    let warnings = profile.statistics(Estimator::Moments).unwrap().warnings;
+    let follows = |warning: &Warning| matches!(warning, Warning::CurvatureFollowsSampling { .. });
+    assert!(warnings.iter().any(follows), "{warnings:?}");
+}
+
+fn noisy_row() -> Vec<f64> {
+    noisy(2e-7).heights()[..768].to_vec()
+}
+
+#[test]
+fn profiles_have_the_moments_of_the_surface() {
+    let surface = broad().surface(3);
+    let whole = surface.statistics(Estimator::Moments).unwrap();
+    // The mean over all rows as profiles is that along rows.
+    let mut m2 = 0.0;
+    for row in surface.heights().chunks(768) {
+        let profile = Topography::new(row.to_vec(), 768, [1e-6; 2]).unwrap().with_periodic(true);
+        m2 += profile.moments().unwrap().profile.m2 / 768.0;
+    }
+    close(m2, whole.moments.along_rows[0], 1e-10);
+    let profile = Topography::new(surface.heights()[..768].to_vec(), 768, [1e-6; 2]).unwrap();
+    assert!(profile.statistics(Estimator::Moments).is_ok());
+    assert!(profile.statistics(Estimator::Summits).unwrap_err().to_string().contains("profile"));
+}
+
+#[test]
+fn missing_points_change_little_and_are_reported() {
+    let surface = broad().surface(9);
+    let whole = surface.statistics(Estimator::Summits).unwrap();
+    let mut uniform = Uniform(3);
+    let hole = |z: &f64| if uniform.next() < 0.02 { f64::NAN } else { *z };
+    let holed = surface.heights().iter().map(hole).collect();
+    let holed = Topography::new(holed, 768, [1e-6; 2]).unwrap();
+    let holed = holed.statistics(Estimator::Summits).unwrap();
+    assert!((holed.missing_share - 0.02).abs() < 0.002);
+    close(holed.m4, whole.m4, 0.01);
+    close(holed.asperity_density, whole.asperity_density, 0.03);
+}
+
+#[test]
+fn a_load_on_the_density_is_the_load_on_the_summits() {
+    // ⟨(z - d)^1.5⟩ over z > d, what the Greenwood-Williamson force is proportional to.
+    let summits = broad().surface(4).summits().unwrap();
+    let std = summits.surface().unwrap().asperity_height_std;
+    let n = summits.heights.len() as f64;
+    let mean = summits.heights.iter().sum::<f64>() / n;
+    let density = summits.height_density().unwrap();
+    for (d, tolerance) in [(-1.0, 0.005), (0.0, 0.01), (1.0, 0.03)] {
+        let load = |z: f64| (z - d * std).max(0.0).powf(1.5);
+        let direct = summits.heights.iter().map(|z| load(z - mean)).sum::<f64>() / n;
+        let (z, g) = (&density.heights_m, &density.density_per_m);
+        let steps = 2000;
+        let mut smooth = 0.0;
+        for i in 1..z.len() {
+            for k in 0..steps {
+                let t = (f64::from(k) + 0.5) / f64::from(steps);
+                let here = g[i - 1] + t * (g[i] - g[i - 1]);
+                smooth += here * load(z[i - 1] + t * (z[i] - z[i - 1])) * (z[i] - z[i - 1])
+                    / f64::from(steps);
+            }
+        }
+        close(smooth, direct, tolerance);
+    }
+}
+
+#[test]
+fn a_stretched_surface_is_warned_of() {
+    let surface = broad().surface(9);
+    let stretched = Topography::new(surface.heights().to_vec(), 768, [1e-6, 3e-6]).unwrap();
+    let warnings = stretched.statistics(Estimator::Moments).unwrap().warnings;
+    let anisotropic = |warning: &Warning| matches!(warning, Warning::Anisotropic { .. });
+    assert!(warnings.iter().any(anisotropic), "{warnings:?}");
+}
+
+#[test]
+fn a_flat_or_regular_surface_is_refused_or_warned_of() {
+    let flat = Topography::new(vec![1e-6; 100], 10, [1e-6; 2]).unwrap();
+    let error = flat.statistics(Estimator::Moments).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "the 100 heights are all the same, levelled if asked to be: a rough surface was required"
+    );
+    // One wave: no Gaussian surface has a bandwidth of 1.
+    let wave = Spectrum { n: 64, pixel_size: [1e-6; 2], waves: vec![(3, 3, 1e-14)] };
+    let error = wave.surface(1).statistics(Estimator::Moments).unwrap_err().to_string();
+    assert!(error.contains("roughness_parameter") && error.contains("summits"), "{error}");
+}
+
+#[test]
+fn json_has_the_numbers_and_nothing_else() {
+    let statistics = broad().surface(2).statistics(Estimator::Moments).unwrap();
+    let json: serde_json::Map<String, serde_json::Value> =
+        serde_json::from_str(&serde_json::to_string(&statistics).unwrap()).unwrap();
+    let mut keys: Vec<_> = json.keys().map(String::as_str).collect();
+    let mut expected: Vec<_> = "sq ssk sku m0 m2 m4 alpha asperity_density asperity_radius \
+        asperity_height_std beta beta_z missing_share"
+        .split_whitespace()
+        .collect();
+    keys.sort_unstable();
+    expected.sort_unstable();
+    assert_eq!(keys, expected);
+    assert!(json.values().all(serde_json::Value::is_number));
+}

@@ -1,0 +1,238 @@
+//! The methods that are compared. Each turns a problem into a job that can be run again and again.
+
+use std::sync::Arc;
+
+use anyhow::Result;
+use asperity_quadrature::{Point, QuadratureError, TanhSinh, gauss_kronrod, legendre};
+
+use super::ours::{self, Laws};
+use super::problem::Problem;
+
+/// What a method found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// In SI units.
+    pub value: f64,
+    /// Whether the value is over its scale, exp of [`Problem::ln_scale`].
+    pub scaled: bool,
+    /// Evaluations of the integrand; nothing where they are counted apart.
+    pub evaluations: Option<usize>,
+}
+
+/// Why a method gave no number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Failure {
+    /// It says that it did not reach its tolerance.
+    NotConverged,
+    /// It met a number that is none.
+    NotFinite,
+    /// It returned 0 for what is not 0.
+    Zero,
+}
+
+impl Failure {
+    /// The word for it in a table.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::NotConverged => "not-converged",
+            Self::NotFinite => "not-finite",
+            Self::Zero => "zero",
+        }
+    }
+}
+
+impl From<QuadratureError> for Failure {
+    fn from(error: QuadratureError) -> Self {
+        match error {
+            QuadratureError::NotConverged { .. } => Self::NotConverged,
+            _ => Self::NotFinite,
+        }
+    }
+}
+
+/// A problem made ready: everything that is done once has been done.
+pub type Job = Box<dyn Fn() -> Result<Outcome, Failure> + Send + Sync>;
+
+/// How a method is set for one row of the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Setting {
+    /// To this relative tolerance.
+    Tolerance(f64),
+    /// With this many points on each panel.
+    Points(usize),
+    /// It has none.
+    Fixed,
+}
+
+/// A method of this process.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// The law is the weight of a Gauss rule, built once a scene.
+    Compiled,
+    /// The same without a compiled scene: the law's rules serve every scene.
+    Rule,
+    /// Adaptive; this and the next two are scaled against underflow and split at the kinks.
+    GaussKronrod,
+    /// Levels until they agree.
+    TanhSinh,
+    /// A fixed rule between kinks.
+    Split,
+    /// What published scripts do, like the next two: a fixed rule on a fixed range above the
+    /// separation, in plain doubles, in metres, blind to the kinks of the law.
+    Legendre64,
+    /// Equal steps.
+    Trapezoid,
+    /// Equal steps, parabolas.
+    Simpson,
+}
+
+/// All methods of this process with their names in tables and what the Markdown says of them.
+pub const METHODS: [(Method, &str, &str); 8] = [
+    (Method::Compiled, "compiled", "ours, scene compiled: per evaluation"),
+    (Method::Rule, "rule", "ours, law built, scene not compiled (as in `Sweep`)"),
+    (Method::GaussKronrod, "gauss-kronrod", "adaptive, 21 points, scaled, split at the kinks"),
+    (Method::TanhSinh, "tanh-sinh", "levels until they agree, scaled, split at the kinks"),
+    (Method::Split, "gauss-legendre-split", "16 to 128 points between kinks, scaled"),
+    (Method::Legendre64, "gauss-legendre-64", "64 points on [d, d+8σ], plain doubles"),
+    (Method::Trapezoid, "trapezoid-1001", "1001 points on [d, d+6σ], plain doubles"),
+    (Method::Simpson, "simpson", "composite, 200 intervals on [d, d+6σ], plain doubles"),
+];
+
+/// What is asked of the methods that take a tolerance, on the hard cases.
+pub const HARD_TOLERANCE: f64 = 1e-10;
+/// Points a panel, on the hard cases.
+const HARD_POINTS: usize = 128;
+/// More evaluations than this for one integral are no method.
+const LIMIT: usize = 20_000;
+
+impl Method {
+    /// What it is set to, row by row, when these tolerances and numbers of points are looked at.
+    #[must_use]
+    pub fn settings(self, tolerances: &[f64], points: &[usize]) -> Vec<Setting> {
+        match self {
+            Self::Split => points.iter().copied().map(Setting::Points).collect(),
+            Self::Legendre64 | Self::Trapezoid | Self::Simpson => vec![Setting::Fixed],
+            _ => tolerances.iter().copied().map(Setting::Tolerance).collect(),
+        }
+    }
+
+    /// How it is set on the hard cases, where each method runs once.
+    #[must_use]
+    pub fn on_hard_cases(self) -> Setting {
+        self.settings(&[HARD_TOLERANCE], &[HARD_POINTS])[0]
+    }
+
+    /// Makes a problem ready.
+    ///
+    /// # Errors
+    /// What the library refuses.
+    pub fn prepare(self, laws: &Laws, problem: &Arc<Problem>, setting: Setting) -> Result<Job> {
+        match (self, setting) {
+            (Self::Compiled, Setting::Tolerance(tolerance)) => {
+                ours::compiled(laws, problem, tolerance)
+            }
+            (Self::Rule, Setting::Tolerance(tolerance)) => ours::rule(laws, problem, tolerance),
+            (_, Setting::Points(points)) => Ok(self.classical(problem, 0.0, points)),
+            (_, Setting::Tolerance(tolerance)) => Ok(self.classical(problem, tolerance, 0)),
+            (_, Setting::Fixed) => Ok(self.plain(problem)),
+        }
+    }
+
+    /// Parts of different sign are integrated by themselves, so that a tolerance relative to each
+    /// can be met where they cancel.
+    fn classical(self, problem: &Arc<Problem>, tolerance: f64, points: usize) -> Job {
+        let problem = problem.clone();
+        let signs = match problem.signs()[..] {
+            [a, b] if self == Self::GaussKronrod => vec![Some(a), Some(b)],
+            _ => vec![None],
+        };
+        Box::new(move || {
+            let (breaks, scale) = (problem.breaks(), problem.scale());
+            let (mut sum, mut evaluations) = (0.0, 0);
+            for sign in &signs {
+                let integrand = |t: f64| problem.law_at(t / scale, *sign) * problem.weight(t);
+                let (value, count) = self.between(&breaks, tolerance, points, integrand)?;
+                sum += value;
+                evaluations += count;
+            }
+            let value = problem.in_units(sum);
+            Ok(Outcome { value, scaled: true, evaluations: Some(evaluations) })
+        })
+    }
+
+    fn between(
+        self,
+        breaks: &[f64],
+        tolerance: f64,
+        points: usize,
+        integrand: impl Fn(f64) -> f64,
+    ) -> Result<(f64, usize), Failure> {
+        if self == Self::GaussKronrod {
+            let found = gauss_kronrod(integrand, breaks, tolerance, LIMIT)?;
+            return Ok((found.value, found.evaluations));
+        }
+        let (mut sum, mut count) = (0.0, 0);
+        for ends in breaks.windows(2).filter(|ends| ends[1] > ends[0]) {
+            if self == Self::TanhSinh {
+                let at = |point: Point| integrand(point.x);
+                let found = TanhSinh::shared().integrate(ends[0], ends[1], tolerance, at);
+                sum += found.value;
+                count += found.evaluations;
+            } else {
+                let (rule, width) = (legendre(points), ends[1] - ends[0]);
+                let nodes = rule.nodes.iter().zip(&rule.weights);
+                let terms = nodes.map(|(x, w)| width * w * integrand(ends[0] + width * x));
+                sum += terms.sum::<f64>();
+                count += rule.nodes.len();
+            }
+        }
+        Ok((sum, count))
+    }
+
+    fn plain(self, problem: &Arc<Problem>) -> Job {
+        let rule = legendre(64);
+        let (sigmas, rule): (f64, Vec<(f64, f64)>) = match self {
+            Self::Trapezoid => (6.0, equal_steps(1000, |_| 1.0)),
+            Self::Simpson => {
+                (6.0, equal_steps(200, |k| if k % 2 == 1 { 4.0 / 3.0 } else { 2.0 / 3.0 }))
+            }
+            _ => (8.0, rule.nodes.iter().copied().zip(rule.weights.iter().copied()).collect()),
+        };
+        let problem = problem.clone();
+        Box::new(move || {
+            let (start, width) = (problem.plain_start(), sigmas * problem.std());
+            let terms = rule.iter().map(|(x, w)| w * problem.plain_integrand(start + width * x));
+            let value = problem.in_units(width * terms.sum::<f64>());
+            let found = Outcome { value, scaled: false, evaluations: Some(rule.len()) };
+            if value.is_finite() { Ok(found) } else { Err(Failure::NotFinite) }
+        })
+    }
+
+    /// Evaluations of the integrand for a problem, or of an exponential, for a rule that has the
+    /// law in its weight; nothing where the method gives no answer.
+    ///
+    /// # Errors
+    /// What the library refuses.
+    pub fn evaluations(
+        self,
+        laws: &Laws,
+        problem: &Arc<Problem>,
+        setting: Setting,
+    ) -> Result<Option<usize>> {
+        match (self, setting) {
+            (Self::Compiled, Setting::Tolerance(t)) => {
+                ours::compiled_nodes(laws, problem, t).map(Some)
+            }
+            (Self::Rule, Setting::Tolerance(t)) => ours::rule_nodes(laws, problem, t).map(Some),
+            _ => Ok(self.prepare(laws, problem, setting)?().ok().and_then(|o| o.evaluations)),
+        }
+    }
+}
+
+/// Points of [0, 1] with their weights, those of the ends half as large.
+fn equal_steps(steps: u32, weight: impl Fn(u32) -> f64) -> Vec<(f64, f64)> {
+    let count = f64::from(steps);
+    let ends = |k| if k == 0 || k == steps { 0.5 } else { 1.0 };
+    (0..=steps).map(|k| (f64::from(k) / count, ends(k) * weight(k) / count)).collect()
+}

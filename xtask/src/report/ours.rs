@@ -1,0 +1,196 @@
+//! Our own plan: laws and compiled scenes, each built once however many methods and points ask for
+//! it, what they answer, and what building costs.
+
+use std::collections::HashMap;
+use std::hint::black_box;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use anyhow::Result;
+use asperity::{
+    Contact, ContactError, HeightDistribution, Law, Model, Quantity, Request, Tolerance,
+};
+use asperity_quadrature::{AnyScale, QuadratureError};
+
+use super::methods::{Failure, Job, Outcome};
+use super::problem::{Asked, Problem, is_slope};
+use super::scope::{Effort, SEPARATIONS, scenes};
+
+/// What has been built, by all that it depends on.
+#[derive(Debug, Default)]
+pub struct Laws {
+    scenes: Shelf<dyn Contact>,
+    rules: Shelf<AnyScale>,
+}
+
+/// Things by their names.
+type Shelf<T> = Mutex<HashMap<String, Arc<T>>>;
+
+/// What is there, or what is made; should two threads make the same, what came first stays.
+fn find_or<T: ?Sized>(
+    shelf: &Shelf<T>,
+    key: String,
+    make: impl FnOnce() -> Result<Arc<T>>,
+) -> Result<Arc<T>> {
+    let known = shelf.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+    if let Some(known) = known {
+        return Ok(known);
+    }
+    let made = make()?;
+    let mut shelf = shelf.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(shelf.entry(key).or_insert(made).clone())
+}
+
+impl Laws {
+    /// The problem's scene compiled, the same for all its separations; its law is shared by the
+    /// scenes of one asperity.
+    ///
+    /// # Errors
+    /// Those of [`asperity::ContactModel::compile`], as below.
+    pub fn scene(&self, asked: &Asked, tolerance: f64) -> Result<Arc<dyn Contact>> {
+        let Asked { model, quantity, scene, .. } = asked;
+        let law_of = |quantity| if is_slope(model, quantity) { Quantity::Force } else { quantity };
+        let law = law_of(*quantity);
+        let key = format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?);
+        let built = find_or(&self.scenes, key.clone(), || {
+            let all = [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
+            let quantities = all.into_iter().filter(|other| law_of(*other) == law);
+            let request = Request::new(quantities).within(Tolerance::new(tolerance)?);
+            Ok(model.compile(scene, &request)?.into())
+        })?;
+        find_or(&self.scenes, format!("{key} {scene:?}"), || Ok(built.on(scene)?.into()))
+    }
+
+    /// The rules of the problem's law for any scale.
+    ///
+    /// # Errors
+    /// When the model refuses the asperity.
+    pub fn rules(&self, asked: &Asked, tolerance: f64) -> Result<Arc<AnyScale>> {
+        let Asked { model, quantity, scene, .. } = asked;
+        let key = format!("{model} {quantity} {tolerance:e} {:?}", scene.asperity()?);
+        find_or(&self.rules, key, || {
+            let law = law_behind(model, *quantity, &scene.asperity()?, tolerance)?;
+            Ok(Arc::new(AnyScale::new(law.density(), tolerance)))
+        })
+    }
+}
+
+/// The law behind a quantity: that of the force for a tangent.
+///
+/// # Errors
+/// When the model refuses the asperity.
+pub fn law_behind(
+    model: &Model,
+    quantity: Quantity,
+    asperity: &asperity::Asperity,
+    tolerance: f64,
+) -> Result<Law> {
+    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
+    Ok(model.law(asperity, law, Tolerance::new(tolerance)?)?)
+}
+
+/// A value of a compiled scene.
+///
+/// # Errors
+/// When the model refuses the scene, as all below.
+pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
+    let (quantity, separation) = (problem.asked.quantity, problem.asked.separation);
+    let compiled = laws.scene(&problem.asked, tolerance)?;
+    Ok(Box::new(move || outcome(compiled.evaluate(quantity, separation))))
+}
+
+/// A value on a scene for which nothing is prepared, as sweeps have it.
+pub fn rule(laws: &Laws, problem: &Arc<Problem>, tolerance: f64) -> Result<Job> {
+    let asked = &problem.asked;
+    if !matches!(asked.scene.heights, HeightDistribution::Gaussian) {
+        return compiled(laws, problem, tolerance);
+    }
+    let (rules, scale, s) = (laws.rules(asked, tolerance)?, problem.scale(), asked.separation);
+    let slope = is_slope(&asked.model, asked.quantity);
+    let mut factor = asked.scene.asperities() * problem.law.value_unit;
+    if slope {
+        factor /= problem.std();
+    }
+    Ok(Box::new(move || {
+        let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
+        let found = found.map_err(|_| Failure::NotConverged)?;
+        let value = factor * if slope { found.slope } else { found.value };
+        Ok(Outcome { value, scaled: true, evaluations: None })
+    }))
+}
+
+fn outcome(found: Result<asperity::Evaluation, ContactError>) -> Result<Outcome, Failure> {
+    let found = found.map_err(|_| Failure::NotConverged)?;
+    Ok(Outcome { value: found.scaled, scaled: true, evaluations: None })
+}
+
+/// Nodes of the rule; exponential heights have one integral for all separations.
+pub fn compiled_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
+    let quantity = problem.asked.quantity;
+    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
+    let compiled = laws.scene(&problem.asked, tolerance)?;
+    let plan = compiled.plan(&request.at([problem.asked.separation]))?;
+    let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
+    Ok(step.and_then(|step| step.nodes).map_or(1, |(_, most)| most))
+}
+
+/// Nodes of the rule, from rules of our own that are the same; samples of the law where none
+/// serves and the point is integrated anew.
+pub fn rule_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
+    let separation = problem.asked.separation;
+    let rules = laws.rules(&problem.asked, tolerance)?;
+    match rules.nodes(separation, problem.scale())? {
+        0 => {
+            let before = rules.evaluations();
+            rules.value(separation, problem.scale())?;
+            Ok(rules.evaluations() - before)
+        }
+        nodes => Ok(nodes),
+    }
+}
+
+/// Time \[ns\] to build the law behind a quantity, its tables included: they are filled where they
+/// are first sampled, so the time of sampling a law that is there is taken off.
+pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64, effort: Effort) -> Result<f64> {
+    let scenes = scenes()?;
+    let asperity = scenes[0].asperity()?;
+    let build = || law_behind(black_box(model), quantity, &asperity, tolerance);
+    let there = build()?;
+    sample(&there)?;
+    let sampling = effort.median_ns(|| drop(black_box(sample(black_box(&there)))));
+    let both = effort.median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
+    Ok((both - sampling).max(0.0))
+}
+
+/// Samples a law where the speed table's points reach: x = 1e-4 to 1e4.
+fn sample(law: &Law) -> Result<f64, QuadratureError> {
+    let points = (0..=80).map(|k| 10f64.powf(f64::from(k) * 0.1 - 4.0) * law.interference_unit);
+    points.map(|w| law.value(w)).sum()
+}
+
+/// Time \[ns\] to make a scene ready at all separations of the speed table, with its law built, and
+/// how often the law is sampled for it.
+pub fn build_scene(
+    model: &Model,
+    quantity: Quantity,
+    tolerance: f64,
+    effort: Effort,
+) -> Result<(f64, f64)> {
+    let scenes = scenes()?;
+    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at(SEPARATIONS);
+    let base = model.compile(&scenes[0], &request)?;
+    let mut samples = 0;
+    for scene in &scenes {
+        // Also fills the tables of the law.
+        let plan = base.on(scene)?.plan(&request)?;
+        samples += plan.steps.iter().map(|step| step.samples).sum::<usize>();
+    }
+    let time = effort.median_ns(|| {
+        for scene in &scenes {
+            let _ = black_box(base.on(black_box(scene)).and_then(|ready| {
+                SEPARATIONS.iter().try_for_each(|s| ready.evaluate(quantity, *s).map(|_| ()))
+            }));
+        }
+    });
+    let count = scenes.len() as f64;
+    Ok((time / count, samples as f64 / count))
+}

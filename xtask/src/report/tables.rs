@@ -1,0 +1,279 @@
+//! The two tables: times, errors and evaluations of every method and setting, and the errors on each
+//! hard case.
+
+use std::hint::black_box;
+use std::sync::Arc;
+
+use anyhow::{Context, Result, ensure};
+use asperity::{Model, Quantity};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::cases::Case;
+use super::external::{self, External};
+use super::methods::{Failure, HARD_TOLERANCE, Job, METHODS, Setting};
+use super::ours::{self, Laws};
+use super::problem::{Asked, Problem, is_slope};
+use super::scope::{Scope, points};
+
+/// The worst of some errors: the largest, or the word of a failure.
+type Worst = Result<f64, Failure>;
+
+/// The larger error; a failure is worse than any, and 0 for what is not 0 is an error of 1.
+fn worse(a: Worst, b: Worst) -> Worst {
+    let number = |worst: Worst| if worst == Err(Failure::Zero) { Ok(1.0) } else { worst };
+    match (number(a), number(b)) {
+        (Ok(a), Ok(b)) => Ok(a.max(b)),
+        (Err(failure), _) | (_, Err(failure)) => Err(failure),
+    }
+}
+
+/// A row of `speed-vs-error.csv`; a cell may be empty.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Row {
+    /// The model's id.
+    pub model: String,
+    /// The quantity.
+    pub quantity: String,
+    /// The method.
+    pub method: String,
+    /// What it was asked for, if it can be asked.
+    pub tolerance: String,
+    /// Median time of one evaluation or of one build \[ns\], if it was taken.
+    pub median_ns: String,
+    /// Worst error on the hard grid, or a failure; nothing for a build.
+    pub max_relative_error: String,
+    /// Mean number of evaluations.
+    pub evaluations: String,
+}
+
+impl Row {
+    fn new(
+        (model, quantity): &(Model, Quantity),
+        method: &str,
+        setting: Setting,
+        time: Option<f64>,
+        worst: Option<Worst>,
+        evaluations: Option<f64>,
+    ) -> Self {
+        let (model, quantity, method) = (model.id().into(), quantity.to_string(), method.into());
+        let tolerance = match setting {
+            Setting::Tolerance(tolerance) => format!("{tolerance:e}"),
+            _ => String::new(),
+        };
+        let median_ns = time.map(significant).unwrap_or_default();
+        let max_relative_error = worst.map(error_text).unwrap_or_default();
+        let evaluations = evaluations.map(|count| format!("{count:.1}")).unwrap_or_default();
+        Self { model, quantity, method, tolerance, median_ns, max_relative_error, evaluations }
+    }
+
+    /// What was asked, as a number.
+    #[must_use]
+    pub fn asked(&self) -> Option<f64> {
+        self.tolerance.parse().ok()
+    }
+}
+
+/// The rows of a `speed-vs-error.csv`.
+///
+/// # Errors
+/// Another csv.
+pub fn read(text: &str) -> Result<Vec<Row>> {
+    Ok(csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>()?)
+}
+
+/// All that a run needs.
+pub struct Run<'a> {
+    /// How much is measured.
+    pub scope: Scope,
+    /// Laws that were built.
+    pub laws: &'a Laws,
+    /// References.
+    pub cases: &'a [Case],
+    /// Whether times are taken and builds are measured.
+    pub timed: bool,
+    /// Other libraries.
+    pub libraries: &'a [External],
+    /// Says that one more row is done.
+    pub tick: &'a dyn Fn(&str),
+}
+
+impl Run<'_> {
+    /// `speed-vs-error.csv`.
+    ///
+    /// # Errors
+    /// When the library refuses a case, or another library's process fails.
+    pub fn speed(&self) -> Result<String> {
+        let mut csv = csv::Writer::from_writer(vec![]);
+        let pairs = self.scope.pairs()?;
+        let others = self.libraries.iter().map(|library| self.external(library, &pairs));
+        let others = others.collect::<Result<Vec<_>>>()?.concat();
+        for pair in &pairs {
+            let own = |row: &&Row| row.model == pair.0.id() && row.quantity == pair.1.to_string();
+            let rows = [self.own(pair)?, self.builds(pair)?].concat();
+            rows.iter().chain(others.iter().filter(own)).try_for_each(|row| csv.serialize(row))?;
+        }
+        Ok(String::from_utf8(csv.into_inner()?)?)
+    }
+
+    /// The cases of the hard grid that ask for the same integral. A stiffness that is the tangent
+    /// has the tangent's cases beside its own.
+    fn grid(&self, (model, quantity): &(Model, Quantity)) -> Vec<&Case> {
+        let slope = |quantity: Quantity| is_slope(model, quantity);
+        let same = |other: Quantity| other == *quantity || slope(*quantity) && slope(other);
+        let wanted = |case: &&Case| {
+            let asked = &case.problem.asked;
+            case.on_hard_grid() && asked.model.id() == model.id() && same(asked.quantity)
+        };
+        self.cases.iter().filter(wanted).collect()
+    }
+
+    fn own(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
+        let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
+        ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
+        let mut rows = vec![];
+        for (method, name, _) in METHODS {
+            for setting in self.scope.settings(method, &pair.0) {
+                let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
+                let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
+                // Failures take their time like answers.
+                let all = || {
+                    jobs.iter().for_each(|job| {
+                        let _ = black_box(black_box(job)());
+                    });
+                };
+                let time =
+                    self.timed.then(|| self.scope.effort().median_ns(all) / jobs.len() as f64);
+                let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
+                let errors = errors.collect::<Result<Vec<Worst>>>()?;
+                let worst = errors.into_iter().fold(Ok(0.0), worse);
+                let count = |point| method.evaluations(self.laws, point, setting);
+                let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
+                let counts = mean(counts.into_iter().flatten());
+                rows.push(Row::new(pair, name, setting, time, Some(worst), counts));
+                (self.tick)(name);
+            }
+        }
+        Ok(rows)
+    }
+
+    /// What building costs.
+    fn builds(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
+        let (mut rows, effort) = (vec![], self.scope.effort());
+        for tolerance in self.scope.tolerances(&pair.0).into_iter().filter(|_| self.timed) {
+            let setting = Setting::Tolerance(tolerance);
+            let law = ours::build_law(&pair.0, pair.1, tolerance, effort)?;
+            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance, effort)?;
+            rows.push(Row::new(pair, "build-law", setting, Some(law), None, None));
+            rows.push(Row::new(pair, "build-scene", setting, Some(scene), None, Some(samples)));
+            (self.tick)("build");
+        }
+        Ok(rows)
+    }
+
+    /// The rows of another library, for the laws it can be given.
+    fn external(&self, library: &External, pairs: &[(Model, Quantity)]) -> Result<Vec<Row>> {
+        let (mut asked, mut tasks) = (vec![], vec![]);
+        for pair in pairs {
+            let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
+            for tolerance in self.scope.tolerances(&pair.0) {
+                if points.iter().all(|point| external::can_take(point)) {
+                    let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
+                    let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
+                    tasks.extend(timed.chain(errors));
+                    asked.push((pair, tolerance, points.len(), grid.clone()));
+                }
+            }
+        }
+        let mut answers = library.run(&tasks)?.into_iter();
+        let mut rows = vec![];
+        for (pair, tolerance, count, grid) in asked {
+            let timed: Vec<_> = answers.by_ref().take(count).collect();
+            let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / count as f64;
+            let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
+            let errors = grid.iter().zip(&mut answers).map(|(case, a)| case.error(a.found));
+            let worst = errors.fold(Ok(0.0), worse);
+            let setting = Setting::Tolerance(tolerance);
+            rows.push(Row::new(pair, library.name, setting, Some(time), Some(worst), mean(counts)));
+            (self.tick)(library.name);
+        }
+        Ok(rows)
+    }
+
+    /// `hard-cases.csv`: a row for each case, a column for each method with relative errors (to the
+    /// sum of sizes), or the word of a failure, or nothing where it was not given the case.
+    ///
+    /// # Errors
+    /// When the library refuses a case, or another library's process fails.
+    pub fn hard(&self) -> Result<String> {
+        let mut columns: Vec<(&str, Vec<String>)> = vec![];
+        for (method, name, _) in METHODS {
+            let error = |case: &Case| {
+                let job = method.prepare(self.laws, &case.problem, method.on_hard_cases())?;
+                Ok(error_text(case.error(job())))
+            };
+            columns.push((name, self.cases.par_iter().map(error).collect::<Result<_>>()?));
+        }
+        for library in self.libraries {
+            let given = |case: &&Case| external::can_take(&case.problem);
+            let tasks = self.cases.iter().filter(given);
+            let tasks = tasks.map(|case| (HARD_TOLERANCE, 0, case.problem.clone()));
+            let mut answers = library.run(&tasks.collect::<Vec<_>>())?.into_iter();
+            let error = |case: &Case| match given(&case).then(|| answers.next()).flatten() {
+                Some(answer) => error_text(case.error(answer.found)),
+                None => String::new(),
+            };
+            columns.push((library.name, self.cases.iter().map(error).collect()));
+        }
+        let mut csv = csv::Writer::from_writer(vec![]);
+        csv.write_record(BEFORE.into_iter().chain(columns.iter().map(|column| column.0)))?;
+        for (k, case) in self.cases.iter().enumerate() {
+            let Asked { model, quantity, scene, separation } = &case.problem.asked;
+            let (quantity, separation) = (quantity.to_string(), separation.to_string());
+            let words = [
+                &case.family,
+                &case.name,
+                scene.heights.name(),
+                model.id(),
+                &quantity,
+                &separation,
+            ];
+            csv.write_record(words.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
+        }
+        Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
+    }
+}
+
+/// What stands before the columns of the methods.
+pub const BEFORE: [&str; 6] =
+    ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
+
+/// The mean, if there is anything.
+fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
+    let (count, sum) = counts.fold((0, 0), |(count, sum), n| (count + 1, sum + n));
+    (count > 0).then(|| sum as f64 / f64::from(count))
+}
+
+/// Three significant digits: more would be noise.
+#[must_use]
+pub fn significant(number: f64) -> String {
+    let decimals = (2.0 - number.abs().max(1e-2).log10().floor()).max(0.0) as usize;
+    format!("{number:.decimals$}")
+}
+
+/// Two digits, or the word of a failure.
+fn error_text(error: Worst) -> String {
+    error.map_or_else(|failure| failure.word().into(), |error| format!("{error:.1e}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_is_worse_than_any_number_and_zero_is_an_error_of_one() {
+        assert_eq!(worse(Ok(1e-3), Err(Failure::Zero)), Ok(1.0));
+        assert_eq!(worse(Ok(3.0), Err(Failure::Zero)), Ok(3.0));
+        assert_eq!(worse(Ok(3.0), Err(Failure::NotFinite)), Err(Failure::NotFinite));
+    }
+}
