@@ -1,0 +1,279 @@
+//! The half-space: deflections from pressures by Fourier transforms, and nearly back.
+
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::num_complex::Complex64;
+use rustfft::{Fft, FftPlanner};
+
+use crate::HeightMap;
+
+/// Rows and columns that move together between the layouts: 8 complex numbers are two cache lines.
+const BLOCK: usize = 8;
+
+/// What lies beyond the edges of the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Boundary {
+    /// The map again and again. Edges that do not meet press as steps: take the seam out first.
+    #[default]
+    Periodic,
+    /// A half-space that carries nothing: for scans whose edges do not meet, and for single
+    /// bodies. Four times the transforms.
+    Free,
+}
+
+/// What [`HalfSpace::apply`] does to a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Filter {
+    /// Pressures to deflections.
+    Deflect,
+    /// The inverse of every wave's compliance: exact when everything is in contact, and what
+    /// makes the steps of the iteration nearly independent of the number of pixels.
+    Undo,
+}
+
+/// The linear map from the pressures of n x m pixels to their deflections.
+///
+/// Real transforms of the rows, a transposition in blocks, complex transforms of the columns with
+/// the filter between, and back: three passes over memory.
+pub(crate) struct HalfSpace {
+    rows: usize,
+    columns: usize,
+    padded_rows: usize,
+    padded_columns: usize,
+    /// Compliances \[m/Pa\] of the waves; even in both directions, so a quarter of the plane is
+    /// held: all of the first half of the columns, in each the first half of the rows.
+    compliance: Vec<f64>,
+    row_forward: Arc<dyn RealToComplex<f64>>,
+    row_backward: Arc<dyn ComplexToReal<f64>>,
+    column_forward: Arc<dyn Fft<f64>>,
+    column_backward: Arc<dyn Fft<f64>>,
+    by_rows: Vec<Complex64>,
+    by_columns: Vec<Complex64>,
+}
+
+impl HalfSpace {
+    pub(crate) fn new(map: &HeightMap, modulus: f64, boundary: Boundary) -> Self {
+        let [rows, columns] = map.shape();
+        let [padded_rows, padded_columns] = match boundary {
+            Boundary::Periodic => [rows, columns],
+            Boundary::Free => [2 * fast_length(rows), 2 * fast_length(columns)],
+        };
+        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
+        let half = padded_columns / 2 + 1;
+        let mut space = Self {
+            rows,
+            columns,
+            padded_rows,
+            padded_columns,
+            compliance: Vec::new(),
+            row_forward: real.plan_fft_forward(padded_columns),
+            row_backward: real.plan_fft_inverse(padded_columns),
+            column_forward: complex.plan_fft_forward(padded_rows),
+            column_backward: complex.plan_fft_inverse(padded_rows),
+            by_rows: vec![Complex64::ZERO; rows * half],
+            by_columns: vec![Complex64::ZERO; half * padded_rows],
+        };
+        space.compliance = match boundary {
+            Boundary::Periodic => space.waves(map.pixel(), modulus),
+            Boundary::Free => space.rectangles(map.pixel(), modulus),
+        };
+        space
+    }
+
+    /// Compliances of the waves of a periodic half-space, 2/(E |q|); the mean is left at zero.
+    fn waves(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
+        let q_row = TAU / (self.padded_rows as f64 * dy);
+        let q_column = TAU / (self.padded_columns as f64 * dx);
+        let quarter = self.padded_rows / 2 + 1;
+        let mut compliance = vec![0.0; (self.padded_columns / 2 + 1) * quarter];
+        compliance.par_chunks_mut(quarter).enumerate().for_each(|(j, column)| {
+            for (i, compliance) in column.iter_mut().enumerate() {
+                let q = (q_row * i as f64).hypot(q_column * j as f64);
+                *compliance = if i + j == 0 { 0.0 } else { 2.0 / (modulus * q) };
+            }
+        });
+        compliance
+    }
+
+    /// Transform of the deflections about one pixel that carries the pressure 1 (Love 1929); twice
+    /// as many pixels as the map has keep its images away.
+    fn rectangles(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
+        let (half, quarter) = (self.padded_columns / 2 + 1, self.padded_rows / 2 + 1);
+        let mut by_rows = vec![0.0; quarter * half];
+        by_rows.par_chunks_mut(half).enumerate().for_each(|(i, row)| {
+            let y = i as f64 * dy;
+            let mut line: Vec<f64> = (0..self.padded_columns)
+                .map(|j| j.min(self.padded_columns - j) as f64 * dx)
+                .map(|x| rectangle(x, y, dx, dy) / (PI * modulus))
+                .collect();
+            let mut spectrum = self.row_forward.make_output_vec();
+            // It fails only for wrong lengths.
+            let _ = self.row_forward.process(&mut line, &mut spectrum);
+            for (number, wave) in row.iter_mut().zip(spectrum) {
+                *number = wave.re;
+            }
+        });
+        let mut compliance = vec![0.0; half * quarter];
+        compliance.par_chunks_mut(quarter).enumerate().for_each(|(j, column)| {
+            let mut line: Vec<Complex64> = (0..self.padded_rows)
+                .map(|i| by_rows[i.min(self.padded_rows - i) * half + j].into())
+                .collect();
+            self.column_forward.process(&mut line);
+            for (compliance, wave) in column.iter_mut().zip(line) {
+                *compliance = wave.re;
+            }
+        });
+        compliance
+    }
+
+    /// Filters `map` in place.
+    pub(crate) fn apply(&mut self, filter: Filter, map: &mut [f64]) {
+        self.transform_rows(map);
+        let backward = Arc::clone(&self.column_backward);
+        let compliance = std::mem::take(&mut self.compliance);
+        let quarter = self.padded_rows / 2 + 1;
+        // rustfft scales neither way.
+        let scale = 1.0 / (self.padded_rows as f64 * self.padded_columns as f64);
+        let factor = |compliance: f64| match filter {
+            Filter::Deflect => compliance * scale,
+            Filter::Undo if compliance > 0.0 => scale / compliance,
+            Filter::Undo => 0.0,
+        };
+        self.each_column(|j, column, scratch| {
+            let compliance = &compliance[j * quarter..][..quarter];
+            let (head, tail) = column.split_at_mut(quarter);
+            for (wave, &compliance) in head.iter_mut().zip(compliance) {
+                *wave *= factor(compliance);
+            }
+            for (wave, &compliance) in tail.iter_mut().rev().zip(&compliance[1..]) {
+                *wave *= factor(compliance);
+            }
+            backward.process_with_scratch(column, scratch);
+        });
+        self.compliance = compliance;
+        self.transform_rows_back(map);
+    }
+
+    /// Squares of the amplitudes of `map`'s waves: `each` gets them with the frequencies of the
+    /// wave along rows and columns \[waves per pixel\]; what it returns is summed by columns.
+    pub(crate) fn spectrum<T: Send>(
+        &mut self,
+        map: &[f64],
+        zero: impl Fn() -> T + Sync,
+        each: impl Fn(&mut T, [f64; 2], f64) + Sync,
+    ) -> Vec<T> {
+        self.transform_rows(map);
+        let [rows, columns] = [self.padded_rows, self.padded_columns];
+        self.each_column(|j, column, _| {
+            let mut sum = zero();
+            // The other half of the plane is the same again, but for the columns on its edge.
+            let weight = if j == 0 || 2 * j == columns { 1.0 } else { 2.0 };
+            for (i, wave) in column.iter().enumerate() {
+                let frequency = [i.min(rows - i) as f64 / rows as f64, j as f64 / columns as f64];
+                each(&mut sum, frequency, weight * wave.norm_sqr());
+            }
+            sum
+        })
+    }
+
+    fn transform_rows(&mut self, map: &[f64]) {
+        let half = self.padded_columns / 2 + 1;
+        let forward = &self.row_forward;
+        let rows = map.par_chunks(BLOCK * self.columns);
+        self.by_rows.par_chunks_mut(BLOCK * half).zip(rows).for_each_init(
+            || (forward.make_input_vec(), forward.make_scratch_vec()),
+            |(line, scratch), (spectra, rows)| {
+                for (spectrum, row) in spectra.chunks_mut(half).zip(rows.chunks(self.columns)) {
+                    line[..row.len()].copy_from_slice(row);
+                    line[row.len()..].fill(0.0);
+                    // It fails only for wrong lengths.
+                    let _ = forward.process_with_scratch(line, spectrum, scratch);
+                }
+            },
+        );
+    }
+
+    /// Transforms the columns; `each` gets the number of a column, its waves, and scratch.
+    fn each_column<T: Send>(
+        &mut self,
+        each: impl Fn(usize, &mut [Complex64], &mut [Complex64]) -> T + Sync,
+    ) -> Vec<T> {
+        let half = self.padded_columns / 2 + 1;
+        let (forward, backward) = (&self.column_forward, &self.column_backward);
+        let scratch = forward.get_inplace_scratch_len().max(backward.get_inplace_scratch_len());
+        let blocks = self.by_columns.par_chunks_mut(BLOCK * self.padded_rows).enumerate();
+        let all = blocks.map_init(
+            || vec![Complex64::ZERO; scratch],
+            |scratch, (block, columns)| {
+                let first = block * BLOCK;
+                let count = columns.len() / self.padded_rows;
+                for (i, row) in self.by_rows.chunks(half).enumerate() {
+                    for (j, &wave) in row[first..first + count].iter().enumerate() {
+                        columns[j * self.padded_rows + i] = wave;
+                    }
+                }
+                let columns = columns.chunks_mut(self.padded_rows).enumerate();
+                let each = columns.map(|(j, column)| {
+                    column[self.rows..].fill(Complex64::ZERO);
+                    forward.process_with_scratch(column, scratch);
+                    each(first + j, column, scratch)
+                });
+                each.collect::<Vec<T>>()
+            },
+        );
+        all.collect::<Vec<_>>().into_iter().flatten().collect()
+    }
+
+    fn transform_rows_back(&mut self, map: &mut [f64]) {
+        let half = self.padded_columns / 2 + 1;
+        let backward = &self.row_backward;
+        let rows = map.par_chunks_mut(BLOCK * self.columns);
+        self.by_rows.par_chunks_mut(BLOCK * half).zip(rows).enumerate().for_each_init(
+            || (backward.make_output_vec(), backward.make_scratch_vec()),
+            |(line, scratch), (block, (spectra, rows))| {
+                let first = block * BLOCK;
+                let count = spectra.len() / half;
+                for (j, column) in self.by_columns.chunks(self.padded_rows).enumerate() {
+                    for (i, &wave) in column[first..first + count].iter().enumerate() {
+                        spectra[i * half + j] = wave;
+                    }
+                }
+                for (spectrum, row) in spectra.chunks_mut(half).zip(rows.chunks_mut(self.columns)) {
+                    // Rounding leaves these a little beside the real axis, which is refused.
+                    spectrum[0].im = 0.0;
+                    if self.padded_columns.is_multiple_of(2) {
+                        spectrum[half - 1].im = 0.0;
+                    }
+                    let _ = backward.process_with_scratch(spectrum, line, scratch);
+                    row.copy_from_slice(&line[..row.len()]);
+                }
+            },
+        );
+    }
+}
+
+/// Deflection at (x, y) under the pressure 1 on the rectangle dx x dy about the origin, times π E:
+/// the closed form of Love (1929). \[recalled\]
+fn rectangle(x: f64, y: f64, dx: f64, dy: f64) -> f64 {
+    let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
+    let (left, right) = (x - dx / 2.0, x + dx / 2.0);
+    let (low, high) = (y - dy / 2.0, y + dy / 2.0);
+    corner(right, high) - corner(left, high) - corner(right, low) + corner(left, low)
+}
+
+/// The least product of 2, 3 and 5 that is not below `length`.
+fn fast_length(length: usize) -> usize {
+    let smooth = |mut n: usize| {
+        for factor in [2, 3, 5] {
+            while n.is_multiple_of(factor) {
+                n /= factor;
+            }
+        }
+        n == 1
+    };
+    (length..).find(|&n| smooth(n)).unwrap_or(length)
+}

@@ -1,0 +1,113 @@
+//! Notes: what says that an answer is not resolved.
+
+use std::f64::consts::TAU;
+use std::fmt;
+
+use crate::half_space::HalfSpace;
+use crate::{Boundary, HeightMap};
+
+/// Least shortest wavelength \[pixels\].
+const LEAST_WAVELENGTH: f64 = 8.0;
+/// Least number of pixels in contact.
+const LEAST_PIXELS: usize = 100;
+/// Least number of patches: below it one realisation differs from the next by ten per cent and
+/// more.
+const LEAST_PATCHES: usize = 30;
+/// Share of the mean square slope that waves below the shortest wavelength may hold.
+const SHORT_SHARE: f64 = 0.01;
+/// Classes of the frequency, from 0 to the diagonal of a pixel.
+const CLASSES: usize = 1024;
+
+/// Why an answer should be read with care: it is exact for the pixels, not for the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Note {
+    /// The surface is rough down to waves of a few pixels: area and pressures change with the
+    /// grid. Smooth it, take a finer grid, or solve [`HeightMap::half_grid`] beside it.
+    ShortWaves {
+        /// Wavelength below which one hundredth of the mean square slope lies \[pixels\].
+        pixels: f64,
+    },
+    /// Few pixels carry the load: the area is a staircase.
+    FewPixels {
+        /// How many.
+        found: usize,
+    },
+    /// Few patches carry the load: another piece of the same surface will differ. Average several.
+    FewPatches {
+        /// How many.
+        found: usize,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ShortWaves { pixels } => write!(
+                f,
+                "the shortest waves are {pixels:.1} pixels long: at least {LEAST_WAVELENGTH} are needed for an answer that does not depend on the grid"
+            ),
+            Self::FewPixels { found } => write!(
+                f,
+                "{found} pixels are in contact: at least {LEAST_PIXELS} are needed for an area"
+            ),
+            Self::FewPatches { found } => write!(
+                f,
+                "{found} patches are in contact: at least {LEAST_PATCHES} are needed for one map to stand for its surface"
+            ),
+        }
+    }
+}
+
+impl Note {
+    pub(crate) fn of_contact(pixels: usize, patches: usize) -> impl Iterator<Item = Self> {
+        let few_pixels = (pixels < LEAST_PIXELS).then_some(Self::FewPixels { found: pixels });
+        let few_patches = (patches < LEAST_PATCHES).then_some(Self::FewPatches { found: patches });
+        few_pixels.into_iter().chain(few_patches)
+    }
+
+    pub(crate) fn of_map(
+        map: &HeightMap,
+        boundary: Boundary,
+        space: &mut HalfSpace,
+    ) -> Option<Self> {
+        let pixels = shortest_wavelength(map, boundary, space)?;
+        (pixels < LEAST_WAVELENGTH).then_some(Self::ShortWaves { pixels })
+    }
+}
+
+/// Wavelength \[pixels\] below which [`SHORT_SHARE`] of the mean square slope lies; none for a
+/// flat map. The edges of a map that is not periodic are faded out (Hann), or their steps would
+/// pass for short waves.
+fn shortest_wavelength(map: &HeightMap, boundary: Boundary, space: &mut HalfSpace) -> Option<f64> {
+    let [rows, columns] = map.shape();
+    let mut heights = map.heights().to_vec();
+    if boundary == Boundary::Free {
+        let fade = |i: usize, n: usize| 0.5 - 0.5 * (TAU * (i as f64 + 0.5) / n as f64).cos();
+        for (i, row) in heights.chunks_mut(columns).enumerate() {
+            for (j, height) in row.iter_mut().enumerate() {
+                *height *= fade(i, rows) * fade(j, columns);
+            }
+        }
+    }
+    let [dy, dx] = map.pixel();
+    let per_frequency = CLASSES as f64 / 0.5_f64.hypot(0.5);
+    let columns = space.spectrum(
+        &heights,
+        || vec![0.0; CLASSES],
+        |classes, [along_rows, along_columns], square| {
+            let class = (along_rows.hypot(along_columns) * per_frequency) as usize;
+            let slope = (along_rows / dy).powi(2) + (along_columns / dx).powi(2);
+            classes[class.min(CLASSES - 1)] += slope * square;
+        },
+    );
+    let slopes: Vec<f64> =
+        (0..CLASSES).map(|class| columns.iter().map(|column| column[class]).sum()).collect();
+    let mut left = SHORT_SHARE * slopes.iter().sum::<f64>();
+    let class = slopes.iter().rposition(|slope| {
+        left -= slope;
+        left < 0.0
+    })?;
+    // The middle of the class.
+    Some(per_frequency / (class as f64 + 0.5))
+}

@@ -1,0 +1,112 @@
+//! The answer: where the surfaces touch, how hard, and how far apart they are elsewhere.
+
+use std::f64::consts::{LN_2, PI};
+
+use crate::patches::patches;
+use crate::{Boundary, Given, HeightMap, Note};
+
+/// A solved contact.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Solution {
+    /// What was asked for.
+    pub given: Given,
+    /// Mean pressure on the area of the map \[Pa\].
+    pub mean_pressure: f64,
+    /// Load on the area of the map \[N\].
+    pub load: f64,
+    /// Real area of contact over the area of the map, corrected for the staircase edge of pixels:
+    /// the counted share less (π - 1 + ln 2)/24 of a pixel for every edge of the contact
+    /// (Yastrebov and others 2017 \[recalled\], the constant \[seen in tamaas\]), at least 0.
+    pub area: f64,
+    /// Share of the pixels that carry pressure.
+    pub pixel_area: f64,
+    /// Share of the pixels that carry the hardness.
+    pub plastic_area: f64,
+    /// Number of edges between a pixel in contact and one that is not.
+    pub edges: usize,
+    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces. Where the material
+    /// flows the gap is less than 0 by the plastic depth.
+    pub mean_gap: f64,
+    /// Mean gap \[m\] with the flowing pixels counted as 0.
+    pub mean_open_gap: f64,
+    /// Number of pixels of every contact patch, largest first. Pixels touch over edges.
+    pub patches: Vec<usize>,
+    /// Pressures \[Pa\], row after row.
+    pub pressures: Vec<f64>,
+    /// Gaps \[m\], row after row: 0 in contact, to within the tolerance times Sq.
+    pub gaps: Vec<f64>,
+    /// Σ p (g - min g)/(Σ p Sq), with a hardness Σ (p g⁺ + (H - p) g⁻)/(Σ p Sq): a bound of the
+    /// energy that is missing.
+    pub residual: f64,
+    /// Iterations it took, all the trials for a mean gap included.
+    pub iterations: usize,
+    /// What to know before it is trusted.
+    pub notes: Vec<Note>,
+}
+
+/// Share of a pixel that a counted contact is too large by for every edge.
+pub const EDGE_SHARE: f64 = (PI - 1.0 + LN_2) / 24.0;
+
+/// What the iteration leaves.
+pub(crate) struct Fields {
+    pub(crate) pressures: Vec<f64>,
+    pub(crate) gaps: Vec<f64>,
+    pub(crate) residual: f64,
+    pub(crate) iterations: usize,
+}
+
+impl Solution {
+    pub(crate) fn new(
+        given: Given,
+        map: &HeightMap,
+        boundary: Boundary,
+        cap: f64,
+        fields: Fields,
+        resolution: Option<Note>,
+    ) -> Self {
+        let Fields { pressures, gaps, residual, iterations } = fields;
+        let pixels = pressures.len() as f64;
+        let touching: Vec<bool> = pressures.iter().map(|&pressure| pressure > 0.0).collect();
+        let count = touching.iter().filter(|&&touches| touches).count();
+        let plastic = pressures.iter().filter(|&&pressure| pressure >= cap).count();
+        let periodic = boundary == Boundary::Periodic;
+        let edges = edges(&touching, map.shape(), periodic);
+        let patches = patches(&touching, map.shape(), periodic);
+        let mean_pressure = pressures.iter().sum::<f64>() / pixels;
+        let mut notes = Vec::from_iter(resolution);
+        notes.extend(Note::of_contact(count, patches.len()));
+        Self {
+            given,
+            mean_pressure,
+            load: mean_pressure * map.area(),
+            area: (count as f64 - EDGE_SHARE * edges as f64).max(0.0) / pixels,
+            pixel_area: count as f64 / pixels,
+            plastic_area: plastic as f64 / pixels,
+            edges,
+            mean_gap: gaps.iter().sum::<f64>() / pixels,
+            mean_open_gap: gaps.iter().map(|gap| gap.max(0.0)).sum::<f64>() / pixels,
+            patches,
+            pressures,
+            gaps,
+            residual,
+            iterations,
+            notes,
+        }
+    }
+}
+
+/// Edges of the contact inside the map, over its seams too when it is periodic.
+fn edges(touching: &[bool], [rows, columns]: [usize; 2], periodic: bool) -> usize {
+    let mut edges = 0;
+    for (i, row) in touching.chunks(columns).enumerate() {
+        let below = (i + 1) % rows;
+        let next_row = &touching[below * columns..][..columns];
+        if periodic || below > 0 {
+            edges += row.iter().zip(next_row).filter(|(a, b)| a != b).count();
+        }
+        edges += row.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        edges += usize::from(periodic && row[columns - 1] != row[0]);
+    }
+    edges
+}

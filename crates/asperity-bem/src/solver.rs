@@ -1,0 +1,304 @@
+//! The solver: one contact, or a list of them.
+
+use std::ops::ControlFlow;
+
+use crate::half_space::HalfSpace;
+use crate::height_map::positive;
+use crate::iteration::{Iteration, Problem};
+use crate::solution::Fields;
+use crate::{BemError, Boundary, HeightMap, Note, Solution};
+
+/// Trials for a mean gap.
+const MOST_TRIALS: usize = 60;
+/// Error of a mean gap, in tolerances of the residual times Sq.
+const GAP_ERROR: f64 = 10.0;
+
+/// What a contact is solved at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// Mean pressure on the area of the map \[Pa\].
+    MeanPressure(f64),
+    /// Load on the area of the map \[N\].
+    Load(f64),
+    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces.
+    MeanGap(f64),
+}
+
+/// How far a list of contacts has come.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Progress {
+    /// Place in the list of the contact that is being solved.
+    pub index: usize,
+    /// How many contacts of the list are done.
+    pub done: usize,
+    /// Iterations made for this one.
+    pub iterations: usize,
+    /// Its residual so far.
+    pub residual: f64,
+}
+
+/// A rigid rough surface above an elastic half-space: what is solved, and how well.
+///
+/// Runs on the threads of rayon's current pool; the digits do not depend on their number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundaryElements {
+    map: HeightMap,
+    modulus: f64,
+    boundary: Boundary,
+    hardness: Option<f64>,
+    tolerance: f64,
+    most_iterations: usize,
+}
+
+impl BoundaryElements {
+    /// An elastic, periodic contact of `map` with a half-space of the equivalent modulus
+    /// `modulus` \[Pa\], E/(1 - ν²) when only one of the bodies deforms.
+    ///
+    /// # Errors
+    /// [`BemError::OutOfRange`] when the modulus is not a positive number.
+    pub fn new(map: HeightMap, modulus: f64) -> Result<Self, BemError> {
+        Ok(Self {
+            map,
+            modulus: positive("equivalent modulus", modulus)?,
+            boundary: Boundary::default(),
+            hardness: None,
+            tolerance: 1e-8,
+            most_iterations: 1000,
+        })
+    }
+
+    /// What lies beyond the edges.
+    #[must_use]
+    pub fn boundary(mut self, boundary: Boundary) -> Self {
+        self.boundary = boundary;
+        self
+    }
+
+    /// Lets the material flow where the pressure reaches `hardness` \[Pa\].
+    ///
+    /// # Errors
+    /// [`BemError::OutOfRange`] when it is not a positive number.
+    pub fn hardness(mut self, hardness: f64) -> Result<Self, BemError> {
+        self.hardness = Some(positive("hardness", hardness)?);
+        Ok(self)
+    }
+
+    /// Largest [residual](Solution::residual); 1e-8 when nothing is said, which leaves about 1e-8
+    /// of Sq in the gap.
+    ///
+    /// # Errors
+    /// [`BemError::OutOfRange`] outside 1e-13 to 0.1.
+    pub fn tolerance(mut self, tolerance: f64) -> Result<Self, BemError> {
+        if !(1e-13..=0.1).contains(&tolerance) {
+            let required = "a number from 1e-13 to 0.1";
+            return Err(BemError::OutOfRange { field: "tolerance", found: tolerance, required });
+        }
+        self.tolerance = tolerance;
+        Ok(self)
+    }
+
+    /// Most iterations for one load; 1000 when nothing is said, where 15 to 60 are usual.
+    #[must_use]
+    pub fn most_iterations(mut self, most_iterations: usize) -> Self {
+        self.most_iterations = most_iterations;
+        self
+    }
+
+    /// Solves one contact.
+    ///
+    /// # Errors
+    /// [`BemError::OutOfRange`] when what is given is not a positive number,
+    /// [`BemError::CannotBeCarried`] above the hardness, [`BemError::NothingTouches`] above the
+    /// highest point, [`BemError::NotConverged`] when the tolerance was not reached.
+    pub fn solve(&self, given: Given) -> Result<Solution, BemError> {
+        let mut solutions = self.solve_all(&[given], |_| ControlFlow::Continue(()));
+        solutions.pop().unwrap_or(Err(BemError::Cancelled))
+    }
+
+    /// Solves a list: every one starts at the pressures of the one before it, from the greatest
+    /// load down, and the answers are in the order of the list. `progress` is told about every
+    /// iteration and may stop the run: what is solved by then is kept, the rest is
+    /// [`BemError::Cancelled`]. One that fails leaves the others as they are.
+    pub fn solve_all(
+        &self,
+        given: &[Given],
+        progress: impl FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Vec<Result<Solution, BemError>> {
+        let mut solutions: Vec<_> = given.iter().map(|_| Err(BemError::Cancelled)).collect();
+        self.solve_each(given, progress, |index, solution| solutions[index] = solution);
+        solutions
+    }
+
+    /// As [`BoundaryElements::solve_all`], but every answer is handed over as soon as it is there,
+    /// with its place in the list: for lists whose maps would fill the memory, and for runs that
+    /// may be killed.
+    pub fn solve_each(
+        &self,
+        given: &[Given],
+        mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
+        mut solved: impl FnMut(usize, Result<Solution, BemError>),
+    ) {
+        let mut run = Run::new(self);
+        let mut order: Vec<(usize, Given)> = given.iter().copied().enumerate().collect();
+        order.sort_by(|(_, a), (_, b)| self.lightness(*a).total_cmp(&self.lightness(*b)));
+        let mut stopped = false;
+        for (done, &(index, given)) in order.iter().enumerate() {
+            let solution = if stopped {
+                Err(BemError::Cancelled)
+            } else {
+                run.solve(given, &mut |iterations, residual| {
+                    progress(&Progress { index, done, iterations, residual })
+                })
+            };
+            stopped = matches!(solution, Err(BemError::Cancelled));
+            solved(index, solution);
+        }
+    }
+
+    /// Grows as loads fall; all loads come before all gaps.
+    fn lightness(&self, given: Given) -> f64 {
+        match given {
+            Given::MeanPressure(pressure) => -pressure,
+            Given::Load(load) => -load / self.map.area(),
+            Given::MeanGap(gap) => gap,
+        }
+    }
+}
+
+/// Told the iterations and the residual.
+type Watch<'a> = &'a mut dyn FnMut(usize, f64) -> ControlFlow<()>;
+
+/// A list being solved.
+struct Run<'a> {
+    setup: &'a BoundaryElements,
+    space: HalfSpace,
+    rms_height: f64,
+    resolution: Option<Note>,
+    /// Pressures of the last contact, and their mean.
+    last: Option<(Vec<f64>, f64)>,
+}
+
+impl<'a> Run<'a> {
+    fn new(setup: &'a BoundaryElements) -> Self {
+        let mut space = HalfSpace::new(&setup.map, setup.modulus, setup.boundary);
+        let resolution = Note::of_map(&setup.map, setup.boundary, &mut space);
+        Self { setup, space, rms_height: setup.map.rms_height(), resolution, last: None }
+    }
+
+    fn solve(&mut self, given: Given, watch: Watch<'_>) -> Result<Solution, BemError> {
+        let area = self.setup.map.area();
+        let fields = match given {
+            Given::MeanPressure(pressure) => {
+                self.press(positive("mean pressure", pressure)?, watch)
+            }
+            Given::Load(load) => self.press(positive("load", load)? / area, watch),
+            Given::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
+        }?;
+        let BoundaryElements { map, boundary, .. } = self.setup;
+        Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution))
+    }
+
+    fn cap(&self) -> f64 {
+        self.setup.hardness.unwrap_or(f64::INFINITY)
+    }
+
+    /// Contact at a mean pressure.
+    fn press(&mut self, pressure: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
+        let BoundaryElements { map, modulus, tolerance, most_iterations, .. } = self.setup;
+        let (cap, heights) = (self.cap(), map.heights());
+        if pressure >= cap {
+            return Err(BemError::CannotBeCarried { pressure, hardness: cap });
+        }
+        let pixels = heights.len() as f64;
+        let problem = Problem { heights, cap, load: pressure * pixels };
+        // A flat map has no Sq: its deflections have the pressure's scale.
+        let scale = if self.rms_height > 0.0 {
+            self.rms_height
+        } else {
+            pressure * map.area().sqrt() / modulus
+        };
+        let cold = self.last.is_none();
+        let start = match self.last.take() {
+            // Lighter loads follow: what is too much is taken off evenly.
+            Some((pressures, last)) if pressure <= last => pressures,
+            Some((pressures, last)) => pressures.iter().map(|p| p * pressure / last).collect(),
+            None => vec![pressure; heights.len()],
+        };
+        let mut iteration = Iteration::new(problem, start, &mut self.space);
+        let mut iterations = 0;
+        let (standing, residual) = loop {
+            let standing = iteration.standing();
+            let residual = (standing.remainder / scale).max(0.0);
+            if residual <= *tolerance {
+                break (standing, residual);
+            }
+            if watch(iterations, residual).is_break() {
+                return Err(BemError::Cancelled);
+            }
+            let first = cold && iterations == 0;
+            if iterations >= *most_iterations
+                || !iteration.advance(standing, first, &mut self.space)
+            {
+                let required = *tolerance;
+                return Err(BemError::NotConverged { residual, iterations, required });
+            }
+            iterations += 1;
+        };
+        let (pressures, mut gaps) = iteration.into_maps();
+        for (gap, height) in gaps.iter_mut().zip(heights) {
+            *gap -= height + standing.offset;
+        }
+        self.last = Some((pressures.clone(), pressure));
+        Ok(Fields { pressures, gaps, residual, iterations })
+    }
+
+    /// Contact at a mean gap: a secant on the logarithm of the pressure, kept between bounds.
+    fn approach(&mut self, target: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
+        let BoundaryElements { map, modulus, tolerance, .. } = self.setup;
+        let highest = map.highest();
+        if target >= highest {
+            return Err(BemError::NothingTouches { gap: target, highest });
+        }
+        let close = GAP_ERROR * tolerance * self.rms_height;
+        let most = self.cap();
+        let guess = modulus * self.rms_height / map.area().sqrt();
+        let mut logarithm = guess.min(most / 2.0).ln();
+        // Light loads have the stiffness p/(Sq/2), about.
+        let mut slope = -0.5 * self.rms_height;
+        let (mut light, mut heavy) = (f64::NEG_INFINITY, most.ln());
+        let mut before: Option<(f64, f64)> = None;
+        let mut iterations = 0;
+        for _ in 0..MOST_TRIALS {
+            let mut fields =
+                self.press(logarithm.exp(), &mut |i, residual| watch(iterations + i, residual))?;
+            iterations += fields.iterations;
+            let excess = fields.gaps.iter().sum::<f64>() / fields.gaps.len() as f64 - target;
+            if excess.abs() <= close {
+                fields.iterations = iterations;
+                return Ok(fields);
+            }
+            if excess > 0.0 {
+                light = logarithm
+            } else {
+                heavy = logarithm
+            }
+            if let Some((other, other_excess)) = before {
+                let secant = (excess - other_excess) / (logarithm - other);
+                if secant < 0.0 {
+                    slope = secant;
+                }
+            }
+            before = Some((logarithm, excess));
+            let next = logarithm - excess / slope;
+            logarithm = if next > light && next < heavy {
+                next.clamp(logarithm - 5.0, logarithm + 5.0)
+            } else if light.is_finite() && heavy.is_finite() {
+                0.5 * (light + heavy)
+            } else {
+                logarithm + if excess > 0.0 { 1.0 } else { -1.0 }
+            };
+        }
+        Err(BemError::GapNotFound { gap: target, trials: MOST_TRIALS })
+    }
+}

@@ -1,0 +1,29 @@
+//! Boundary elements against closed forms, against an independent solver, and against themselves.
+
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod closed_forms;
+mod inputs;
+mod invariants;
+mod lists;
+mod notes;
+mod reference;
+mod surfaces;
+
+use asperity_bem::{HeightMap, RandomSurface};
+
+/// A rough periodic map of n x n pixels with 8 pixels to the shortest wave.
+fn rough(n: usize, seed: u64) -> HeightMap {
+    let surface = RandomSurface::new(2.0, 4.0, n as f64 / 8.0).unwrap();
+    surface.gradient(0.1).unwrap().side(1e-4).unwrap().seed(seed).heights(n).unwrap()
+}
+
+/// Equivalent modulus of the tests \[Pa\].
+const MODULUS: f64 = 1e11;
+/// Pressure unit of [`rough`], modulus times gradient \[Pa\].
+const UNIT: f64 = 1e10;
+
+#[track_caller]
+fn close(found: f64, required: f64, relative: f64) {
+    assert!((found - required).abs() <= relative * required.abs(), "{found:e} is not {required:e}");
+}

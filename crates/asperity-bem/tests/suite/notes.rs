@@ -1,0 +1,54 @@
+//! What is not resolved says so.
+
+use asperity_bem::{Boundary, BoundaryElements, Given, Note, RandomSurface};
+
+use crate::{MODULUS, UNIT, rough};
+
+#[test]
+fn short_waves_are_seen_in_both_boundaries() {
+    for boundary in [Boundary::Periodic, Boundary::Free] {
+        for (n, short) in [(64, true), (128, true), (256, false), (512, false)] {
+            let surface = RandomSurface::new(2.0, 4.0, 24.0).unwrap().gradient(0.1).unwrap();
+            let map = surface.side(1e-4).unwrap().heights(n).unwrap();
+            let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(boundary);
+            let solution = solver.tolerance(0.1).unwrap().solve(Given::MeanPressure(UNIT)).unwrap();
+            let found = solution.notes.iter().find_map(|note| match note {
+                Note::ShortWaves { pixels } => Some(*pixels),
+                _ => None,
+            });
+            assert_eq!(found.is_some(), short, "{n} {found:?}");
+            if let Some(pixels) = found {
+                // The shortest wave is n/24 pixels long; the note counts 1 % of the slope out.
+                let exact = n as f64 / 24.0;
+                assert!((0.97 * exact..1.06 * exact).contains(&pixels), "{n} {pixels}");
+            }
+        }
+    }
+}
+
+#[test]
+fn few_pixels_and_few_patches_are_counted() {
+    let solver = BoundaryElements::new(rough(128, 2), MODULUS).unwrap();
+    let notes = |share: f64| solver.solve(Given::MeanPressure(share * UNIT)).unwrap().notes;
+    let light = notes(1e-4);
+    assert!(light.iter().any(|note| matches!(note, Note::FewPixels { found } if *found < 100)));
+    assert!(light.iter().any(|note| matches!(note, Note::FewPatches { found } if *found < 30)));
+    assert!(light.iter().all(|note| note.to_string().contains("at least")));
+    let middle = notes(0.03);
+    assert!(!middle.iter().any(|note| matches!(note, Note::FewPixels { .. })), "{middle:?}");
+}
+
+#[test]
+fn half_the_grid_tells_how_far_the_answer_depends_on_it() {
+    let map =
+        RandomSurface::new(2.0, 4.0, 8.0).unwrap().gradient(0.1).unwrap().heights(256).unwrap();
+    let area = |map| {
+        let solver = BoundaryElements::new(map, 1.0).unwrap();
+        let solution = solver.solve(Given::MeanPressure(5e-3)).unwrap();
+        [solution.area, solution.pixel_area]
+    };
+    let [half, fine] = [area(map.half_grid().unwrap()), area(map)];
+    // Corrected areas agree where counted ones do not.
+    assert!((half[0] / fine[0] - 1.0).abs() < 0.02, "{half:?} {fine:?}");
+    assert!(half[1] / fine[1] > 1.02, "{half:?} {fine:?}");
+}
