@@ -14,7 +14,7 @@ def test_floats_give_floats_and_arrays_give_arrays(scene: asperity.Scene) -> Non
     force, tangent = contact.force_and_tangent(2e-6)
     assert type(force) is type(tangent) is float
     for number in (0, np.float64(1e-6), np.float32(1e-6), np.int64(0), False):
-        assert type(contact.force(number)) is float
+        assert type(contact.force(number)) is float  # type: ignore[comparison-overlap]
     gaps = np.linspace(0, 4e-6, 12).reshape(3, 4)
     forces, tangents = contact.force_and_tangent(gaps)
     assert forces.shape == tangents.shape == (3, 4) and forces.flags.c_contiguous

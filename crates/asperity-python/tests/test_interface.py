@@ -318,7 +318,7 @@ def test_texts_of_tables_have_every_digit_and_nothing_where_there_is_no_value(
     head, *rows = (line.split(",") for line in curve.to_csv().splitlines())
     assert head == ["load_N", "area_m2", "mean_pressure_Pa"]
     assert rows[1] == ["1e+30", "", ""]
-    assert [float(row[1]) for row in rows[::2]] == curve.area.compressed().tolist()
+    assert [float(row[1]) for row in rows[::2]] == curve.area.compressed().tolist()  # type: ignore[attr-defined]
     assert curve.to_dataframe()["area_m2"].isna().tolist() == [False, True, False]
 
 

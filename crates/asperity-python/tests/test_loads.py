@@ -81,16 +81,16 @@ def test_rows_that_no_separation_carries_are_masked_with_their_reasons(
     for scenes in (scene, [scene], scene.vary(hardness=[2e9])):
         curve = ke.solve(scenes, load=loads, quantities=["area", "force"], errors="mask")
         assert np.ma.getmaskarray(curve.area).tolist() == [False, True, False, True, False]
-        assert not np.isnan(curve.area.compressed()).any()
+        assert not np.isnan(curve.area.compressed()).any()  # type: ignore[attr-defined]
         assert sorted(curve.failures) == [1, 3]
         assert curve.failures[1].startswith("load is 1e30 N: a load above 0 and at most")
         assert curve.failures[3].startswith("load is -1.0: ")
         good = ke.solve(scenes, load=loads[::2], quantities="area")
-        np.testing.assert_allclose(curve.area.compressed(), good.area, rtol=1e-12)
+        np.testing.assert_allclose(curve.area.compressed(), good.area, rtol=1e-12)  # type: ignore[arg-type, attr-defined]
         for values in (curve.error("area"), curve.ln("force"), curve.separation):
             assert np.ma.getmaskarray(values).tolist() == [False, True, False, True, False]
         shares = curve.shares("force")
-        np.testing.assert_allclose(sum(shares.values()).compressed(), 1.0, rtol=1e-12)
+        np.testing.assert_allclose(sum(shares.values()).compressed(), 1.0, rtol=1e-12)  # type: ignore[union-attr]
         found = ke.separation_at(scenes, loads, errors="mask")
         np.testing.assert_allclose(found, curve.separation)
         with pytest.raises(ValueError, match="load is 1e30 N"):
@@ -128,8 +128,8 @@ def test_all_crossings_are_given_where_they_are_asked_for(soft_steel: asperity.S
         largest = printed.separation_at(scenes, load)
         everything = printed.separation_at(scenes, load, all=True)
         found = np.asarray(everything).item()
-        assert len(found) == 3 and (np.diff(found) > 0.0).all()
-        assert float(np.asarray(largest).item()) == pytest.approx(found[-1], rel=1e-12)
+        assert len(found) == 3 and (np.diff(found) > 0.0).all()  # type: ignore[arg-type]
+        assert float(np.asarray(largest).item()) == pytest.approx(found[-1], rel=1e-12)  # type: ignore[index]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         back = printed.solve(soft_steel, found).force
@@ -148,7 +148,7 @@ def test_masked_in_is_masked_out(scene: asperity.Scene) -> None:
         for values in (curve.force, curve.area, curve.error("force"), curve.shares("area")["plastic"]):
             assert np.ma.getmaskarray(values).tolist() == [False, False, True, False]
         plain = ke.solve(scenes, [0.0, 1.0, 2.0])
-        np.testing.assert_array_equal(curve.force.compressed(), plain.force)
+        np.testing.assert_array_equal(curve.force.compressed(), plain.force)  # type: ignore[attr-defined]
         assert curve.failures == {}
         found = ke.separation_at(scenes, np.ma.masked_less([-1.0, 1.0], 0.0))
         assert np.ma.getmaskarray(found).tolist() == [True, False]
@@ -165,12 +165,12 @@ def test_exactly_one_of_the_three_is_required(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     for arguments in ({}, {"separation": 1.0, "load": 1.0}, {"load": 1.0, "pressure": 1.0}):
         with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
-            ke.solve(scene, **arguments)
+            ke.solve(scene, **arguments)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
         ke.separation_at(scene)
     for wrong in ({"load": "1 N"}, {"pressure": [1j]}):
         with pytest.raises(TypeError):
-            ke.solve(scene, **wrong)  # type: ignore[arg-type]
+            ke.solve(scene, **wrong)
 
 
 def test_every_quantity_of_the_library_is_there(scene: asperity.Scene) -> None:

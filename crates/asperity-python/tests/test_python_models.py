@@ -79,7 +79,7 @@ class OwnStiffness(KogutEtsion):
 def test_the_same_laws_give_the_same_values(
     own: type[KogutEtsion], heights: str, scene: asperity.Scene
 ) -> None:
-    scene = asperity.Scene(scene.interface, scene.surface, scene.nominal_area, heights=heights)  # type: ignore[arg-type]
+    scene = asperity.Scene(scene.interface, scene.surface, scene.nominal_area, heights=heights)
     at = SEPARATIONS[::6] if heights == "exponential" else SEPARATIONS
     mine = asperity.model(own).solve(scene, at, QUANTITIES, rtol=1e-12)
     theirs = asperity.model("ke").solve(scene, at, QUANTITIES, rtol=1e-12)
@@ -129,7 +129,7 @@ def test_undeclared_jumps_anywhere_keep_the_tolerance(
         )
         error = abs(silent[quantity] / told[quantity] - 1.0)
         # A jump that is small beside the tolerance may hide from the bound.
-        assert error <= max(rtol, silent.error(quantity)) + told.error(quantity)
+        assert error <= max(rtol, silent.error(quantity)) + told.error(quantity)  # type: ignore[operator]
         # The factor is 0.2 at least: what cancels makes a bound no more than some times larger.
         assert silent.error(quantity) < 10.0 * rtol + 1e-12
 

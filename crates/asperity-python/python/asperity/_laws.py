@@ -50,7 +50,8 @@ class Laws:
                 f"{made_for!r} is no model: an id, or a class with force(w) and area(w), was required"
             )
         self.made_for = made_for
-        self.name: str = getattr(made_for, "name", None) or getattr(made_for, "__name__", "")
+        name = getattr(made_for, "name", None) or getattr(made_for, "__name__", "")
+        self.name = str(name)
         self.own_stiffness = hasattr(made_for, "stiffness")
         self.force_monotone = bool(getattr(made_for, "force_monotone", False))
 

@@ -39,8 +39,9 @@ class Job:
     ) -> tuple[Part, list[str]]:
         """One part, and the warnings of the model."""
         rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
-        arguments = rows, self.quantities, self.rtol, "value", stop, threads
-        values, failures, said = _asperity.answer(self.model, *arguments)
+        values, failures, said = _asperity.answer(
+            self.model, rows, self.quantities, self.rtol, "value", stop, threads
+        )
         first = self.design.first_row(number)
         for k, error in failures:
             if stop or not isinstance(error, Exception):
