@@ -1,8 +1,8 @@
 //! From a load back to the separation, for every model.
 
 use asperity::{
-    Case, Contact, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Sweep,
-    Tolerance,
+    At, Case, Contact, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface,
+    Sweep, Tolerance,
 };
 
 use crate::scenes;
@@ -119,6 +119,29 @@ fn loads_of_many_scenes_lead_to_the_separations_of_each_alone() {
                 (found - wanted).abs() < 3e-10 * (1.0 + wanted.abs()),
                 "{id}: {found} {wanted}"
             );
+        }
+    }
+}
+
+#[test]
+fn loads_of_scenes_that_have_nothing_in_common_are_met_within_their_bounds() {
+    let steel = asperity::Body::new(210e9, 0.3, 2e9);
+    let interface = Interface::between(&steel, &steel).unwrap();
+    let scene = Scene::new(interface, Surface::new(2e-4, 2e8, 1e-6), 1e-4);
+    for id in ["zmc", "jg", "jg-cosine", "etsion"] {
+        let model: Model = id.parse().unwrap();
+        let sweep = Sweep::new(&model, &[Quantity::Force], Tolerance::default());
+        let mut cases = vec![];
+        for k in 0..60 {
+            let mut scene = scene.clone();
+            scene.interface.hardness = Some(1.5e9 + 2e7 * f64::from(k));
+            cases.push(Case::new(scene, At::Load(10f64.powf(0.1 * f64::from(k) - 3.0))));
+        }
+        for (case, found) in cases.iter().zip(sweep.evaluate_all(&cases)) {
+            let (At::Load(load), force) = (case.at, found.unwrap()[0]) else { unreachable!() };
+            let error = (force.value() / load - 1.0).abs();
+            assert!(error <= force.relative_error(), "{id} {load}: {error:e}");
+            assert!(force.relative_error() < 1e-8, "{id} {load}: {force:?}");
         }
     }
 }

@@ -39,9 +39,8 @@ pub struct Asked {
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    /// Quantities [default: force,area,tangent; without the force at a load]: force, area,
-    /// stiffness, tangent, pressure, area-fraction, contacts, mean-pressure, ln-force, ln-area,
-    /// elastic-share, elastic-plastic-share, plastic-share
+    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
+    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
@@ -75,13 +74,12 @@ impl Asked {
 
     /// The default ones are multiples of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
-        let flat = |lists: &[Numbers]| lists.iter().flat_map(|list| list.0.clone()).collect();
         let separation = |value| At::from(scene.separation(value, self.unit));
-        let [separations, loads, pressures]: [Vec<f64>; 3] =
-            [&self.separations, &self.loads, &self.pressures].map(|lists| flat(lists));
-        let loads = loads.into_iter().map(At::Load);
-        let given = loads.chain(pressures.into_iter().map(At::Pressure));
-        let given: Vec<At> = separations.into_iter().map(separation).chain(given).collect();
+        let flat = |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
+        let separations = flat(&self.separations).into_iter().map(separation);
+        let loads = flat(&self.loads).into_iter().map(At::Load);
+        let pressures = flat(&self.pressures).into_iter().map(At::Pressure);
+        let given: Vec<At> = separations.chain(loads).chain(pressures).collect();
         if given.is_empty() { otherwise.iter().map(|s| separation(*s)).collect() } else { given }
     }
 }

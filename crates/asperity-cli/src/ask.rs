@@ -68,7 +68,9 @@ impl<'s> Question<'s> {
             rows += places.len();
             for (k, (given, at)) in places.into_iter().enumerate() {
                 let values = || response.columns.iter().map(|column| column.rows[k].as_ref());
-                if let Some(reason) = values().filter_map(Result::err).find(|e| !is_told(e)) {
+                // That nothing touches is among the warnings.
+                let is_new = |e: &&Box<_>| !matches!(***e, ContactError::NoValue { .. });
+                if let Some(reason) = values().filter_map(Result::err).find(is_new) {
                     count(&mut reasons, reason);
                 }
                 let separation = contact.separation(at);
@@ -133,11 +135,6 @@ impl<'s> Question<'s> {
         }
         Ok(())
     }
-}
-
-/// Whether a reason is among the warnings: that nothing touches.
-fn is_told(reason: &ContactError) -> bool {
-    matches!(reason, ContactError::NoValue { .. })
 }
 
 /// Counts why rows have no value, each kind of reason once.

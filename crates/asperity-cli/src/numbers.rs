@@ -32,9 +32,9 @@ impl FromStr for Numbers {
         if !log {
             return Ok(Self(linspace(first, last, count)));
         }
-        let mut values: Vec<f64> =
-            linspace(first.ln(), last.ln(), count).into_iter().map(f64::exp).collect();
-        // The ends are as given, to the digit.
+        // Decades come out as such, and the ends are as given, to the digit.
+        let powers = linspace(first.log10(), last.log10(), count).into_iter();
+        let mut values: Vec<f64> = powers.map(|power| 10f64.powf(power)).collect();
         (values[0], values[count - 1]) = (first, last);
         Ok(Self(values))
     }
@@ -122,6 +122,7 @@ mod tests {
         let log = numbers("0.1:7:3:log").unwrap();
         assert_eq!((log[0], log[2]), (0.1, 7.0));
         assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
+        assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
         let span = range("0:4").unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range("-1:4:9").unwrap().count, Some(9));

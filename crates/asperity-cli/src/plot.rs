@@ -43,18 +43,13 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
             let k = place(table, &name)?;
             let low = |row: &&Vec<Cell>| matches!(row[k], Cell::Number(Some(y)) if y <= 0.0);
             let low = table.rows.iter().filter(low).filter_map(|row| curve(&&row[0]));
-            let ids = once(&low.map(|curve| curve.key).collect::<Vec<_>>());
-            hidden.extend(ids.iter().map(|id| format!("{quantity} of {id}")));
+            hidden.extend(low.map(|curve| format!("{quantity} of {}", curve.key)));
         }
         let mut panel = Panel::new(x.clone(), y);
         panel.curve_column = "model".into();
         panel.curves.clone_from(&curves);
         panels.push(panel);
     }
-    let caption = match hidden.join(", ") {
-        none if none.is_empty() => none,
-        which => format!("Values of 0 and below are not on logarithmic axes: {which}."),
-    };
     // A line runs from left to right, whatever the order of the rows.
     let mut sorted = table.clone();
     let k = place(table, &x.column)?;
@@ -62,7 +57,11 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     sorted.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
     let mut csv = vec![];
     sorted.csv(&mut csv)?;
-    let figure = Figure::new("", &[&*caption][..usize::from(!caption.is_empty())], panels);
+    let mut figure = Figure::new("", &[], panels);
+    if !hidden.is_empty() {
+        let which = once(&hidden).join(", ");
+        figure.caption.push(format!("Values of 0 and below are not on logarithmic axes: {which}."));
+    }
     Ok(draw(&figure, &String::from_utf8(csv)?)?)
 }
 

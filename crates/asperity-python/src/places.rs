@@ -15,8 +15,10 @@ pub(crate) enum Axis {
 
 /// Farther away or deeper than this many σ_z there is no contact that anybody means.
 const FAR: f64 = 1e3;
-/// Nearer to 0 than this many σ_z is as good as there.
-const NEAR: f64 = 1e-2;
+/// Nearer to 0 than this many σ_z nobody asks unless for 0 itself: the number has another unit.
+const NEAR: f64 = 1e-3;
+/// Within so many σ_z lie the gaps that are asked about.
+const GAPS: std::ops::Range<f64> = 1e-2..30.0;
 /// No gap of a rough contact is as long as this \[m\]; multiples of σ_z are.
 const LONG: f64 = 0.1;
 
@@ -73,7 +75,7 @@ impl Axis {
                 "separation is {value:?} asperity_height_std: is it in another unit? separation_unit=\"m\" takes metres"
             )),
             Self::Separation(SeparationUnit::Sigma)
-                if size < NEAR && (NEAR..FAR).contains(&over.abs()) =>
+                if size < NEAR && GAPS.contains(&over.abs()) =>
             {
                 Some(format!(
                     "separation is {value:e} asperity_height_std: is it in metres, {over:?} asperity_height_std? separation_unit=\"m\" takes metres"

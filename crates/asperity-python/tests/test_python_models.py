@@ -99,7 +99,7 @@ def test_the_same_laws_give_the_same_values(
     st.lists(st.floats(-3.0, 0.6), min_size=1, max_size=4, unique=True),
     st.lists(st.floats(-0.2, 0.5), min_size=4, max_size=4),
     # Next to 0 a number looks like metres, and is warned of.
-    st.floats(-2.0, 4.0).filter(lambda d: abs(d) > 0.01),
+    st.floats(-2.0, 4.0).filter(lambda d: abs(d) > 1e-3),
     st.sampled_from([1e-6, 1e-10, 1e-13]),
 )
 def test_undeclared_jumps_anywhere_keep_the_tolerance(

@@ -14,7 +14,8 @@ use crate::table::Cell;
 #[command(after_help = "Deviations are relative to the reference (differences, for logarithms and
 shares), and 0 where the bounds on the errors do not tell two values apart. At a
 load, each model is at its own separation.
-Unless something is given, the separation is 2 in sigma.
+Unless something is given: force, area and tangent (at loads, without the force)
+at a separation of 2 in sigma.
 
 Examples:
   asperity compare scene.toml

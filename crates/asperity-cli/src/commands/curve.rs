@@ -24,7 +24,8 @@ pub const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tan
 separation_m, then the quantities as asked, with their units: force_N, area_m2.
 Where a load has several separations (jg, at), the largest is meant: where the
 surfaces first meet it. A row that has no value is left blank, and said why.
-Unless something is given, separations are 0:4:401 in sigma.
+Unless something is given: force, area and tangent (at loads, without the force)
+at separations of 0:4:401 in sigma.
 
 Examples:
   asperity curve scene.toml --format table --model gw,ke --separation -1:4:6

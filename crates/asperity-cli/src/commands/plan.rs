@@ -13,12 +13,15 @@ use crate::scene::LoadedScene;
 
 /// What is integrated for an answer, with how many nodes, and what is left out
 #[derive(Debug, Args)]
-#[command(after_help = "Unless something is given, separations are 0:4:401 in sigma.
+#[command(
+    after_help = "Unless something is given: force, area and tangent (at loads, without the force)
+at separations of 0:4:401 in sigma.
 
 Examples:
   asperity plan scene.toml --model ke --quantity force,tangent
   asperity plan scene.toml --model ke --load 10:1000:50
-  asperity plan scene.toml --model gw,zmc --separation 0:2:3 --tolerance 1e-6")]
+  asperity plan scene.toml --model gw,zmc --separation 0:2:3 --tolerance 1e-6"
+)]
 pub struct Plan {
     #[command(flatten)]
     asked: Asked,

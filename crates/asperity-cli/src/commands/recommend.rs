@@ -18,8 +18,8 @@ use crate::table::{Cell, Table};
 force law of few parts before one of many; an older model before a newer one.
 The models are listed so. Deviations are the largest over the separations or
 loads, relative to the reference (differences, for logarithms and shares).
-Unless something is given, it is force and area (area, at loads) at separations
-of 0:4:401 in sigma.
+Unless something is given: force and area (at loads, the area) at separations of
+0:4:401 in sigma.
 
 Examples:
   asperity recommend scene.toml

@@ -16,7 +16,7 @@ use crate::scene::LoadedScene;
     mut_arg("unit", |arg| arg.hide(true)),
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "Columns: model, load_N, pressure_Pa, separation_over_sigma, separation_m, then
-the quantities as asked, with their units.
+the quantities as asked (area and tangent unless given), with their units.
 A model whose force rises and falls (at, jg) may have several separations for
 one load. The largest is given, where the surfaces first meet the load; with
 --all each is a row, the smallest first.

@@ -93,6 +93,10 @@ fn moments_of_two_surfaces_add() {
     bench.write("b.txt", &scan(0.37));
     let [a, b, both] = ["a.txt", "b.txt", "a.txt b.txt"]
         .map(|f| json(&bench, &format!("{f} --unit um --pixel-size 0.5")));
+    // Summits do not add, and no option is ignored.
+    let run = bench.run("surface a.txt b.txt --unit um --pixel-size 0.5 --estimator summits");
+    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
+    assert!(run.words.contains("\"moments\" was required for two surfaces"), "{}", run.words);
     for key in ["m0", "m2", "m4"] {
         let sum = a[key].as_f64().unwrap() + b[key].as_f64().unwrap();
         assert!((both[key].as_f64().unwrap() / sum - 1.0).abs() < 1e-12, "{key}");

@@ -147,10 +147,10 @@ class Curve:
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
-        >>> print(asperity.model("gw").solve(scene, [1.0, 2.0], rtol=1e-14).to_csv(), end="")
+        >>> print(asperity.model("gw").solve(scene, [1.0, 2.0]).to_csv(), end="")
         separation,force_N
-        1.0,3292.645006349853
-        2.0,289.290552625914
+        1.0,3292.64500634...
+        2.0,289.290552625...
         """
         table = self._table()
         cells = ([("" if math.isnan(v) else repr(v)) for v in c.tolist()] for c in table.values())
