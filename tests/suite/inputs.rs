@@ -65,7 +65,7 @@ fn a_hardness_or_yield_strength_is_needed_and_either_is_enough() {
         "{message}"
     );
     scene.interface.yield_strength = Some(2e9 / 2.8);
-    assert!((scene.asperity().unwrap().hardness / 2e9 - 1.0).abs() < 1e-15);
+    assert!((scene.asperity().unwrap().hardness().unwrap() / 2e9 - 1.0).abs() < 1e-15);
 }
 
 #[test]

@@ -31,8 +31,16 @@ impl LoadedScene {
             return once(asked).iter().map(|id| self.model(id)).collect();
         }
         let (models, left_out) = self.file.models();
+        let mut reasons: Vec<(String, Vec<&str>)> = vec![];
         for model in &left_out {
-            say("note", &format!("{} is left out: {}", model.id, model.reason));
+            let reason = model.reason.to_string();
+            match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, ids)) => ids.push(&model.id),
+                None => reasons.push((reason, vec![&model.id])),
+            }
+        }
+        for (reason, ids) in &reasons {
+            say("note", &format!("left out: {}: {reason}", ids.join(", ")));
         }
         if models.is_empty() {
             bail!("{}: no model can use this scene", self.name);

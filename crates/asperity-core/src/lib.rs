@@ -17,6 +17,7 @@
 mod asperity;
 mod case;
 mod channel;
+mod check;
 mod compiled;
 mod contact;
 mod crossings;
@@ -50,6 +51,7 @@ mod warning;
 
 pub use asperity::Asperity;
 pub use asperity_quadrature::{Density, Moments, Piece, QuadratureError, Sampler};
+pub use check::{Check, Finding, Number, Severity};
 pub use contact::{Contact, ContactModel};
 pub use error::{ContactError, positive};
 pub use evaluation::{Evaluation, Share};

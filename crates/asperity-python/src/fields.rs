@@ -40,15 +40,15 @@ fields!(Surface, asperity::Surface::new(1.0, 1.0, 1.0),
     asperity_radius: f64, asperity_density: f64, asperity_height_std: f64);
 fields!(Asperity, NO_ASPERITY,
     equivalent_modulus: f64, equivalent_shear_modulus: Option<f64>, poissons_ratio: f64,
-    hardness: f64, yield_strength: f64, pressure_factor: f64, radius: f64);
+    hardness: Option<f64>, yield_strength: Option<f64>, pressure_factor: f64, radius: f64);
 
 /// To be filled.
 const NO_ASPERITY: asperity::Asperity = asperity::Asperity {
     equivalent_modulus: 0.0,
     equivalent_shear_modulus: None,
     poissons_ratio: 0.0,
-    hardness: 0.0,
-    yield_strength: 0.0,
+    hardness: None,
+    yield_strength: None,
     pressure_factor: 0.0,
     radius: 0.0,
 };

@@ -141,8 +141,12 @@ fn models_that_the_scene_does_not_allow_are_named() {
     let run = bench.run("curve scene.toml --separation 2");
     assert_eq!(run.code, Some(0));
     assert_eq!(run.out.lines().count(), 9, "{}", run.out);
+    let words = &run.words;
     for id in ["gao", "at", "at-additive", "at-overlap"] {
-        assert!(run.words.contains(&format!("{id} is left out: equivalent_shear_modulus")));
+        assert!(
+            words.contains(&format!("note: left out: {id}: equivalent_shear_modulus")),
+            "{words}"
+        );
     }
     let refused = bench.run("curve scene.toml --model gw,gao");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));

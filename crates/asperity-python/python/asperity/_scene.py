@@ -84,7 +84,8 @@ class Interface(_Given):
     hardness : float, optional
         Of the softer body [Pa]; 2.8 times the yield strength when not given.
     yield_strength : float, optional
-        Of the softer body [Pa]; the hardness over 2.8 when not given. One of the two is needed.
+        Of the softer body [Pa]; the hardness over 2.8 when not given. Without either, the surfaces
+        never yield, and gw alone can be asked.
     equivalent_shear_modulus : float, optional
         G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; the models gao and at need it.
     pressure_factor : float, optional
@@ -197,10 +198,10 @@ class Asperity:
     equivalent_shear_modulus: float | None
     #: Poisson's ratio of the softer body.
     poissons_ratio: float
-    #: Hardness of the softer body [Pa].
-    hardness: float
-    #: Yield strength of the softer body [Pa].
-    yield_strength: float
+    #: Hardness of the softer body [Pa], unless it never yields.
+    hardness: float | None
+    #: Yield strength of the softer body [Pa], unless it never yields.
+    yield_strength: float | None
     #: Maximum contact pressure factor.
     pressure_factor: float
     #: Radius [m].
@@ -209,7 +210,7 @@ class Asperity:
     @property
     def critical_interference(self) -> float:
         """The interference at which yielding begins [m]; ValueError where it would exceed the
-        radius."""
+        radius, or there is no hardness."""
         return _asperity.critical_of(self)[0]
 
     @property

@@ -147,12 +147,6 @@ fn every_error_names_line_and_field_and_what_is_needed() {
             text("", &INTERFACE.replace("0.31", "0.6"), SURFACE),
             &["line 6: interface.poissons_ratio is 0.6: a number above -1 and at most 0.5"],
         ),
-        (
-            text("", &INTERFACE.replace("hardness = 1.12e9", ""), SURFACE),
-            &[
-                "line 3: interface.hardness is missing: every interface (or yield_strength) needs it",
-            ],
-        ),
         (text("", &two, SURFACE), &["line 9: body[2].poissons_ratio is 0.7"]),
         (text("", bodies, SURFACE), &["body[2] is missing", "rigid_counterface = true"]),
         (
