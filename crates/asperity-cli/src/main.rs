@@ -19,7 +19,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{compare, curve, export, init, models, plan, recommend, solve, surface};
+use commands::{check, compare, curve, export, init, models, plan, recommend, solve, surface};
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
 #[derive(Debug, Parser)]
@@ -38,6 +38,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Check(check::Check),
     Curve(curve::Curve),
     Solve(solve::Solve),
     Compare(compare::Compare),
@@ -51,6 +52,7 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match Cli::parse_from(with_negative_numbers(std::env::args_os())).command {
+        Command::Check(command) => command.run(),
         Command::Curve(command) => command.run(),
         Command::Solve(command) => command.run(),
         Command::Compare(command) => command.run(),

@@ -5,16 +5,15 @@ use std::path::Path;
 use asperity::Surface;
 use asperity_topography::{Estimator, ReadOptions, Statistics, Topography, TopographyError, read};
 
-use crate::SceneError;
 use crate::document::Document;
 use crate::keys::{PixelSize, SurfaceKeys};
+use crate::{Measured, SceneError};
 
 /// The surface of a scene.
 #[derive(Debug, Clone)]
 pub(crate) struct Described {
     pub(crate) surface: Surface,
-    /// Mean of the asperity heights above the mean plane \[m\].
-    pub(crate) mean_plane_offset: Option<f64>,
+    pub(crate) measured: Option<Measured>,
     pub(crate) notes: Vec<String>,
 }
 
@@ -26,7 +25,10 @@ pub(crate) fn measured(
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     let one = |at: &str, path: &Path| {
         let path = document.path(path);
-        let found = read(&path, &read_options(keys)).and_then(|read| statistics(read, keys));
+        let found = read(&path, &read_options(keys)).and_then(|read| {
+            let [dx, dy] = read.pixel_size();
+            Ok(Measured { statistics: statistics(read, keys)?, pixel_size: dx.max(dy) })
+        });
         found.map_err(|error| match unnamed(error) {
             // What is wrong with an option stands at that option, all else at the file.
             TopographyError::OutOfRange { field, value, required } => {
@@ -38,7 +40,7 @@ pub(crate) fn measured(
             }
         })
     };
-    let (at, statistics) = match (&keys.file, keys.files.as_deref()) {
+    let (at, measured) = match (&keys.file, keys.files.as_deref()) {
         (Some(_), Some(_)) => {
             let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
             return conflict("surface.file", "surface.files", needed);
@@ -50,9 +52,11 @@ pub(crate) fn measured(
         (_, Some([first, second])) => {
             let at = "surface.files";
             let (a, b) = (one("surface.files[1]", first)?, one("surface.files[2]", second)?);
-            let both = Statistics::combined(&a, &b).map_err(|error| error.to_string());
+            let pixel_size = a.pixel_size.max(b.pixel_size);
+            let both = Statistics::combined(&a.statistics, &b.statistics);
             let refused = |reason| SceneError::Measured { at: document.place(at), reason };
-            (at, both.map_err(refused)?)
+            let statistics = both.map_err(|error| refused(error.to_string()))?;
+            (at, Measured { statistics, pixel_size })
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
@@ -64,11 +68,12 @@ pub(crate) fn measured(
             (at, one(at, file.as_deref().unwrap_or(Path::new("")))?)
         }
     };
+    let statistics = &measured.statistics;
     let surface = statistics.surface();
     surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
     let notes = statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
-    Ok(Described { surface, mean_plane_offset: Some(statistics.mean_plane_offset), notes })
+    Ok(Described { surface, measured: Some(measured), notes })
 }
 
 /// Reading names the file, what follows does not.

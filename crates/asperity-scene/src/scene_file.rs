@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use asperity::{
-    ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity, Request,
-    Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
+    Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
+    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
 };
 
 use crate::document::{Document, text_of};
@@ -12,7 +12,7 @@ use crate::heights::{compared, read_heights};
 use crate::interface::interface;
 use crate::keys::{HeightsKey, SceneKeys};
 use crate::surface::surface;
-use crate::{ModelOptions, Place, SceneError};
+use crate::{Measured, ModelOptions, Place, SceneError};
 
 /// All that a scene file says.
 #[derive(Debug, Clone)]
@@ -26,6 +26,10 @@ pub struct SceneFile {
     pub separation_from: Datum,
     /// The table of heights, where there is one: what `scene.heights` was made of.
     pub table: Option<TabulatedHeights>,
+    /// The bodies that the interface follows from, where they were given.
+    pub bodies: Vec<Body>,
+    /// What the scans say that the surface follows from, where there are any.
+    pub measured: Option<Measured>,
     /// What was read, and still deserves a word.
     pub warnings: Vec<String>,
 }
@@ -73,7 +77,7 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
     keys.options.check(document, "options.")?;
     let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { options, surface: keys, nominal_area, .. } = keys;
+    let SceneKeys { options, surface: keys, nominal_area, body: bodies, .. } = keys;
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
     let table = match &keys.heights {
@@ -108,9 +112,10 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
         _ => HeightDistribution::Gaussian,
     };
     scene.asperity().map_err(document.refused(of_interface))?;
-    let measured = described.mean_plane_offset;
-    scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(measured);
-    Ok(SceneFile { scene, options, separation_from: from, table, warnings })
+    let measured = described.measured;
+    let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
+    scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
+    Ok(SceneFile { scene, options, separation_from: from, table, bodies, measured, warnings })
 }
 
 /// A table of heights as the library takes it, for this `asperity_height_std` \[m\].
@@ -127,6 +132,8 @@ impl From<Scene> for SceneFile {
             options: ModelOptions::default(),
             separation_from: Datum::AsperityMean,
             table: None,
+            bodies: vec![],
+            measured: None,
             warnings: vec![],
         }
     }
@@ -181,6 +188,8 @@ impl SceneFile {
         // What was measured holds for the surface it was measured on.
         let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
-        Ok(Self { scene, warnings: vec![], ..self.clone() })
+        let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
+        let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
+        Ok(Self { scene, bodies, measured, warnings: vec![], ..self.clone() })
     }
 }

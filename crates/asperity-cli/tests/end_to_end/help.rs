@@ -5,8 +5,19 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 10] =
-    ["", "curve", "solve", "compare", "plan", "recommend", "models", "init", "surface", "export"];
+const COMMANDS: [&str; 11] = [
+    "",
+    "check",
+    "curve",
+    "solve",
+    "compare",
+    "plan",
+    "recommend",
+    "models",
+    "init",
+    "surface",
+    "export",
+];
 
 #[test]
 fn the_examples_of_every_help_text_work_when_pasted() {

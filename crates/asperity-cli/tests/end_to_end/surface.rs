@@ -185,7 +185,7 @@ fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
     );
     assert!(bench.read("made/rough.toml").contains("{ file = \"heights/pdf.csv\" }"));
     std::fs::rename(bench.path("made"), bench.path("moved")).unwrap();
-    let run = bench.run("curve moved/rough.toml --model gw --separation 1");
+    let run = bench.run("curve moved/rough.toml --model ke --separation 3");
     assert_eq!(run.code, Some(0), "{}", run.words);
     // No word of a density that is wider than its summits.
     assert_eq!(run.words, "");

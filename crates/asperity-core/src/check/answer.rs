@@ -16,8 +16,10 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 const FEW: f64 = 30.0;
 /// w/R beyond which an asperity is no longer a cap that is pressed a little.
 const DEEP: [f64; 2] = [0.3, 1.0];
-/// Share of the force beyond what a law is made for.
-const OUTSIDE: [f64; 2] = [0.02, 0.1];
+/// Share of the force by asperities that yield, which an elastic law does not know.
+const YIELDS: [f64; 2] = [0.02, 0.1];
+/// Share of the force beyond what a law was fitted to.
+const BEYOND: f64 = 0.02;
 
 impl Check {
     /// What follows from a scene, a model and a place: the numbers of [`Scene::check`], those of the
@@ -72,7 +74,7 @@ impl Check {
             "d/sigma_z, from the mean of the asperity heights",
         );
         check.say("separation", s * sigma, "m", "d, from the mean of the asperity heights");
-        check.say("area", area, "m2", "real area of contact");
+        check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.say("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction));
         let contacts = of(Quantity::Contacts)?;
@@ -130,35 +132,43 @@ impl Check {
         self.say("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
         let Some(holds_to) = model.claims().holds_to else { return };
         let outside = deep.beyond(holds_to * critical);
-        if outside > OUTSIDE[0] {
-            let severity = if outside > OUTSIDE[1] { Severity::Warning } else { Severity::Note };
-            let (name, share) = (model.name(), short(100.0 * outside));
-            let message = if holds_to <= 1.0 {
-                format!(
-                    "yielding_share is {share} % at {at}: {name} knows no yielding and gives too small an area and too large a load: ask a model that does (ke, jg)"
-                )
-            } else {
-                format!(
-                    "interference_over_critical is {} at {at}: {share} % of the load is carried beyond {} w_c, to which {name} is fitted",
-                    short(w / critical),
-                    short(holds_to)
-                )
-            };
-            let (field, value) = match holds_to <= 1.0 {
-                true => ("yielding_share", outside),
-                false => ("interference_over_critical", w / critical),
-            };
-            let usual = [0.0, if holds_to <= 1.0 { OUTSIDE[0] } else { holds_to }];
-            self.extend([Finding::new(
-                "outside-its-range",
-                severity,
-                field,
-                value,
-                usual,
-                message,
-            )]);
+        if holds_to <= 1.0 {
+            self.extend(yields(model, at, outside));
+        } else {
+            self.extend(beyond_fit(model, at, outside, w / critical, holds_to));
         }
     }
+}
+
+/// A load that asperities carry which yield, by a model that knows no yielding.
+fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
+    let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
+    let (name, percent) = (model.name(), short(100.0 * share));
+    let message = format!(
+        "yielding_share is {percent} % at {at}: {name} knows no yielding and gives too small an area and too large a load there: ask a model that does (ke, jg)"
+    );
+    let usual = [0.0, YIELDS[0]];
+    let finding = Finding::new("yields", severity, "yielding_share", share, usual, message);
+    (share > YIELDS[0]).then_some(finding)
+}
+
+/// A load that is carried beyond what a law was fitted to; `x` is the largest w/w_c that matters.
+fn beyond_fit(
+    model: &dyn ContactModel,
+    at: At,
+    share: f64,
+    x: f64,
+    holds_to: f64,
+) -> Option<Finding> {
+    let (name, percent) = (model.name(), short(100.0 * share));
+    let message = format!(
+        "interference_over_critical is {} at {at}: {percent} % of the load is carried beyond {} w_c, to which {name} is fitted; it goes on as plastic there, as one expects",
+        short(x),
+        short(holds_to)
+    );
+    let (field, usual) = ("interference_over_critical", [0.0, holds_to]);
+    let finding = Finding::new("beyond-fit", Severity::Note, field, x, usual, message);
+    (share > BEYOND).then_some(finding)
 }
 
 fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {

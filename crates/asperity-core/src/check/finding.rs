@@ -46,7 +46,9 @@ pub struct Finding {
 }
 
 impl Finding {
-    pub(crate) fn new(
+    /// A finding; `field` is the number's name in scene files, `usual` from and to.
+    #[must_use]
+    pub fn new(
         code: &'static str,
         severity: Severity,
         field: &'static str,

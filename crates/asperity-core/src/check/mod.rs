@@ -8,6 +8,8 @@ mod materials;
 mod roughness;
 mod units;
 
+use std::borrow::Cow;
+
 use serde::{Serialize, Serializer};
 
 use crate::{ContactError, Scene};
@@ -16,7 +18,7 @@ use finding::short;
 pub use finding::{Finding, Severity};
 
 /// A number that follows from a scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Number {
     /// Its name, as in tables: `plasticity_index`.
@@ -26,7 +28,7 @@ pub struct Number {
     /// Its SI unit; empty for pure numbers.
     pub unit: &'static str,
     /// What it is, with its formula.
-    pub meaning: &'static str,
+    pub meaning: Cow<'static, str>,
 }
 
 /// What a look at a scene, or at an answer, has shown.
@@ -74,14 +76,15 @@ impl Check {
         self.findings.sort_by_key(|finding| finding.severity);
     }
 
-    pub(crate) fn say(
+    /// Adds a number.
+    pub fn say(
         &mut self,
         name: &'static str,
         value: f64,
         unit: &'static str,
-        meaning: &'static str,
+        meaning: impl Into<Cow<'static, str>>,
     ) {
-        self.numbers.push(Number { name, value, unit, meaning });
+        self.numbers.push(Number { name, value, unit, meaning: meaning.into() });
     }
 }
 
