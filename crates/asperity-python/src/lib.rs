@@ -12,6 +12,7 @@
 mod advice;
 mod answer;
 mod ask;
+mod check;
 mod contact;
 mod engine;
 mod error;
@@ -32,6 +33,8 @@ mod _asperity {
     use crate::advice::{plan, recommend};
     #[pymodule_export]
     use crate::ask::{answer, separations, shares};
+    #[pymodule_export]
+    use crate::check::{check, findings};
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]

@@ -66,10 +66,14 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// What is unusual about the answers of a model at these places.
+    /// What is unusual about the answers of a model at these places; nothing where the scene itself
+    /// is, as all else may follow from that.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
-        Check::answers(model, &self.scene, places)
+        match self.findings().iter().any(|finding| finding.severity < Severity::Note) {
+            true => vec![],
+            false => Check::answers(model, &self.scene, places),
+        }
     }
 
     fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Finding> {

@@ -188,9 +188,8 @@ fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {
 
 fn few(at: At, contacts: f64) -> Finding {
     let message = format!(
-        "contacts is {} at {at}: one surface differs from this average by some {} %, more than the models do",
-        short(contacts),
-        short((100.0 / contacts.max(1.0).sqrt()).round())
+        "contacts is {} at {at}: one surface differs from this average of many by more than the models do",
+        short(contacts)
     );
     let usual = [FEW, f64::INFINITY];
     Finding::new("few-contacts", Severity::Warning, "contacts", contacts, usual, message)

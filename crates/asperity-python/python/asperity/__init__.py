@@ -22,6 +22,7 @@ from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import Contact, ContactWarning, NotConverged, template
+from asperity._check import Check, Finding
 from asperity._curve import Curve
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
@@ -35,9 +36,11 @@ __all__ = [
     "Asperity",
     "AsperityLaws",
     "Body",
+    "Check",
     "Contact",
     "ContactWarning",
     "Curve",
+    "Finding",
     "Interface",
     "Model",
     "NotConverged",

@@ -16,11 +16,13 @@ __all__ = [
     "SceneFile",
     "Topography",
     "answer",
+    "check",
     "check_inputs",
     "checked_body",
     "checked_interface",
     "checked_surface",
     "critical_of",
+    "findings",
     "floats",
     "interface_of",
     "model_ids",
@@ -74,6 +76,10 @@ class SceneFile:
     def plasticity_index(self) -> float: ...
     def models(self) -> list[str]: ...
 
+def check(
+    scene: SceneFile, asked: tuple[Engine, str, _Float] | None = None
+) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
+def findings(engine: Engine, rows: _Rows) -> list[str]: ...
 @disjoint_base
 class Topography:
     def __new__(

@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import SceneFile, floats
+from asperity._asperity import Engine, SceneFile, floats
+from asperity._check import Check
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Plane: TypeAlias = Literal["asperity-mean", "surface-mean"]
@@ -322,6 +323,37 @@ class Scene(_Given):
     def models(self) -> list[str]:
         """The ids of the models that this scene allows, simplest first."""
         return self._file.models()
+
+    def check(
+        self,
+        model: str | Engine | None = None,
+        separation: float | None = None,
+        *,
+        load: float | None = None,
+        pressure: float | None = None,
+        separation_unit: str = "asperity_height_std",
+    ) -> Check:
+        """What follows from the scene, and what in it is unusual: sizes that no surface or material
+        has, with the unit that would explain them. At a separation, load [N] or pressure [Pa], also
+        how much touches, how deep contacts are pressed, and whether the model is made for that:
+        "ke" unless another is given, or "gw" where there is no hardness.
+
+        >>> import asperity
+        >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
+        >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+        >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
+        error: equivalent_modulus is 116 Pa, materials have 30000 to 1.3e12 Pa: is it in GPa? 116 GPa is 1.16e11 Pa
+        """
+        given = {"separation": separation, "load": load, "pressure": pressure}
+        places = [(name, number) for name, number in given.items() if number is not None]
+        if len(places) > 1:
+            raise TypeError("at most one of separation, load and pressure was expected")
+        if not places:
+            return Check._of(*_asperity.check(self._file))
+        (axis, number), default = places[0], "gw" if self.asperity.hardness is None else "ke"
+        engine = model if isinstance(model, Engine) else Engine(model or default, {})
+        axis = separation_unit if axis == "separation" else axis
+        return Check._of(*_asperity.check(self._file, (engine, axis, number)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene, tuple(getattr(self, entry.name) for entry in dataclasses.fields(self)[:-1])
