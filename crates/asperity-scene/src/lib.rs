@@ -11,6 +11,7 @@ mod interface;
 mod keys;
 mod measured;
 mod options;
+mod quantity;
 mod scene_file;
 mod surface;
 mod template;

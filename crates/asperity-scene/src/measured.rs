@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
-use asperity::Surface;
-use asperity_topography::{Estimator, ReadOptions, Statistics, Topography, TopographyError, read};
+use asperity::{Surface, TabulatedHeights};
+use asperity_topography::{
+    Estimator, HeightDensity, ReadOptions, Statistics, Topography, TopographyError, read,
+};
 
 use crate::document::Document;
-use crate::keys::{PixelSize, SurfaceKeys};
+use crate::keys::{HeightsKey, PixelSize, SurfaceKeys};
 use crate::{Measured, SceneError};
 
 /// The surface of a scene.
@@ -14,6 +16,8 @@ use crate::{Measured, SceneError};
 pub(crate) struct Described {
     pub(crate) surface: Surface,
     pub(crate) measured: Option<Measured>,
+    /// The density of its summits' heights, where that is asked for.
+    pub(crate) heights: Option<TabulatedHeights>,
     pub(crate) notes: Vec<String>,
 }
 
@@ -27,7 +31,11 @@ pub(crate) fn measured(
         let path = document.path(path);
         let found = read(&path, &read_options(keys)).and_then(|read| {
             let [dx, dy] = read.pixel_size();
-            Ok(Measured { statistics: statistics(read, keys)?, pixel_size: dx.max(dy) })
+            let topography = prepared(read, keys)?;
+            let statistics = topography.statistics(keys.estimator)?;
+            let asked = matches!(keys.heights, HeightsKey::Measured);
+            let density = asked.then(|| density(&topography)).transpose()?;
+            Ok((Measured { statistics, pixel_size: dx.max(dy) }, density))
         });
         found.map_err(|error| match unnamed(error) {
             // What is wrong with an option stands at that option, all else at the file.
@@ -40,7 +48,7 @@ pub(crate) fn measured(
             }
         })
     };
-    let (at, measured) = match (&keys.file, keys.files.as_deref()) {
+    let (at, (measured, density)) = match (&keys.file, keys.files.as_deref()) {
         (Some(_), Some(_)) => {
             let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
             return conflict("surface.file", "surface.files", needed);
@@ -49,14 +57,19 @@ pub(crate) fn measured(
             let needed = "estimator = \"moments\" for two surfaces: their moments add, their summits do not,";
             return conflict("surface.estimator", "surface.files", needed);
         }
+        (_, Some(_)) if matches!(keys.heights, HeightsKey::Measured) => {
+            let needed = "one file: the heights of two surfaces do not add,";
+            return conflict("surface.heights", "surface.files", needed);
+        }
         (_, Some([first, second])) => {
             let at = "surface.files";
-            let (a, b) = (one("surface.files[1]", first)?, one("surface.files[2]", second)?);
+            let (a, _) = one("surface.files[1]", first)?;
+            let (b, _) = one("surface.files[2]", second)?;
             let pixel_size = a.pixel_size.max(b.pixel_size);
             let both = Statistics::combined(&a.statistics, &b.statistics);
             let refused = |reason| SceneError::Measured { at: document.place(at), reason };
             let statistics = both.map_err(|error| refused(error.to_string()))?;
-            (at, Measured { statistics, pixel_size })
+            (at, (Measured { statistics, pixel_size }, None))
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
@@ -73,7 +86,10 @@ pub(crate) fn measured(
     surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
     let notes = statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
-    Ok(Described { surface, measured: Some(measured), notes })
+    let heights = density.map(|points| {
+        TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
+    });
+    Ok(Described { surface, measured: Some(measured), heights: heights.transpose()?, notes })
 }
 
 /// Reading names the file, what follows does not.
@@ -93,12 +109,24 @@ fn read_options(keys: &SurfaceKeys) -> ReadOptions {
     ReadOptions { unit: keys.unit, pixel_size, max_missing }
 }
 
-fn statistics(topography: Topography, keys: &SurfaceKeys) -> Result<Statistics, TopographyError> {
-    let mut topography = topography.level(keys.level)?;
-    if let Some(cutoff) = keys.filter {
-        topography = topography.filter(cutoff)?;
+/// The density of the summits' heights above the mean plane.
+fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> {
+    let summits = topography.summits()?;
+    let offset = summits.mean() - topography.mean();
+    let HeightDensity { heights_m, density_per_m, .. } = summits.height_density()?;
+    Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
+}
+
+/// Levelled and filtered.
+fn prepared(read: Topography, keys: &SurfaceKeys) -> Result<Topography, TopographyError> {
+    let mut topography = read.with_periodic(keys.periodic).level(keys.level)?;
+    if let Some(cutoff) = keys.smooth {
+        topography = topography.smooth(cutoff)?;
     }
-    topography.statistics(keys.estimator)
+    match keys.filter {
+        Some(cutoff) => topography.filter(cutoff),
+        None => Ok(topography),
+    }
 }
 
 #[cfg(test)]
@@ -125,7 +153,7 @@ mod tests {
 
     fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
         let keys = SurfaceKeys { level, filter, estimator, ..SurfaceKeys::default() };
-        statistics(topography(192), &keys).unwrap()
+        prepared(topography(192), &keys).unwrap().statistics(estimator).unwrap()
     }
 
     #[test]

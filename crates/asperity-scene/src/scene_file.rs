@@ -91,6 +91,7 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     if let Some(table) = &table {
         warnings.extend(compared(document, table, std)?);
     }
+    let table = table.or(described.heights);
     let from = keys.separation_from;
     let impossible = match (&keys.heights, &table) {
         _ if from == Datum::AsperityMean => None,
