@@ -6,6 +6,7 @@
 mod args;
 mod ask;
 mod commands;
+mod fe_tables;
 mod number;
 mod numbers;
 mod output;
