@@ -8,5 +8,6 @@ pub mod init;
 pub mod models;
 pub mod plan;
 pub mod recommend;
+pub mod scales;
 pub mod solve;
 pub mod surface;
