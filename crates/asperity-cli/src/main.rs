@@ -6,7 +6,6 @@
 mod args;
 mod ask;
 mod commands;
-mod fe_tables;
 mod number;
 mod numbers;
 mod output;

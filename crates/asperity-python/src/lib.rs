@@ -20,10 +20,12 @@ mod fields;
 mod long;
 mod numbers;
 mod objects;
+mod picture;
 mod places;
 mod python_model;
 mod rows;
 mod scene;
+mod table;
 mod topography;
 
 /// The compiled part of the package `asperity`.
@@ -49,7 +51,11 @@ mod _asperity {
     #[pymodule_export]
     use crate::numbers::floats;
     #[pymodule_export]
+    use crate::picture::svg;
+    #[pymodule_export]
     use crate::scene::{SceneFile, check_inputs, template};
+    #[pymodule_export]
+    use crate::table::contact_table;
     #[pymodule_export]
     use crate::topography::Topography;
 }

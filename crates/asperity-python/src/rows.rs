@@ -85,6 +85,13 @@ impl<'r> View<'r> {
         with_numbers(&self.files[0], numbers).map_or(vec![], |file| file.findings())
     }
 
+    /// The rows of the smallest and the largest number.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = usize> {
+        let finite = || (0..self.len()).filter(|row| self.numbers[*row].is_finite());
+        let by = |a: &usize, b: &usize| self.numbers[*a].total_cmp(&self.numbers[*b]);
+        [finite().min_by(by), finite().max_by(by)].into_iter().flatten()
+    }
+
     /// The only scene there is, with all that is said of it.
     pub(crate) fn one_file(&self) -> Option<&asperity_scene::SceneFile> {
         self.one_scene().map(|_| &*self.files[0])

@@ -2,6 +2,7 @@
 
 mod contact_table;
 mod cubic;
+mod fe_tables;
 mod recommend;
 mod registry;
 
@@ -19,5 +20,6 @@ pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
+pub use fe_tables::TableFormat;
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;

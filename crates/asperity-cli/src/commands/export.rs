@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactTable, Interpolation, SeparationUnit, Tolerance};
+use asperity::{At, ContactTable, SeparationUnit, TableFormat, Tolerance};
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
 use crate::args::{model_id, separation_unit};
-use crate::fe_tables::{Head, Writer, abaqus, ansys, calculix, csv};
 use crate::numbers::{Span, positive_number, range};
 use crate::output::{self, progress};
 use crate::scene::LoadedScene;
@@ -99,12 +98,13 @@ impl Export {
             _ => At::Pressure(value),
         };
         let range = (place(span.first), place(span.last), span.count.unwrap_or(2));
-        let (write, interpolation): (Writer, _) = match self.form {
-            Form::Csv => (csv, Interpolation::Hermite),
-            Form::Abaqus => (abaqus, Interpolation::Linear),
-            Form::Calculix => (calculix, Interpolation::Linear),
-            Form::Ansys => (ansys, Interpolation::Linear),
+        let format = match self.form {
+            Form::Csv => TableFormat::Csv,
+            Form::Abaqus => TableFormat::Abaqus,
+            Form::Calculix => TableFormat::Calculix,
+            Form::Ansys => TableFormat::Ansys,
         };
+        let interpolation = format.interpolation();
         let (working, tolerance) = (progress("nodes"), Tolerance::default());
         let table = match self.max_error {
             Some(error) => {
@@ -115,8 +115,7 @@ impl Export {
         drop(working);
         let table = table.with_context(|| format!("{}: {id}", scene.name))?;
         let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
-        let from = scene.file.separation_from;
-        let text = write(&Head { title: &title, table: &table, scene: contact, from })?;
+        let text = table.text(format, contact, scene.file.separation_from, &title)?;
         output::write_text(self.output.as_deref(), &text)
     }
 }

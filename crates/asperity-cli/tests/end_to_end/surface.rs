@@ -248,7 +248,7 @@ fn scales_show_what_the_shortest_wave_changes() {
     // Cut-offs that the scan cannot have are blank, and said why.
     let run =
         bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6 --format csv");
-    assert_eq!((run.code, &*cells(&run.out, "alpha")[0]), (Some(0), ""));
+    assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
     assert!(run.words.contains("cutoff_m 1e-9: smooth is 1e-9: a length of at least two pixels"));
     for (words, said) in [
         ("--scales 6e-6 --smooth 6e-6", "cannot be used with"),

@@ -24,10 +24,11 @@ from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import Contact, ContactWarning, NotConverged, template
 from asperity._check import Check, Finding
 from asperity._curve import Curve
+from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
 from asperity._scene import Asperity, Body, Interface, Scene, Scenes, Surface
-from asperity._surfaces import Topography, topography
+from asperity._surfaces import Topography, read, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")
@@ -38,6 +39,7 @@ __all__ = [
     "Body",
     "Check",
     "Contact",
+    "ContactTable",
     "ContactWarning",
     "Curve",
     "Finding",
@@ -54,9 +56,11 @@ __all__ = [
     "Surface",
     "SweepResult",
     "Topography",
+    "export",
     "model",
     "models",
     "plan",
+    "read",
     "read_sweep",
     "recommend",
     "sweep",

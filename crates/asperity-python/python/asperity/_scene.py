@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from os import PathLike
+from pathlib import Path
 from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
@@ -323,6 +324,29 @@ class Scene(_Given):
     def models(self) -> list[str]:
         """The ids of the models that this scene allows, simplest first."""
         return self._file.models()
+
+    def to_toml(self, path: str | PathLike[str] | None = None) -> str:
+        """The text of a scene file that reads back exactly, written to ``path`` if there is one. A
+        table of heights goes to a file beside it, of the same name with the end ``.csv``.
+
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> asperity.Scene.parse(scene.to_toml()) == scene
+        True
+        """
+        target = None if path is None else Path(path)
+        heights_file = None
+        if target is not None and not isinstance(self.heights, str):
+            table = target.with_suffix(".csv")
+            heights, densities = (np.asarray(column, float).tolist() for column in self.heights)
+            rows = zip(heights, densities, strict=True)
+            lines = ["height_m,density_per_m", *(f"{z!r},{g!r}" for z, g in rows)]
+            table.write_text("\n".join(lines) + "\n", encoding="utf-8")
+            heights_file = table.name
+        text = self._file.to_toml(heights_file, [])
+        if target is not None:
+            target.write_text(text, encoding="utf-8")
+        return text
 
     def check(
         self,

@@ -3,21 +3,67 @@
 //! What is said of a code's format was read in its public manual or source. No code was run on
 //! these files here.
 
-use anyhow::{Result, bail};
-use asperity::{ContactTable, Datum, Scene, Separation, SeparationUnit};
+use crate::{ContactTable, Datum, Interpolation, Scene, Separation, SeparationUnit, TableError};
 
-use crate::number::{exact, rounded};
-
-/// A table, and what its comments say of it.
-pub struct Head<'h> {
-    pub title: &'h str,
-    pub table: &'h ContactTable,
-    pub scene: &'h Scene,
-    /// The plane that clearances are measured from.
-    pub from: Datum,
+/// The words in which a table is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFormat {
+    /// Clearance, pressure and tangent with their units in the head, for cubics.
+    Csv,
+    /// `*SURFACE BEHAVIOR` of Abaqus: pairs of pressure and overclosure, for straight lines.
+    Abaqus,
+    /// The same for CalculiX, with overclosures from where the pressure begins.
+    Calculix,
+    /// Real constants of the nonlinear spring COMBIN39 of ANSYS, which stands for the nominal area.
+    Ansys,
 }
 
-pub type Writer = fn(&Head<'_>) -> Result<String>;
+impl TableFormat {
+    /// How a code reads between the nodes: tables are to be made so.
+    #[must_use]
+    pub fn interpolation(self) -> Interpolation {
+        match self {
+            Self::Csv => Interpolation::Hermite,
+            _ => Interpolation::Linear,
+        }
+    }
+}
+
+impl ContactTable {
+    /// The table of a scene in the words of a code, with clearances from a plane; `title` goes to
+    /// its comments. SI units.
+    ///
+    /// # Errors
+    /// [`ContactError::NoMeanPlane`](crate::ContactError::NoMeanPlane), and
+    /// [`TableError::TooMany`] where the code takes fewer nodes.
+    pub fn text(
+        &self,
+        format: TableFormat,
+        scene: &Scene,
+        from: Datum,
+        title: &str,
+    ) -> Result<String, TableError> {
+        let head = Head { title, table: self, scene, from };
+        match format {
+            TableFormat::Csv => csv(&head),
+            TableFormat::Abaqus => abaqus(&head),
+            TableFormat::Calculix => calculix(&head),
+            TableFormat::Ansys => ansys(&head),
+        }
+    }
+}
+
+/// A table, and what its comments say of it.
+struct Head<'h> {
+    title: &'h str,
+    table: &'h ContactTable,
+    scene: &'h Scene,
+    /// The plane that clearances are measured from.
+    from: Datum,
+}
+
+type Result<T, E = TableError> = std::result::Result<T, E>;
 
 impl Head<'_> {
     /// A separation of the table in metres, from the scene's own plane.
@@ -28,7 +74,7 @@ impl Head<'_> {
 
     /// Relative errors of the pressure and of its slope between the nodes.
     fn errors(&self) -> [String; 2] {
-        [self.table.pressure_error, self.table.stiffness_error].map(rounded)
+        [self.table.pressure_error, self.table.stiffness_error].map(|x| format!("{x:.3e}"))
     }
 
     /// Clearances \[m\] and pressures \[Pa\] for straight lines, the lightest first: from where the
@@ -40,8 +86,15 @@ impl Head<'_> {
     }
 }
 
+/// The shortest digits that give the same number back.
+fn exact(x: f64) -> String {
+    let text = format!("{x:?}");
+    let short = text.strip_suffix(".0").unwrap_or(&text);
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
 /// Clearance, pressure and tangent.
-pub fn csv(head: &Head<'_>) -> Result<String> {
+fn csv(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
     let mut text = format!(
@@ -62,7 +115,7 @@ clearance_m,pressure_Pa,tangent_Pa_per_m
 }
 
 /// `*SURFACE BEHAVIOR`: pairs of pressure and overclosure.
-pub fn abaqus(head: &Head<'_>) -> Result<String> {
+fn abaqus(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
     let mut text = format!(
@@ -84,10 +137,10 @@ pub fn abaqus(head: &Head<'_>) -> Result<String> {
 }
 
 /// The same for CalculiX, which reads no more than 20 characters of a number.
-pub fn calculix(head: &Head<'_>) -> Result<String> {
+fn calculix(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, .. } = head;
     let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
-    let Some(&(begins, _)) = lines.first() else { bail!("a table with nodes was required") };
+    let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in Pa and m
 ** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} m
@@ -108,15 +161,12 @@ pub fn calculix(head: &Head<'_>) -> Result<String> {
 const POINTS: usize = 20;
 
 /// Real constants of COMBIN39: deflections and forces, from compression to tension.
-pub fn ansys(head: &Head<'_>) -> Result<String> {
+fn ansys(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, scene, .. } = head;
     let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
-    let Some(&(begins, _)) = lines.first() else { bail!("a table with nodes was required") };
+    let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
     if lines.len() + 1 > POINTS {
-        let most = POINTS - 2;
-        bail!(
-            "{nodes} nodes: at most {most} were required, as COMBIN39 takes no more: a larger --max-error, a narrower range or fewer nodes"
-        );
+        return Err(TableError::TooMany { nodes, most: POINTS - 2, format: "COMBIN39" });
     }
     let area = scene.nominal_area;
     let mut text = format!(
