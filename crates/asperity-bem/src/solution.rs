@@ -110,3 +110,18 @@ fn edges(touching: &[bool], [rows, columns]: [usize; 2], periodic: bool) -> usiz
     }
     edges
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_inside_and_over_the_seams() {
+        // A corner pixel: two edges inside, four with the seams.
+        let mut touching = vec![false; 12];
+        touching[0] = true;
+        assert_eq!(edges(&touching, [3, 4], false), 2);
+        assert_eq!(edges(&touching, [3, 4], true), 4);
+        assert_eq!(edges(&[true; 12], [3, 4], true), 0);
+    }
+}
