@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod closed_forms;
+mod codes;
 mod inputs;
 mod invariants;
 mod lists;
