@@ -17,7 +17,8 @@ const BLOCK: usize = 8;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Boundary {
-    /// The map again and again. Edges that do not meet press as steps: take the seam out first.
+    /// The map again and again. Edges that do not meet press as steps: take the seam out first, by
+    /// [`HeightMap::periodic_part`].
     #[default]
     Periodic,
     /// A half-space that carries nothing: for scans whose edges do not meet, and for single

@@ -21,7 +21,7 @@
 //! # Valid for
 //! Small slopes. Resolved maps: what is not resolved says so by a [`Note`]; [`HeightMap::half_grid`]
 //! shows how much depends on the grid. A periodic map whose edges do not meet is pressed by the
-//! steps along its seam: take them out, or use [`Boundary::Free`].
+//! steps along its seam: take them out by [`HeightMap::periodic_part`], or use [`Boundary::Free`].
 //!
 //! The hardness is a cap of the pressure: it is the truth for a material of constant mean
 //! pressure H, not for elastic-plastic finite elements. A sphere starts to flow at Hertz' p_max = H.
@@ -61,17 +61,20 @@ mod error;
 mod half_space;
 mod height_map;
 mod iteration;
+mod model;
 mod note;
 mod parallel;
 mod patches;
 mod projection;
 mod random_surface;
+mod seam;
 mod solution;
 mod solver;
 
 pub use error::BemError;
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
+pub use model::Bem;
 pub use note::Note;
 pub use random_surface::{ProfileMoments, RandomSurface};
 pub use solution::{EDGE_SHARE, Solution};

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt;
 
 use crate::half_space::HalfSpace;
+use crate::seam::LARGEST_STEP;
 use crate::{Boundary, HeightMap};
 
 /// Least shortest wavelength \[pixels\].
@@ -28,6 +29,13 @@ pub enum Note {
         /// Wavelength below which one hundredth of the mean square slope lies \[pixels\].
         pixels: f64,
     },
+    /// The map is repeated and its edges do not meet: the steps along the seam press as well, not
+    /// the surface alone. Solve [`HeightMap::periodic_part`], or with
+    /// [`Boundary::Free`].
+    Seam {
+        /// [Step over the seam](HeightMap::seam_step), in steps between neighbours.
+        step: f64,
+    },
     /// Few pixels carry the load: the area is a staircase.
     FewPixels {
         /// How many.
@@ -46,6 +54,10 @@ impl fmt::Display for Note {
             Self::ShortWaves { pixels } => write!(
                 f,
                 "the shortest waves are {pixels:.1} pixels long: at least {LEAST_WAVELENGTH} are needed for an answer that does not depend on the grid"
+            ),
+            Self::Seam { step } => write!(
+                f,
+                "the edges do not meet: the step over the seam is {step:.1} times that between neighbours, less than {LARGEST_STEP} is needed for a map that is repeated"
             ),
             Self::FewPixels { found } => write!(
                 f,
@@ -66,23 +78,23 @@ impl Note {
         few_pixels.into_iter().chain(few_patches)
     }
 
-    pub(crate) fn of_map(
-        map: &HeightMap,
-        boundary: Boundary,
-        space: &mut HalfSpace,
-    ) -> Option<Self> {
-        let pixels = shortest_wavelength(map, boundary, space)?;
-        (pixels < LEAST_WAVELENGTH).then_some(Self::ShortWaves { pixels })
+    pub(crate) fn of_map(map: &HeightMap, boundary: Boundary, space: &mut HalfSpace) -> Vec<Self> {
+        let meet = boundary == Boundary::Periodic && map.edges_meet();
+        let pixels = shortest_wavelength(map, !meet, space).filter(|p| *p < LEAST_WAVELENGTH);
+        let short = pixels.map(|pixels| Self::ShortWaves { pixels });
+        let step = map.seam_step();
+        let seam = (boundary == Boundary::Periodic && !meet).then_some(Self::Seam { step });
+        seam.into_iter().chain(short).collect()
     }
 }
 
 /// Wavelength \[pixels\] below which [`SHORT_SHARE`] of the mean square slope lies; none for a
-/// flat map. The edges of a map that is not periodic are faded out (Hann), or their steps would
+/// flat map. Edges that do not meet are faded out (Hann), or their steps would
 /// pass for short waves.
-fn shortest_wavelength(map: &HeightMap, boundary: Boundary, space: &mut HalfSpace) -> Option<f64> {
+fn shortest_wavelength(map: &HeightMap, fades: bool, space: &mut HalfSpace) -> Option<f64> {
     let [rows, columns] = map.shape();
     let mut heights = map.heights().to_vec();
-    if boundary == Boundary::Free {
+    if fades {
         let fade = |i: usize, n: usize| 0.5 - 0.5 * (TAU * (i as f64 + 0.5) / n as f64).cos();
         for (i, row) in heights.chunks_mut(columns).enumerate() {
             for (j, height) in row.iter_mut().enumerate() {

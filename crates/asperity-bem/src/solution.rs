@@ -63,7 +63,7 @@ impl Solution {
         boundary: Boundary,
         cap: f64,
         fields: Fields,
-        resolution: Option<Note>,
+        mut notes: Vec<Note>,
     ) -> Self {
         let Fields { pressures, gaps, residual, iterations } = fields;
         let pixels = pressures.len() as f64;
@@ -74,7 +74,6 @@ impl Solution {
         let edges = edges(&touching, map.shape(), periodic);
         let patches = patches(&touching, map.shape(), periodic);
         let mean_pressure = pressures.iter().sum::<f64>() / pixels;
-        let mut notes = Vec::from_iter(resolution);
         notes.extend(Note::of_contact(count, patches.len()));
         Self {
             given,

@@ -174,7 +174,7 @@ struct Run<'a> {
     setup: &'a BoundaryElements,
     space: HalfSpace,
     rms_height: f64,
-    resolution: Option<Note>,
+    resolution: Vec<Note>,
     /// Pressures of the last contact, and their mean.
     last: Option<(Vec<f64>, f64)>,
 }
@@ -196,7 +196,7 @@ impl<'a> Run<'a> {
             Given::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
         }?;
         let BoundaryElements { map, boundary, .. } = self.setup;
-        Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution))
+        Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution.clone()))
     }
 
     fn cap(&self) -> f64 {

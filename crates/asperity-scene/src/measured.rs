@@ -1,6 +1,7 @@
 //! `[surface]` from measured files.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use asperity::Surface;
 use asperity_topography::{Estimator, ReadOptions, Statistics, Topography, TopographyError, read};
@@ -16,6 +17,8 @@ pub(crate) struct Described {
     /// Mean of the asperity heights above the mean plane \[m\].
     pub(crate) mean_plane_offset: Option<f64>,
     pub(crate) notes: Vec<String>,
+    /// The scan, levelled and filtered, where there is one alone.
+    pub(crate) scan: Option<Arc<Topography>>,
 }
 
 /// The surface of one measured file, or of two pressed together.
@@ -26,7 +29,7 @@ pub(crate) fn measured(
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     let one = |at: &str, path: &Path| {
         let path = document.path(path);
-        let found = read(&path, &read_options(keys)).and_then(|read| statistics(read, keys));
+        let found = read(&path, &read_options(keys)).and_then(|read| prepared(read, keys));
         found.map_err(|error| match unnamed(error) {
             // What is wrong with an option stands at that option, all else at the file.
             TopographyError::OutOfRange { field, value, required } => {
@@ -38,7 +41,7 @@ pub(crate) fn measured(
             }
         })
     };
-    let (at, statistics) = match (&keys.file, keys.files.as_deref()) {
+    let (at, statistics, scan) = match (&keys.file, keys.files.as_deref()) {
         (Some(_), Some(_)) => {
             let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
             return conflict("surface.file", "surface.files", needed);
@@ -49,10 +52,11 @@ pub(crate) fn measured(
         }
         (_, Some([first, second])) => {
             let at = "surface.files";
-            let (a, b) = (one("surface.files[1]", first)?, one("surface.files[2]", second)?);
+            let (a, _) = one("surface.files[1]", first)?;
+            let (b, _) = one("surface.files[2]", second)?;
             let both = Statistics::combined(&a, &b).map_err(|error| error.to_string());
             let refused = |reason| SceneError::Measured { at: document.place(at), reason };
-            (at, both.map_err(refused)?)
+            (at, both.map_err(refused)?, None)
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
@@ -61,14 +65,15 @@ pub(crate) fn measured(
         }
         (file, None) => {
             let at = "surface.file";
-            (at, one(at, file.as_deref().unwrap_or(Path::new("")))?)
+            let (statistics, scan) = one(at, file.as_deref().unwrap_or(Path::new("")))?;
+            (at, statistics, Some(Arc::new(scan)))
         }
     };
     let surface = statistics.surface();
     surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
     let notes = statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
-    Ok(Described { surface, mean_plane_offset: Some(statistics.mean_plane_offset), notes })
+    Ok(Described { surface, mean_plane_offset: Some(statistics.mean_plane_offset), notes, scan })
 }
 
 /// Reading names the file, what follows does not.
@@ -88,12 +93,16 @@ fn read_options(keys: &SurfaceKeys) -> ReadOptions {
     ReadOptions { unit: keys.unit, pixel_size, max_missing }
 }
 
-fn statistics(topography: Topography, keys: &SurfaceKeys) -> Result<Statistics, TopographyError> {
+/// The statistics of a topography, and itself, levelled and filtered.
+fn prepared(
+    topography: Topography,
+    keys: &SurfaceKeys,
+) -> Result<(Statistics, Topography), TopographyError> {
     let mut topography = topography.level(keys.level)?;
     if let Some(cutoff) = keys.filter {
         topography = topography.filter(cutoff)?;
     }
-    topography.statistics(keys.estimator)
+    Ok((topography.statistics(keys.estimator)?, topography))
 }
 
 #[cfg(test)]
@@ -120,7 +129,7 @@ mod tests {
 
     fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
         let keys = SurfaceKeys { level, filter, estimator, ..SurfaceKeys::default() };
-        statistics(topography(192), &keys).unwrap()
+        prepared(topography(192), &keys).unwrap().0
     }
 
     #[test]

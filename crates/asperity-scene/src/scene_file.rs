@@ -1,11 +1,14 @@
 //! A scene file, read.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use asperity::{
     ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity, Request,
     Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
 };
+use asperity_bem::Boundary;
+use asperity_topography::Topography;
 
 use crate::document::{Document, text_of};
 use crate::heights::{compared, read_heights};
@@ -28,6 +31,8 @@ pub struct SceneFile {
     pub table: Option<TabulatedHeights>,
     /// What was read, and still deserves a word.
     pub warnings: Vec<String>,
+    /// The scan of the surface, levelled and filtered, where one file describes it.
+    pub scan: Option<Arc<Topography>>,
 }
 
 /// A model that a scene does not allow.
@@ -110,7 +115,8 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     scene.asperity().map_err(document.refused(of_interface))?;
     let measured = described.mean_plane_offset;
     scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(measured);
-    Ok(SceneFile { scene, options, separation_from: from, table, warnings })
+    let scan = described.scan;
+    Ok(SceneFile { scene, options, separation_from: from, table, warnings, scan })
 }
 
 /// A table of heights as the library takes it, for this `asperity_height_std` \[m\].
@@ -128,16 +134,22 @@ impl From<Scene> for SceneFile {
             separation_from: Datum::AsperityMean,
             table: None,
             warnings: vec![],
+            scan: None,
         }
     }
 }
 
 impl SceneFile {
-    /// The model of an id, with the scene's options.
+    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on the
+    /// scene's scan, repeated and with the hardness.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids.
+    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
+    /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
+        if id.trim().eq_ignore_ascii_case("bem") {
+            return Ok(Model::new(self.bem(Boundary::Periodic, false)?));
+        }
         self.options.model(id)
     }
 
@@ -181,6 +193,8 @@ impl SceneFile {
         // What was measured holds for the surface it was measured on.
         let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
-        Ok(Self { scene, warnings: vec![], ..self.clone() })
+        // Nor is a scan one of another surface.
+        let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
+        Ok(Self { scene, warnings: vec![], scan, ..self.clone() })
     }
 }

@@ -71,5 +71,5 @@ pub(crate) fn surface(
         _ => return measured(document, keys),
     };
     surface.check().map_err(&refused)?;
-    Ok(Described { surface, mean_plane_offset: None, notes: vec![] })
+    Ok(Described { surface, mean_plane_offset: None, notes: vec![], scan: None })
 }

@@ -7,6 +7,7 @@ mod registry;
 
 pub use asperity_af::{AbdoFarhang, FlowPressure};
 pub use asperity_at::{AminiTehrani, Reading};
+pub use asperity_bem as bem;
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
