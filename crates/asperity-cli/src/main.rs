@@ -6,10 +6,13 @@
 mod args;
 mod ask;
 mod commands;
+mod contact_map;
+mod interrupt;
 mod number;
 mod numbers;
 mod output;
 mod plot;
+mod pressed;
 mod scene;
 mod table;
 
@@ -19,7 +22,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{compare, curve, export, init, models, plan, recommend, solve, surface};
+use commands::{bem, compare, curve, export, init, models, plan, recommend, solve, surface};
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
 #[derive(Debug, Parser)]
@@ -47,6 +50,7 @@ enum Command {
     Init(init::Init),
     Surface(surface::Surface),
     Export(export::Export),
+    Bem(bem::BemCommand),
 }
 
 fn main() -> ExitCode {
@@ -60,6 +64,7 @@ fn main() -> ExitCode {
         Command::Init(command) => command.run(),
         Command::Surface(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Bem(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -7,6 +7,7 @@ mod codes;
 mod inputs;
 mod invariants;
 mod lists;
+mod model;
 mod notes;
 mod reference;
 mod surfaces;

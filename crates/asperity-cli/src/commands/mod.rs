@@ -1,5 +1,6 @@
 //! One command a file.
 
+pub mod bem;
 pub mod compare;
 pub mod curve;
 pub mod export;

@@ -5,14 +5,24 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 10] =
-    ["", "curve", "solve", "compare", "plan", "recommend", "models", "init", "surface", "export"];
+const COMMANDS: [&str; 11] = [
+    "",
+    "curve",
+    "solve",
+    "compare",
+    "plan",
+    "recommend",
+    "models",
+    "init",
+    "surface",
+    "export",
+    "bem",
+];
 
 #[test]
 fn the_examples_of_every_help_text_work_when_pasted() {
-    let bench = Bench::new();
+    let bench = crate::bem::bench();
     std::fs::remove_file(bench.path("scene.toml")).unwrap();
-    bench.write("scan.txt", &crate::surface::scan(0.0));
     for command in COMMANDS {
         let help = bench.data(&format!("{command} --help"));
         let (_, examples) = help.split_once("Examples:\n").expect("examples in every help text");
