@@ -22,7 +22,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{bem, compare, curve, export, init, models, plan, recommend, solve, surface};
+use commands::{bem, compare, curve, export, init, models, plan, recommend, solve, surface, truth};
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
 #[derive(Debug, Parser)]
@@ -51,6 +51,7 @@ enum Command {
     Surface(surface::Surface),
     Export(export::Export),
     Bem(bem::BemCommand),
+    Truth(truth::TruthCommand),
 }
 
 fn main() -> ExitCode {
@@ -65,6 +66,7 @@ fn main() -> ExitCode {
         Command::Surface(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Bem(command) => command.run(),
+        Command::Truth(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

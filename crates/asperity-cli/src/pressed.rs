@@ -88,7 +88,7 @@ impl Run<'_> {
 }
 
 /// Each kind of note once, of the contact where it was found last: the lightest.
-fn told_once(notes: &[(Given, Note)]) -> Vec<String> {
+pub fn told_once(notes: &[(Given, Note)]) -> Vec<String> {
     let mut kinds: Vec<(usize, Given, Note)> = vec![];
     for (given, note) in notes {
         let same = |known: &&mut (usize, Given, Note)| {

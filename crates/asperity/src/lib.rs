@@ -4,6 +4,7 @@ mod contact_table;
 mod cubic;
 mod recommend;
 mod registry;
+mod truth;
 
 pub use asperity_af::{AbdoFarhang, FlowPressure};
 pub use asperity_at::{AminiTehrani, Reading};
@@ -22,3 +23,4 @@ pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;
+pub use truth::{ContactState, Truth, truth};

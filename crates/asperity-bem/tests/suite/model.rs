@@ -29,13 +29,13 @@ fn answers_are_those_of_the_solver() {
         let request = Request::new(quantities).at(places);
         let contact = bem.compile(&scene(), &request).unwrap();
         let answer = contact.respond(&request);
-        for row in 0..places.len() {
+        for (row, place) in places.into_iter().enumerate() {
             let found = quantities.map(|q| answer.values(q).unwrap()[row]);
             close(found[0], 0.05 * UNIT * NOMINAL, 1e-5);
             close(found[1], direct.area, 1e-5);
             close(found[2], direct.area * NOMINAL, 1e-5);
             close(found[3], 0.05 * UNIT / direct.area, 1e-5);
-            let gap = contact.separation(places[row]).unwrap();
+            let gap = contact.separation(place).unwrap();
             let gap = gap.measured_in(
                 asperity_core::SeparationUnit::Metres,
                 asperity_core::Datum::SurfaceMean,

@@ -10,3 +10,4 @@ pub mod plan;
 pub mod recommend;
 pub mod solve;
 pub mod surface;
+pub mod truth;

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "",
     "curve",
     "solve",
@@ -17,6 +17,7 @@ const COMMANDS: [&str; 11] = [
     "surface",
     "export",
     "bem",
+    "truth",
 ];
 
 #[test]

@@ -10,5 +10,6 @@ mod help;
 mod readme;
 mod solve;
 mod surface;
+mod truth;
 mod usage;
 mod words;
