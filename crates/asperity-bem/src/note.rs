@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 use std::fmt;
+use std::mem::discriminant;
 
 use crate::half_space::HalfSpace;
 use crate::seam::LARGEST_STEP;
-use crate::{Boundary, HeightMap};
+use crate::{Boundary, Given, HeightMap};
 
 /// Least shortest wavelength \[pixels\].
 const LEAST_WAVELENGTH: f64 = 8.0;
@@ -72,6 +73,31 @@ impl fmt::Display for Note {
 }
 
 impl Note {
+    /// What the notes of many contacts come to: each kind once, as it was found last (that is at the
+    /// lightest load, in the order in which lists are solved), and of how many.
+    #[must_use]
+    pub fn summary(notes: &[(Given, Self)]) -> Vec<String> {
+        let mut kinds: Vec<(usize, Given, Self)> = vec![];
+        for &(given, note) in notes {
+            let kind = discriminant(&note);
+            match kinds.iter_mut().find(|(.., known)| discriminant(known) == kind) {
+                Some(known) => *known = (known.0 + 1, given, note),
+                None => kinds.push((1, given, note)),
+            }
+        }
+        let at = |given: Given| match given {
+            Given::MeanPressure(pressure) => format!("at {pressure:e} Pa"),
+            Given::Load(load) => format!("at {load:e} N"),
+            Given::MeanGap(gap) => format!("at a mean gap of {gap:e} m"),
+        };
+        let told = |(count, given, note): (usize, Given, Self)| match (note, count) {
+            (Self::ShortWaves { .. } | Self::Seam { .. }, _) => note.to_string(),
+            (_, 1) => format!("{}: {note}", at(given)),
+            _ => format!("{} ({count} contacts are like that): {note}", at(given)),
+        };
+        kinds.into_iter().map(told).collect()
+    }
+
     pub(crate) fn of_contact(pixels: usize, patches: usize) -> impl Iterator<Item = Self> {
         let few_pixels = (pixels < LEAST_PIXELS).then_some(Self::FewPixels { found: pixels });
         let few_patches = (patches < LEAST_PATCHES).then_some(Self::FewPatches { found: patches });

@@ -82,32 +82,7 @@ impl Run<'_> {
         self.maps.extend(maps);
         self.words.extend(once(&errors));
         let grid = format!("on {rows} x {columns} pixels");
-        self.words.extend(told_once(&notes).into_iter().map(|note| format!("{grid} {note}")));
+        self.words.extend(Note::summary(&notes).into_iter().map(|note| format!("{grid} {note}")));
         Ok(answers)
     }
-}
-
-/// Each kind of note once, of the contact where it was found last: the lightest.
-pub fn told_once(notes: &[(Given, Note)]) -> Vec<String> {
-    let mut kinds: Vec<(usize, Given, Note)> = vec![];
-    for (given, note) in notes {
-        let same = |known: &&mut (usize, Given, Note)| {
-            std::mem::discriminant(&known.2) == std::mem::discriminant(note)
-        };
-        match kinds.iter_mut().find(same) {
-            Some(known) => *known = (known.0 + 1, *given, *note),
-            None => kinds.push((1, *given, *note)),
-        }
-    }
-    let at = |given: Given| match given {
-        Given::MeanPressure(pressure) => format!("at {pressure:e} Pa"),
-        Given::MeanGap(gap) => format!("at a mean gap of {gap:e} m"),
-        Given::Load(load) => format!("at {load:e} N"),
-    };
-    let told = |(count, given, note): (usize, Given, Note)| match (note, count) {
-        (Note::ShortWaves { .. } | Note::Seam { .. }, _) => note.to_string(),
-        (_, 1) => format!("{}: {note}", at(given)),
-        _ => format!("{} ({count} contacts are like that): {note}", at(given)),
-    };
-    kinds.into_iter().map(told).collect()
 }

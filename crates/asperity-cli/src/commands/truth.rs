@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use asperity::bem::{BemError, Given};
+use asperity::bem::{BemError, Given, Note};
 use asperity::{ContactModel, ContactState, Truth, truth};
 use clap::{ArgAction, Args};
 
@@ -12,7 +12,6 @@ use crate::commands::bem::Way;
 use crate::interrupt;
 use crate::numbers::{Numbers, positive_numbers};
 use crate::output::{once, progress, say};
-use crate::pressed::told_once;
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Table};
 
@@ -90,7 +89,7 @@ impl TruthCommand {
             .iter()
             .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
             .collect();
-        told_once(&notes).iter().for_each(|text| say("warning", text));
+        Note::summary(&notes).iter().for_each(|text| say("warning", text));
         say("note", &nearest(&found));
         self.output.write(&table(&found, area))?;
         if interrupt::asked() {

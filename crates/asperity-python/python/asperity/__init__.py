@@ -22,6 +22,7 @@ from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import Contact, ContactWarning, NotConverged, template
+from asperity._bem import BemContacts, TruthRow, bem, truth
 from asperity._curve import Curve
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
@@ -34,6 +35,7 @@ __version__ = _version("asperity")
 __all__ = [
     "Asperity",
     "AsperityLaws",
+    "BemContacts",
     "Body",
     "Contact",
     "ContactWarning",
@@ -51,6 +53,8 @@ __all__ = [
     "Surface",
     "SweepResult",
     "Topography",
+    "TruthRow",
+    "bem",
     "model",
     "models",
     "plan",
@@ -59,4 +63,5 @@ __all__ = [
     "sweep",
     "template",
     "topography",
+    "truth",
 ]
