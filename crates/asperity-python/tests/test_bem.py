@@ -25,7 +25,9 @@ def rough(n: int = 96, seed: int = 1, gradient: float = 0.05) -> Floats:
     weight = np.where((waves >= 2) & (waves <= n / 8), np.maximum(waves, 1) ** -1.8, 0)
     spectrum = np.fft.fft2(np.random.default_rng(seed).standard_normal((n, n))) * weight
     heights = np.fft.ifft2(spectrum).real
-    slopes = [np.fft.ifft2(2j * np.pi / SIDE * q * np.fft.fft2(heights)).real for q in (k, k[:, None])]
+    slopes = [
+        np.fft.ifft2(2j * np.pi / SIDE * q * np.fft.fft2(heights)).real for q in (k, k[:, None])
+    ]
     return np.asarray(heights * gradient / np.sqrt(sum((s**2).mean() for s in slopes)))
 
 
@@ -61,7 +63,9 @@ def scene(tmp_path: Path) -> asperity.Scene:
 @pytest.mark.parametrize("elastic", [True, False])
 def test_maps_carry_what_the_numbers_say(boundary: asperity._bem.Boundary, elastic: bool) -> None:
     given = np.array([[2e7], [2e8]])
-    found = asperity.bem(scan(), interface=STEEL, pressure=given, boundary=boundary, elastic=elastic)
+    found = asperity.bem(
+        scan(), interface=STEEL, pressure=given, boundary=boundary, elastic=elastic
+    )
     assert found.pressures is not None and found.gaps is not None
     assert found.pressures.shape == found.gaps.shape == (2, 1, 96, 96)
     np.testing.assert_allclose(found.pressures.mean(axis=(2, 3)), given, rtol=1e-9)
@@ -82,7 +86,9 @@ def test_elastic_pressures_deflect_as_a_half_space_does() -> None:
     compliance = np.where(q > 0, 2 / (116e9 * np.where(q > 0, q, 1)), 0)
     deflection = np.fft.ifft2(compliance * np.fft.fft2(found.pressures)).real
     gap = deflection - rough()
-    np.testing.assert_allclose(found.gaps, gap - gap.mean() + found.mean_gap, atol=1e-9 * rough().std())
+    np.testing.assert_allclose(
+        found.gaps, gap - gap.mean() + found.mean_gap, atol=1e-9 * rough().std()
+    )
 
 
 def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
@@ -149,4 +155,10 @@ def test_what_is_not_resolved_warns(scene: asperity.Scene) -> None:
 def test_it_stops_when_it_is_asked_to() -> None:
     threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     with pytest.raises(KeyboardInterrupt):
-        asperity.bem(scan(256), interface=STEEL, pressure=np.geomspace(1e5, 1e9, 5000), boundary="free", maps=False)
+        asperity.bem(
+            scan(256),
+            interface=STEEL,
+            pressure=np.geomspace(1e5, 1e9, 5000),
+            boundary="free",
+            maps=False,
+        )
