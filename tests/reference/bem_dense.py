@@ -113,25 +113,31 @@ CASES = [  # seed, n, rows, columns, stretch of dy
 ]
 HEAD = "seed n rows columns dy boundary hardness pressure pixels plastic edges mean_gap mean_open_gap highest_pressure pressure_square".split()
 
-with open("bem_dense.csv", "w", newline="") as file:
-    table = csv.writer(file)
-    table.writerow(HEAD)
-    for seed, n, rows, columns, stretch in CASES:
-        dx = SURFACE["side"] / n
-        dy = stretch * dx
-        h = surface(**SURFACE, seed=seed, n=n)[:rows, :columns]
-        h = h - h.mean()
-        for boundary, influence in (("periodic", periodic), ("free", free)):
-            kernel = influence(rows, columns, dy, dx, MODULUS)
-            for cap in (np.inf, 0.4, 0.1):
-                for pressure in (0.003, 0.02, 0.08):
-                    unit = MODULUS * SURFACE["gradient"]
-                    p, gap, steps = solve(h, kernel, boundary == "periodic", pressure * unit * h.size, cap * unit)
-                    c = p > 0
-                    plastic = (p >= cap * unit * (1 - 1e-12)).sum() if np.isfinite(cap) else 0
-                    row = [seed, n, rows, columns, repr(float(dy)), boundary, repr(float(cap * unit)) if np.isfinite(cap) else "", repr(float(pressure * unit))]
-                    row += [c.sum(), plastic, edges(c, boundary == "periodic")]
-                    row += ["%.15e" % x for x in (gap.mean(), np.maximum(gap, 0).mean(), p.max(), (p**2).mean())]
-                    table.writerow(row)
-                    file.flush()
-                    print(*row, "steps", steps)
+
+def main():
+    with open("bem_dense.csv", "w", newline="") as file:
+        table = csv.writer(file)
+        table.writerow(HEAD)
+        for seed, n, rows, columns, stretch in CASES:
+            dx = SURFACE["side"] / n
+            dy = stretch * dx
+            h = surface(**SURFACE, seed=seed, n=n)[:rows, :columns]
+            h = h - h.mean()
+            for boundary, influence in (("periodic", periodic), ("free", free)):
+                kernel = influence(rows, columns, dy, dx, MODULUS)
+                for cap in (np.inf, 0.4, 0.1):
+                    for pressure in (0.003, 0.02, 0.08):
+                        unit = MODULUS * SURFACE["gradient"]
+                        p, gap, steps = solve(h, kernel, boundary == "periodic", pressure * unit * h.size, cap * unit)
+                        c = p > 0
+                        plastic = (p >= cap * unit * (1 - 1e-12)).sum() if np.isfinite(cap) else 0
+                        row = [seed, n, rows, columns, repr(float(dy)), boundary, repr(float(cap * unit)) if np.isfinite(cap) else "", repr(float(pressure * unit))]
+                        row += [c.sum(), plastic, edges(c, boundary == "periodic")]
+                        row += ["%.15e" % x for x in (gap.mean(), np.maximum(gap, 0).mean(), p.max(), (p**2).mean())]
+                        table.writerow(row)
+                        file.flush()
+                        print(*row, "steps", steps)
+
+
+if __name__ == "__main__":
+    main()

@@ -47,7 +47,9 @@ pub enum BemError {
         required: &'static str,
     },
     /// The load is more than the surface carries when every pixel flows.
-    #[error("mean pressure is {pressure} Pa: less than the hardness, {hardness} Pa, was required")]
+    #[error(
+        "mean pressure is {pressure:e} Pa: less than the hardness, {hardness:e} Pa, was required"
+    )]
     CannotBeCarried {
         /// Mean pressure asked for \[Pa\].
         pressure: f64,
@@ -56,7 +58,7 @@ pub enum BemError {
     },
     /// The gap is more than the highest point leaves.
     #[error(
-        "mean gap is {gap} m: less than the height of the highest point above the mean, {highest} m, was required (nothing touches)"
+        "mean gap is {gap:e} m: less than the height of the highest point above the mean, {highest:e} m, was required (nothing touches)"
     )]
     NothingTouches {
         /// Mean gap asked for \[m\].
@@ -66,7 +68,7 @@ pub enum BemError {
     },
     /// The iteration ended above the tolerance.
     #[error(
-        "residual is {residual} after {iterations} iterations: at most {required} was required"
+        "residual is {residual:e} after {iterations} iterations: at most {required:e} was required"
     )]
     NotConverged {
         /// Residual that was reached.
@@ -78,7 +80,7 @@ pub enum BemError {
     },
     /// No load with this mean gap was found.
     #[error(
-        "mean gap {gap} m was not reached in {trials} trials: a larger one, or a load, was required"
+        "mean gap {gap:e} m was not reached in {trials} trials: a larger one, or a load, was required"
     )]
     GapNotFound {
         /// Mean gap asked for \[m\].

@@ -17,7 +17,8 @@ const BLOCK: usize = 8;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Boundary {
-    /// The map again and again. Edges that do not meet press as steps: take the seam out first.
+    /// The map again and again. Edges that do not meet press as steps: take the seam out first, by
+    /// [`HeightMap::periodic_part`].
     #[default]
     Periodic,
     /// A half-space that carries nothing: for scans whose edges do not meet, and for single
@@ -276,4 +277,58 @@ fn fast_length(length: usize) -> usize {
         n == 1
     };
     (length..).find(|&n| smooth(n)).unwrap_or(length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_products_of_small_primes() {
+        assert_eq!([1, 2, 7, 11, 97, 128, 1021].map(fast_length), [1, 2, 8, 12, 100, 128, 1024]);
+    }
+
+    /// Every size, odd and even, against the sum over the pixels.
+    #[test]
+    fn deflections_are_sums_over_all_pixels() {
+        for shape @ [rows, columns] in [[2, 2], [3, 5], [9, 8], [17, 4]] {
+            let pixel @ [dy, dx] = [2.0, 3.0];
+            let map = HeightMap::new(vec![0.0; rows * columns], shape, pixel).unwrap();
+            let pressures: Vec<f64> = (0..rows * columns).map(|i| (i as f64).sin()).collect();
+            for boundary in [Boundary::Periodic, Boundary::Free] {
+                let mut space = HalfSpace::new(&map, 5.0, boundary);
+                let mut found = pressures.clone();
+                space.apply(Filter::Deflect, &mut found);
+                for (at, found) in found.iter().enumerate() {
+                    let required: f64 = (0..rows * columns)
+                        .map(|from| {
+                            let (i, j) = (at / columns, at % columns);
+                            let (k, l) = (from / columns, from % columns);
+                            let (a, b) = (i as f64 - k as f64, j as f64 - l as f64);
+                            pressures[from]
+                                * match boundary {
+                                    Boundary::Free => {
+                                        rectangle(b * dx, a * dy, dx, dy) / (PI * 5.0)
+                                    }
+                                    Boundary::Periodic => waves(shape, pixel, a, b) / 5.0,
+                                }
+                        })
+                        .sum();
+                    assert!((found - required).abs() < 1e-13, "{shape:?} {boundary:?}");
+                }
+            }
+        }
+    }
+
+    /// Sum of all waves at the distance of a rows and b columns.
+    fn waves([rows, columns]: [usize; 2], [dy, dx]: [f64; 2], a: f64, b: f64) -> f64 {
+        let mut sum = 0.0;
+        for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).skip(1) {
+            let (k, l) = (i.min(rows - i) as f64, j.min(columns - j) as f64);
+            let q = TAU * (k / (rows as f64 * dy)).hypot(l / (columns as f64 * dx));
+            let phase = i as f64 * a / rows as f64 + j as f64 * b / columns as f64;
+            sum += 2.0 / q * (TAU * phase).cos();
+        }
+        sum / (rows * columns) as f64
+    }
 }

@@ -104,6 +104,11 @@ impl HeightMap {
         self.heights.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The same grid with these heights, whose mean is 0.
+    pub(crate) fn with_heights(&self, heights: Vec<f64>) -> Self {
+        Self { heights, ..*self }
+    }
+
     fn lowest(&self) -> f64 {
         self.heights.iter().copied().fold(f64::INFINITY, f64::min)
     }

@@ -16,7 +16,7 @@
 //! the plain gradient of ALL pixels and shortened to the least energy.
 
 use crate::half_space::{Filter, HalfSpace};
-use crate::parallel::{reduce, sum, update};
+use crate::parallel::{number, reduce, sum, update};
 use crate::projection::Projection;
 
 /// Least share of a contact that must lie between the bounds for a conjugate step.
@@ -38,7 +38,7 @@ pub(crate) struct Problem<'a> {
 impl Problem<'_> {
     /// Whether a pixel may move when its gap is `gap`.
     fn moves(&self, pressure: f64, gap: f64) -> bool {
-        (pressure > 0.0 || gap < 0.0) && (pressure < self.cap || gap > 0.0)
+        ((pressure > 0.0) | (gap < 0.0)) & ((pressure < self.cap) | (gap > 0.0))
     }
 }
 
@@ -109,39 +109,32 @@ impl<'a> Iteration<'a> {
     /// Where the rigid surface stands, and how much is left to gain.
     pub(crate) fn standing(&self) -> Standing {
         let Problem { heights, cap, load } = self.problem;
-        let (pressures, deflections) = (&self.pressures, &self.deflections);
-        let distance = |i: usize| deflections[i] - heights[i];
-        let [free, free_distance, touching] = sum(heights.len(), |i| {
-            let touches = pressures[i] > 0.0;
-            if touches && pressures[i] < cap {
-                [1.0, distance(i), 1.0]
-            } else {
-                [0.0, 0.0, f64::from(u8::from(touches))]
-            }
+        let maps = [&self.pressures, &self.deflections, heights];
+        let [free, free_distance, touching] = sum(maps, |[pressure, deflection, height]| {
+            let touches = number(pressure > 0.0);
+            let free = touches * number(pressure < cap);
+            [free, free * (deflection - height), touches]
         });
         let offset = if free > 0.0 { free_distance / free } else { self.offset_between_bounds() };
-        let part = |range: std::ops::Range<usize>| {
-            let mut least = f64::INFINITY;
-            let mut sums = [0.0; 5];
-            for i in range {
-                let (pressure, gap) = (pressures[i], distance(i) - offset);
-                least = least.min(gap);
-                if self.problem.moves(pressure, gap) {
-                    sums[0] += 1.0;
-                    sums[1] += gap;
-                }
-                sums[2] += pressure * gap;
-                // Only where there is a hardness: infinity times 0 is not a number.
-                sums[3] += if gap < 0.0 { (pressure - cap) * gap } else { pressure * gap };
-                sums[4] += pressure * (0.5 * deflections[i] - heights[i]);
-            }
-            (least, sums)
+        let zero = (f64::INFINITY, [0.0; 5]);
+        let fold = |(least, [moving, gaps, open, beyond, energy]): (f64, [f64; 5]),
+                    [pressure, deflection, height]: [f64; 3]| {
+            let gap = deflection - height - offset;
+            let moves = number(self.problem.moves(pressure, gap));
+            let closed = if gap < 0.0 { pressure - cap } else { pressure };
+            let sums = [
+                moving + moves,
+                gaps + moves * gap,
+                open + pressure * gap,
+                beyond + closed * gap,
+                energy + pressure * (0.5 * deflection - height),
+            ];
+            (f64::min(least, gap), sums)
         };
         let join = |a: (f64, [f64; 5]), b: (f64, [f64; 5])| {
             (a.0.min(b.0), std::array::from_fn(|k| a.1[k] + b.1[k]))
         };
-        let (least, [moving, gaps, open, beyond, energy]) =
-            reduce(heights.len(), part, join).unwrap_or((0.0, [0.0; 5]));
+        let (least, [moving, gaps, open, beyond, energy]) = reduce(maps, zero, fold, join);
         Standing {
             offset,
             remainder: if cap.is_finite() { beyond / load } else { open / load - least },
@@ -154,23 +147,18 @@ impl<'a> Iteration<'a> {
     /// The offset when every pixel of the contact flows: half-way between the flowing pixel that
     /// is pressed in least and the lowest of the others.
     fn offset_between_bounds(&self) -> f64 {
-        let Problem { heights, .. } = self.problem;
-        let bounds = |range: std::ops::Range<usize>| {
-            range.fold([f64::NEG_INFINITY, f64::INFINITY], |[flowing, open], i| {
-                let distance = self.deflections[i] - heights[i];
-                if self.pressures[i] > 0.0 {
-                    [flowing.max(distance), open]
-                } else {
-                    [flowing, open.min(distance)]
-                }
-            })
+        let maps = [&self.pressures, &self.deflections, self.problem.heights];
+        let fold = |[flowing, open]: [f64; 2], [pressure, deflection, height]: [f64; 3]| {
+            let distance = deflection - height;
+            if pressure > 0.0 {
+                [f64::max(flowing, distance), open]
+            } else {
+                [flowing, f64::min(open, distance)]
+            }
         };
         let join = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-        match reduce(heights.len(), bounds, join) {
-            Some([flowing, open]) if open.is_finite() => 0.5 * (flowing + open),
-            Some([flowing, _]) => flowing,
-            None => 0.0,
-        }
+        let [flowing, open] = reduce(maps, [f64::NEG_INFINITY, f64::INFINITY], fold, join);
+        if open.is_finite() { 0.5 * (flowing + open) } else { flowing }
     }
 
     /// One step from where the iteration stands; false when no direction leads down any more.
@@ -194,45 +182,45 @@ impl<'a> Iteration<'a> {
     fn conjugate_step(&mut self, standing: Standing, space: &mut HalfSpace) -> bool {
         let Standing { offset, moving_gap, .. } = standing;
         let problem = self.problem;
-        let (pressures, deflections) = (&self.pressures, &self.deflections);
-        // Gap about the mean of the pixels that move; none of the others.
-        let slope = |i: usize| {
-            let gap = deflections[i] - problem.heights[i] - offset;
-            problem.moves(pressures[i], gap).then_some(gap - moving_gap)
+        let maps = [&self.pressures[..], &self.deflections, problem.heights];
+        // Whether a pixel moves, and its gap about the mean of those that do.
+        let slope = |[pressure, deflection, height]: [f64; 3]| {
+            let gap = deflection - height - offset;
+            let moves = number(problem.moves(pressure, gap));
+            (moves, moves * (gap - moving_gap))
         };
-        update(&mut self.gradient, |i, gradient| {
-            *gradient = slope(i).unwrap_or(0.0);
+        update(&mut self.gradient, maps, |gradient, here| {
+            *gradient = slope(here).1;
             []
         });
         space.apply(Filter::Undo, &mut self.gradient);
 
-        let (gradient, previous, old) = (&self.gradient, &self.previous, &self.direction);
+        let [p, u, h] = maps;
+        let all = [p, u, h, &self.gradient, &self.previous, &self.direction];
         let [moving, product, overlap, gradients, directions] =
-            sum(pressures.len(), |i| match slope(i) {
-                Some(slope) => [1.0, slope * gradient[i], slope * previous[i], gradient[i], old[i]],
-                None => [0.0; 5],
+            sum(all, |[p, u, h, gradient, previous, direction]| {
+                let (moves, slope) = slope([p, u, h]);
+                let products = [slope * gradient, slope * previous];
+                [moves, products[0], products[1], moves * gradient, moves * direction]
             });
         let turn = match self.product {
             Some(before) => ((product - overlap) / before).min(product / before).max(0.0),
             None => 0.0,
         };
         let mean = (gradients + turn * directions) / moving;
-        let [descent] = update(&mut self.direction, |i, direction| match slope(i) {
-            Some(slope) => {
-                *direction = gradient[i] + turn * *direction - mean;
-                [slope * *direction]
-            }
-            None => {
-                *direction = 0.0;
-                [0.0]
-            }
+        let others = [p, u, h, &self.gradient];
+        let [descent] = update(&mut self.direction, others, |direction, [p, u, h, gradient]| {
+            let (moves, slope) = slope([p, u, h]);
+            *direction = moves * (gradient + turn * *direction - mean);
+            [slope * *direction]
         });
         std::mem::swap(&mut self.gradient, &mut self.previous);
         let response = &mut self.gradient;
         response.copy_from_slice(&self.direction);
         space.apply(Filter::Deflect, response);
         let (direction, response) = (&self.direction, &self.gradient);
-        let [curvature] = sum(direction.len(), |i| [direction[i] * response[i]]);
+        let [curvature] =
+            sum([direction, response], |[direction, response]| [direction * response]);
         let length = descent / curvature;
         if !(descent > 0.0 && curvature > 0.0 && length.is_finite()) {
             return false;
@@ -243,8 +231,8 @@ impl<'a> Iteration<'a> {
         if step.cut {
             self.deflect(space);
         } else {
-            update(&mut self.deflections, |i, deflection| {
-                *deflection -= length * response[i];
+            update(&mut self.deflections, [response], |deflection, [response]| {
+                *deflection -= length * response;
                 []
             });
         }
@@ -253,47 +241,51 @@ impl<'a> Iteration<'a> {
 
     fn plain_step(&mut self, space: &mut HalfSpace) -> bool {
         let Problem { heights, cap, load } = self.problem;
-        let len = heights.len();
         self.product = None;
-        let deflections = &self.deflections;
-        let [distances] = sum(len, |i| [deflections[i] - heights[i]]);
-        let mean = distances / len as f64;
-        let [descent] = update(&mut self.gradient, |i, gradient| {
-            *gradient = deflections[i] - heights[i] - mean;
+        let maps = [&self.deflections, heights];
+        let [distances] = sum(maps, |[deflection, height]| [deflection - height]);
+        let mean = distances / heights.len() as f64;
+        let [descent] = update(&mut self.gradient, maps, |gradient, [deflection, height]| {
+            *gradient = deflection - height - mean;
             [gradient.powi(2)]
         });
         self.previous.copy_from_slice(&self.gradient);
         space.apply(Filter::Deflect, &mut self.previous);
-        let (gradient, response) = (&self.gradient, &self.previous);
-        let [curvature] = sum(len, |i| [gradient[i] * response[i]]);
+        let gradients = [&self.gradient[..], &self.previous];
+        let [curvature] = sum(gradients, |[gradient, response]| [gradient * response]);
         let length = descent / curvature;
         if !(length > 0.0 && length.is_finite()) {
             return false;
         }
-        let step = Projection::new(&self.pressures, gradient, length, cap, load);
-        let pressures = &self.pressures;
-        update(&mut self.direction, |i, end| {
-            *end = step.of(pressures[i], gradient[i]);
+        let step = Projection::new(&self.pressures, &self.gradient, length, cap, load);
+        let maps = [&self.pressures[..], &self.gradient];
+        update(&mut self.direction, maps, |end, [pressure, gradient]| {
+            *end = step.of(pressure, gradient);
             []
         });
         self.previous.copy_from_slice(&self.direction);
         space.apply(Filter::Deflect, &mut self.previous);
-        let (ends, responses) = (&self.direction, &self.previous);
-        let [descent, curvature] = sum(len, |i| {
-            let change = ends[i] - pressures[i];
-            [-gradient[i] * change, change * (responses[i] - deflections[i])]
+        let all = [
+            &self.pressures[..],
+            &self.direction,
+            &self.gradient,
+            &self.deflections,
+            &self.previous,
+        ];
+        let [descent, curvature] = sum(all, |[pressure, end, gradient, deflection, response]| {
+            let change = end - pressure;
+            [-gradient * change, change * (response - deflection)]
         });
         let length = if descent < curvature { descent / curvature } else { 1.0 };
         if !(descent > 0.0 && length > 0.0) {
             return false;
         }
-        update(&mut self.pressures, |i, pressure| {
-            *pressure =
-                if length < 1.0 { *pressure + length * (ends[i] - *pressure) } else { ends[i] };
+        update(&mut self.pressures, [&self.direction], |pressure, [end]| {
+            *pressure = if length < 1.0 { *pressure + length * (end - *pressure) } else { end };
             []
         });
-        update(&mut self.deflections, |i, deflection| {
-            *deflection += length * (responses[i] - *deflection);
+        update(&mut self.deflections, [&self.previous], |deflection, [response]| {
+            *deflection += length * (response - *deflection);
             []
         });
         true

@@ -2,9 +2,11 @@
 
 use std::f64::consts::TAU;
 use std::fmt;
+use std::mem::discriminant;
 
 use crate::half_space::HalfSpace;
-use crate::{Boundary, HeightMap};
+use crate::seam::LARGEST_STEP;
+use crate::{Boundary, Given, HeightMap};
 
 /// Least shortest wavelength \[pixels\].
 const LEAST_WAVELENGTH: f64 = 8.0;
@@ -28,6 +30,13 @@ pub enum Note {
         /// Wavelength below which one hundredth of the mean square slope lies \[pixels\].
         pixels: f64,
     },
+    /// The map is repeated and its edges do not meet: the steps along the seam press as well, not
+    /// the surface alone. Solve [`HeightMap::periodic_part`], or with
+    /// [`Boundary::Free`].
+    Seam {
+        /// [Step over the seam](HeightMap::seam_step), in steps between neighbours.
+        step: f64,
+    },
     /// Few pixels carry the load: the area is a staircase.
     FewPixels {
         /// How many.
@@ -47,6 +56,10 @@ impl fmt::Display for Note {
                 f,
                 "the shortest waves are {pixels:.1} pixels long: at least {LEAST_WAVELENGTH} are needed for an answer that does not depend on the grid"
             ),
+            Self::Seam { step } => write!(
+                f,
+                "the edges do not meet: the step over the seam is {step:.1} times that between neighbours, less than {LARGEST_STEP} is needed for a map that is repeated"
+            ),
             Self::FewPixels { found } => write!(
                 f,
                 "{found} pixels are in contact: at least {LEAST_PIXELS} are needed for an area"
@@ -60,29 +73,54 @@ impl fmt::Display for Note {
 }
 
 impl Note {
+    /// What the notes of many contacts come to: each kind once, as it was found last (that is at the
+    /// lightest load, in the order in which lists are solved), and of how many.
+    #[must_use]
+    pub fn summary(notes: &[(Given, Self)]) -> Vec<String> {
+        let mut kinds: Vec<(usize, Given, Self)> = vec![];
+        for &(given, note) in notes {
+            let kind = discriminant(&note);
+            match kinds.iter_mut().find(|(.., known)| discriminant(known) == kind) {
+                Some(known) => *known = (known.0 + 1, given, note),
+                None => kinds.push((1, given, note)),
+            }
+        }
+        let at = |given: Given| match given {
+            Given::MeanPressure(pressure) => format!("at {pressure:e} Pa"),
+            Given::Load(load) => format!("at {load:e} N"),
+            Given::MeanGap(gap) => format!("at a mean gap of {gap:e} m"),
+        };
+        let told = |(count, given, note): (usize, Given, Self)| match (note, count) {
+            (Self::ShortWaves { .. } | Self::Seam { .. }, _) => note.to_string(),
+            (_, 1) => format!("{}: {note}", at(given)),
+            _ => format!("{} ({count} contacts are like that): {note}", at(given)),
+        };
+        kinds.into_iter().map(told).collect()
+    }
+
     pub(crate) fn of_contact(pixels: usize, patches: usize) -> impl Iterator<Item = Self> {
         let few_pixels = (pixels < LEAST_PIXELS).then_some(Self::FewPixels { found: pixels });
         let few_patches = (patches < LEAST_PATCHES).then_some(Self::FewPatches { found: patches });
         few_pixels.into_iter().chain(few_patches)
     }
 
-    pub(crate) fn of_map(
-        map: &HeightMap,
-        boundary: Boundary,
-        space: &mut HalfSpace,
-    ) -> Option<Self> {
-        let pixels = shortest_wavelength(map, boundary, space)?;
-        (pixels < LEAST_WAVELENGTH).then_some(Self::ShortWaves { pixels })
+    pub(crate) fn of_map(map: &HeightMap, boundary: Boundary, space: &mut HalfSpace) -> Vec<Self> {
+        let meet = boundary == Boundary::Periodic && map.edges_meet();
+        let pixels = shortest_wavelength(map, !meet, space).filter(|p| *p < LEAST_WAVELENGTH);
+        let short = pixels.map(|pixels| Self::ShortWaves { pixels });
+        let step = map.seam_step();
+        let seam = (boundary == Boundary::Periodic && !meet).then_some(Self::Seam { step });
+        seam.into_iter().chain(short).collect()
     }
 }
 
 /// Wavelength \[pixels\] below which [`SHORT_SHARE`] of the mean square slope lies; none for a
-/// flat map. The edges of a map that is not periodic are faded out (Hann), or their steps would
+/// flat map. Edges that do not meet are faded out (Hann), or their steps would
 /// pass for short waves.
-fn shortest_wavelength(map: &HeightMap, boundary: Boundary, space: &mut HalfSpace) -> Option<f64> {
+fn shortest_wavelength(map: &HeightMap, fades: bool, space: &mut HalfSpace) -> Option<f64> {
     let [rows, columns] = map.shape();
     let mut heights = map.heights().to_vec();
-    if boundary == Boundary::Free {
+    if fades {
         let fade = |i: usize, n: usize| 0.5 - 0.5 * (TAU * (i as f64 + 0.5) / n as f64).cos();
         for (i, row) in heights.chunks_mut(columns).enumerate() {
             for (j, height) in row.iter_mut().enumerate() {

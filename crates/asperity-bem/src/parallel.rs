@@ -1,53 +1,81 @@
-//! Passes over arrays on all cores whose digits do not depend on how many there are.
+//! Passes over maps on all cores whose digits do not depend on how many there are.
 //!
-//! An array is cut into chunks of one fixed length; a chunk is summed by one thread, and the sums
-//! of the chunks are added in their order.
-
-use std::ops::Range;
+//! A map is cut into chunks of one fixed length; a chunk is summed by one thread, and the sums of
+//! the chunks are added in their order.
 
 use rayon::prelude::*;
 
 /// Numbers in a chunk: large against the price of a task, small against the second-level cache.
 const CHUNK: usize = 4096;
+/// Sums that run side by side in a chunk, so that an addition need not wait for the last one.
+const LANES: usize = 8;
 
-/// `part` of every chunk of `0..len`, joined in order.
-pub(crate) fn reduce<T: Send>(
-    len: usize,
-    part: impl Fn(Range<usize>) -> T + Sync,
-    join: impl Fn(T, T) -> T,
-) -> Option<T> {
-    let parts: Vec<T> = (0..len.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|chunk| part(chunk * CHUNK..len.min((chunk + 1) * CHUNK)))
-        .collect();
-    parts.into_iter().reduce(join)
-}
-
-/// The sums over `0..len` of the `K` numbers that `term` makes of an index.
-pub(crate) fn sum<const K: usize>(len: usize, term: impl Fn(usize) -> [f64; K] + Sync) -> [f64; K] {
-    let part = |range: Range<usize>| add_up(range.map(&term));
-    reduce(len, part, add).unwrap_or([0.0; K])
-}
-
-/// Sets every number of `array`: `each` gets its index and the number, and returns `K` terms, which
-/// are summed.
-pub(crate) fn update<const K: usize>(
-    array: &mut [f64],
-    each: impl Fn(usize, &mut f64) -> [f64; K] + Sync,
+/// The sums over all pixels of the `K` terms that `term` makes of the maps' numbers there.
+pub(crate) fn sum<const N: usize, const K: usize>(
+    maps: [&[f64]; N],
+    term: impl Fn([f64; N]) -> [f64; K] + Sync,
 ) -> [f64; K] {
-    let parts: Vec<[f64; K]> = array
-        .par_chunks_mut(CHUNK)
-        .enumerate()
-        .map(|(chunk, numbers)| {
-            let numbered = (chunk * CHUNK..).zip(numbers);
-            add_up(numbered.map(|(i, number)| each(i, number)))
-        })
-        .collect();
-    parts.into_iter().fold([0.0; K], add)
+    reduce(maps, [0.0; K], |sum, numbers| add(sum, term(numbers)), add)
 }
 
-fn add_up<const K: usize>(terms: impl Iterator<Item = [f64; K]>) -> [f64; K] {
-    terms.fold([0.0; K], add)
+/// What `fold` makes of all pixels, beginning with `zero` in every lane; `join` puts the lanes
+/// and chunks together.
+pub(crate) fn reduce<const N: usize, T: Copy + Send + Sync>(
+    maps: [&[f64]; N],
+    zero: T,
+    fold: impl Fn(T, [f64; N]) -> T + Sync,
+    join: impl Fn(T, T) -> T + Sync,
+) -> T {
+    let len = maps.first().map_or(0, |map| map.len());
+    let chunk = |chunk: usize| {
+        let maps = maps.map(|map| map[chunk * CHUNK..len.min((chunk + 1) * CHUNK)].as_chunks());
+        let mut lanes = [zero; LANES];
+        // Blocks of known length need no checks inside.
+        for at in 0..maps[0].0.len() {
+            let here: [&[f64; LANES]; N] = std::array::from_fn(|map| &maps[map].0[at]);
+            for (lane, total) in lanes.iter_mut().enumerate() {
+                *total = fold(*total, std::array::from_fn(|map| here[map][lane]));
+            }
+        }
+        for (at, total) in (0..maps[0].1.len()).zip(&mut lanes) {
+            *total = fold(*total, std::array::from_fn(|map| maps[map].1[at]));
+        }
+        lanes.into_iter().fold(zero, &join)
+    };
+    let chunks: Vec<T> = (0..len.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
+    chunks.into_iter().fold(zero, &join)
+}
+
+/// Changes every number of `map`: `each` gets it and the numbers of the other maps there, and
+/// returns `K` terms, which are summed.
+pub(crate) fn update<const N: usize, const K: usize>(
+    map: &mut [f64],
+    others: [&[f64]; N],
+    each: impl Fn(&mut f64, [f64; N]) -> [f64; K] + Sync,
+) -> [f64; K] {
+    let len = map.len();
+    let chunk = |(chunk, numbers): (usize, &mut [f64])| {
+        let others = others.map(|map| map[chunk * CHUNK..len.min((chunk + 1) * CHUNK)].as_chunks());
+        let mut lanes = [[0.0; K]; LANES];
+        let (blocks, rest) = numbers.as_chunks_mut::<LANES>();
+        for (at, numbers) in blocks.iter_mut().enumerate() {
+            let here: [&[f64; LANES]; N] = std::array::from_fn(|map| &others[map].0[at]);
+            for (lane, (number, total)) in numbers.iter_mut().zip(&mut lanes).enumerate() {
+                *total = add(*total, each(number, std::array::from_fn(|map| here[map][lane])));
+            }
+        }
+        for (at, (number, total)) in rest.iter_mut().zip(&mut lanes).enumerate() {
+            *total = add(*total, each(number, std::array::from_fn(|map| others[map].1[at])));
+        }
+        lanes.into_iter().fold([0.0; K], add)
+    };
+    let chunks: Vec<[f64; K]> = map.par_chunks_mut(CHUNK).enumerate().map(chunk).collect();
+    chunks.into_iter().fold([0.0; K], add)
+}
+
+/// 1 for yes, 0 for no: a factor where a branch would go either way at random.
+pub(crate) fn number(yes: bool) -> f64 {
+    f64::from(u8::from(yes))
 }
 
 fn add<const K: usize>(mut sum: [f64; K], term: [f64; K]) -> [f64; K] {
@@ -63,25 +91,30 @@ mod tests {
 
     #[test]
     fn the_digits_do_not_depend_on_the_number_of_threads() {
-        let numbers: Vec<f64> = (0..50_000).map(|i| f64::from(i).sin()).collect();
+        let numbers: Vec<f64> = (0..50_003).map(|i| f64::from(i).sin()).collect();
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| sum(numbers.len(), |i| [numbers[i], numbers[i].powi(2)]))
+            pool.install(|| sum([&numbers], |[x]| [x, x.powi(2)]))
         };
         assert_eq!(on(1).map(f64::to_bits), on(3).map(f64::to_bits));
     }
 
     #[test]
     fn every_number_is_visited_once() {
-        let mut numbers = vec![0.0; 3 * CHUNK + 5];
-        let [count] = update(&mut numbers, |i, number| {
-            *number += i as f64;
-            [1.0]
-        });
-        assert_eq!(count as usize, numbers.len());
-        assert!(
-            numbers.iter().enumerate().all(|(i, &number)| number.to_bits() == (i as f64).to_bits())
-        );
-        assert_eq!(reduce(0, |_| 1, |a, b| a + b), None);
+        for len in [0, 1, LANES - 1, LANES, CHUNK, 3 * CHUNK + 2 * LANES + 5] {
+            let places: Vec<f64> = (0..len).map(|i| i as f64).collect();
+            let mut numbers = vec![0.5; len];
+            let [count] = update(&mut numbers, [&places], |number, [place]| {
+                *number += place;
+                [1.0]
+            });
+            assert_eq!(count as usize, len);
+            let wrong = numbers.iter().zip(&places).filter(|(a, b)| (*a - *b - 0.5).abs() > 0.0);
+            assert_eq!(wrong.count(), 0);
+            let [total] = sum([&numbers, &places], |[number, place]| [number - place]);
+            assert_eq!((2.0 * total) as usize, len);
+            let most = reduce([&places], -1.0, |most, [place]| f64::max(most, place), f64::max);
+            assert_eq!((most + 1.0) as usize, len);
+        }
     }
 }

@@ -43,3 +43,24 @@ fn root(parent: &mut [usize], mut at: usize) -> usize {
     }
     at
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn over_edges_and_seams_but_not_over_corners() {
+        let map = "
+            #..#.
+            .#...
+            .##..
+            #...#";
+        let touching: Vec<bool> =
+            map.chars().filter(|c| "#.".contains(*c)).map(|c| c == '#').collect();
+        assert_eq!(patches(&touching, [4, 5], false), [3, 1, 1, 1, 1]);
+        // The corners meet over both seams, the rest does not.
+        assert_eq!(patches(&touching, [4, 5], true), [3, 3, 1]);
+        assert_eq!(patches(&[false; 20], [4, 5], true), []);
+        assert_eq!(patches(&[true; 20], [4, 5], false), [20]);
+    }
+}

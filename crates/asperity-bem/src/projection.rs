@@ -1,6 +1,6 @@
 //! The nearest pressures that lie between 0 and the hardness and carry the load.
 
-use crate::parallel::{reduce, sum, update};
+use crate::parallel::{number, reduce, sum, update};
 
 /// More halvings than a double has digits, with room for steps of thousands of hardnesses.
 const MOST_PASSES: usize = 200;
@@ -21,6 +21,7 @@ pub(crate) struct Projection {
 }
 
 /// Where the pixels would end without bounds.
+#[derive(Clone, Copy)]
 struct Ends {
     lowest: f64,
     highest: f64,
@@ -32,23 +33,26 @@ struct Ends {
     sum: f64,
 }
 
-impl Default for Ends {
-    fn default() -> Self {
-        let [lowest, highest] = [f64::INFINITY, f64::NEG_INFINITY];
-        Self { lowest, highest, moving: 0.0, stay: 0.0, sum: 0.0 }
-    }
-}
-
 impl Ends {
-    fn add(&mut self, from: f64, direction: f64, length: f64) {
+    const NONE: Self = Self {
+        lowest: f64::INFINITY,
+        highest: f64::NEG_INFINITY,
+        moving: 0.0,
+        stay: 0.0,
+        sum: 0.0,
+    };
+
+    fn with(self, from: f64, direction: f64, length: f64) -> Self {
         if direction == 0.0 {
-            self.stay += from;
-        } else {
-            let end = from - length * direction;
-            self.lowest = self.lowest.min(end);
-            self.highest = self.highest.max(end);
-            self.moving += 1.0;
-            self.sum += end;
+            return Self { stay: self.stay + from, ..self };
+        }
+        let end = from - length * direction;
+        Self {
+            lowest: self.lowest.min(end),
+            highest: self.highest.max(end),
+            moving: self.moving + 1.0,
+            stay: self.stay,
+            sum: self.sum + end,
         }
     }
 
@@ -66,18 +70,10 @@ impl Ends {
 impl Projection {
     pub(crate) fn new(from: &[f64], direction: &[f64], length: f64, cap: f64, load: f64) -> Self {
         let mut this = Self { length, shift: 0.0, cap, cut: true };
-        let ends = reduce(
-            from.len(),
-            |range| {
-                let mut ends = Ends::default();
-                for (&from, &direction) in from[range.clone()].iter().zip(&direction[range]) {
-                    ends.add(from, direction, length);
-                }
-                ends
-            },
-            Ends::join,
-        );
-        let Ends { lowest, highest, moving, stay, sum: all } = ends.unwrap_or_default();
+        let maps = [from, direction];
+        let fold = |ends: Ends, [from, direction]: [f64; 2]| ends.with(from, direction, length);
+        let Ends { lowest, highest, moving, stay, sum: all } =
+            reduce(maps, Ends::NONE, fold, Ends::join);
         let need = load - stay;
         if lowest >= 0.0 && highest <= cap && (all - need).abs() <= BALANCE * load {
             this.cut = false;
@@ -87,13 +83,10 @@ impl Projection {
         let mut low = lowest - if cap.is_finite() { cap } else { need / moving };
         let mut high = highest;
         for _ in 0..MOST_PASSES {
-            let [carried, free] = sum(from.len(), |i| {
-                if direction[i] == 0.0 {
-                    return [0.0, 0.0];
-                }
-                let end = this.end(from[i], direction[i]);
-                let pressure = end.clamp(0.0, cap);
-                [pressure, f64::from(u8::from(end > 0.0 && end < cap))]
+            let [carried, free] = sum(maps, |[from, direction]| {
+                let moves = number(direction != 0.0);
+                let end = this.end(from, direction);
+                [moves * end.clamp(0.0, cap), moves * number((end > 0.0) & (end < cap))]
             });
             let excess = carried - need;
             if excess > 0.0 {
@@ -124,9 +117,53 @@ impl Projection {
 
     /// Makes the step.
     pub(crate) fn step(&self, pressures: &mut [f64], direction: &[f64]) {
-        update(pressures, |i, pressure| {
-            *pressure = self.of(*pressure, direction[i]);
+        update(pressures, [direction], |pressure, [direction]| {
+            *pressure = self.of(*pressure, direction);
             []
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lengths of the steps from none to many hardnesses, with and without a hardness.
+    #[test]
+    fn the_nearest_pressures_carry_the_load() {
+        let from: Vec<f64> = (0..999).map(|i| f64::from(i % 7) / 7.0).collect();
+        let load: f64 = from.iter().sum();
+        // A third stays.
+        let direction: Vec<f64> =
+            (0..999).map(|i| if i % 3 == 0 { 0.0 } else { f64::from(i).sin() }).collect();
+        for cap in [1.0, f64::INFINITY] {
+            for length in [0.0, 1e-3, 0.3, 10.0, 1e6] {
+                let step = Projection::new(&from, &direction, length, cap, load);
+                let mut to = from.clone();
+                step.step(&mut to, &direction);
+                assert!((to.iter().sum::<f64>() / load - 1.0).abs() < 1e-9, "{cap} {length}");
+                assert!(to.iter().all(|pressure| (0.0..=cap).contains(pressure)));
+                assert!((0..999).step_by(3).all(|i| (to[i] - from[i]).abs() <= 0.0));
+                // Nearest: between the bounds all are off their ends by the same shift, at the
+                // bounds by more in the direction of the bound.
+                for i in (0..999).filter(|i| i % 3 != 0) {
+                    let off = from[i] - length * direction[i] - to[i];
+                    let little = 1e-9 * (1.0 + length);
+                    let [open, full] = [to[i] <= 0.0, to[i] >= cap];
+                    assert!(open || off >= step.shift - little, "{cap} {length} {off}");
+                    assert!(full || off <= step.shift + little, "{cap} {length} {off}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_step_that_reaches_no_bound_is_not_cut() {
+        let direction = [0.25, -0.25, 0.0, 0.0];
+        let cut = |length: f64| Projection::new(&[0.5; 4], &direction, length, 1.0, 2.0).cut;
+        assert!(!cut(0.0) && !cut(2.0));
+        assert!(cut(2.1));
+        // Nor is one that carries another load left alone.
+        assert!(Projection::new(&[0.5; 4], &direction, 1.0, 1.0, 2.1).cut);
     }
 }

@@ -63,7 +63,7 @@ impl Solution {
         boundary: Boundary,
         cap: f64,
         fields: Fields,
-        resolution: Option<Note>,
+        mut notes: Vec<Note>,
     ) -> Self {
         let Fields { pressures, gaps, residual, iterations } = fields;
         let pixels = pressures.len() as f64;
@@ -74,7 +74,6 @@ impl Solution {
         let edges = edges(&touching, map.shape(), periodic);
         let patches = patches(&touching, map.shape(), periodic);
         let mean_pressure = pressures.iter().sum::<f64>() / pixels;
-        let mut notes = Vec::from_iter(resolution);
         notes.extend(Note::of_contact(count, patches.len()));
         Self {
             given,
@@ -109,4 +108,19 @@ fn edges(touching: &[bool], [rows, columns]: [usize; 2], periodic: bool) -> usiz
         edges += usize::from(periodic && row[columns - 1] != row[0]);
     }
     edges
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_inside_and_over_the_seams() {
+        // A corner pixel: two edges inside, four with the seams.
+        let mut touching = vec![false; 12];
+        touching[0] = true;
+        assert_eq!(edges(&touching, [3, 4], false), 2);
+        assert_eq!(edges(&touching, [3, 4], true), 4);
+        assert_eq!(edges(&[true; 12], [3, 4], true), 0);
+    }
 }

@@ -174,7 +174,7 @@ struct Run<'a> {
     setup: &'a BoundaryElements,
     space: HalfSpace,
     rms_height: f64,
-    resolution: Option<Note>,
+    resolution: Vec<Note>,
     /// Pressures of the last contact, and their mean.
     last: Option<(Vec<f64>, f64)>,
 }
@@ -196,7 +196,7 @@ impl<'a> Run<'a> {
             Given::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
         }?;
         let BoundaryElements { map, boundary, .. } = self.setup;
-        Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution))
+        Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution.clone()))
     }
 
     fn cap(&self) -> f64 {
@@ -225,10 +225,12 @@ impl<'a> Run<'a> {
             Some((pressures, last)) => pressures.iter().map(|p| p * pressure / last).collect(),
             None => vec![pressure; heights.len()],
         };
-        let mut iteration = Iteration::new(problem, start, &mut self.space);
+        // Inside the pool: from outside every pass would wait for a thread to wake.
+        let space = &mut self.space;
+        let mut iteration = rayon::scope(|_| Iteration::new(problem, start, space));
         let mut iterations = 0;
         let (standing, residual) = loop {
-            let standing = iteration.standing();
+            let standing = rayon::scope(|_| iteration.standing());
             let residual = (standing.remainder / scale).max(0.0);
             if residual <= *tolerance {
                 break (standing, residual);
@@ -238,7 +240,7 @@ impl<'a> Run<'a> {
             }
             let first = cold && iterations == 0;
             if iterations >= *most_iterations
-                || !iteration.advance(standing, first, &mut self.space)
+                || !rayon::scope(|_| iteration.advance(standing, first, space))
             {
                 let required = *tolerance;
                 return Err(BemError::NotConverged { residual, iterations, required });

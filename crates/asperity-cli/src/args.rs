@@ -101,6 +101,10 @@ impl OutputArgs {
 
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
+    // No model of the registry: it belongs to the scene's scan.
+    if name.trim().eq_ignore_ascii_case("bem") {
+        return Ok("bem".into());
+    }
     name.parse::<Model>().map(|model| model.id().to_string()).map_err(|e| e.to_string())
 }
 

@@ -6,10 +6,13 @@
 mod args;
 mod ask;
 mod commands;
+mod contact_map;
+mod interrupt;
 mod number;
 mod numbers;
 mod output;
 mod plot;
+mod pressed;
 mod scene;
 mod table;
 
@@ -19,7 +22,9 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{check, compare, curve, export, init, models, plan, recommend, solve, surface};
+use commands::{
+    bem, check, compare, curve, export, init, models, plan, recommend, solve, surface, truth,
+};
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
 #[derive(Debug, Parser)]
@@ -48,6 +53,8 @@ enum Command {
     Init(init::Init),
     Surface(surface::Surface),
     Export(export::Export),
+    Bem(bem::BemCommand),
+    Truth(truth::TruthCommand),
 }
 
 fn main() -> ExitCode {
@@ -62,6 +69,8 @@ fn main() -> ExitCode {
         Command::Init(command) => command.run(),
         Command::Surface(command) => command.run(),
         Command::Export(command) => command.run(),
+        Command::Bem(command) => command.run(),
+        Command::Truth(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -154,6 +154,24 @@ impl Canvas<'_> {
         ));
     }
 
+    /// A polygon of any colour, without gaps to its neighbours.
+    pub(crate) fn shade(&self, corners: &[Point], colour: &str) {
+        let corners = places(corners);
+        self.add(&format!(
+            "<polygon points=\"{corners}\" fill=\"{colour}\" shape-rendering=\"crispEdges\"/>\n"
+        ));
+    }
+
+    /// An image that fills a rectangle, its pixels as squares.
+    pub(crate) fn image(&self, rect: &Rect, address: &str) {
+        let Rect { left, top, .. } = rect;
+        self.add(&format!(
+            "<image x=\"{left:.2}\" y=\"{top:.2}\" width=\"{:.2}\" height=\"{:.2}\" preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{address}\"/>\n",
+            rect.width(),
+            rect.height()
+        ));
+    }
+
     /// The outline of a rectangle.
     pub(crate) fn outline(&self, rect: &Rect, colour: Colour, width: f64) {
         let around: Vec<Point> = rect.corners().into_iter().cycle().take(6).collect();

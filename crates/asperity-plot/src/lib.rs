@@ -27,6 +27,7 @@ mod error;
 mod figure;
 mod layout;
 mod legend;
+mod map;
 mod matrix;
 mod panel;
 mod ruler;
@@ -38,6 +39,7 @@ mod trace;
 
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
+pub use map::{Map, draw_map};
 pub use matrix::{Cell, Matrix, draw_matrix};
 pub use style::Curve;
 pub use text::{number, power_of_ten};

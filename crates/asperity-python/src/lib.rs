@@ -7,11 +7,13 @@
 //! ```text
 //! fields → scene → rows → answer ┐
 //!          python_model → engine ┴→ contact → ask, advice
+//! scene, topography → bem
 //! ```
 
 mod advice;
 mod answer;
 mod ask;
+mod bem;
 mod check;
 mod contact;
 mod engine;
@@ -35,6 +37,8 @@ mod _asperity {
     use crate::advice::{plan, recommend};
     #[pymodule_export]
     use crate::ask::{answer, separations, shares};
+    #[pymodule_export]
+    use crate::bem::{bem, truth};
     #[pymodule_export]
     use crate::check::{check, findings};
     #[pymodule_export]

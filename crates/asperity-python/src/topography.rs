@@ -24,7 +24,7 @@ use crate::objects::object;
 /// periodic : bool
 ///     Whether the surface goes on beyond its edges.
 #[pyclass(frozen, subclass, module = "asperity._asperity")]
-pub(crate) struct Topography(asperity_topography::Topography);
+pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
 
 #[derive(FromPyObject)]
 enum Spacing {

@@ -1,6 +1,7 @@
 //! `[surface]` from measured files.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use asperity::{Surface, TabulatedHeights};
 use asperity_topography::{
@@ -19,6 +20,8 @@ pub(crate) struct Described {
     /// The density of its summits' heights, where that is asked for.
     pub(crate) heights: Option<TabulatedHeights>,
     pub(crate) notes: Vec<String>,
+    /// The scan, levelled and filtered, where there is one alone.
+    pub(crate) scan: Option<Arc<Topography>>,
 }
 
 /// The surface of one measured file, or of two pressed together.
@@ -35,7 +38,7 @@ pub(crate) fn measured(
             let statistics = topography.statistics(keys.estimator)?;
             let asked = matches!(keys.heights, HeightsKey::Measured);
             let density = asked.then(|| density(&topography)).transpose()?;
-            Ok((Measured { statistics, pixel_size: dx.max(dy) }, density))
+            Ok((Measured { statistics, pixel_size: dx.max(dy) }, density, topography))
         });
         found.map_err(|error| match unnamed(error) {
             // What is wrong with an option stands at that option, all else at the file.
@@ -48,7 +51,7 @@ pub(crate) fn measured(
             }
         })
     };
-    let (at, (measured, density)) = match (&keys.file, keys.files.as_deref()) {
+    let (at, (measured, density, scan)) = match (&keys.file, keys.files.as_deref()) {
         (Some(_), Some(_)) => {
             let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
             return conflict("surface.file", "surface.files", needed);
@@ -63,13 +66,13 @@ pub(crate) fn measured(
         }
         (_, Some([first, second])) => {
             let at = "surface.files";
-            let (a, _) = one("surface.files[1]", first)?;
-            let (b, _) = one("surface.files[2]", second)?;
+            let (a, ..) = one("surface.files[1]", first)?;
+            let (b, ..) = one("surface.files[2]", second)?;
             let pixel_size = a.pixel_size.max(b.pixel_size);
             let both = Statistics::combined(&a.statistics, &b.statistics);
             let refused = |reason| SceneError::Measured { at: document.place(at), reason };
             let statistics = both.map_err(|error| refused(error.to_string()))?;
-            (at, (Measured { statistics, pixel_size }, None))
+            (at, (Measured { statistics, pixel_size }, None, None))
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
@@ -78,7 +81,8 @@ pub(crate) fn measured(
         }
         (file, None) => {
             let at = "surface.file";
-            (at, one(at, file.as_deref().unwrap_or(Path::new("")))?)
+            let (measured, density, scan) = one(at, file.as_deref().unwrap_or(Path::new("")))?;
+            (at, (measured, density, Some(Arc::new(scan))))
         }
     };
     let statistics = &measured.statistics;
@@ -89,7 +93,8 @@ pub(crate) fn measured(
     let heights = density.map(|points| {
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });
-    Ok(Described { surface, measured: Some(measured), heights: heights.transpose()?, notes })
+    let (heights, measured) = (heights.transpose()?, Some(measured));
+    Ok(Described { surface, measured, heights, notes, scan })
 }
 
 /// Reading names the file, what follows does not.

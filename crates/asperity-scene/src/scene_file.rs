@@ -1,11 +1,14 @@
 //! A scene file, read.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use asperity::{
     Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
     Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
 };
+use asperity_bem::Boundary;
+use asperity_topography::Topography;
 
 use crate::document::{Document, text_of};
 use crate::heights::{compared, read_heights};
@@ -32,6 +35,8 @@ pub struct SceneFile {
     pub measured: Option<Measured>,
     /// What was read, and still deserves a word.
     pub warnings: Vec<String>,
+    /// The scan of the surface, levelled and filtered, where one file describes it.
+    pub scan: Option<Arc<Topography>>,
 }
 
 /// A model that a scene does not allow.
@@ -116,7 +121,8 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let measured = described.measured;
     let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
     scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
-    Ok(SceneFile { scene, options, separation_from: from, table, bodies, measured, warnings })
+    let (scan, separation_from) = (described.scan, from);
+    Ok(SceneFile { scene, options, separation_from, table, bodies, measured, warnings, scan })
 }
 
 /// A table of heights as the library takes it, for this `asperity_height_std` \[m\].
@@ -136,16 +142,22 @@ impl From<Scene> for SceneFile {
             bodies: vec![],
             measured: None,
             warnings: vec![],
+            scan: None,
         }
     }
 }
 
 impl SceneFile {
-    /// The model of an id, with the scene's options.
+    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on the
+    /// scene's scan, repeated and with the hardness.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids.
+    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
+    /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
+        if id.trim().eq_ignore_ascii_case("bem") {
+            return Ok(Model::new(self.bem(Boundary::Periodic, false)?));
+        }
         self.options.model(id)
     }
 
@@ -191,6 +203,8 @@ impl SceneFile {
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
         let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
         let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
-        Ok(Self { scene, bodies, measured, warnings: vec![], ..self.clone() })
+        // Nor is a scan one of another surface.
+        let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
+        Ok(Self { scene, bodies, measured, warnings: vec![], scan, ..self.clone() })
     }
 }

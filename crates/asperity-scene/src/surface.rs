@@ -95,5 +95,5 @@ pub(crate) fn surface(
         _ => return measured(document, keys),
     };
     surface.check().map_err(&refused)?;
-    Ok(Described { surface, measured: None, heights: None, notes: vec![] })
+    Ok(Described { surface, measured: None, heights: None, notes: vec![], scan: None })
 }

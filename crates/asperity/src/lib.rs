@@ -5,9 +5,11 @@ mod cubic;
 mod fe_tables;
 mod recommend;
 mod registry;
+mod truth;
 
 pub use asperity_af::{AbdoFarhang, FlowPressure};
 pub use asperity_at::{AminiTehrani, Reading};
+pub use asperity_bem as bem;
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
@@ -23,3 +25,4 @@ pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
 pub use fe_tables::TableFormat;
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;
+pub use truth::{ContactState, Truth, truth};

@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod closed_forms;
+mod codes;
 mod inputs;
 mod invariants;
 mod lists;
+mod model;
 mod notes;
 mod reference;
 mod surfaces;

@@ -1,6 +1,6 @@
 //! What is not resolved says so.
 
-use asperity_bem::{Boundary, BoundaryElements, Given, Note, RandomSurface};
+use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap, Note, RandomSurface};
 
 use crate::{MODULUS, UNIT, rough};
 
@@ -51,4 +51,19 @@ fn half_the_grid_tells_how_far_the_answer_depends_on_it() {
     // Corrected areas agree where counted ones do not.
     assert!((half[0] / fine[0] - 1.0).abs() < 0.02, "{half:?} {fine:?}");
     assert!(half[1] / fine[1] > 1.02, "{half:?} {fine:?}");
+}
+
+#[test]
+fn edges_that_do_not_meet_are_seen_where_the_map_is_repeated() {
+    let whole = rough(128, 4);
+    let cut = whole.heights().chunks(128).take(90).flat_map(|row| row[..100].to_vec()).collect();
+    let cut = HeightMap::new(cut, [90, 100], whole.pixel()).unwrap();
+    let noted = |map: HeightMap, boundary| {
+        let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(boundary);
+        let solution = solver.tolerance(0.1).unwrap().solve(Given::MeanPressure(UNIT)).unwrap();
+        solution.notes.iter().any(|note| matches!(note, Note::Seam { step } if *step > 3.0))
+    };
+    assert!(noted(cut.clone(), Boundary::Periodic));
+    assert!(!noted(cut.periodic_part(), Boundary::Periodic));
+    assert!(!noted(cut, Boundary::Free) && !noted(whole, Boundary::Periodic));
 }

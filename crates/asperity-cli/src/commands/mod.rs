@@ -1,5 +1,6 @@
 //! One command a file.
 
+pub mod bem;
 pub mod check;
 pub mod compare;
 pub mod curve;
@@ -11,3 +12,4 @@ pub mod recommend;
 pub mod scales;
 pub mod solve;
 pub mod surface;
+pub mod truth;

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 13] = [
     "",
     "check",
     "curve",
@@ -17,13 +17,14 @@ const COMMANDS: [&str; 11] = [
     "init",
     "surface",
     "export",
+    "bem",
+    "truth",
 ];
 
 #[test]
 fn the_examples_of_every_help_text_work_when_pasted() {
-    let bench = Bench::new();
+    let bench = crate::bem::bench();
     std::fs::remove_file(bench.path("scene.toml")).unwrap();
-    bench.write("scan.txt", &crate::surface::scan(0.0));
     for command in COMMANDS {
         let help = bench.data(&format!("{command} --help"));
         let (_, examples) = help.split_once("Examples:\n").expect("examples in every help text");

@@ -1,6 +1,7 @@
 //! The built program, driven from outside.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests: a panic is the failure")]
 
+mod bem;
 mod bench;
 mod curve;
 mod export;
@@ -9,5 +10,6 @@ mod help;
 mod readme;
 mod solve;
 mod surface;
+mod truth;
 mod usage;
 mod words;

@@ -23,6 +23,7 @@ from importlib.metadata import version as _version
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import Contact, ContactWarning, NotConverged, template
 from asperity._check import Check, Finding
+from asperity._bem import BemContacts, TruthRow, bem, truth
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
@@ -36,6 +37,7 @@ __version__ = _version("asperity")
 __all__ = [
     "Asperity",
     "AsperityLaws",
+    "BemContacts",
     "Body",
     "Check",
     "Contact",
@@ -57,6 +59,8 @@ __all__ = [
     "SweepResult",
     "Topography",
     "export",
+    "TruthRow",
+    "bem",
     "model",
     "models",
     "plan",
@@ -66,4 +70,5 @@ __all__ = [
     "sweep",
     "template",
     "topography",
+    "truth",
 ]

@@ -17,6 +17,7 @@ __all__ = [
     "Topography",
     "answer",
     "check",
+    "bem",
     "check_inputs",
     "checked_body",
     "checked_interface",
@@ -38,6 +39,7 @@ __all__ = [
     "surface_from_std",
     "svg",
     "template",
+    "truth",
 ]
 
 _Floats: TypeAlias = npt.NDArray[np.float64]
@@ -48,6 +50,7 @@ _Data: TypeAlias = Any
 _Fields: TypeAlias = dict[str, Any]
 # What a Rows of the package has.
 _Rows: TypeAlias = Any
+_State: TypeAlias = tuple[float | None, float | None, float | None]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 
 class NotConverged(RuntimeError): ...
@@ -192,6 +195,21 @@ def plan(
 def recommend(
     reference: Engine, rows: _Rows, names: Sequence[str], within: _Float, rtol: _Float
 ) -> tuple[str, str, list[tuple[str, list[tuple[str, float]], str | None]]]: ...
+def bem(
+    scan: object,
+    given: str,
+    values: Sequence[_Float],
+    elastic: bool,
+    boundary: str,
+    maps: bool,
+) -> tuple[dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int]]: ...
+def truth(
+    file: SceneFile,
+    pressures: Sequence[_Float],
+    elastic: bool,
+    boundary: str,
+    models: Sequence[str] | None,
+) -> list[tuple[float, str, _State, _State]]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def check_inputs(names: Sequence[str]) -> None: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...

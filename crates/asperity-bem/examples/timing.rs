@@ -1,0 +1,41 @@
+//! Seconds and iterations of contacts that are each started cold.
+//!
+//! ```sh
+//! cargo run --release -p asperity-bem --example timing -- heights.npy 1e-3 1e-2 [hardness=0.5] [free]
+//! ```
+//!
+//! Heights in units of the side of the square, mean pressures and hardness in equivalent moduli.
+
+use std::error::Error;
+use std::fs::File;
+use std::io::BufReader;
+use std::time::Instant;
+
+use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let path = arguments.next().ok_or("heights.npy and pressures were required")?;
+    let file = npyz::NpyFile::new(BufReader::new(File::open(path)?))?;
+    let [rows, columns] = file.shape()[..] else { return Err("a matrix was required".into()) };
+    let [rows, columns] = [rows as usize, columns as usize];
+    let map = HeightMap::new(file.into_vec()?, [rows, columns], [1.0 / rows as f64; 2])?;
+    let mut solver = BoundaryElements::new(map, 1.0)?;
+    let mut pressures = Vec::new();
+    for argument in arguments {
+        if argument == "free" {
+            solver = solver.boundary(Boundary::Free);
+        } else if let Some(hardness) = argument.strip_prefix("hardness=") {
+            solver = solver.hardness(hardness.parse()?)?;
+        } else {
+            pressures.push(argument.parse::<f64>()?);
+        }
+    }
+    for pressure in pressures {
+        let start = Instant::now();
+        let solution = solver.solve(Given::MeanPressure(pressure))?;
+        let seconds = start.elapsed().as_secs_f64();
+        println!("{pressure:e} {seconds:.4} {} {}", solution.iterations, solution.pixel_area);
+    }
+    Ok(())
+}

@@ -1,0 +1,248 @@
+//! Boundary elements on a scan as a model: beside the others by the name `bem`.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
+
+use asperity_core::{
+    At, Claims, Contact, ContactError, ContactModel, Datum, Evaluation, Interface, Provenance,
+    Quantity, Request, Scene, Separation, SeparationUnit, Source,
+};
+
+use crate::{BemError, Boundary, BoundaryElements, Given, HeightMap, Solution};
+
+/// Relative error of what was iterated to the usual tolerance: of the contact of these pixels, not
+/// of the surface between them.
+const ERROR: f64 = 1e-6;
+/// Loads nearer than this are the same but for rounding.
+const SAME: f64 = 1e-12;
+
+/// A scan to be pressed against what a scene is made of.
+///
+/// The scan stands for the scene's whole nominal area: pressures are alike, loads and areas are
+/// scaled. Separations are mean gaps, from the mean plane of the scan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bem {
+    map: HeightMap,
+    boundary: Boundary,
+    elastic: bool,
+    seam: Option<f64>,
+}
+
+impl Bem {
+    /// `elastic` leaves the hardness of scenes out. Where the map is repeated and its edges do not
+    /// meet, its [periodic part](HeightMap::periodic_part) is taken.
+    #[must_use]
+    pub fn new(map: HeightMap, boundary: Boundary, elastic: bool) -> Self {
+        let seam = (boundary == Boundary::Periodic && !map.edges_meet()).then(|| map.seam_step());
+        let map = if seam.is_some() { map.periodic_part() } else { map };
+        Self { map, boundary, elastic, seam }
+    }
+
+    /// The map that is solved.
+    #[must_use]
+    pub fn map(&self) -> &HeightMap {
+        &self.map
+    }
+
+    /// The [step over the seam](HeightMap::seam_step) that was taken out, if there was one.
+    #[must_use]
+    pub fn seam(&self) -> Option<f64> {
+        self.seam
+    }
+
+    /// The same on every second pixel: see [`HeightMap::half_grid`].
+    ///
+    /// # Errors
+    /// Those of [`HeightMap::half_grid`].
+    pub fn half_grid(&self) -> Result<Self, BemError> {
+        Ok(Self { map: self.map.half_grid()?, ..self.clone() })
+    }
+
+    /// The solver for these bodies.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field of the interface that is out of range or missing.
+    pub fn elements(&self, interface: &Interface) -> Result<BoundaryElements, ContactError> {
+        let (hardness, ..) = interface.check()?;
+        let elements = BoundaryElements::new(self.map.clone(), interface.equivalent_modulus);
+        let elements = elements.map_err(refused)?.boundary(self.boundary);
+        match hardness.filter(|_| !self.elastic) {
+            Some(hardness) => elements.hardness(hardness).map_err(refused),
+            // What has no hardness is elastic.
+            None => Ok(elements),
+        }
+    }
+}
+
+fn refused(error: BemError) -> ContactError {
+    ContactError::Refused { model: SOURCE.name.into(), reason: error.to_string() }
+}
+
+const SOURCE: Source = Source {
+    id: "bem",
+    name: "BEM",
+    authors: "Polonsky & Keer",
+    year: 1999,
+    title: "A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques",
+    provenance: Provenance::Recalled,
+};
+
+impl ContactModel for Bem {
+    fn source(&self) -> &Source {
+        &SOURCE
+    }
+
+    fn claims(&self) -> Claims {
+        let valid_for = "the scan as it is, at small slopes; the hardness is a cap of the pressure";
+        Claims::default().without_hertz_limit().valid_for(valid_for)
+    }
+
+    /// Solves the request's places, one from the other; others are solved when they are asked for.
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        if let Some(quantity) = request.quantities.iter().find(|q| !QUANTITIES.contains(q)) {
+            let what =
+                format!("{quantity} (it gives {})", QUANTITIES.map(|q| q.to_string()).join(", "));
+            return Err(ContactError::Unsupported { model: SOURCE.name.into(), what });
+        }
+        asperity_core::positive("nominal_area", scene.nominal_area)?;
+        let contact = OnScene {
+            elements: self.elements(&scene.interface)?,
+            scene: scene.clone(),
+            quantities: request.quantities.clone(),
+            solved: Mutex::default(),
+        };
+        let given: Vec<Given> =
+            request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
+        let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
+        let all = given.into_iter().zip(all);
+        contact.keep(all.map(|(given, solution)| (given, summary(solution))).collect());
+        Ok(Box::new(contact))
+    }
+}
+
+const QUANTITIES: [Quantity; 7] = [
+    Quantity::Force,
+    Quantity::Pressure,
+    Quantity::Area,
+    Quantity::AreaFraction,
+    Quantity::MeanPressure,
+    Quantity::LnForce,
+    Quantity::LnArea,
+];
+
+/// What is kept of a contact.
+#[derive(Debug, Clone, Copy)]
+struct Summary {
+    pressure: f64,
+    area: f64,
+    gap: f64,
+}
+
+type Solved = (Given, Result<Summary, BemError>);
+
+fn summary(solution: Result<Solution, BemError>) -> Result<Summary, BemError> {
+    match solution {
+        Ok(Solution { mean_pressure: pressure, area, mean_gap: gap, .. }) => {
+            Ok(Summary { pressure, area, gap })
+        }
+        Err(BemError::NothingTouches { gap, .. }) => Ok(Summary { pressure: 0.0, area: 0.0, gap }),
+        Err(error) => Err(error),
+    }
+}
+
+struct OnScene {
+    elements: BoundaryElements,
+    scene: Scene,
+    quantities: Vec<Quantity>,
+    solved: Mutex<Vec<Solved>>,
+}
+
+impl fmt::Debug for OnScene {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("OnScene").field("scene", &self.scene).finish_non_exhaustive()
+    }
+}
+
+impl OnScene {
+    fn given(&self, at: At) -> Result<Given, ContactError> {
+        let metres = SeparationUnit::Metres;
+        Ok(match at {
+            At::Separation(separation) => {
+                let gap = separation.measured_in(metres, Datum::SurfaceMean, &self.scene)?;
+                Given::MeanGap(gap.value)
+            }
+            At::Pressure(pressure) => Given::MeanPressure(pressure),
+            At::Load(load) => Given::MeanPressure(load / self.scene.nominal_area),
+            _ => return Err(self.unsupported(&format!("an answer at {at}"))),
+        })
+    }
+
+    fn keep(&self, more: Vec<Solved>) {
+        self.solved.lock().unwrap_or_else(PoisonError::into_inner).extend(more);
+    }
+
+    fn solve(&self, given: Given) -> Result<Summary, ContactError> {
+        let known = {
+            let solved = self.solved.lock().unwrap_or_else(PoisonError::into_inner);
+            solved.iter().find(|(other, _)| same(given, *other)).map(|(_, found)| found.clone())
+        };
+        let found = known.unwrap_or_else(|| {
+            let found = summary(self.elements.solve(given));
+            self.keep(vec![(given, found.clone())]);
+            found
+        });
+        found.map_err(refused)
+    }
+}
+
+fn same(one: Given, other: Given) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= SAME * b.abs();
+    match (one, other) {
+        (Given::MeanPressure(a), Given::MeanPressure(b))
+        | (Given::MeanGap(a), Given::MeanGap(b)) => near(a, b),
+        _ => false,
+    }
+}
+
+impl Contact for OnScene {
+    fn model(&self) -> &str {
+        SOURCE.name
+    }
+
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn quantities(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        if !self.quantities.contains(&quantity) {
+            return Err(ContactError::NotRequested { quantity });
+        }
+        let Summary { pressure, area, .. } = self.solve(self.given(at)?)?;
+        let nominal = self.scene.nominal_area;
+        let value = match quantity {
+            Quantity::Force => pressure * nominal,
+            Quantity::Pressure => pressure,
+            Quantity::Area => area * nominal,
+            Quantity::AreaFraction => area,
+            Quantity::MeanPressure => pressure / area,
+            Quantity::LnForce => (pressure * nominal).ln(),
+            Quantity::LnArea => (area * nominal).ln(),
+            _ => return Err(self.unsupported(&quantity.to_string())),
+        };
+        if value.is_finite() {
+            return Ok(Evaluation::new(value, ERROR));
+        }
+        Err(ContactError::NoValue { quantity, at })
+    }
+
+    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
+        asperity_core::positive("load", load)?;
+        let gap = self.solve(self.given(At::Load(load))?)?.gap;
+        Ok(vec![Separation::metres(gap).from_surface_mean()])
+    }
+}

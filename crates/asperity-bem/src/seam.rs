@@ -1,0 +1,129 @@
+//! The seam of a map that is repeated: how far its edges are from meeting, and a map without it.
+
+use std::f64::consts::TAU;
+
+use rustfft::num_complex::Complex64;
+use rustfft::{FftDirection, FftPlanner};
+
+use crate::HeightMap;
+
+/// Edges meet where the step over the seam is less than so many steps between neighbours.
+pub(crate) const LARGEST_STEP: f64 = 3.0;
+
+impl HeightMap {
+    /// Root mean square step over the seam, relative to that between neighbours inside, along rows
+    /// or along columns, whichever is larger: about 1 where the map is periodic.
+    #[must_use]
+    pub fn seam_step(&self) -> f64 {
+        let [rows, columns] = self.shape();
+        let height = |i: usize, j: usize| self.heights()[(i % rows) * columns + j % columns];
+        // Squared steps from each of n lines to the next: the last one goes over the seam.
+        let ratio = |n: usize, along: usize, step: &dyn Fn(usize, usize) -> f64| {
+            let line = |k| (0..along).map(|l| step(k, l).powi(2)).sum::<f64>();
+            let inside = (0..n - 1).map(line).sum::<f64>() / (n - 1) as f64;
+            let seam = line(n - 1);
+            if seam > 0.0 { (seam / inside).sqrt() } else { 0.0 }
+        };
+        let down = ratio(rows, columns, &|i, j| height(i + 1, j) - height(i, j));
+        let across = ratio(columns, rows, &|j, i| height(i, j + 1) - height(i, j));
+        down.max(across)
+    }
+
+    /// Whether the map can be repeated without steps at its seam: a [step](Self::seam_step) of
+    /// less than 3.
+    #[must_use]
+    pub fn edges_meet(&self) -> bool {
+        self.seam_step() < LARGEST_STEP
+    }
+
+    /// The periodic component of the map: less the smoothest surface that has its steps at the
+    /// seam (Moisan 2011 \[recalled\]), so that what is inside keeps its shape.
+    ///
+    /// ```text
+    /// v = the steps over the seam, on the pixels beside it
+    /// s^(i, j) = v^(i, j)/(2 cos(2π i/n) + 2 cos(2π j/m) - 4),  s^(0, 0) = 0,  p = h - s
+    /// ```
+    #[must_use]
+    pub fn periodic_part(&self) -> Self {
+        let [rows, columns] = self.shape();
+        let height = |i: usize, j: usize| self.heights()[i * columns + j];
+        let mut steps = vec![Complex64::ZERO; rows * columns];
+        for j in 0..columns {
+            let step = height(rows - 1, j) - height(0, j);
+            steps[j] += step;
+            steps[(rows - 1) * columns + j] -= step;
+        }
+        for i in 0..rows {
+            let step = height(i, columns - 1) - height(i, 0);
+            steps[i * columns] += step;
+            steps[i * columns + columns - 1] -= step;
+        }
+        transform(&mut steps, [rows, columns], FftDirection::Forward);
+        let cosine = |k: usize, n: usize| 2.0 * (TAU * k as f64 / n as f64).cos() - 2.0;
+        // Back in the layout that the transform leaves: columns first.
+        for (j, column) in steps.chunks_mut(rows).enumerate() {
+            for (i, wave) in column.iter_mut().enumerate() {
+                let factor = cosine(i, rows) + cosine(j, columns);
+                let scale = if i + j == 0 { 0.0 } else { 1.0 / (factor * (rows * columns) as f64) };
+                *wave *= scale;
+            }
+        }
+        transform(&mut steps, [columns, rows], FftDirection::Inverse);
+        let heights = self.heights().iter().zip(&steps).map(|(h, s)| h - s.re);
+        self.with_heights(heights.collect())
+    }
+}
+
+/// Transforms rows, then columns; what stood in row i, column j stands in row j, column i.
+fn transform(map: &mut Vec<Complex64>, [rows, columns]: [usize; 2], direction: FftDirection) {
+    let mut planner = FftPlanner::new();
+    planner.plan_fft(columns, direction).process(map);
+    let turned = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
+    *map = turned.map(|at| map[at]).collect();
+    planner.plan_fft(rows, direction).process(map);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::RandomSurface;
+
+    fn wide() -> HeightMap {
+        RandomSurface::new(1.0, 2.0, 12.0).unwrap().seed(3).heights(192).unwrap()
+    }
+
+    /// A part of a map: its edges do not meet.
+    fn part(map: &HeightMap, [rows, columns]: [usize; 2]) -> HeightMap {
+        let all = map.heights().chunks(map.shape()[1]).take(rows);
+        let heights = all.flat_map(|row| row[..columns].to_vec()).collect();
+        HeightMap::new(heights, [rows, columns], map.pixel()).unwrap()
+    }
+
+    #[test]
+    fn steps_are_those_of_neighbours_where_a_map_is_periodic() {
+        assert!((0.5..2.0).contains(&wide().seam_step()) && wide().edges_meet());
+        let part = part(&wide(), [100, 121]);
+        assert!(part.seam_step() > 5.0 && !part.edges_meet());
+        let flat = HeightMap::new(vec![1.0; 12], [3, 4], [1.0; 2]).unwrap();
+        assert!(flat.seam_step() <= 0.0 && flat.edges_meet());
+    }
+
+    #[test]
+    fn the_seam_goes_and_what_is_inside_stays() {
+        let part = part(&wide(), [100, 121]);
+        let periodic = part.periodic_part();
+        assert!(periodic.edges_meet(), "{}", periodic.seam_step());
+        // What was taken away is smooth: harmonic but at the edges.
+        let taken: Vec<f64> =
+            part.heights().iter().zip(periodic.heights()).map(|(a, b)| a - b).collect();
+        for (i, j) in [(1, 1), (50, 60), (98, 119), (20, 100)] {
+            let at = i * 121 + j;
+            let around = taken[at - 1] + taken[at + 1] + taken[at - 121] + taken[at + 121];
+            assert!((around - 4.0 * taken[at]).abs() < 1e-10 * part.rms_height(), "{i} {j}");
+        }
+        // Little goes from a map whose edges meet.
+        let (whole, less) = (wide(), wide().periodic_part());
+        let taken = whole.heights().iter().zip(less.heights()).map(|(a, b)| (a - b).abs());
+        assert!(taken.fold(0.0, f64::max) < 0.2 * whole.rms_height());
+    }
+}

@@ -1,0 +1,79 @@
+//! `bem` as a model: the solver's answers under the names that all models share.
+
+use asperity_bem::{Bem, Boundary, Given};
+use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Separation, Surface};
+
+use crate::{MODULUS, UNIT, close, rough};
+
+const NOMINAL: f64 = 3e-6;
+
+fn scene() -> Scene {
+    let interface = Interface::new(MODULUS, 0.3, 0.3 * UNIT);
+    Scene::new(interface, Surface::new(1e-5, 1e10, 1e-6), NOMINAL)
+}
+
+#[test]
+fn answers_are_those_of_the_solver() {
+    for elastic in [true, false] {
+        let bem = Bem::new(rough(64, 1), Boundary::Periodic, elastic);
+        let elements = bem.elements(&scene().interface).unwrap();
+        let direct = elements.solve(Given::MeanPressure(0.05 * UNIT)).unwrap();
+        assert_eq!(direct.plastic_area > 0.0, !elastic);
+        let quantities =
+            [Quantity::Force, Quantity::AreaFraction, Quantity::Area, Quantity::MeanPressure];
+        let places = [
+            At::Pressure(0.05 * UNIT),
+            At::Load(0.05 * UNIT * NOMINAL),
+            Separation::metres(direct.mean_gap).from_surface_mean().into(),
+        ];
+        let request = Request::new(quantities).at(places);
+        let contact = bem.compile(&scene(), &request).unwrap();
+        let answer = contact.respond(&request);
+        for (row, place) in places.into_iter().enumerate() {
+            let found = quantities.map(|q| answer.values(q).unwrap()[row]);
+            close(found[0], 0.05 * UNIT * NOMINAL, 1e-5);
+            close(found[1], direct.area, 1e-5);
+            close(found[2], direct.area * NOMINAL, 1e-5);
+            close(found[3], 0.05 * UNIT / direct.area, 1e-5);
+            let gap = contact.separation(place).unwrap();
+            let gap = gap.measured_in(
+                asperity_core::SeparationUnit::Metres,
+                asperity_core::Datum::SurfaceMean,
+                &scene(),
+            );
+            close(gap.unwrap().value, direct.mean_gap, 1e-6);
+        }
+    }
+}
+
+#[test]
+fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
+    let bem = Bem::new(rough(64, 1), Boundary::Free, false);
+    let request = Request::new([Quantity::Area, Quantity::MeanPressure]);
+    let contact = bem.compile(&scene(), &request).unwrap();
+    let far: At = Separation::metres(1.0).from_surface_mean().into();
+    assert!(contact.evaluate(Quantity::Area, far).unwrap().value() <= 0.0);
+    let none = contact.evaluate(Quantity::MeanPressure, far).unwrap_err().to_string();
+    assert!(none.contains("mean-pressure has no value"), "{none}");
+    let not_asked = contact.evaluate(Quantity::Force, far).unwrap_err().to_string();
+    assert!(not_asked.starts_with("force was not requested"), "{not_asked}");
+    let heavy = contact.evaluate(Quantity::Area, At::Pressure(UNIT)).unwrap_err().to_string();
+    assert!(heavy.contains("less than the hardness"), "{heavy}");
+    let tangent = bem.compile(&scene(), &Request::new([Quantity::Tangent])).unwrap_err();
+    assert!(tangent.to_string().starts_with("BEM cannot give tangent (it gives force,"));
+    let mut soft = scene();
+    soft.interface.equivalent_modulus = -1.0;
+    let refused = bem.compile(&soft, &request).unwrap_err().to_string();
+    assert!(refused.starts_with("equivalent_modulus is -1"), "{refused}");
+}
+
+#[test]
+fn a_seam_is_taken_out_where_the_map_is_repeated() {
+    let cut = rough(64, 1).heights()[..64 * 40].to_vec();
+    let cut = asperity_bem::HeightMap::new(cut, [40, 64], rough(64, 1).pixel()).unwrap();
+    let periodic = Bem::new(cut.clone(), Boundary::Periodic, true);
+    assert!(periodic.seam().is_some_and(|step| step > 3.0) && periodic.map().edges_meet());
+    assert_eq!(periodic.half_grid().unwrap().map().shape(), [20, 32]);
+    let free = Bem::new(cut.clone(), Boundary::Free, true);
+    assert!(free.seam().is_none() && *free.map() == cut);
+}

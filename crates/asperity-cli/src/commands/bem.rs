@@ -1,0 +1,228 @@
+//! `asperity bem`: boundary elements on the scan of a scene.
+
+use std::path::PathBuf;
+
+use anyhow::{Result, bail};
+use asperity::bem::{Bem, Boundary, Given};
+use asperity_plot::draw_map;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::error::ErrorKind;
+use clap::{ArgAction, Args, ValueEnum};
+
+use crate::args::{OutputArgs, svg_file};
+use crate::contact_map;
+use crate::interrupt;
+use crate::numbers::{Numbers, positive_numbers};
+use crate::output::{self, say};
+use crate::pressed::{Row, Run};
+use crate::scene::LoadedScene;
+use crate::table::{Cell, Table};
+
+/// The scan of a scene pressed on an elastic half-space, pixel by pixel: no asperities
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The scene names a scan: [surface] file = \"scan.txt\". It stands for the whole nominal
+area; it is levelled and filtered as the scene says. The material is the scene's,
+and flows where the pressure reaches its hardness.
+Columns: load_n, pressure_pa, area_fraction (corrected for the staircase edges of
+pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
+planes), patches, iterations, residual; with --refine the same on half the grid.
+An interrupted list (Ctrl-C) keeps the loads that are done.
+
+Examples:
+  asperity bem scan.toml --pressure 1e7,1e8
+  asperity bem scan.toml --load 1000 --elastic --boundary free --format json
+  asperity bem scan.toml --pressure 1e7:1e9:5:log --refine --output bem.csv --format csv
+  asperity bem scan.toml --pressure 2e8 --map pressures.npy --picture contact.svg"
+)]
+pub struct BemCommand {
+    /// Scene file that names a scan
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    #[command(flatten)]
+    places: Places,
+    #[command(flatten)]
+    way: Way,
+    /// The answer on every second pixel beside it: how far it depends on the grid
+    #[arg(long)]
+    refine: bool,
+    /// Write the pressures in Pa, a matrix of NumPy; of several loads, one after another
+    #[arg(long, value_name = "FILE.npy")]
+    map: Option<PathBuf>,
+    /// Draw where it touches and how hard; of one load
+    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
+    picture: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Where contacts are solved.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+pub struct Places {
+    /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
+    /// v,v,...
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append)]
+    pressures: Vec<Numbers>,
+    /// Loads on the nominal area, in N
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append)]
+    loads: Vec<Numbers>,
+    /// Mean gaps, in m
+    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append)]
+    gaps: Vec<Numbers>,
+}
+
+/// How they are solved.
+#[derive(Debug, Args)]
+pub struct Way {
+    /// No hardness: pressures may grow without end
+    #[arg(long)]
+    pub elastic: bool,
+    /// What lies beyond the edges: the scan again (its seam is taken out where edges do not meet),
+    /// or nothing
+    #[arg(long, value_name = "WHAT", default_value = "periodic")]
+    pub boundary: Beyond,
+}
+
+/// `--boundary`.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Beyond {
+    Periodic,
+    Free,
+}
+
+impl Places {
+    /// In the order of the command line; pressures are alike on the scan and on the nominal area.
+    fn given(&self, nominal_area: f64) -> Vec<Given> {
+        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> Given| {
+            lists.iter().flat_map(|list| &list.0).map(|value| given(*value)).collect::<Vec<_>>()
+        };
+        let mut given = all(&self.pressures, &Given::MeanPressure);
+        given.extend(all(&self.loads, &|load| Given::MeanPressure(load / nominal_area)));
+        given.extend(all(&self.gaps, &Given::MeanGap));
+        given
+    }
+}
+
+impl Way {
+    /// The scene's scan; that its seam was taken out is said.
+    pub fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
+        let boundary = match self.boundary {
+            Beyond::Periodic => Boundary::Periodic,
+            Beyond::Free => Boundary::Free,
+        };
+        let bem = match scene.file.bem(boundary, self.elastic) {
+            Ok(bem) => bem,
+            Err(error) => bail!("{}: {error}", scene.name),
+        };
+        if let Some(step) = bem.seam() {
+            let why = "the edges of the scan do not meet";
+            let what = "its periodic part is pressed: --boundary free takes it as it is";
+            say("note", &format!("{why} (a step {step:.1} times that of neighbours), {what}"));
+        }
+        Ok(bem)
+    }
+}
+
+impl BemCommand {
+    pub fn run(self) -> Result<()> {
+        let scene = LoadedScene::load(&self.scene)?;
+        let given = self.places.given(scene.file.scene.nominal_area);
+        self.check(&given);
+        let bem = self.way.bem(&scene)?;
+        let mut run = Run { scene: &scene, given: &given, maps: vec![], words: vec![] };
+        let keep = self.map.is_some() || self.picture.is_some();
+        let whole = run.solve(&bem, keep)?;
+        let half = match self.refine {
+            true => Some(run.solve(&bem.half_grid()?, false)?),
+            false => None,
+        };
+        let maps = std::mem::take(&mut run.maps);
+        run.words.iter().for_each(|text| say("warning", text));
+        if !whole.iter().any(Option::is_some) {
+            bail!("{}: no load was solved", scene.name);
+        }
+        self.output.write(&table(&whole, half.as_deref(), scene.file.scene.nominal_area))?;
+        if let Some(path) = &self.map {
+            contact_map::write(path, &maps, bem.map().shape())?;
+        }
+        if let (Some(path), [pressures], Some(Some(row))) =
+            (&self.picture, &maps[..], whole.first())
+        {
+            let hardness = scene.file.scene.interface.check()?.0;
+            let hardness = hardness.filter(|_| !self.way.elastic);
+            let map = contact_map::picture(&bem, pressures, row, hardness, &scene.name);
+            let svg = draw_map(&map)?;
+            output::write_text(Some(path), &svg)?;
+        }
+        if interrupt::asked() {
+            let done = whole.iter().flatten().count();
+            bail!("stopped: {done} of {} loads were done", given.len());
+        }
+        Ok(())
+    }
+
+    /// What does not go together on the command line.
+    fn check(&self, given: &[Given]) {
+        let refuse = |text: &str| crate::usage_error("bem", ErrorKind::ArgumentConflict, text);
+        if self.picture.is_some() && given.len() > 1 {
+            refuse(&format!("--picture draws one load: {} were given", given.len()));
+        }
+        let outputs = [self.output.output.as_deref(), self.picture.as_deref(), self.map.as_deref()];
+        let given = [true, self.picture.is_some(), self.map.is_some()];
+        let standard =
+            outputs.iter().zip(given).filter(|(path, given)| *given && output::is_standard(**path));
+        if standard.count() > 1 {
+            refuse(
+                "--map - or --picture - leaves no place for the data: name a file with --output",
+            );
+        }
+    }
+}
+
+fn table(rows: &[Option<Row>], half: Option<&[Option<Row>]>, nominal_area: f64) -> Table {
+    let count = |count: usize| count as f64;
+    let cells = |row: Option<&Row>, area: f64| -> Vec<Cell> {
+        let all = row.map(|row| {
+            [
+                row.pressure * area,
+                row.pressure,
+                row.area,
+                row.pixel_area,
+                row.plastic,
+                row.gap,
+                count(row.patches),
+                count(row.iterations),
+                row.residual,
+            ]
+        });
+        (0..COLUMNS.len()).map(|k| Cell::Number(all.map(|all| all[k]))).collect()
+    };
+    let mut table = Table::new(&COLUMNS);
+    if half.is_some() {
+        table.head.extend(COLUMNS[2..].iter().map(|name| format!("{name}_half_grid")));
+    }
+    for (k, row) in rows.iter().enumerate() {
+        let mut all = cells(row.as_ref(), nominal_area);
+        if let Some(half) = half {
+            all.extend(cells(half[k].as_ref(), nominal_area).split_off(2));
+        }
+        table.rows.push(all);
+    }
+    table
+}
+
+const COLUMNS: [&str; 9] = [
+    "load_n",
+    "pressure_pa",
+    "area_fraction",
+    "area_fraction_pixels",
+    "plastic_fraction",
+    "mean_gap_m",
+    "patches",
+    "iterations",
+    "residual",
+];

@@ -1,0 +1,148 @@
+//! `asperity truth`: every model beside boundary elements on the scan of a scene.
+
+use std::path::PathBuf;
+
+use anyhow::{Result, bail};
+use asperity::bem::{BemError, Given, Note};
+use asperity::{ContactModel, ContactState, Truth, truth};
+use clap::{ArgAction, Args};
+
+use crate::args::{OutputArgs, model_id};
+use crate::commands::bem::Way;
+use crate::interrupt;
+use crate::numbers::{Numbers, positive_numbers};
+use crate::output::{once, progress, say};
+use crate::scene::LoadedScene;
+use crate::table::{Cell, Table};
+
+/// Which model holds on this scan: each beside boundary elements on it
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The scene names a scan: [surface] file = \"scan.txt\". It is solved as by `asperity bem`,
+and what the models make of its asperities stands beside it.
+Deviations are relative to bem; of the mean gap, over the rms height of the scan.
+The stiffness of bem is a difference between pressures 5 % to either side.
+
+Examples:
+  asperity truth scan.toml --pressure 1e7,1e8,1e9
+  asperity truth scan.toml --load 1000 --elastic --model gw,ke --format csv"
+)]
+pub struct TruthCommand {
+    /// Scene file that names a scan
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Models, all that the scene allows by default; `asperity models` lists them
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
+    models: Vec<String>,
+    #[command(flatten)]
+    loads: Loads,
+    #[command(flatten)]
+    way: Way,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+struct Loads {
+    /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
+    /// v,v,...
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append)]
+    pressures: Vec<Numbers>,
+    /// Loads on the nominal area, in N
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(action = ArgAction::Append)]
+    loads: Vec<Numbers>,
+}
+
+impl TruthCommand {
+    pub fn run(self) -> Result<()> {
+        let scene = LoadedScene::load(&self.scene)?;
+        let bem = self.way.bem(&scene)?;
+        let models = scene.models(&self.models)?;
+        let models: Vec<_> = models.into_iter().map(|(_, model)| model).collect();
+        let area = scene.file.scene.nominal_area;
+        let numbers =
+            |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
+        let mut pressures = numbers(&self.loads.pressures);
+        pressures.extend(numbers(&self.loads.loads).into_iter().map(|load| load / area));
+
+        let bar = progress("truth");
+        let watch = interrupt::watch(|progress| {
+            let all = 3 * pressures.len();
+            bar.set_message(format!("truth: contact {} of {all}", progress.done + 1));
+        })?;
+        let found = truth(&scene.file.scene, &bem, &pressures, &models, watch)?;
+        drop(bar);
+        let errors: Vec<String> = found
+            .iter()
+            .filter_map(|one| one.as_ref().err().filter(|e| !matches!(e, BemError::Cancelled)))
+            .map(ToString::to_string)
+            .collect();
+        once(&errors).iter().for_each(|text| say("warning", text));
+        let found: Vec<Truth> = found.into_iter().flatten().collect();
+        if found.is_empty() {
+            bail!("{}: no load was solved", scene.name);
+        }
+        let notes: Vec<_> = found
+            .iter()
+            .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
+            .collect();
+        Note::summary(&notes).iter().for_each(|text| say("warning", text));
+        say("note", &nearest(&found));
+        self.output.write(&table(&found, area))?;
+        if interrupt::asked() {
+            bail!("stopped: {} of {} loads were done", found.len(), pressures.len());
+        }
+        Ok(())
+    }
+}
+
+/// The models by their largest deviation in area, the nearest three of them.
+fn nearest(found: &[Truth]) -> String {
+    let names = found.first().map_or(&[][..], |first| &first.models);
+    let largest = |k: usize| {
+        let off =
+            |t: &Truth| t.deviation(&t.models[k].1).area_fraction.map_or(f64::INFINITY, f64::abs);
+        found.iter().map(off).fold(0.0, f64::max)
+    };
+    let mut ranked: Vec<(f64, &str)> =
+        names.iter().enumerate().map(|(k, (model, _))| (largest(k), model.id())).collect();
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let told = ranked.iter().filter(|(off, _)| off.is_finite()).take(3);
+    let told: Vec<String> =
+        told.map(|(off, id)| format!("{id} (at most {:.1} % off)", 100.0 * off)).collect();
+    match told.is_empty() {
+        true => "no model has an area at every load".into(),
+        false => format!("nearest to the scan in area, over these loads: {}", told.join(", ")),
+    }
+}
+
+fn table(found: &[Truth], area: f64) -> Table {
+    let mut table = Table::new(&[
+        "load_n",
+        "pressure_pa",
+        "model",
+        "area_fraction",
+        "area_deviation",
+        "mean_gap_m",
+        "mean_gap_deviation_over_sq",
+        "stiffness_n_per_m",
+        "stiffness_deviation",
+    ]);
+    for truth in found {
+        let models = truth.models.iter().map(|(model, state)| (model.id(), state));
+        for (id, state) in [("bem", &truth.bem)].into_iter().chain(models) {
+            let deviation = truth.deviation(state);
+            let numbers = |s: &ContactState| [s.area_fraction, s.mean_gap, s.stiffness];
+            let both = numbers(state).into_iter().zip(numbers(&deviation));
+            let place = [Some(truth.pressure * area), Some(truth.pressure)].map(Cell::Number);
+            let mut row = place.to_vec();
+            row.push(id.into());
+            row.extend(both.flat_map(|(value, deviation)| [value, deviation]).map(Cell::Number));
+            table.rows.push(row);
+        }
+    }
+    table
+}

@@ -1,0 +1,67 @@
+//! Pressures as a matrix of numbers, and as a picture.
+
+use std::path::Path;
+
+use anyhow::Result;
+use asperity::bem::Bem;
+use asperity_plot::Map;
+
+use crate::number::rounded;
+use crate::output;
+use crate::pressed::Row;
+
+/// The picture of a contact; `hardness` where there is one.
+pub fn picture(bem: &Bem, pressures: &[f64], row: &Row, hardness: Option<f64>, name: &str) -> Map {
+    let [rows, columns] = bem.map().shape();
+    let [dy, dx] = bem.map().pixel();
+    let size = [columns as f64 * dx, rows as f64 * dy];
+    let lengths = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
+    let [(length, unit), (depth, of_depth)] =
+        [size[0], row.gap.abs()].map(|value| scaled(value, &lengths));
+    let top = hardness.unwrap_or_else(|| pressures.iter().copied().fold(0.0, f64::max));
+    let (pressure, of_pressure) =
+        scaled(top, &[(1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa")]);
+    let mut caption = vec![format!(
+        "{:.3} % of the area touches, in {} patches, under a mean pressure of {} {of_pressure}; mean gap {} {of_depth}.",
+        100.0 * row.area,
+        row.patches,
+        rounded(row.pressure / pressure),
+        rounded(row.gap / depth),
+    )];
+    if hardness.is_some() {
+        let hardness = rounded(top / pressure);
+        caption.push(format!(
+            "Black flows: {:.3} % of the area carries the hardness, {hardness} {of_pressure}.",
+            100.0 * row.plastic,
+        ));
+    }
+    Map {
+        title: format!("Contact pressure on {name}"),
+        caption,
+        values: pressures.iter().map(|p| p / pressure).collect(),
+        columns,
+        size: size.map(|side| side / length),
+        unit: unit.into(),
+        label: format!("pressure ({of_pressure})"),
+        top: top / pressure,
+    }
+}
+
+/// The unit in which a number is at least 1 and short.
+fn scaled(value: f64, units: &[(f64, &'static str)]) -> (f64, &'static str) {
+    units.iter().copied().rev().find(|(unit, _)| value >= *unit).unwrap_or(units[0])
+}
+
+/// A matrix, or a stack of them.
+pub fn write(path: &Path, maps: &[Vec<f64>], [rows, columns]: [usize; 2]) -> Result<()> {
+    let all = [maps.len() as u64, rows as u64, columns as u64];
+    let shape = if maps.len() == 1 { &all[1..] } else { &all[..] };
+    let numbers = maps.iter().flatten().copied();
+    output::write(Some(path), |out| {
+        use npyz::WriterBuilder;
+        let file = npyz::WriteOptions::new().default_dtype().shape(shape).writer(out);
+        let mut file = file.begin_nd()?;
+        file.extend(numbers)?;
+        file.finish()
+    })
+}

@@ -1,0 +1,88 @@
+//! Contacts of a scan, one after another: what a table tells of each, and what deserves a word.
+
+use anyhow::Result;
+use asperity::ContactModel;
+use asperity::bem::{Bem, BemError, Given, Note, Solution};
+
+use crate::interrupt;
+use crate::output::{once, progress};
+use crate::scene::LoadedScene;
+
+/// What a table tells of a contact.
+pub struct Row {
+    pub pressure: f64,
+    pub area: f64,
+    pub pixel_area: f64,
+    pub plastic: f64,
+    pub gap: f64,
+    pub patches: usize,
+    pub iterations: usize,
+    pub residual: f64,
+}
+
+impl From<&Solution> for Row {
+    fn from(solution: &Solution) -> Self {
+        Self {
+            // As it was given, to the digit.
+            pressure: match solution.given {
+                Given::MeanPressure(pressure) => pressure,
+                _ => solution.mean_pressure,
+            },
+            area: solution.area,
+            pixel_area: solution.pixel_area,
+            plastic: solution.plastic_area,
+            gap: solution.mean_gap,
+            patches: solution.patches.len(),
+            iterations: solution.iterations,
+            residual: solution.residual,
+        }
+    }
+}
+
+/// Lists of contacts, solved.
+pub struct Run<'a> {
+    pub scene: &'a LoadedScene,
+    pub given: &'a [Given],
+    /// Pressures of those that were solved, where they are kept.
+    pub maps: Vec<Vec<f64>>,
+    pub words: Vec<String>,
+}
+
+impl Run<'_> {
+    /// One row for every place; none where there is no answer, and said why.
+    pub fn solve(&mut self, bem: &Bem, keep: bool) -> Result<Vec<Option<Row>>> {
+        let [rows, columns] = bem.map().shape();
+        let elements = bem.elements(&self.scene.file.scene.interface)?;
+        let bar = progress(bem.id());
+        let mut answers: Vec<Option<Row>> = self.given.iter().map(|_| None).collect();
+        let mut maps: Vec<Vec<f64>> = self.given.iter().map(|_| vec![]).collect();
+        let (mut notes, mut errors) = (vec![], vec![]);
+        let watch = interrupt::watch(|progress| {
+            bar.set_message(format!(
+                "bem: {} of {} on {rows} x {columns} pixels, iteration {}, residual {:.0e}",
+                progress.done + 1,
+                self.given.len(),
+                progress.iterations,
+                progress.residual
+            ));
+        });
+        elements.solve_each(self.given, watch?, |index, solution| match solution {
+            Ok(solution) => {
+                notes.extend(solution.notes.iter().map(|note| (self.given[index], *note)));
+                answers[index] = Some(Row::from(&solution));
+                if keep {
+                    maps[index] = solution.pressures;
+                }
+            }
+            Err(BemError::Cancelled) => {}
+            Err(error) => errors.push(error.to_string()),
+        });
+        drop(bar);
+        maps.retain(|map| !map.is_empty());
+        self.maps.extend(maps);
+        self.words.extend(once(&errors));
+        let grid = format!("on {rows} x {columns} pixels");
+        self.words.extend(Note::summary(&notes).into_iter().map(|note| format!("{grid} {note}")));
+        Ok(answers)
+    }
+}

@@ -1,0 +1,187 @@
+//! `bem`: the scan of a scene, pixel by pixel.
+
+use asperity::bem::{Boundary, Given};
+
+use crate::bench::{Bench, NO_SHEAR, Run, cells, column};
+
+/// A scene on `scan.txt`.
+pub const SCAN: &str = "nominal_area = 3e-5
+[interface]
+equivalent_modulus = 116e9
+poissons_ratio = 0.31
+hardness = 5e9
+[surface]
+file = \"scan.txt\"
+unit = \"um\"
+pixel_size = 0.5
+";
+
+/// A folder with that scene, and that scan.
+pub fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write("scan.toml", SCAN);
+    bench.write("scan.txt", &crate::surface::scan(0.0));
+    bench
+}
+
+#[test]
+fn rows_are_those_of_the_library() {
+    let bench = bench();
+    for (words, boundary, elastic) in [
+        ("", Boundary::Periodic, false),
+        ("--elastic", Boundary::Periodic, true),
+        ("--elastic --boundary free", Boundary::Free, true),
+    ] {
+        let words = format!("bem scan.toml --pressure 1e7,2e9,1e8 {words} --format csv");
+        let data = bench.data(&words);
+        let file = bench.scene("scan.toml");
+        let elements =
+            file.bem(boundary, elastic).unwrap().elements(&file.scene.interface).unwrap();
+        let given = [1e7, 2e9, 1e8].map(Given::MeanPressure);
+        let found = elements.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
+        let found: Vec<_> = found.into_iter().map(Result::unwrap).collect();
+        let of = |of: &dyn Fn(&asperity::bem::Solution) -> f64| found.iter().map(of).collect();
+        let required: [(&str, Vec<f64>); 8] = [
+            ("area_fraction", of(&|s| s.area)),
+            ("area_fraction_pixels", of(&|s| s.pixel_area)),
+            ("plastic_fraction", of(&|s| s.plastic_area)),
+            ("mean_gap_m", of(&|s| s.mean_gap)),
+            ("patches", of(&|s| s.patches.len() as f64)),
+            ("iterations", of(&|s| s.iterations as f64)),
+            ("residual", of(&|s| s.residual)),
+            ("pressure_pa", vec![1e7, 2e9, 1e8]),
+        ];
+        for (name, required) in required {
+            assert_eq!(column(&data, name), required, "{words}: {name}");
+        }
+        let loads = column(&data, "load_n");
+        for (load, required) in loads.iter().zip([300.0, 6e4, 3e3]) {
+            assert!((load / required - 1.0).abs() < 1e-14, "{load}");
+        }
+    }
+    let of = |words: &str| bench.data(&format!("bem scan.toml --format csv {words}"));
+    assert_eq!(of("--load 3e3"), of("--pressure 1e8"));
+}
+
+#[test]
+fn what_is_not_resolved_is_said_and_half_the_grid_stands_beside() {
+    let bench = bench();
+    let run = bench.run("bem scan.toml --pressure 1e6,1e7 --refine --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    for words in [
+        "note: the edges of the scan do not meet",
+        "warning: on 96 x 96 pixels the shortest waves are",
+        "warning: on 48 x 48 pixels at 1e6 Pa (2 contacts are like that):",
+        "patches are in contact: at least 30",
+        "pixels are in contact: at least 100",
+    ] {
+        assert!(run.words.contains(words), "{words}\n{}", run.words);
+    }
+    let [fine, half] = ["mean_gap_m", "mean_gap_m_half_grid"].map(|name| column(&run.out, name));
+    assert!(fine.iter().zip(&half).all(|(a, b)| (1e-6..0.2).contains(&(a / b - 1.0_f64).abs())));
+}
+
+#[test]
+fn pressures_are_written_and_drawn() {
+    let bench = bench();
+    bench.data("bem scan.toml --pressure 1e9 --map one.npy --picture one.svg");
+    bench.data("bem scan.toml --pressure 1e9,2e9 --map two.npy --elastic");
+    let read = |name: &str| {
+        let file = npyz::NpyFile::new(std::fs::File::open(bench.path(name)).unwrap()).unwrap();
+        let shape = file.shape().to_vec();
+        (shape, file.into_vec::<f64>().unwrap())
+    };
+    let (shape, one) = read("one.npy");
+    assert_eq!(shape, [96, 96]);
+    let mean = |map: &[f64]| map.iter().sum::<f64>() / map.len() as f64;
+    assert!((mean(&one) / 1e9 - 1.0).abs() < 1e-9 && one.iter().all(|p| (0.0..=5e9).contains(p)));
+    let (shape, two) = read("two.npy");
+    assert_eq!(shape, [2, 96, 96]);
+    for (map, pressure) in two.chunks(96 * 96).zip([1e9, 2e9]) {
+        assert!((mean(map) / pressure - 1.0).abs() < 1e-9);
+    }
+    let svg = bench.read("one.svg");
+    for words in ["pressure (GPa)", ">10 µm<", "white: no contact", "Black flows", "data:image/png"]
+    {
+        assert!(svg.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
+    let bench = bench();
+    let run = bench.run("bem scan.toml --pressure 1e8,6e9 --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert!(run.words.contains("mean pressure is 6e9 Pa: less than the hardness, 5e9 Pa"));
+    assert_eq!(cells(&run.out, "area_fraction")[1], "");
+    bench.write("none.toml", NO_SHEAR);
+    bench.write("flat.toml", &SCAN.replace("0.5\n", "0.5\nlevel = \"none\"\n"));
+    for (words, said) in [
+        ("bem scan.toml --pressure 6e9", "no load was solved"),
+        ("bem scan.toml --gap 1", "nothing touches"),
+        ("bem none.toml --pressure 1e6", "surface.file is missing: boundary elements (bem) need"),
+        ("curve none.toml --model bem --pressure 1e6", "surface.file is missing"),
+        (
+            "curve scan.toml --model bem --pressure 1e6 --quantity contacts",
+            "BEM cannot give contacts",
+        ),
+        ("bem nowhere.toml --pressure 1e6", "cannot be read"),
+    ] {
+        let run = bench.run(words);
+        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{words}\n{}", run.words);
+        assert!(run.words.contains(said), "{words}\n{}", run.words);
+    }
+    let hole = bench.read("scan.txt").replacen(' ', " nan ", 1).replacen("nan ", "nan", 1);
+    let hole = hole.replacen("nan", "nan ", 1);
+    let first = hole.lines().next().unwrap().split_whitespace().take(96).collect::<Vec<_>>();
+    let rest = hole.split_once('\n').unwrap().1;
+    bench.write("scan.txt", &format!("{}\n{rest}", first.join(" ")));
+    let run = bench.run("bem scan.toml --pressure 1e6");
+    assert_eq!(run.code, Some(1), "{}", run.words);
+    assert!(run.words.contains("the height in row 0, column 1 is NaN"), "{}", run.words);
+    for (words, said) in [
+        ("bem scan.toml", "--pressure"),
+        ("bem scan.toml --pressure 1 --load 1", "cannot be used with"),
+        ("bem scan.toml --pressure -1", "-1 is not above 0"),
+        ("bem scan.toml --pressure 1e6 --boundary open", "[possible values: periodic, free]"),
+        ("bem scan.toml --pressure 1e6,1e7 --picture a.svg", "--picture draws one load"),
+        ("bem scan.toml --pressure 1e6 --picture a.png", "ends with .svg"),
+        ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
+    ] {
+        let run = bench.run(words);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{words}\n{}", run.words);
+        assert!(run.words.contains(said), "{words}\n{}", run.words);
+    }
+}
+
+#[test]
+fn bem_stands_beside_the_models_by_name() {
+    let words = "compare scan.toml --model gw,bem --reference bem --pressure 1e8,1e9";
+    let data =
+        bench().data(&format!("{words} --quantity area-fraction,mean-pressure --format csv"));
+    let deviations = column(&data, "area_fraction_deviation");
+    assert_eq!(cells(&data, "model"), ["gw", "bem", "gw", "bem"]);
+    assert!(deviations[0].abs() > 0.01 && deviations[1].abs() <= 0.0, "{data}");
+    assert!(column(&data, "separation_m").iter().all(|separation| separation.abs() < 1e-5));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_list_keeps_the_loads_that_are_done() {
+    let bench = bench();
+    let words = "bem scan.toml --boundary free --pressure 1e6:2e9:5000 --format csv";
+    let mut command = bench.command();
+    command.args(words.split(' ')).stdout(std::process::Stdio::piped());
+    let child = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.unwrap().success());
+    let run = Run::of(child.wait_with_output().unwrap());
+    assert_eq!(run.code, Some(1), "{}", run.words);
+    assert!(run.words.contains("error: stopped: "), "{}", run.words);
+    let areas = cells(&run.out, "area_fraction");
+    let done = areas.iter().filter(|area| !area.is_empty()).count();
+    assert!(areas.len() == 5000 && done > 0 && done < 5000, "{done}");
+    // From the greatest load down.
+    assert!(!areas[4999].is_empty() && areas[0].is_empty());
+}

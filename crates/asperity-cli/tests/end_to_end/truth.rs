@@ -1,0 +1,50 @@
+//! `truth`: which model holds on a scan.
+
+use crate::bem::bench;
+use crate::bench::{NO_SHEAR, cells, column};
+
+#[test]
+fn models_stand_beside_boundary_elements() {
+    let bench = bench();
+    let words = "truth scan.toml --pressure 1e8,1e9 --model gw,ke --format csv";
+    let run = bench.run(words);
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(cells(&run.out, "model"), ["bem", "gw", "ke", "bem", "gw", "ke"]);
+    let areas = column(&run.out, "area_fraction");
+    let deviations = column(&run.out, "area_deviation");
+    for (k, deviation) in deviations.iter().enumerate() {
+        let truth = areas[k / 3 * 3];
+        assert!((deviation - (areas[k] / truth - 1.0)).abs() < 1e-12);
+    }
+    let bem = bench.data("bem scan.toml --pressure 1e8,1e9 --format csv");
+    assert_eq!([areas[0], areas[3]][..], column(&bem, "area_fraction"));
+    let curve = "curve scan.toml --pressure 1e8,1e9 --model ke --format csv";
+    let curve = bench.data(&format!("{curve} --quantity area-fraction,tangent"));
+    for (name, other) in
+        [("area_fraction", "area_fraction"), ("stiffness_n_per_m", "tangent_N_per_m")]
+    {
+        let all = column(&run.out, name);
+        assert_eq!([all[2], all[5]][..], column(&curve, other), "{name}");
+    }
+    // The nearest is named with its largest deviation.
+    let largest = |k: usize| 100.0 * deviations[k].abs().max(deviations[k + 3].abs());
+    let nearest = if largest(1) < largest(2) { ("gw", 1) } else { ("ke", 2) };
+    let said =
+        format!("area, over these loads: {} (at most {:.1} % off)", nearest.0, largest(nearest.1));
+    assert!(run.words.contains(&said), "{said}\n{}", run.words);
+}
+
+#[test]
+fn what_cannot_be_told_is_named() {
+    let bench = bench();
+    bench.write("none.toml", NO_SHEAR);
+    for (words, said) in [
+        ("truth none.toml --pressure 1e6", "surface.file is missing"),
+        ("truth scan.toml --pressure 9e9", "no load was solved"),
+    ] {
+        let run = bench.run(words);
+        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{words}\n{}", run.words);
+        assert!(run.words.contains(said), "{words}\n{}", run.words);
+    }
+    assert_eq!(bench.run("truth scan.toml").code, Some(2));
+}

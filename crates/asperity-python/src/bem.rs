@@ -1,0 +1,249 @@
+//! Boundary elements on a scan, and the models beside them.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::Duration;
+
+use asperity::bem::{Bem, Boundary, Given, Note, Solution};
+use asperity::{ContactModel, ContactState, Model, Truth};
+use asperity_topography::Level;
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::{refused, value_error, warn};
+use crate::fields::Interface;
+use crate::long::pool;
+use crate::scene::SceneFile;
+use crate::topography::Topography;
+
+/// Between two looks at signals.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+
+/// A scan: of a scene, or on its own with what is pressed on it and how it is levelled.
+#[derive(FromPyObject)]
+pub(crate) enum Scan<'py> {
+    Scene(PyRef<'py, SceneFile>),
+    Topography(PyRef<'py, Topography>, Interface, String),
+}
+
+impl Scan<'_> {
+    fn bem(&self, boundary: &str, elastic: bool) -> PyResult<(Bem, asperity::Interface)> {
+        let boundary = match boundary {
+            "periodic" => Boundary::Periodic,
+            "free" => Boundary::Free,
+            other => {
+                return Err(value_error(format!(
+                    "boundary is {other:?}: \"periodic\" or \"free\" was required"
+                )));
+            }
+        };
+        match self {
+            Self::Scene(file) => {
+                let bem = file.0.bem(boundary, elastic).map_err(value_error)?;
+                Ok((bem, file.0.scene.interface))
+            }
+            Self::Topography(topography, interface, level) => {
+                let level = level.parse::<Level>().map_err(value_error)?;
+                let levelled = topography.0.clone().level(level).map_err(value_error)?;
+                let map = asperity_scene::height_map(&levelled).map_err(value_error)?;
+                Ok((Bem::new(map, boundary, elastic), (*interface).into()))
+            }
+        }
+    }
+
+    /// Loads are on the nominal area of the scene, or on the scan.
+    fn area(&self, bem: &Bem) -> f64 {
+        match self {
+            Self::Scene(file) => file.0.scene.nominal_area,
+            Self::Topography(..) => bem.map().area(),
+        }
+    }
+}
+
+/// Numbers of one contact after another, by name; pressures and gaps of all pixels, where they are
+/// kept; rows and columns.
+type Contacts<'py> = (
+    Bound<'py, PyDict>,
+    Option<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)>,
+    [usize; 2],
+);
+
+/// Solves contacts at mean pressures, loads or mean gaps.
+#[pyfunction]
+pub(crate) fn bem<'py>(
+    py: Python<'py>,
+    scan: Scan<'py>,
+    given: &str,
+    values: Vec<f64>,
+    elastic: bool,
+    boundary: &str,
+    maps: bool,
+) -> PyResult<Contacts<'py>> {
+    let (bem, interface) = scan.bem(boundary, elastic)?;
+    say_seam(py, &bem)?;
+    let elements = bem.elements(&interface).map_err(refused)?;
+    let area = scan.area(&bem);
+    let of = |value| match given {
+        "gap" => Given::MeanGap(value),
+        "load" => Given::MeanPressure(value / area),
+        _ => Given::MeanPressure(value),
+    };
+    let all: Vec<Given> = values.into_iter().map(of).collect();
+    let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
+    let (mut notes, mut failed) = (vec![], None);
+    interruptible(py, |stop| {
+        elements.solve_each(
+            &all,
+            |_| unless(stop),
+            |index, solution| match solution {
+                Ok(mut solution) => {
+                    notes.extend(solution.notes.iter().map(|note| (all[index], *note)));
+                    if !maps {
+                        (solution.pressures, solution.gaps) = (vec![], vec![]);
+                    }
+                    solved[index] = Some(solution);
+                }
+                Err(error) => {
+                    // One that cannot be is no reason to let the others run for nothing.
+                    stop.store(true, Ordering::Relaxed);
+                    failed.get_or_insert(error);
+                }
+            },
+        );
+    })?;
+    if let Some(error) = failed {
+        return Err(value_error(error));
+    }
+    Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
+    let solved: Vec<Solution> = solved.into_iter().flatten().collect();
+    let numbers = PyDict::new(py);
+    let add = |name: &str, of: &dyn Fn(&Solution) -> f64| {
+        numbers.set_item(name, PyArray1::from_vec(py, solved.iter().map(of).collect()))
+    };
+    add("load", &|s| s.mean_pressure * area)?;
+    add("pressure", &|s| s.mean_pressure)?;
+    add("area_fraction", &|s| s.area)?;
+    add("area_fraction_pixels", &|s| s.pixel_area)?;
+    add("plastic_fraction", &|s| s.plastic_area)?;
+    add("mean_gap", &|s| s.mean_gap)?;
+    add("patches", &|s| s.patches.len() as f64)?;
+    add("iterations", &|s| s.iterations as f64)?;
+    add("residual", &|s| s.residual)?;
+    let map = |of: &dyn Fn(&Solution) -> &Vec<f64>| {
+        let pixels = bem.map().heights().len();
+        let all = PyArray1::zeros(py, solved.len() * pixels, false);
+        let mut numbers = all.readwrite();
+        for (part, solution) in numbers.as_slice_mut()?.chunks_mut(pixels).zip(&solved) {
+            part.copy_from_slice(of(solution));
+        }
+        drop(numbers);
+        PyResult::Ok(all)
+    };
+    let maps = match maps {
+        true => Some((map(&|s| &s.pressures)?, map(&|s| &s.gaps)?)),
+        false => None,
+    };
+    Ok((numbers, maps, bem.map().shape()))
+}
+
+/// Area fraction, mean gap [m] and stiffness [N/m].
+type State = (Option<f64>, Option<f64>, Option<f64>);
+/// Pressure [Pa], a model's id, its numbers and their deviations.
+type Row = (f64, String, State, State);
+
+/// Every model of a scene beside boundary elements on its scan.
+#[pyfunction]
+pub(crate) fn truth(
+    py: Python<'_>,
+    file: PyRef<'_, SceneFile>,
+    pressures: Vec<f64>,
+    elastic: bool,
+    boundary: &str,
+    models: Option<Vec<String>>,
+) -> PyResult<Vec<Row>> {
+    let scene = file.0.clone();
+    let (bem, _) = Scan::Scene(file).bem(boundary, elastic)?;
+    say_seam(py, &bem)?;
+    let models: Vec<Model> = match models {
+        None => scene.models().0,
+        Some(ids) => {
+            let all = ids.iter().map(|id| scene.model(id));
+            all.collect::<Result<_, _>>().map_err(value_error)?
+        }
+    };
+    let found = interruptible(py, |stop| {
+        asperity::truth(&scene.scene, &bem, &pressures, &models, |_| unless(stop))
+    })?;
+    let found: Result<Vec<Truth>, _> = found.map_err(refused)?.into_iter().collect();
+    let found = found.map_err(value_error)?;
+    let notes: Vec<_> = found
+        .iter()
+        .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
+        .collect();
+    Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
+    let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
+    let rows = |truth: &Truth| -> Vec<Row> {
+        let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));
+        let all = std::iter::once(("bem", &truth.bem)).chain(models);
+        let row = |(id, numbers): (&str, &ContactState)| {
+            (truth.pressure, id.into(), state(*numbers), state(truth.deviation(numbers)))
+        };
+        all.map(row).collect()
+    };
+    Ok(found.iter().flat_map(rows).collect())
+}
+
+fn say_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {
+    let Some(step) = bem.seam() else { return Ok(()) };
+    let why =
+        format!("the edges of the scan do not meet (a step {step:.1} times that of neighbours)");
+    warn(
+        py,
+        &format!("{why}: its periodic part is pressed, boundary=\"free\" takes it as it is"),
+        1,
+    )
+}
+
+/// Works on the threads of this process and looks at signals meanwhile, which this thread alone
+/// gets: `work` is told when to stop.
+fn interruptible<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> T + Send,
+) -> PyResult<T> {
+    let (stop, threads) = (AtomicBool::new(false), pool(None)?);
+    let run = |done: Sender<T>| {
+        // Somebody waits for it.
+        let _ = done.send(threads.install(|| work(&stop)));
+    };
+    let wait = |answer: Receiver<T>| {
+        let mut raised = None;
+        loop {
+            match answer.recv_timeout(BETWEEN_LOOKS) {
+                Ok(answer) => return raised.map_or(Ok(answer), Err),
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the solver has panicked"));
+                }
+                Err(RecvTimeoutError::Timeout) if raised.is_none() => {
+                    raised = Python::attach(|py| py.check_signals()).err();
+                    stop.store(raised.is_some(), Ordering::Relaxed);
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    };
+    py.detach(|| {
+        std::thread::scope(|scope| {
+            let (done, answer) = channel();
+            scope.spawn(|| run(done));
+            wait(answer)
+        })
+    })
+}
+
+/// Goes on until it is told to stop.
+fn unless(stop: &AtomicBool) -> ControlFlow<()> {
+    if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}

@@ -1,0 +1,164 @@
+"""Boundary elements: what comes back, what is refused, and the models beside them."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import warnings
+from pathlib import Path
+
+import asperity
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+STEEL = asperity.Interface(116e9, 0.3, hardness=2e9)
+SIDE = 1e-4
+Floats = npt.NDArray[np.float64]
+
+
+def rough(n: int = 96, seed: int = 1, gradient: float = 0.05) -> Floats:
+    """A periodic surface of 2 to n/8 waves per side [m]."""
+    k = np.fft.fftfreq(n, 1 / n)
+    waves = np.hypot(k[:, None], k[None, :])
+    weight = np.where((waves >= 2) & (waves <= n / 8), np.maximum(waves, 1) ** -1.8, 0)
+    spectrum = np.fft.fft2(np.random.default_rng(seed).standard_normal((n, n))) * weight
+    heights = np.fft.ifft2(spectrum).real
+    slopes = [
+        np.fft.ifft2(2j * np.pi / SIDE * q * np.fft.fft2(heights)).real for q in (k, k[:, None])
+    ]
+    return np.asarray(heights * gradient / np.sqrt(sum((s**2).mean() for s in slopes)))
+
+
+def scan(n: int = 96) -> asperity.Topography:
+    return asperity.Topography(rough(n), dx=SIDE / n, unit="m", periodic=True)
+
+
+@pytest.fixture(autouse=True)
+def _quiet() -> None:
+    warnings.simplefilter("ignore", asperity.ContactWarning)
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> asperity.Scene:
+    np.save(tmp_path / "scan.npy", rough())
+    return asperity.Scene.parse(
+        f"""
+        nominal_area = 1e-6
+        [interface]
+        equivalent_modulus = 116e9
+        poissons_ratio = 0.3
+        hardness = 2e9
+        [surface]
+        file = "scan.npy"
+        unit = "m"
+        pixel_size = {SIDE / 96!r}
+        """,
+        tmp_path,
+    )
+
+
+@pytest.mark.parametrize("boundary", ["periodic", "free"])
+@pytest.mark.parametrize("elastic", [True, False])
+def test_maps_carry_what_the_numbers_say(boundary: asperity._bem.Boundary, elastic: bool) -> None:
+    given = np.array([[2e7], [2e8]])
+    found = asperity.bem(
+        scan(), interface=STEEL, pressure=given, boundary=boundary, elastic=elastic
+    )
+    assert found.pressures is not None and found.gaps is not None
+    assert found.pressures.shape == found.gaps.shape == (2, 1, 96, 96)
+    np.testing.assert_allclose(found.pressures.mean(axis=(2, 3)), given, rtol=1e-9)
+    np.testing.assert_allclose(found.gaps.mean(axis=(2, 3)), found.mean_gap, rtol=1e-9)
+    np.testing.assert_allclose((found.pressures > 0).mean(axis=(2, 3)), found.area_fraction_pixels)
+    np.testing.assert_allclose(found.load, given * SIDE**2)
+    sq = rough().std()
+    assert (np.abs(found.gaps[(found.pressures > 0) & (found.pressures < 2e9)]) < 1e-5 * sq).all()
+    assert found.plastic_fraction[1, 0] == 0 if elastic else found.plastic_fraction[1, 0] > 0
+    assert found.patches.dtype == found.iterations.dtype == np.int64
+
+
+def test_elastic_pressures_deflect_as_a_half_space_does() -> None:
+    found = asperity.bem(scan(), interface=STEEL, pressure=2e8, elastic=True, level="none")
+    assert found.pressures is not None and found.gaps is not None and found.mean_gap.shape == ()
+    k = 2 * np.pi / SIDE * np.fft.fftfreq(96, 1 / 96)
+    q = np.hypot(k[:, None], k[None, :])
+    compliance = np.where(q > 0, 2 / (116e9 * np.where(q > 0, q, 1)), 0)
+    deflection = np.fft.ifft2(compliance * np.fft.fft2(found.pressures)).real
+    gap = deflection - rough()
+    np.testing.assert_allclose(
+        found.gaps, gap - gap.mean() + found.mean_gap, atol=1e-9 * rough().std()
+    )
+
+
+def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
+    one = asperity.bem(scene, load=[50.0])
+    two = asperity.bem(scan(), interface=STEEL, pressure=[5e7], maps=False)
+    np.testing.assert_allclose(one.area_fraction, two.area_fraction, rtol=1e-12)
+    assert one.load == pytest.approx(50.0) and two.pressures is None and two.gaps is None
+    back = asperity.bem(scene, gap=one.mean_gap)
+    np.testing.assert_allclose(back.pressure, 5e7, rtol=1e-4)
+    # A scan is no longer that of a surface with other numbers; it is of other materials.
+    assert asperity.bem(scene.replace(hardness=1e9), load=50.0).plastic_fraction > 0
+    with pytest.raises(ValueError, match=r"surface\.file is missing: boundary elements"):
+        asperity.bem(scene.replace(asperity_height_std=1e-6), load=50.0)
+
+
+def test_models_stand_beside_it(scene: asperity.Scene) -> None:
+    rows = asperity.truth(scene, pressure=[2e7, 2e8], models=["gw", "ke"])
+    assert [row["model"] for row in rows] == ["bem", "gw", "ke"] * 2
+    found = asperity.bem(scene, pressure=[2e7, 2e8])
+    for row, truth in zip(rows[::3], found.area_fraction, strict=True):
+        assert row["area_fraction"] == pytest.approx(truth, rel=1e-9)
+        assert row["area_deviation"] == 0
+    ke = asperity.model("ke").solve(scene, load=20.0, quantities=["area_fraction"])
+    area = float(ke.area_fraction)
+    assert rows[2]["area_fraction"] == pytest.approx(area)
+    assert rows[2]["area_deviation"] == pytest.approx(area / found.area_fraction[0] - 1)
+    alone = asperity.truth(scene, load=20.0, models=["ke"])
+    assert [row["area_fraction"] for row in alone] == [rows[k]["area_fraction"] for k in (0, 2)]
+    assert len(asperity.truth(scene, pressure=2e7)) == 1 + len(scene.models())
+
+
+def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
+    with pytest.raises(TypeError, match="2 of pressure, load and gap were given: one was required"):
+        asperity.bem(scene, pressure=1e7, load=1.0)
+    with pytest.raises(TypeError, match="interface is missing"):
+        asperity.bem(scan(), pressure=1e7)
+    with pytest.raises(TypeError, match="interface was given beside a scene"):
+        asperity.bem(scene, interface=STEEL, pressure=1e7)
+    with pytest.raises(TypeError, match="pressure or load was required"):
+        asperity.truth(scene)
+    with pytest.raises(ValueError, match="less than the hardness, 2e9 Pa, was required"):
+        asperity.bem(scene, pressure=[1e7, 8e9])
+    with pytest.raises(ValueError, match="nothing touches"):
+        asperity.bem(scene, gap=1.0)
+    with pytest.raises(ValueError, match="boundary is 'open'|boundary is \"open\""):
+        asperity.bem(scene, pressure=1e7, boundary="open")  # type: ignore[arg-type]
+    hole = rough()
+    hole[3, 4] = np.nan
+    with pytest.raises(ValueError, match="the height in row 3, column 4 is NaN"):
+        asperity.bem(asperity.Topography(hole, 1e-6, "m"), interface=STEEL, pressure=1e7)
+    with pytest.raises(ValueError, match="rows is 1: at least 2 was required"):
+        asperity.bem(asperity.Topography(hole[5], 1e-6, "m"), interface=STEEL, pressure=1e7)
+
+
+def test_what_is_not_resolved_warns(scene: asperity.Scene) -> None:
+    with pytest.warns(asperity.ContactWarning, match="patches are in contact: at least 30") as said:
+        asperity.bem(scene, pressure=[1e5, 2e5])
+    assert said[0].filename == __file__
+    half = asperity.Topography(rough()[:40, :50], SIDE / 96, "m")
+    with pytest.warns(asperity.ContactWarning, match="the edges of the scan do not meet"):
+        asperity.bem(half, interface=STEEL, pressure=1e8)
+
+
+def test_it_stops_when_it_is_asked_to() -> None:
+    threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        asperity.bem(
+            scan(256),
+            interface=STEEL,
+            pressure=np.geomspace(1e5, 1e9, 5000),
+            boundary="free",
+            maps=False,
+        )

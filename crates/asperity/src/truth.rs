@@ -1,0 +1,205 @@
+//! Which model holds on this scan? Every model beside boundary elements on it.
+
+use std::ops::ControlFlow;
+
+use crate::bem::{Bem, BemError, Given, Note, Progress, Solution};
+use crate::{
+    At, Contact, ContactError, ContactModel, Datum, Model, Quantity, Request, Scene, SeparationUnit,
+};
+
+/// Share of the pressure to either side of it between which the stiffness is a difference: enough
+/// for some pixels to come into contact, each of which is a small step, and little for a gap that
+/// falls nearly with the logarithm of the pressure.
+const STEP: f64 = 0.05;
+
+/// A contact of a scan by boundary elements, and by every model.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Truth {
+    /// Mean pressure on the nominal area \[Pa\].
+    pub pressure: f64,
+    /// What boundary elements say.
+    pub bem: ContactState,
+    /// Root mean square height of the scan \[m\], the unit of the deviations of gaps.
+    pub rms_height: f64,
+    /// What to know of the boundary elements before they are trusted.
+    pub notes: Vec<Note>,
+    /// What the models say, in the order in which they were given.
+    pub models: Vec<(Model, ContactState)>,
+}
+
+/// Three numbers of a contact; none where it has no such number.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactState {
+    /// Real over nominal area.
+    pub area_fraction: Option<f64>,
+    /// Separation of the mean planes \[m\].
+    pub mean_gap: Option<f64>,
+    /// -dF/dd \[N/m\].
+    pub stiffness: Option<f64>,
+}
+
+impl Truth {
+    /// How far a model is from boundary elements: relative, for the gap over the root mean square
+    /// height of the scan.
+    #[must_use]
+    pub fn deviation(&self, model: &ContactState) -> ContactState {
+        let relative = |found: Option<f64>, truth: Option<f64>| {
+            found.zip(truth).map(|(found, truth)| found / truth - 1.0).filter(|d| d.is_finite())
+        };
+        let gap = model.mean_gap.zip(self.bem.mean_gap);
+        ContactState {
+            area_fraction: relative(model.area_fraction, self.bem.area_fraction),
+            mean_gap: gap.map(|(found, truth)| (found - truth) / self.rms_height),
+            stiffness: relative(model.stiffness, self.bem.stiffness),
+        }
+    }
+}
+
+/// Solves the scan at mean pressures \[Pa\] on the nominal area, one after another, and asks the
+/// models there. `progress` is told about every iteration and may stop the run: what is solved by
+/// then is kept.
+///
+/// ```
+/// use std::ops::ControlFlow;
+///
+/// use asperity::bem::{Bem, Boundary, RandomSurface};
+/// use asperity::{Interface, Model, ProfileMoments, Scene, Surface, truth};
+///
+/// let rough = RandomSurface::new(2.0, 2.0, 16.0)?.side(1e-4)?.gradient(0.05)?;
+/// let moments = rough.moments();
+/// let moments = ProfileMoments { m0: moments.m0, m2: moments.m2, m4: moments.m4 };
+/// let interface = Interface::new(116e9, 0.3, 7e9);
+/// let scene = Scene::new(interface, Surface::from_moments(&moments)?, 1e-8);
+/// let bem = Bem::new(rough.heights(128)?, Boundary::Periodic, true);
+/// let models = ["gw".parse::<Model>()?, "ke".parse()?];
+/// let found = truth(&scene, &bem, &[1e7, 1e8], &models, |_| ControlFlow::Continue(()))?;
+/// let heavy = found[1].as_ref().map_err(Clone::clone)?;
+/// let deviation = heavy.deviation(&heavy.models[0].1);
+/// // GW gives an elastic contact a third too little area.
+/// assert!(deviation.area_fraction.is_some_and(|d| (-0.5..-0.1).contains(&d)), "{deviation:?}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`ContactError`] naming the input of the scene that is out of range or missing. What a single
+/// pressure lacks stands in its place.
+pub fn truth(
+    scene: &Scene,
+    bem: &Bem,
+    pressures: &[f64],
+    models: &[Model],
+    progress: impl FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<Vec<Result<Truth, BemError>>, ContactError> {
+    crate::positive("nominal_area", scene.nominal_area)?;
+    let elements = bem.elements(&scene.interface)?;
+    let around = |p: &f64| [1.0 - STEP, 1.0, 1.0 + STEP].map(|k| Given::MeanPressure(k * p));
+    let given: Vec<Given> = pressures.iter().flat_map(around).collect();
+    let mut solved: Vec<Result<Kept, BemError>> =
+        given.iter().map(|_| Err(BemError::Cancelled)).collect();
+    elements.solve_each(&given, progress, |index, solution| {
+        solved[index] = solution.map(Kept::from);
+    });
+    let request = Request::new([Quantity::AreaFraction, Quantity::Tangent]);
+    let contacts: Vec<(&Model, Option<Box<dyn Contact>>)> =
+        models.iter().map(|model| (model, model.compile(scene, &request).ok())).collect();
+    let rms_height = bem.map().rms_height();
+    let answer = |(pressure, around): (&f64, &[Result<Kept, BemError>])| {
+        let here = around[1].clone()?;
+        let gaps = around[0].as_ref().ok().zip(around[2].as_ref().ok());
+        let force = 2.0 * STEP * pressure * scene.nominal_area;
+        let bem = ContactState {
+            area_fraction: Some(here.area),
+            mean_gap: Some(here.gap),
+            stiffness: gaps.map(|(light, heavy)| force / (light.gap - heavy.gap)),
+        };
+        let state = |contact: &Option<Box<dyn Contact>>| {
+            contact.as_ref().map_or_else(ContactState::default, |contact| {
+                asked(contact.as_ref(), At::Pressure(*pressure))
+            })
+        };
+        let models = contacts.iter().map(|(model, c)| ((*model).clone(), state(c))).collect();
+        Ok(Truth { pressure: *pressure, bem, rms_height, notes: here.notes, models })
+    };
+    Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
+}
+
+/// What is kept of a solution: no maps.
+#[derive(Debug, Clone)]
+struct Kept {
+    area: f64,
+    gap: f64,
+    notes: Vec<Note>,
+}
+
+impl From<Solution> for Kept {
+    fn from(solution: Solution) -> Self {
+        Self { area: solution.area, gap: solution.mean_gap, notes: solution.notes }
+    }
+}
+
+fn asked(contact: &dyn Contact, at: At) -> ContactState {
+    let value = |quantity| contact.evaluate(quantity, at).ok().map(|found| found.value());
+    let gap = contact.separation(at).and_then(|separation| {
+        separation.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, contact.scene())
+    });
+    ContactState {
+        area_fraction: value(Quantity::AreaFraction),
+        mean_gap: gap.ok().map(|gap| gap.value),
+        stiffness: value(Quantity::Tangent),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bem::{Boundary, RandomSurface};
+    use crate::{Interface, ProfileMoments, Surface};
+
+    const GO_ON: ControlFlow<()> = ControlFlow::Continue(());
+
+    fn scan() -> (Scene, Bem) {
+        let rough = RandomSurface::new(2.0, 3.0, 12.0).unwrap().gradient(0.05).unwrap();
+        let moments = rough.moments();
+        let moments = ProfileMoments { m0: moments.m0, m2: moments.m2, m4: moments.m4 };
+        let surface = Surface::from_moments(&moments).unwrap();
+        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), surface, 2.0);
+        (scene, Bem::new(rough.heights(96).unwrap(), Boundary::Periodic, false))
+    }
+
+    #[test]
+    fn areas_gaps_and_stiffnesses_are_those_of_the_solver() {
+        let (scene, bem) = scan();
+        let all = truth(&scene, &bem, &[3e7, 2e9, 3e8], &Model::all(), |_| GO_ON).unwrap();
+        assert!(matches!(all[1], Err(BemError::CannotBeCarried { .. })));
+        let elements = bem.elements(&scene.interface).unwrap();
+        for found in all.iter().flatten() {
+            let [light, here, heavy] = [0.99, 1.0, 1.01]
+                .map(|k| elements.solve(Given::MeanPressure(k * found.pressure)).unwrap());
+            let near = |a: Option<f64>, b: f64, within: f64| (a.unwrap() / b - 1.0).abs() < within;
+            assert!(near(found.bem.area_fraction, here.area, 1e-9));
+            assert!(near(found.bem.mean_gap, here.mean_gap, 1e-5));
+            let stiffness = 0.02 * found.pressure * 2.0 / (light.mean_gap - heavy.mean_gap);
+            // 8 patches at the light load: single pixels are felt.
+            assert!(near(found.bem.stiffness, stiffness, 0.05), "{stiffness} {:?}", found.bem);
+            assert_eq!(found.notes, here.notes);
+            let none = found.deviation(&found.bem);
+            assert_eq!(none.area_fraction, Some(0.0));
+            // gao and at need a shear modulus.
+            let answered = found.models.iter().filter(|(_, m)| m.area_fraction.is_some()).count();
+            assert_eq!((found.models.len(), answered), (Model::all().len(), 8));
+        }
+    }
+
+    #[test]
+    fn what_is_done_is_kept_when_it_is_stopped() {
+        let (scene, bem) = scan();
+        let stop = |progress: &Progress| match progress.done {
+            0..=3 => GO_ON,
+            _ => ControlFlow::Break(()),
+        };
+        let found = truth(&scene, &bem, &[3e7, 3e8], &[], stop).unwrap();
+        assert!(matches!(found[0], Err(BemError::Cancelled)));
+        assert!(found[1].as_ref().is_ok_and(|heavy| heavy.bem.stiffness.is_some()));
+    }
+}
