@@ -77,9 +77,9 @@ struct Series {
     ln_scale: [f64; 2],
     /// The smallest sizes of value and slope, over their scale.
     least: [f64; 2],
-    /// What the integration has left of value and slope, and all of their errors.
+    /// What the integration has left of value and slope, and the bound.
     reached: [f64; 2],
-    errors: [f64; 2],
+    error: f64,
 }
 
 /// The j-th Chebyshev coefficient of numbers at the roots.
@@ -158,7 +158,10 @@ impl Cells {
     /// # Errors
     /// Those of [`Overlap::at`].
     pub fn at(&self, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
-        let Some(series) = self.series(d) else { return self.overlap.at(&self.weight, d, slope) };
+        // The same digits whether the slope is asked for or not.
+        let Some(series) = self.series(d) else {
+            return self.overlap.answer(&self.overlap.find(&self.weight, d, true)?, slope);
+        };
         self.overlap.check(series.reached, 0, slope)?;
         Ok(series.moments(d, slope))
     }
@@ -242,7 +245,8 @@ impl Cells {
             let here = series.off(&find(v)?);
             off = [off[0].max(here[0]), off[1].max(here[1])];
         }
-        series.errors = [0, 1].map(|n| most(&|found| found.total()[n]) + 2.0 * off[n]);
+        let errors = [0, 1].map(|n| most(&|found| found.total()[n]) + 2.0 * off[n]);
+        series.error = self.overlap.bound(series.reached, errors);
         Ok((off[0] <= 2.0 * allowed[0] && off[1] <= 2.0 * allowed[1]).then_some(series))
     }
 }
@@ -280,7 +284,7 @@ impl Series {
         let ln_scale =
             if slope.is_finite() { [from + slope * (map.low - d), slope] } else { [0.0; 2] };
         let (terms, none) = (Default::default(), [0.0; 2]);
-        let mut series = Self { map, terms, ln_scale, least: none, reached: none, errors: none };
+        let mut series = Self { map, terms, ln_scale, least: none, reached: none, error: 0.0 };
         let numbers: Vec<[f64; 4]> = samples.iter().map(|sample| series.numbers(sample)).collect();
         for n in [0, 1] {
             series.least[n] = numbers.iter().map(|f| f[n + 2]).fold(f64::INFINITY, f64::min);
@@ -332,10 +336,8 @@ impl Series {
         let size = |n: usize, f: f64| {
             if self.terms[n].is_empty() { f.abs() } else { sum(n).max(f.abs()) }
         };
-        let [error, of_slope] = self.errors;
-        let (error, by_d) = if slope { (error.max(of_slope), sum(1)) } else { (error, 0.0) };
-        let value = sum(0);
+        let (value, by_d) = (sum(0), if slope { sum(1) } else { 0.0 });
         let sizes = [size(2, value), if slope { size(3, by_d) } else { 0.0 }];
-        Moments { value, slope: by_d, sizes, ln_scale, error }
+        Moments { value, slope: by_d, sizes, ln_scale, error: self.error }
     }
 }

@@ -69,16 +69,26 @@ impl Overlap {
     /// What the density's samplers refuse, [`QuadratureError::Weight`], and
     /// [`QuadratureError::NotConverged`] where the tolerance is missed.
     pub fn at(&self, weight: &Weight, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
-        let found = self.find(weight, d, slope)?;
+        self.answer(&self.find(weight, d, slope)?, slope)
+    }
+
+    /// What was found, unless it misses the tolerance.
+    pub(crate) fn answer(&self, found: &Found, slope: bool) -> Result<Moments, QuadratureError> {
         self.check(found.errors, found.evaluations, slope)?;
-        let total = found.total();
         Ok(Moments {
             value: found.sums[0],
             slope: found.sums[1],
             sizes: found.sizes,
             ln_scale: found.ln_scale,
-            error: if slope { total[0].max(total[1]) } else { total[0] },
+            error: self.bound(found.errors, found.total()),
         })
+    }
+
+    /// The bound of value and slope, or of the value alone where the slope misses the tolerance.
+    #[inline]
+    pub(crate) fn bound(&self, reached: [f64; 2], total: [f64; 2]) -> f64 {
+        let held = reached[1] <= self.tolerance.max(ATTAINABLE);
+        if held { total[0].max(total[1]) } else { total[0] }
     }
 
     /// Refuses what misses the tolerance.
