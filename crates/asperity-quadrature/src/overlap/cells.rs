@@ -158,12 +158,13 @@ impl Cells {
     /// # Errors
     /// Those of [`Overlap::at`].
     pub fn at(&self, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
-        // The same digits whether the slope is asked for or not.
-        let Some(series) = self.series(d) else {
-            return self.overlap.answer(&self.overlap.find(&self.weight, d, true)?, slope);
-        };
-        self.overlap.check(series.reached, 0, slope)?;
-        Ok(series.moments(d, slope))
+        match self.series(d) {
+            Some(series) if self.overlap.check(series.reached, 0, slope).is_ok() => {
+                Ok(series.moments(d, slope))
+            }
+            // The same digits whether the slope is asked for or not.
+            _ => self.overlap.answer(&self.overlap.find(&self.weight, d, true)?, slope),
+        }
     }
 
     /// The series of the cell of d, if it has one.
