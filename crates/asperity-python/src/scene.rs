@@ -87,7 +87,9 @@ impl SceneFile {
             }
             Heights::Table(z, density) => {
                 let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
-                file.table = Some(TabulatedHeights::new("table", &points).map_err(refused)?);
+                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
+                file.scene.heights = HeightDistribution::other(table.clone());
+                file.table = Some(table);
             }
         }
         let from = serde_json::from_value(Value::String(fields.separation_from));

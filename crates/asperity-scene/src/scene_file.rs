@@ -114,7 +114,7 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let mut scene = Scene::new(interface, surface, nominal_area);
     scene.heights = match (&keys.heights, &table) {
         (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
-        (_, Some(table)) => in_units_of(table, std).map_err(document.refused("surface"))?,
+        (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };
     scene.asperity().map_err(document.refused(of_interface))?;
@@ -123,11 +123,6 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
     let (scan, separation_from) = (described.scan, from);
     Ok(SceneFile { scene, options, separation_from, table, bodies, measured, warnings, scan })
-}
-
-/// A table of heights as the library takes it, for this `asperity_height_std` \[m\].
-fn in_units_of(table: &TabulatedHeights, std: f64) -> Result<HeightDistribution, ContactError> {
-    Ok(HeightDistribution::other(table.clone().in_units_of(std)?))
 }
 
 impl From<Scene> for SceneFile {
@@ -194,10 +189,7 @@ impl SceneFile {
     ) -> Result<Self, ContactError> {
         let mut scene = Scene::new(interface, surface, nominal_area);
         scene.asperity()?;
-        scene.heights = match &self.table {
-            Some(table) => in_units_of(table, surface.asperity_height_std)?,
-            None => self.scene.heights.clone(),
-        };
+        scene.heights = self.scene.heights.clone();
         // What was measured holds for the surface it was measured on.
         let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
