@@ -41,7 +41,9 @@
 mod angles;
 mod average;
 mod azimuth;
+mod gauss;
 mod lateral;
+mod nested;
 mod pieces;
 mod slip;
 

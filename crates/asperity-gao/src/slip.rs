@@ -66,6 +66,15 @@ impl ObliqueSlip {
         matches!(self.displacement, Displacement::Given { .. })
     }
 
+    /// The gap x - y at which a push over `pull` is reached.
+    fn gap(&self, y: f64, reached: f64) -> f64 {
+        if !self.given() {
+            return reached * reached / (y + y.hypot(reached));
+        }
+        let u = ((1.0 - reached) * (1.0 + reached)).sqrt();
+        if reached < 1.0 { y * reached * reached / (u * (1.0 + u)) } else { f64::INFINITY }
+    }
+
     fn never_slips(&self) -> bool {
         self.stick == Stick::Unlimited || self.displacement == Displacement::None
     }
@@ -132,13 +141,18 @@ impl ObliqueContact for ObliqueSlip {
         let Contact { limit, pull, .. } = self.contact(y);
         // One direction slips at some azimuths from here on, and the other, and both at all.
         let [a, b] = pull.map(|p| limit / p);
-        let reaches =
-            if self.given() { [a, b, a.hypot(b)] } else { [a, SQRT_2 * a, f64::INFINITY] };
-        reaches.map(|reach| match self.given() {
-            false => y.hypot(reach),
-            true if reach < 1.0 => y / ((1.0 - reach) * (1.0 + reach)).sqrt(),
-            true => f64::INFINITY,
-        })
+        let ends = if self.given() { [a, b, a.hypot(b)] } else { [a, SQRT_2 * a, f64::INFINITY] };
+        ends.map(|end| self.gap(y, end))
+    }
+
+    fn layer(&self, y: f64) -> f64 {
+        let Contact { load, pull, .. } = self.contact(y);
+        match self.response {
+            Response::Force(ForceComponent::Size) => {
+                self.gap(y, load / (1.5 * pull[0].max(pull[1])))
+            }
+            _ => f64::INFINITY,
+        }
     }
 
     fn key(&self) -> Option<String> {

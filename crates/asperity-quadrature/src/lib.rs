@@ -39,7 +39,7 @@ mod terms;
 pub use any_scale::AnyScale;
 pub use avx2::with_wide_registers;
 pub use chebyshev::Tabulated;
-pub use density::{Density, Piece, Sampler};
+pub use density::{Density, Piece, Sampler, Weighted};
 pub use discretise::{Discretised, Goal, discretise};
 pub use error::QuadratureError;
 pub use gaussian::{Curvature, Moments, ShiftedGaussian};

@@ -39,7 +39,8 @@ impl Nearby {
         let goal = Goal { aim, refuse: 4.0 * aim };
         let window = |depth| segment::window((s, s), depth);
         let weight = |t: f64| segment::weight(s, t);
-        let made = segment::masses(density, scale, (s, &window), &weight, goal)?;
+        let density = density.unprepared();
+        let made = segment::masses(&density, scale, (s, &window), &weight, goal)?;
         let size: f64 = made.masses.iter().map(|mass| mass.abs()).sum();
         let x: Vec<f64> = made.points.iter().map(|t| t / scale).collect();
         let known = rounding + segment::ROUNDING + density.relative_error(&x);
