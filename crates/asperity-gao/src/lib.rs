@@ -38,6 +38,8 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+#![forbid(unsafe_code)]
+
 mod angles;
 mod average;
 mod azimuth;

@@ -136,6 +136,11 @@ impl Density {
         breaks
     }
 
+    /// Where the first piece begins; infinite if there is none.
+    pub(crate) fn begin(&self) -> f64 {
+        self.pieces.iter().map(|piece| piece.from).fold(f64::INFINITY, f64::min)
+    }
+
     /// The largest relative error of the pieces' values at the points `x`, where they have been
     /// sampled.
     #[must_use]
