@@ -10,6 +10,7 @@ mod invariants;
 mod inverse;
 mod kit;
 mod ladder;
+mod lateral;
 mod parallel;
 mod plans;
 mod properties;

@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use asperity::{
-    AngleDensity, Asperity, AsperityModel, Contact, ContactError, ContactModel, Form,
+    AngleDensity, Asperity, AsperityModel, Case, Contact, ContactError, ContactModel, Form,
     HeightDistribution, Law, ObliqueContact, Power, Provenance, Quantity, Request, Scene, Source,
-    Tolerance, angle_average,
+    Sweep, Tolerance, angle_average,
 };
 
 use crate::scenes::{named, with_index};
@@ -221,6 +221,25 @@ fn what_a_lateral_law_has_tabulated_moves_along() {
     assert!(again == moved, "{again} after {moved}");
     let anew = LateralSpy(averages.clone()).compile(&with_index(6.0), &request).unwrap();
     assert!(evaluate(&anew) - again == building, "compiled anew, it is built anew");
+}
+
+#[test]
+fn a_lateral_law_that_is_integrated_once_is_not_tabulated() {
+    let averages = Arc::new(AtomicUsize::new(0));
+    let model = LateralSpy(averages.clone());
+    let scene = with_index(6.0);
+    let request = Request::new([Quantity::Force]);
+    let compiled = model.compile(&scene, &request).unwrap().evaluate(Quantity::Force, 1.0).unwrap();
+    let tabulating = averages.swap(0, Ordering::Relaxed);
+    let sweep = Sweep::new(&model, &[Quantity::Force], Tolerance::default());
+    let once = sweep.evaluate(&Case::new(scene.clone(), 1.0)).unwrap()[0];
+    let single = averages.swap(0, Ordering::Relaxed);
+    assert!(single < tabulating / 3, "{single} averages, {tabulating} for tables");
+    let off = (once.value() / compiled.value() - 1.0).abs();
+    assert!(off <= once.error + compiled.error, "{off:e}");
+    // Nor is it for the few rows of a request.
+    model.solve(&scene, &request.at([1.0, 2.0])).unwrap();
+    assert!(averages.load(Ordering::Relaxed) < 3 * single);
 }
 
 #[test]

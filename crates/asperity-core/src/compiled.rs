@@ -5,8 +5,9 @@ use std::sync::Arc;
 use asperity_quadrature::{Curvature, Moments};
 
 use crate::channel::{Channel, Laws, bases, failed};
+use crate::height_integral::HeightIntegral;
 use crate::readings::{Integrals, Reading};
-use crate::response::{Response, Row, respond};
+use crate::response::{Cell, Response, respond};
 use crate::separation::Place;
 use crate::{
     Asperity, AsperityModel, At, Contact, ContactError, Evaluation, Plan, Quantity, Regime,
@@ -107,27 +108,106 @@ impl Compiled {
         Reading { scene: &self.scene, own_stiffness, tolerance, place, at }
     }
 
-    /// The quantities of the request at one place.
-    fn row(&self, quantities: &[Quantity], at: At) -> Row {
-        let place = match self.place(at) {
-            Ok(place) => place,
-            Err(error) => {
-                let error = Box::new(error);
-                return quantities.iter().map(|_| Err(error.clone())).collect();
+    /// The quantities of the request at each place, each quantity together.
+    fn columns(&self, quantities: &[Quantity], places: &[At]) -> Vec<Vec<Cell>> {
+        let new = || Vec::with_capacity(places.len());
+        let mut columns: Vec<Vec<Cell>> = quantities.iter().map(|_| new()).collect();
+        let asked: Result<(), ContactError> =
+            quantities.iter().try_for_each(|quantity| self.check_requested(*quantity));
+        for run in places.chunks(TOGETHER) {
+            let together = asked.is_ok() && self.together(quantities, run, &mut columns).is_some();
+            if !together {
+                run.iter().for_each(|at| self.one(quantities, *at, &mut columns));
             }
-        };
-        let reading = self.reading(place, at);
-        // One pass over the nodes serves all quantities of a law.
-        let slopes = place.rounding > 0.0
-            || quantities.iter().any(|q| matches!(q, Quantity::Tangent | Quantity::Stiffness));
-        let mut once =
-            Once { here: Here { compiled: self, s: place.s, at }, slopes, known: vec![] };
-        let mut of = |quantity: &Quantity| {
-            self.check_requested(*quantity)?;
-            reading.of(*quantity, &mut once)
-        };
-        let of = |quantity: &Quantity| of(quantity).map_err(Box::new);
-        quantities.iter().map(of).collect()
+        }
+        columns
+    }
+
+    /// A run whose integrals are taken together; none, and nothing done, where any is refused.
+    fn together(
+        &self,
+        quantities: &[Quantity],
+        run: &[At],
+        columns: &mut [Vec<Cell>],
+    ) -> Option<()> {
+        let places: Vec<Place> =
+            run.iter().map(|at| self.place(*at).ok()).collect::<Option<_>>()?;
+        let s: Vec<f64> = places.iter().map(|place| place.s).collect();
+        let slopes = sloped(quantities) || places.iter().any(|place| place.rounding > 0.0);
+        let mut known: Vec<Known> = vec![];
+        for &base in quantities.iter().flat_map(|quantity| self.bases(*quantity)) {
+            if known.iter().any(|known| known.base == base) {
+                continue;
+            }
+            let channel = self.channel(base).ok()?;
+            let HeightIntegral::Gaussian(integral) = &channel.total else { return None };
+            let mut moments = vec![Moments::NONE; s.len()];
+            let found = match slopes {
+                true => integral.values_and_slopes(&s, &mut moments),
+                false => integral.values(&s, &mut moments),
+            };
+            found.ok()?;
+            known.push(Known { base, moments, factor: channel.units.factor });
+        }
+        for (column, quantity) in columns.iter_mut().zip(quantities) {
+            column.extend(places.iter().zip(run).enumerate().map(|(row, (place, at))| {
+                let here = Here { compiled: self, s: place.s, at: *at };
+                let mut integrals = Row { here, known: &known, row };
+                self.reading(*place, *at).of(*quantity, &mut integrals).map_err(Box::new)
+            }));
+        }
+        Some(())
+    }
+
+    /// One row by itself: what is refused, and why.
+    fn one(&self, quantities: &[Quantity], at: At, columns: &mut [Vec<Cell>]) {
+        let place = self.place(at);
+        let s = place.as_ref().map_or(0.0, |place| place.s);
+        let slopes = sloped(quantities) || place.as_ref().is_ok_and(|place| place.rounding > 0.0);
+        let here = Here { compiled: self, s, at };
+        let mut once = Once { here, slopes, known: [None; BASES] };
+        for (column, quantity) in columns.iter_mut().zip(quantities) {
+            let mut of = || {
+                self.check_requested(*quantity)?;
+                self.reading(place.clone()?, at).of(*quantity, &mut once)
+            };
+            column.push(of().map_err(Box::new));
+        }
+    }
+}
+
+/// Rows whose integrals are taken together: they stay in the fastest memory.
+const TOGETHER: usize = 256;
+
+fn sloped(quantities: &[Quantity]) -> bool {
+    quantities.iter().any(|q| matches!(q, Quantity::Tangent | Quantity::Stiffness))
+}
+
+/// The integrals of one law at each place of a run.
+struct Known {
+    base: Quantity,
+    moments: Vec<Moments>,
+    factor: f64,
+}
+
+/// Those at one place.
+struct Row<'c> {
+    here: Here<'c>,
+    known: &'c [Known],
+    row: usize,
+}
+
+impl Integrals for Row<'_> {
+    #[inline]
+    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
+        match self.known.iter().find(|known| known.base == base) {
+            Some(known) => Ok((known.moments[self.row], known.factor)),
+            None => self.here.moments(base, slope),
+        }
+    }
+
+    fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {
+        self.here.share(regime)
     }
 }
 
@@ -154,21 +234,28 @@ impl Integrals for Here<'_> {
     }
 }
 
+/// Force, area, stiffness and the number of contacts have laws.
+const BASES: usize = 4;
+
 /// The same, each integral once.
 struct Once<'c> {
     here: Here<'c>,
     slopes: bool,
-    known: Vec<(Quantity, (Moments, f64))>,
+    known: [Option<(Quantity, (Moments, f64))>; BASES],
 }
 
 impl Integrals for Once<'_> {
+    #[inline]
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
-        if let Some((_, known)) = self.known.iter().find(|(known, _)| *known == base) {
+        let known = self.known.iter().flatten().find(|(known, _)| *known == base);
+        if let Some((_, known)) = known {
             return Ok(*known);
         }
         match self.here.moments(base, self.slopes) {
             Ok(found) => {
-                self.known.push((base, found));
+                if let Some(free) = self.known.iter_mut().find(|known| known.is_none()) {
+                    *free = Some((base, found));
+                }
                 Ok(found)
             }
             // A value is not refused for a slope that it does not need.
@@ -209,7 +296,7 @@ impl Contact for Compiled {
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let place = self.place(at)?;
         let here = Here { compiled: self, s: place.s, at };
-        let mut once = Once { here, slopes: true, known: Vec::with_capacity(1) };
+        let mut once = Once { here, slopes: true, known: [None; BASES] };
         let reading = self.reading(place, at);
         let force = reading.of(Quantity::Force, &mut once)?;
         Ok((force, reading.of(Quantity::Tangent, &mut once)?))
@@ -264,7 +351,7 @@ impl Contact for Compiled {
     }
 
     fn respond(&self, request: &Request) -> Response {
-        let row = |at: &At| self.row(&request.quantities, *at);
+        let columns = |places: &[At]| self.columns(&request.quantities, places);
         let signed = self.channels.iter().any(|channel| channel.law.is_signed());
         let value = |base, at| {
             let place = self.place(at).ok()?;
@@ -272,9 +359,9 @@ impl Contact for Compiled {
             Some(self.reading(place, at).of(base, &mut here).ok()?.value())
         };
         let behind = |base, at| if signed { value(base, at) } else { None };
-        let rows = |places: &[At]| crate::parallel::map(places, row);
+        let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), &self.scene), request, rows, shares, behind)
+        respond((self.model(), &self.scene), request, cells, shares, behind)
     }
 }
 

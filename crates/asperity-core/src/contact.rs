@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::compiled::Compiled;
 use crate::few::few;
-use crate::response::{Response, Row, respond};
+use crate::response::{Cell, Response, respond};
 use crate::{
     Asperity, AsperityModel, At, Claims, ContactError, Evaluation, Law, Plan, Quantity, Request,
     Scene, Separation, Share, Source, Tolerance, Warning,
@@ -215,13 +215,14 @@ pub trait Contact: fmt::Debug + Send + Sync {
 
     /// Answers a request for the quantities this scene was compiled for, row by row.
     fn respond(&self, request: &Request) -> Response {
-        let row = |at: &At| -> Row {
-            let of = |q: &Quantity| self.evaluate_at(*q, *at).map_err(Box::new);
+        let columns = |places: &[At]| -> Vec<Vec<Cell>> {
+            let at = |q: Quantity, at: &At| self.evaluate_at(q, *at).map_err(Box::new);
+            let of = |q: &Quantity| places.iter().map(|place| at(*q, place)).collect();
             request.quantities.iter().map(of).collect()
         };
-        let rows = |places: &[At]| crate::parallel::map(places, row);
+        let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene()), request, rows, shares, |_, _| None)
+        respond((self.model(), self.scene()), request, cells, shares, |_, _| None)
     }
 
     /// The error of what this model cannot answer.

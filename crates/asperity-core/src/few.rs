@@ -2,7 +2,7 @@
 
 use crate::channel::Laws;
 use crate::of_case::OfCase;
-use crate::response::{Row, respond};
+use crate::response::{Cell, respond};
 use crate::{
     AsperityModel, At, ContactError, HeightDistribution, Quantity, Request, Response, Scene,
 };
@@ -38,7 +38,7 @@ pub(crate) fn few(
         let mut case = OfCase::alone(scene, &laws, tolerance)?;
         case.reading(at)?.of(quantity, &mut case)
     };
-    let row = |at: &At| -> Row {
+    let row = |at: &At| -> Vec<Cell> {
         let answers = OfCase::alone(scene, &laws, tolerance).and_then(|mut case| {
             let reading = case.reading(*at)?;
             let of = |q: &Quantity| reading.of(*q, &mut case).map_err(Box::new);
@@ -50,8 +50,20 @@ pub(crate) fn few(
         };
         answers.unwrap_or_else(refused)
     };
-    let rows = |places: &[At]| crate::parallel::map(places, row);
+    let cells = |places: &[At]| {
+        let mut columns = vec![vec![]; request.quantities.len()];
+        let rows = |places: &[At]| places.iter().map(row).collect::<Vec<_>>();
+        let found = match places.len() {
+            n if n > FEW => crate::parallel::map_runs(places, FEW, rows),
+            // Handing them out costs more.
+            _ => rows(places),
+        };
+        for cells in found {
+            columns.iter_mut().zip(cells).for_each(|(column, cell)| column.push(cell));
+        }
+        columns
+    };
     let behind = |q, at| if signed { Some(one(q, at).ok()?.value()) } else { None };
     let none = |_, _| Ok(vec![]);
-    Ok(Some(respond((model.name(), scene), request, rows, none, behind)))
+    Ok(Some(respond((model.name(), scene), request, cells, none, behind)))
 }

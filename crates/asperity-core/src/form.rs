@@ -167,4 +167,11 @@ impl Sampler for Form {
             Self::Function { sampler, .. } => sampler.relative_error(x),
         }
     }
+
+    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
+        match self {
+            Self::Powers(_) => None,
+            Self::Function { sampler, .. } => sampler.unprepared(),
+        }
+    }
 }

@@ -190,8 +190,7 @@ impl OfLaw<'_> {
             let unit = self.law.interference_unit;
             return HeightIntegral::new(self.law.density(), unit, scene, relative).once(s, slope);
         }
-        let mut sum =
-            Moments { value: 0.0, slope: 0.0, ln_scale: 0.0, sizes: [0.0; 2], error: 0.0 };
+        let mut sum = Moments::NONE;
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let (factor, m) = match source {
                 Source::Shared(shape) if slope => (part.factor(), shape.integral.at(s, scale)?),
@@ -203,13 +202,7 @@ impl OfLaw<'_> {
                     (1.0, made.as_ref().map_or(sum, |made| made.at(s)))
                 }
             };
-            sum.value += factor * m.value;
-            sum.slope += factor * m.slope;
-            sum.ln_scale = m.ln_scale;
-            sum.sizes[0] += factor.abs() * m.sizes[0];
-            sum.sizes[1] += factor.abs() * m.sizes[1];
-            // Parts of any size: the largest relative error bounds that of the sum.
-            sum.error = sum.error.max(m.error);
+            sum = sum.plus(factor, &m);
         }
         Ok(sum)
     }

@@ -4,14 +4,22 @@
 #[cfg(feature = "rayon")]
 const FROM: usize = 2048;
 
-/// What `f` makes of each item, in order.
+/// What `f` makes of runs of items, column by column, joined in order.
 #[cfg(feature = "rayon")]
-pub(crate) fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+pub(crate) fn columns<T: Sync, R: Send>(
+    items: &[T],
+    f: impl Fn(&[T]) -> Vec<Vec<R>> + Sync + Send,
+) -> Vec<Vec<R>> {
     use rayon::prelude::*;
     if items.len() < FROM {
-        return items.iter().map(f).collect();
+        return f(items);
     }
-    items.par_iter().with_min_len(512).map(f).collect()
+    let runs: Vec<Vec<Vec<R>>> = items.par_chunks(512).map(f).collect();
+    let join = |mut all: Vec<Vec<R>>, run: Vec<Vec<R>>| {
+        all.iter_mut().zip(run).for_each(|(column, more)| column.extend(more));
+        all
+    };
+    runs.into_iter().reduce(join).unwrap_or_default()
 }
 
 /// What `f` makes of each run of `length` items, joined in order.
@@ -35,8 +43,11 @@ pub(crate) fn both<A: Send, B: Send>(
 }
 
 #[cfg(not(feature = "rayon"))]
-pub(crate) fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
-    items.iter().map(f).collect()
+pub(crate) fn columns<T: Sync, R: Send>(
+    items: &[T],
+    f: impl Fn(&[T]) -> Vec<Vec<R>> + Sync + Send,
+) -> Vec<Vec<R>> {
+    f(items)
 }
 
 #[cfg(not(feature = "rayon"))]

@@ -1,4 +1,4 @@
-//! How a compiled scene answers: what is integrated, with how many nodes, and what is left out.
+//! How a compiled scene answers: what is integrated, with how many terms, and what is left out.
 
 use std::fmt;
 
@@ -15,8 +15,8 @@ use crate::{At, Contact, ContactError, HeightDistribution, Part, Quantity, Reque
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Method {
-    /// Gaussian heights: Gauss rules with the law as their weight, one for each range of separations.
-    GaussRules,
+    /// Gaussian heights: polynomials, one for each range of separations.
+    Polynomials,
     /// Exponential heights: one integral for all separations ≥ 0, one for each below.
     OneIntegral,
     /// Other heights: adaptive panels, and from those series in the separation.
@@ -26,7 +26,7 @@ pub enum Method {
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::GaussRules => "Gauss rules with the law as weight",
+            Self::Polynomials => "polynomials in the separation",
             Self::OneIntegral => "one integral for all separations above 0, as exp(-d) is a factor",
             Self::Panels => {
                 "panels that follow the heights; series in the separation between kinks, made where asked"
@@ -61,7 +61,7 @@ pub struct Step {
     pub method: Method,
     /// The law's parts.
     pub parts: Vec<PlannedPart>,
-    /// Nodes of the smallest and the largest rule: exponentials for each evaluation.
+    /// Terms of the shortest and the longest polynomial: products for each evaluation.
     pub nodes: Option<(usize, usize)>,
     /// How often the law has been sampled to build what the separations need.
     pub samples: usize,
@@ -122,13 +122,13 @@ impl Compiled {
             farthest = farthest.max(reach(s));
         }
         let method = match self.scene().heights {
-            HeightDistribution::Gaussian => Method::GaussRules,
+            HeightDistribution::Gaussian => Method::Polynomials,
             HeightDistribution::Exponential => Method::OneIntegral,
             HeightDistribution::Other(_) => Method::Panels,
         };
         // Beyond the reach, the Gaussian is below 1e-20 of its largest value.
         let out_of_reach = |part: &Part| {
-            method == Method::GaussRules && part.range.start * channel.units.scale > farthest
+            method == Method::Polynomials && part.range.start * channel.units.scale > farthest
         };
         let planned = |part: &Part| PlannedPart {
             name: part.name.to_string(),
@@ -156,10 +156,7 @@ impl fmt::Display for Plan {
                 let nodes =
                     if least == most { least.to_string() } else { format!("{least} to {most}") };
                 let samples = step.samples;
-                writeln!(
-                    f,
-                    "    {nodes} nodes: exponentials a value; {samples} samples of the law, once"
-                )?;
+                writeln!(f, "    {nodes} terms a value; {samples} samples of the law, once")?;
             }
             for part in &step.parts {
                 match part.dropped {

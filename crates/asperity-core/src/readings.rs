@@ -2,6 +2,7 @@
 
 use asperity_quadrature::Moments;
 
+use crate::channel::failed;
 use crate::separation::Place;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
 
@@ -82,6 +83,8 @@ impl Reading<'_> {
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
         let (moments, factor) = integrals.moments(Quantity::Force, true)?;
+        let missed = moments.slope_within(self.place.s, self.tolerance.relative());
+        missed.map_err(failed(quantity, self.at))?;
         let height_std = self.scene.surface.asperity_height_std;
         Evaluation::of_slope(&moments, factor, height_std, self.place)
             .held(moments.sizes[1], quantity)

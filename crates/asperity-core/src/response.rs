@@ -84,18 +84,18 @@ impl Response {
     }
 }
 
-/// Values of one row, quantity by quantity.
-pub(crate) type Row = Vec<Result<Evaluation, Box<ContactError>>>;
+/// A value, or why there is none.
+pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 
-/// Rows that are held before they become columns.
+/// Rows that are held before they join their columns.
 const TOGETHER: usize = 8192;
 
-/// Puts rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
+/// Puts columns of runs of rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
 /// or share hides, where it may be negative.
 pub(crate) fn respond(
     (model, scene): (&str, &Scene),
     request: &Request,
-    rows: impl Fn(&[At]) -> Vec<Row>,
+    cells: impl Fn(&[At]) -> Vec<Vec<Cell>>,
     shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
     behind: impl Fn(Quantity, At) -> Option<f64>,
 ) -> Response {
@@ -105,10 +105,8 @@ pub(crate) fn respond(
     };
     let mut columns: Vec<Column> = request.quantities.iter().map(new).collect();
     for places in request.at.chunks(TOGETHER) {
-        for row in rows(places) {
-            for (column, value) in columns.iter_mut().zip(row) {
-                column.rows.push(value);
-            }
+        for (column, cells) in columns.iter_mut().zip(cells(places)) {
+            column.rows.extend(cells);
         }
     }
     let mut seen = Warnings::default();

@@ -4,9 +4,12 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{Form, FunctionKey, Power};
-use asperity_quadrature::{Estimate, Point, Tabulated, TanhSinh, bracketed_root};
+use asperity_quadrature::{
+    Discretised, Estimate, Point, QuadratureError, Sampler, Tabulated, TanhSinh, Weighted,
+    bracketed_root,
+};
 
-use crate::AngleDensity;
+use crate::{AngleDensity, nested};
 
 /// An oblique contact, already averaged over the azimuth θ.
 ///
@@ -16,8 +19,15 @@ pub trait ObliqueContact: Send + Sync {
     /// x = y + gap to `out`, to a relative tolerance. Returns the largest relative error there is.
     fn means(&self, y: f64, gaps: &[f64], tolerance: f64, out: &mut [f64]) -> f64;
 
-    /// Where the average has branch points as a function of x > y, for this y; infinite where not.
+    /// At which gaps the average has branch points as a function of x, for this y; infinite where
+    /// at none.
     fn corners(&self, y: f64) -> [f64; 3];
+
+    /// Up to about which gap the average turns, as the size of a sum of squares does, if that may
+    /// be much less than y; infinite where it does not.
+    fn layer(&self, _y: f64) -> f64 {
+        f64::INFINITY
+    }
 
     /// What tells this contact from all others, if anything does: laws that recur in a sweep are
     /// then tabulated once.
@@ -27,12 +37,15 @@ pub trait ObliqueContact: Send + Sync {
 }
 
 /// q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy over y in `range`, y ≤ x.
-struct Average {
-    contact: Arc<dyn ObliqueContact>,
-    range: Range<f64>,
+pub(crate) struct Average {
+    pub(crate) contact: Arc<dyn ObliqueContact>,
+    pub(crate) range: Range<f64>,
     /// c₀ and c₂.
-    density: (f64, f64),
+    pub(crate) density: (f64, f64),
     branches: Vec<Branch>,
+    /// Where corners come from infinity or leave for it as y grows: next to these y the integral
+    /// over x has an essential singularity.
+    pub(crate) comings: Vec<f64>,
     tolerance: f64,
 }
 
@@ -45,11 +58,14 @@ struct Branch {
     inverse: (f64, f64),
 }
 
+/// The azimuth average is wanted this much better than the angle average.
+const AZIMUTHS: f64 = 0.05;
+
 impl Average {
     /// Where a corner passes x as y grows: there the integrand over y has a branch point.
     fn breaks(&self, x: f64) -> impl Iterator<Item = f64> {
         let crossing = move |branch: &Branch| {
-            let off = |y: f64| x * inverse(&*self.contact, branch.corner, y) - 1.0;
+            let off = |y: f64| x * inverses(&*self.contact, y)[branch.corner] - 1.0;
             let (from, to) = (x * branch.inverse.0 - 1.0, x * branch.inverse.1 - 1.0);
             (from * to < 0.0).then(|| bracketed_root(off, branch.y.0, branch.y.1)).flatten()
         };
@@ -81,8 +97,12 @@ impl Average {
             let integrand = |p: Point| {
                 let mut mean = [0.0];
                 let gap = (x - pair[1]) + p.right;
-                worst =
-                    worst.max(self.contact.means(p.x, &[gap], 0.05 * self.tolerance, &mut mean));
+                worst = worst.max(self.contact.means(
+                    p.x,
+                    &[gap],
+                    AZIMUTHS * self.tolerance,
+                    &mut mean,
+                ));
                 (c0 + c2 * (p.x / x).powi(2)) * mean[0]
             };
             let goal = 0.2 * self.tolerance;
@@ -96,37 +116,44 @@ impl Average {
     }
 }
 
-/// 1/x of a corner: 0 where there is none.
-fn inverse(contact: &dyn ObliqueContact, corner: usize, y: f64) -> f64 {
-    contact.corners(y)[corner].recip()
+/// 1/x of the corners for a y: 0 where there is none.
+fn inverses(contact: &dyn ObliqueContact, y: f64) -> [f64; 3] {
+    contact.corners(y).map(|gap| (y + gap).recip())
 }
 
 /// Points of y, evenly spaced in the logarithm of the distance from the beginning of a range, by
 /// which branches are told apart.
-const SCAN: i32 = 64;
+const SCAN: i32 = 48;
 /// Where the scan of a range that begins at 0 or never ends begins and ends.
 const FIRST: f64 = 1e-80;
 const LAST: f64 = 1e40;
 
-fn branches(contact: &dyn ObliqueContact, range: &Range<f64>) -> Vec<Branch> {
+fn branches(contact: &dyn ObliqueContact, range: &Range<f64>) -> (Vec<Branch>, Vec<f64>) {
     let nearest = if range.start > 0.0 { 1e-15 * range.start } else { FIRST };
     let farthest = (range.end - range.start).min(LAST);
     let step = (farthest / nearest).ln() / f64::from(SCAN);
     let y = |k: f64| match k {
-        0.0 if range.start > 0.0 => range.start,
+        k if k <= 0.0 && range.start > 0.0 => range.start,
         k if k >= f64::from(SCAN) => range.end.min(LAST),
         k => range.start + nearest * (k * step).exp(),
     };
-    let mut branches = vec![];
-    for corner in 0..3 {
-        let at = |k: f64| inverse(contact, corner, y(k));
+    let seen: Vec<[f64; 3]> = (0..=SCAN).map(|k| inverses(contact, y(f64::from(k)))).collect();
+    let (mut branches, mut comings) = (vec![], vec![]);
+    for corner in (0..3).filter(|corner| seen.iter().any(|at| at[*corner] > 0.0)) {
+        let at = |k: f64| inverses(contact, y(k))[corner];
         // Ends of branches, as places on the scan.
         let mut ends = vec![0.0];
-        let seen: Vec<f64> = (0..=SCAN).map(|k| at(f64::from(k))).collect();
         for (k, three) in seen.windows(3).enumerate() {
-            if (three[1] - three[0]) * (three[2] - three[1]) < 0.0 {
-                let sign = (three[1] - three[0]).signum();
+            let [before, here, after] = [three[0], three[1], three[2]].map(|at| at[corner]);
+            if (here - before) * (after - here) < 0.0 {
+                let sign = (here - before).signum();
                 ends.push(highest(|k| sign * at(k), k as f64, k as f64 + 2.0));
+            }
+        }
+        for (k, two) in seen.windows(2).enumerate() {
+            let there = two[0][corner] > 0.0;
+            if there != (two[1][corner] > 0.0) {
+                comings.push(y(change(|k| (at(k) > 0.0) == there, k as f64, k as f64 + 1.0)));
             }
         }
         ends.push(f64::from(SCAN));
@@ -135,7 +162,18 @@ fn branches(contact: &dyn ObliqueContact, range: &Range<f64>) -> Vec<Branch> {
             branches.push(Branch { corner, y: (y(from), y(to)), inverse: (at(from), at(to)) });
         }
     }
-    branches
+    (branches, comings)
+}
+
+/// Up to where between `low` and `high` something holds, by bisection.
+fn change(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return low;
+        }
+        *(if holds(middle) { &mut low } else { &mut high }) = middle;
+    }
 }
 
 /// Where a function with one maximum between `low` and `high` has it, by golden sections.
@@ -186,13 +224,49 @@ pub fn angle_average(
         return (named(Form::function(upright), "upright contact", vec![]), vec![]);
     };
     let parameters = vec![density.0, density.1, range.start, range.end, tolerance];
-    let branches = branches(&*contact, &range);
-    let average = Average { contact, range, density, branches, tolerance };
-    let kinks = average.kinks();
-    let table = Tabulated::new(Arc::new(move |x| average.value(x)), &kinks, tolerance);
+    let (branches, comings) = branches(&*contact, &range);
+    let average = Average { contact, range, density, branches, comings, tolerance };
+    let average = Arc::new(average);
+    let sampled = average.clone();
+    let table = Tabulated::new(Arc::new(move |x| sampled.value(x)), &average.kinks(), tolerance);
     let kinks = table.kinks().to_vec();
-    let form = Form::sampled(Arc::new(table));
+    let form = Form::sampled(Arc::new(Prepared { average, table }));
     (named(form, "angle average, tabulated", parameters), kinks)
+}
+
+/// An angle average, tabulated when first sampled.
+struct Prepared {
+    average: Arc<Average>,
+    table: Tabulated,
+}
+
+impl Sampler for Prepared {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        self.table.sample(x, out)
+    }
+
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        self.table.relative_error(x)
+    }
+
+    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
+        Some(self.average.clone())
+    }
+}
+
+impl Sampler for Average {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        out.iter_mut().zip(x).for_each(|(out, x)| *out = self.value(*x).value);
+        Ok(())
+    }
+
+    fn relative_error(&self, _: &[f64]) -> f64 {
+        AZIMUTHS * self.tolerance
+    }
+
+    fn masses(&self, against: &Weighted<'_>) -> Option<Discretised> {
+        Some(nested::masses(self, against, AZIMUTHS * self.tolerance))
+    }
 }
 
 /// The angle average of a sum of powers of y on `range`, in closed form. Every origin must be 0
@@ -230,7 +304,6 @@ fn power_difference(low: f64, high: f64, n: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_quadrature::Sampler;
 
     fn value(form: &Form, x: f64) -> f64 {
         let mut out = [0.0];

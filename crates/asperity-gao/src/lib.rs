@@ -38,10 +38,14 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+#![forbid(unsafe_code)]
+
 mod angles;
 mod average;
 mod azimuth;
+mod gauss;
 mod lateral;
+mod nested;
 mod pieces;
 mod slip;
 

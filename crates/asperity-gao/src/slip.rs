@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_2_PI, SQRT_2};
 
-use asperity_quadrature::with_wide_registers;
+use fearless_simd::{Level, Simd, dispatch};
 
 use crate::azimuth::{Azimuths, Pushed, ellipse_mean};
 use crate::{Displacement, ForceComponent, NormalLaw, ObliqueContact, Stick, friction};
@@ -66,6 +66,15 @@ impl ObliqueSlip {
         matches!(self.displacement, Displacement::Given { .. })
     }
 
+    /// The gap x - y at which a push over `pull` is reached.
+    fn gap(&self, y: f64, reached: f64) -> f64 {
+        if !self.given() {
+            return reached * reached / (y + y.hypot(reached));
+        }
+        let u = ((1.0 - reached) * (1.0 + reached)).sqrt();
+        if reached < 1.0 { y * reached * reached / (u * (1.0 + u)) } else { f64::INFINITY }
+    }
+
     fn never_slips(&self) -> bool {
         self.stick == Stick::Unlimited || self.displacement == Displacement::None
     }
@@ -119,10 +128,12 @@ impl ObliqueSlip {
 
 impl ObliqueContact for ObliqueSlip {
     fn means(&self, y: f64, gaps: &[f64], tolerance: f64, out: &mut [f64]) -> f64 {
-        with_wide_registers(
+        // Loops over azimuths, down to what is marked for it, work on as many at a time as the
+        // processor's registers hold; the digits are the same.
+        dispatch!(Level::new(), simd => simd.vectorize(
             #[inline(always)]
             || self.means_at(y, gaps, tolerance, out),
-        )
+        ))
     }
 
     fn corners(&self, y: f64) -> [f64; 3] {
@@ -132,17 +143,56 @@ impl ObliqueContact for ObliqueSlip {
         let Contact { limit, pull, .. } = self.contact(y);
         // One direction slips at some azimuths from here on, and the other, and both at all.
         let [a, b] = pull.map(|p| limit / p);
-        let reaches =
-            if self.given() { [a, b, a.hypot(b)] } else { [a, SQRT_2 * a, f64::INFINITY] };
-        reaches.map(|reach| match self.given() {
-            false => y.hypot(reach),
-            true if reach < 1.0 => y / ((1.0 - reach) * (1.0 + reach)).sqrt(),
-            true => f64::INFINITY,
-        })
+        let ends = if self.given() { [a, b, a.hypot(b)] } else { [a, SQRT_2 * a, f64::INFINITY] };
+        ends.map(|end| self.gap(y, end))
+    }
+
+    fn layer(&self, y: f64) -> f64 {
+        let Contact { load, pull, .. } = self.contact(y);
+        match self.response {
+            Response::Force(ForceComponent::Size) => {
+                self.gap(y, load / (1.5 * pull[0].max(pull[1])))
+            }
+            _ => f64::INFINITY,
+        }
     }
 
     fn key(&self) -> Option<String> {
         // Every field; numbers are written so that they read back.
         Some(format!("{self:?}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_core::Regime;
+
+    #[test]
+    fn wide_registers_change_no_digit() {
+        // Only what this processor has can be compared: the plain loops, always, and its best.
+        println!("compared with the plain loops: {:?}", Level::new());
+        let gaps: Vec<f64> = (0..40).map(|k| 1e-6 * 1.6f64.powi(k)).collect();
+        for response in [Response::Force(ForceComponent::default()), Response::Stiffness] {
+            let normal = NormalLaw {
+                regime: Regime::Elastic,
+                pressure_factor: 0.58,
+                area_exponent: 0.35,
+                radius_loss: 0.0,
+            };
+            let (displacement, stick) = (Displacement::Vertical, Stick::Clamped);
+            let slip = ObliqueSlip { normal, shear_ratio: 1.4, displacement, stick, response };
+            for y in [1e-4, 0.3, 2.0] {
+                let (mut wide, mut plain) = (vec![0.0; gaps.len()], vec![0.0; gaps.len()]);
+                let errors = [
+                    slip.means(y, &gaps, 1e-12, &mut wide),
+                    slip.means_at(y, &gaps, 1e-12, &mut plain),
+                ];
+                assert!(errors[0].to_bits() == errors[1].to_bits());
+                for (wide, plain) in wide.iter().zip(&plain) {
+                    assert!(wide.to_bits() == plain.to_bits() && *wide > 0.0, "{wide} {plain}");
+                }
+            }
+        }
     }
 }

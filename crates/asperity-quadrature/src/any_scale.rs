@@ -3,21 +3,20 @@
 use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
-use crate::gaussian::Moments;
+use crate::gaussian::{Moments, fill};
+use crate::patch::Place;
 use crate::rules::{Rules, Task};
 use crate::segment::Segment;
 use crate::{Density, QuadratureError};
 
-/// Scales from 2^-64 to 2^64 have rules, four for each octave: 12 nodes instead of the 8 that
+/// Scales from 2^-64 to 2^64 have rules, four for each octave: some 70 terms instead of the 12 that
 /// [`crate::ShiftedGaussian`] needs at 1e-10.
 const OCTAVES: u64 = 64;
-/// Below this s a change of scale moves the peak too far.
-const LOWEST: f64 = -8.0;
 
 /// The integral of one density against φ(s + t), for all s and all scales.
 ///
-/// A change of scale multiplies the integrand by an entire function of t, as a change of s does: a
-/// rule made at one scale serves its neighbours. Rules are built on demand.
+/// A change of scale does to the integral what a change of s does: a polynomial in both serves the
+/// neighbours of a scale. They are built on demand.
 #[derive(Debug)]
 pub struct AnyScale {
     task: Task,
@@ -36,13 +35,15 @@ impl AnyScale {
     /// I(s, c) and -dI/ds at a finite s ≤ 1e9 and a positive, finite scale c.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`crate::ShiftedGaussian::at`].
+    #[inline]
     pub fn at(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
-        let Some((segment, stretch)) = self.segment(s, scale)? else {
-            let (sums, error) = self.task.directly(s, scale)?;
-            return Ok(Moments::new(&sums, 1.0, s, error));
-        };
-        Ok(Moments::new(&segment.sums(s, stretch), 1.0 + stretch, s, segment.error[0]))
+        match self.ready(s, scale) {
+            Some((segment, place)) => {
+                Ok(Moments::new(segment.with_power(place, 1), s, segment.error[0]))
+            }
+            None => self.anew(s, scale).map(|(pair, error)| Moments::new(pair, s, error)),
+        }
     }
 
     /// I(s, c) alone, with `slope` and its size left at 0.
@@ -51,18 +52,46 @@ impl AnyScale {
     /// Those of [`crate::discretise`].
     #[inline]
     pub fn value(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
-        let Some((segment, stretch)) = self.segment(s, scale)? else { return self.at(s, scale) };
-        let (value, size) = segment.value(s, stretch);
-        let ratio = 1.0 + stretch;
-        Ok(Moments::of_value(ratio * value, ratio * size, s, segment.error[0]))
+        match self.ready(s, scale) {
+            Some((segment, place)) => {
+                Ok(Moments::of_value(segment.value(place), s, segment.error[0]))
+            }
+            None => {
+                self.anew(s, scale).map(|([value, _], error)| Moments::of_value(value, s, error))
+            }
+        }
     }
 
-    /// Nodes of the rule that serves s and a scale; 0 where each evaluation integrates anew.
+    /// [`value`](Self::value) at each s and scale, in any order, into `out`, which is to be as long.
+    ///
+    /// # Errors
+    /// The first place that is refused, by its index, and why; what stands before it is answered.
+    pub fn values(
+        &self,
+        places: &[(f64, f64)],
+        out: &mut [Moments],
+    ) -> Result<(), (usize, QuadratureError)> {
+        fill(places, out, |(s, scale)| self.value(s, scale))
+    }
+
+    /// [`at`](Self::at) at each s and scale, as [`values`](Self::values) does it.
+    ///
+    /// # Errors
+    /// Those of [`values`](Self::values).
+    pub fn values_and_slopes(
+        &self,
+        places: &[(f64, f64)],
+        out: &mut [Moments],
+    ) -> Result<(), (usize, QuadratureError)> {
+        fill(places, out, |(s, scale)| self.at(s, scale))
+    }
+
+    /// Terms of the polynomial that serves s and a scale; 0 where each evaluation integrates anew.
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
     pub fn nodes(&self, s: f64, scale: f64) -> Result<usize, QuadratureError> {
-        Ok(self.segment(s, scale)?.map_or(0, |(segment, _)| segment.nodes()))
+        Ok(self.build(s, scale)?.map_or(0, |(segment, _)| segment.nodes()))
     }
 
     /// How often the density has been sampled so far, over all rules built.
@@ -71,24 +100,49 @@ impl AnyScale {
         self.task.evaluations.load(Ordering::Relaxed)
     }
 
-    /// The rule and c/c₀ - 1; none where there are none, or where one would be too coarse.
+    /// The rule and the place seen from it, if it has been built and is good enough.
     #[inline]
-    fn segment(&self, s: f64, scale: f64) -> Result<Option<(&Segment, f64)>, QuadratureError> {
-        // The two highest bits of the mantissa tell the quarter of the octave.
-        let quarter = scale.to_bits() >> 50;
-        let index = quarter.wrapping_sub(4 * (1023 - OCTAVES)) as usize;
-        let Some(row) = self.rows.get(index).filter(|_| s >= LOWEST) else { return Ok(None) };
-        let low = f64::from_bits(quarter << 50);
-        let centre = low + 0.125 * f64::from_bits((quarter >> 2) << 52);
-        let rules = row.get_or_init(|| {
-            let high = f64::from_bits((quarter + 1) << 50);
-            Box::new(Rules::new(centre, (low / centre - 1.0, high / centre - 1.0)))
-        });
-        let segment = rules.at(s, &self.task)?;
-        let wanted = self.task.tolerance.max(2e-13);
-        let good = segment.filter(|segment| segment.error[0] <= wanted);
-        Ok(good.map(|segment| (segment, (scale - centre) / centre)))
+    fn ready(&self, s: f64, scale: f64) -> Option<(&Segment, Place)> {
+        let rules = self.rows.get(row(scale))?.get()?;
+        let place = rules.place(s, scale);
+        let segment = rules.ready(place)?;
+        (segment.error[0] <= self.coarsest()).then_some((segment, place))
     }
+
+    /// Rules that are coarser are not used.
+    #[inline]
+    fn coarsest(&self) -> f64 {
+        self.task.tolerance.max(2e-13)
+    }
+
+    /// The rule, built if need be; none where there are none, or where one would be too coarse.
+    #[cold]
+    fn build(&self, s: f64, scale: f64) -> Result<Option<(&Segment, Place)>, QuadratureError> {
+        let Some(row) = self.rows.get(row(scale)) else { return Ok(None) };
+        let rules = row.get_or_init(|| {
+            let quarter = scale.to_bits() >> 50;
+            let [low, high] = [quarter, quarter + 1].map(|quarter| f64::from_bits(quarter << 50));
+            Box::new(Rules::between(low, high))
+        });
+        rules.at(rules.place(s, scale), &self.task)?;
+        Ok(self.ready(s, scale))
+    }
+
+    /// The value and the slope, with their sizes and error, from a rule that is to be built first
+    /// or from none.
+    #[cold]
+    fn anew(&self, s: f64, scale: f64) -> Result<([(f64, f64); 2], f64), QuadratureError> {
+        match self.build(s, scale)? {
+            Some((segment, place)) => Ok((segment.with_power(place, 1), segment.error[0])),
+            None => self.task.directly(s, scale, 1),
+        }
+    }
+}
+
+/// The row of a scale: the two highest bits of the mantissa tell the quarter of the octave.
+#[inline]
+fn row(scale: f64) -> usize {
+    (scale.to_bits() >> 50).wrapping_sub(4 * (1023 - OCTAVES)) as usize
 }
 
 #[cfg(test)]

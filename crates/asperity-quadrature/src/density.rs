@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::QuadratureError;
+use crate::{Discretised, QuadratureError};
 
 /// A function sampled many points at a time.
 pub trait Sampler: Send + Sync {
@@ -22,6 +22,50 @@ pub trait Sampler: Send + Sync {
     /// nearby, if they are approximations. It may depend on nothing that others have sampled.
     fn relative_error(&self, _x: &[f64]) -> f64 {
         0.0
+    }
+
+    /// The same function for a single integral, where that saves preparing it: nothing is kept from
+    /// one sample to the next.
+    fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
+        None
+    }
+
+    /// The function times a weight as point masses, where that costs less than samples do: a
+    /// function that is an average itself can be averaged in another order.
+    fn masses(&self, _against: &Weighted<'_>) -> Option<Discretised> {
+        None
+    }
+}
+
+/// What a function is integrated against.
+#[derive(Clone, Copy)]
+pub struct Weighted<'a> {
+    /// Where the weight is looked at.
+    pub range: (f64, f64),
+    /// Panel ends that suit the weight, ascending.
+    pub edges: &'a [f64],
+    /// The weight.
+    pub weight: &'a dyn Fn(f64) -> f64,
+    /// How well the integral is wanted, relative to its size
+    pub aim: f64,
+    /// or to that of the other integrals it will be added to.
+    pub beside: f64,
+}
+
+impl Weighted<'_> {
+    /// The edge at which x² times the weight is largest: about where most of the integral of a
+    /// growing function comes from.
+    #[must_use]
+    pub fn likely(&self) -> f64 {
+        let at = |x: &f64| x * x * (self.weight)(*x);
+        let largest = self.edges.iter().max_by(|a, b| at(a).total_cmp(&at(b)));
+        largest.copied().unwrap_or(self.range.1)
+    }
+}
+
+impl fmt::Debug for Weighted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Weighted").field("range", &self.range).finish_non_exhaustive()
     }
 }
 
@@ -73,6 +117,16 @@ pub struct Density {
 }
 
 impl Density {
+    /// The same density for a single integral: see [`Sampler::unprepared`].
+    #[must_use]
+    pub fn unprepared(&self) -> Self {
+        let unprepared = |piece: &Piece| {
+            let sampler = piece.sampler.unprepared().unwrap_or_else(|| piece.sampler.clone());
+            Piece { sampler, ..piece.clone() }
+        };
+        Self { pieces: self.pieces.iter().map(unprepared).collect() }
+    }
+
     /// The ends and kinks of all pieces strictly inside `(low, high)`, ascending, each once.
     #[must_use]
     pub fn breaks(&self, low: f64, high: f64) -> Vec<f64> {
@@ -85,6 +139,11 @@ impl Density {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         breaks
+    }
+
+    /// Where the first piece begins; infinite if there is none.
+    pub(crate) fn begin(&self) -> f64 {
+        self.pieces.iter().map(|piece| piece.from).fold(f64::INFINITY, f64::min)
     }
 
     /// The largest relative error of the pieces' values at the points `x`, where they have been

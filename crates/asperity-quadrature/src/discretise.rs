@@ -1,7 +1,9 @@
 //! From a density times a smooth weight to point masses, on panels refined until resolved.
 
+use std::cmp::Ordering;
+
 use crate::legendre::{INSET, Legendre, legendre};
-use crate::{Density, Piece, QuadratureError};
+use crate::{Density, Piece, QuadratureError, Weighted};
 
 /// Points of the rule on each panel.
 const POINTS: usize = 20;
@@ -184,17 +186,20 @@ pub fn discretise(
     goal: impl Into<Goal>,
 ) -> Result<Discretised, QuadratureError> {
     let Goal { aim, refuse } = goal.into();
+    let (mut result, sampled) = own_masses(density, (low, high), edges, weight, aim)?;
+    let density = sampled.as_ref().unwrap_or(density);
     let mut panels = first_panels(density, low, high, edges);
-    let mut evaluations = 0;
+    let mut evaluations = result.evaluations;
     for panel in &mut panels {
         evaluations += panel.sample(density, weight)?;
     }
     // Each panel may err by its share of the whole; the whole is known after the first pass, and
     // a panel already below rounding of the whole is left alone.
     let count = panels.len().max(1) as f64;
-    let mut stuck = 0.0;
+    let mut stuck = result.error;
     let mut done = Vec::with_capacity(panels.len());
-    let mut total: f64 = panels.iter().map(Panel::size).sum();
+    let own: f64 = result.masses.iter().map(|m| m.abs()).sum();
+    let mut total = own + panels.iter().map(Panel::size).sum::<f64>();
     while let Some(panel) = panels.pop() {
         let allowed = (aim / count).max(1e-17) * total;
         let given_up = panel.depth >= DEEPEST || panel.stalled >= STALLED || evaluations >= MOST;
@@ -217,7 +222,7 @@ pub fn discretise(
         }
     }
     let floor = total * 1e-19 / (done.len() * POINTS).max(1) as f64;
-    let mut result = Discretised { error: stuck, evaluations, ..Default::default() };
+    (result.error, result.evaluations) = (stuck, evaluations);
     for panel in done.iter().rev() {
         for (&x, &mass) in panel.points.iter().zip(&panel.masses) {
             if mass.abs() > floor {
@@ -234,6 +239,41 @@ pub fn discretise(
         });
     }
     Ok(result)
+}
+
+/// The masses of pieces that have their own, and the density without those pieces, if any has.
+fn own_masses(
+    density: &Density,
+    range: (f64, f64),
+    edges: &[f64],
+    weight: &dyn Fn(f64) -> f64,
+    aim: f64,
+) -> Result<(Discretised, Option<Density>), QuadratureError> {
+    let (mut all, mut own) = (Discretised::default(), vec![]);
+    let mut against = Weighted { range, edges, weight, aim, beside: 0.0 };
+    // What is small beside other pieces need be no better: the one that begins just before the
+    // weight is largest is likely to be large.
+    let likely = 0.6 * against.likely();
+    let beyond = |piece: &Piece| (piece.from > likely, (piece.from - likely).abs());
+    let mut pieces: Vec<(usize, &Piece)> = density.pieces.iter().enumerate().collect();
+    pieces.sort_by(|(_, a), (_, b)| beyond(a).partial_cmp(&beyond(b)).unwrap_or(Ordering::Equal));
+    for (k, piece) in pieces {
+        let Some(found) = piece.sampler.masses(&against) else { continue };
+        if let Some(k) = found.masses.iter().position(|mass| !mass.is_finite()) {
+            let (at, value) = (found.points[k], found.masses[k]);
+            return Err(QuadratureError::NotFinite { at, value });
+        }
+        own.push(k);
+        against.beside += found.masses.iter().map(|m| m.abs()).sum::<f64>();
+        all.points.extend(found.points);
+        all.masses.extend(found.masses.iter().map(|m| piece.sign * m));
+        all.error += found.error;
+        all.evaluations += found.evaluations;
+    }
+    let sampled = || density.pieces.iter().enumerate().filter(|(k, _)| !own.contains(k));
+    let sampled = (!own.is_empty())
+        .then(|| Density { pieces: sampled().map(|(_, piece)| piece.clone()).collect() });
+    Ok((all, sampled))
 }
 
 fn first_panels(density: &Density, low: f64, high: f64, edges: &[f64]) -> Vec<Panel> {

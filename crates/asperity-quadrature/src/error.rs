@@ -21,6 +21,16 @@ pub enum QuadratureError {
         /// The density's own words.
         reason: String,
     },
+    /// There is no such place.
+    #[error(
+        "s is {s} and the scale {scale}: a finite s up to 1e9 and a positive, finite scale were required"
+    )]
+    OutOfRange {
+        /// The separation asked for.
+        s: f64,
+        /// The scale asked for.
+        scale: f64,
+    },
     /// Refinement ended before the tolerance was met.
     #[error(
         "not converged: relative error {reached:.1e} reached after {evaluations} evaluations, {asked:.1e} was asked"

@@ -2,10 +2,15 @@
 
 use std::sync::atomic::Ordering;
 
+use crate::patch::Place;
 use crate::rules::{Rules, Task};
 use crate::segment::Segment;
-use crate::terms::Sums;
 use crate::{Density, QuadratureError};
+
+/// Below this s slopes are small differences of large integrals, and are held to themselves.
+const DEEP: f64 = -8.0;
+/// Tolerances of slopes below this are wishes: rounding comes first.
+const FINEST: f64 = 4e-12;
 
 /// I(s) with its derivatives, scaled against underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,17 +55,21 @@ impl ShiftedGaussian {
     /// evaluation. `scale` must be positive and finite, `tolerance` is relative.
     #[must_use]
     pub fn new(density: Density, scale: f64, tolerance: f64) -> Self {
-        let rules = Rules::new(scale, (0.0, 0.0));
+        let rules = Rules::new(scale, 0.0);
         Self { task: Task::new(density, tolerance), scale, rules }
     }
 
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`crate::discretise`], and [`QuadratureError::OutOfRange`].
+    #[inline]
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let (sums, [error, _]) = self.sums(s)?;
-        Ok(Moments::new(&sums, 1.0, s, error))
+        let place = Place::at(s);
+        match self.rules.ready(place) {
+            Some(segment) => Ok(Moments::new(segment.with_power(place, 1), s, segment.error[0])),
+            None => self.anew(s, 1).map(|(pair, error)| Moments::new(pair, s, error)),
+        }
     }
 
     /// I(s) alone, with `slope` and its size left at 0: about half the work of [`at`](Self::at).
@@ -69,35 +78,61 @@ impl ShiftedGaussian {
     /// Those of [`crate::discretise`].
     #[inline]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let Some(segment) = self.rules.at(s, &self.task)? else { return self.at(s) };
-        let (value, size) = segment.value(s, 0.0);
-        Ok(Moments::of_value(value, size, s, segment.error[0]))
+        let place = Place::at(s);
+        match self.rules.ready(place) {
+            Some(segment) => Ok(Moments::of_value(segment.value(place), s, segment.error[0])),
+            None => self.anew(s, 1).map(|([value, _], error)| Moments::of_value(value, s, error)),
+        }
     }
 
-    /// d²I/ds², from the nodes of value and slope.
+    /// [`value`](Self::value) at each s, in any order, into `out`, which is to be as long: 9 ns each
+    /// at 1e-10 where the rules are built. The digits are those of one at a time.
+    ///
+    /// # Errors
+    /// The first s that is refused, by its index, and why; what stands before it is answered.
+    pub fn values(&self, s: &[f64], out: &mut [Moments]) -> Result<(), (usize, QuadratureError)> {
+        fill(s, out, |s| self.value(s))
+    }
+
+    /// [`at`](Self::at) at each s, as [`values`](Self::values) does it.
+    ///
+    /// # Errors
+    /// Those of [`values`](Self::values).
+    pub fn values_and_slopes(
+        &self,
+        s: &[f64],
+        out: &mut [Moments],
+    ) -> Result<(), (usize, QuadratureError)> {
+        fill(s, out, |s| self.at(s))
+    }
+
+    /// d²I/ds².
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
     pub fn curvature(&self, s: f64) -> Result<Curvature, QuadratureError> {
-        let (sums, [_, error]) = self.sums(s)?;
-        let value = sums.power[2] - sums.power[0];
-        let size = sums.size[2] + sums.size[0];
+        let ([value, square], error) = self.anew(s, 2)?;
+        let (value, size) = (square.0 - value.0, square.1 + value.1);
         Ok(Curvature { value, size, ln_scale: ln_scale(s), error })
     }
 
-    fn sums(&self, s: f64) -> Result<(Sums, [f64; 2]), QuadratureError> {
-        match self.rules.at(s, &self.task)? {
-            Some(segment) => Ok((segment.sums(s, 0.0), segment.error)),
-            None => self.task.directly(s, self.scale).map(|(sums, error)| (sums, [error; 2])),
+    /// The value and the integral of zᵏ, with their sizes and error, from a rule that is to be
+    /// built first or from none.
+    #[cold]
+    fn anew(&self, s: f64, k: usize) -> Result<([(f64, f64); 2], f64), QuadratureError> {
+        let place = Place::at(s);
+        match self.rules.at(place, &self.task)? {
+            Some(segment) => Ok((segment.with_power(place, k), segment.error[k - 1])),
+            None => self.task.directly(s, self.scale, k as i32),
         }
     }
 
-    /// Nodes of the rule that serves s; 0 where each evaluation integrates anew.
+    /// Terms of the polynomial that serves s; 0 where each evaluation integrates anew.
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
     pub fn nodes(&self, s: f64) -> Result<usize, QuadratureError> {
-        Ok(self.rules.at(s, &self.task)?.map_or(0, Segment::nodes))
+        Ok(self.rules.at(Place::at(s), &self.task)?.map_or(0, Segment::nodes))
     }
 
     /// How often the density has been sampled so far, over all rules built.
@@ -107,21 +142,93 @@ impl ShiftedGaussian {
     }
 }
 
+/// One answer after the other, up to the first error.
+#[inline]
+pub(crate) fn fill<T: Copy>(
+    places: &[T],
+    out: &mut [Moments],
+    answer: impl Fn(T) -> Result<Moments, QuadratureError>,
+) -> Result<(), (usize, QuadratureError)> {
+    for (index, (place, out)) in places.iter().zip(out).enumerate() {
+        *out = answer(*place).map_err(|error| (index, error))?;
+    }
+    Ok(())
+}
+
 impl Moments {
-    pub(crate) fn new(sums: &Sums, factor: f64, s: f64, error: f64) -> Self {
+    /// No integral at all.
+    pub const NONE: Self =
+        Self { value: 0.0, slope: 0.0, ln_scale: 0.0, sizes: [0.0; 2], error: 0.0 };
+
+    /// The sum with `factor` times another integral at the same s: what errs much, but is small,
+    /// does not count much.
+    #[must_use]
+    pub fn plus(self, factor: f64, other: &Self) -> Self {
+        let sizes = [0, 1].map(|k| [self.sizes[k], factor.abs() * other.sizes[k]]);
+        let error = |[a, b]: [f64; 2]| {
+            if a + b > 0.0 { (a * self.error + b * other.error) / (a + b) } else { 0.0 }
+        };
         Self {
-            value: sums.power[0] * factor,
-            slope: sums.power[1] * factor,
-            sizes: [sums.size[0] * factor, sums.size[1] * factor],
-            ln_scale: ln_scale(s),
-            error,
+            value: self.value + factor * other.value,
+            slope: self.slope + factor * other.slope,
+            ln_scale: other.ln_scale,
+            sizes: sizes.map(|[a, b]| a + b),
+            error: error(sizes[0]).max(error(sizes[1])),
         }
     }
 
+    /// Whether the slope at s is as good as a `tolerance`, relative to itself, if s < -8: there it
+    /// is a small difference of large integrals, of which rounding leaves less and less (from
+    /// s = -800 or so not 1e-10). Where it changes its sign, what is usual of slopes takes its
+    /// place; where parts of the density do, the size.
+    ///
+    /// # Errors
+    /// [`QuadratureError::NotConverged`] where the slope misses it.
+    pub fn slope_within(&self, s: f64, tolerance: f64) -> Result<(), QuadratureError> {
+        let usual = self.slope.abs().max(self.value / (1.0 - s));
+        let (asked, error) = (tolerance.max(FINEST), self.error * self.sizes[1]);
+        if s >= DEEP || self.value < self.sizes[0] || error <= asked * usual {
+            return Ok(());
+        }
+        Err(QuadratureError::NotConverged { reached: error / usual, asked, evaluations: 0 })
+    }
+
     #[inline]
-    pub(crate) fn of_value(value: f64, size: f64, s: f64, error: f64) -> Self {
+    pub(crate) fn new([value, slope]: [(f64, f64); 2], s: f64, error: f64) -> Self {
+        let sizes = [value.1, slope.1];
+        Self { value: value.0, slope: slope.0, ln_scale: ln_scale(s), sizes, error }
+    }
+
+    #[inline]
+    pub(crate) fn of_value((value, size): (f64, f64), s: f64, error: f64) -> Self {
         Self { value, slope: 0.0, ln_scale: ln_scale(s), sizes: [size, 0.0], error }
     }
+}
+
+/// Multiplies each `scaled` by exp(-max(s, 0)²/2): the plain numbers, to 1e-15 also where the
+/// exponent is large, since s² is not rounded here. (exp of [`Moments::ln_scale`] is off by up to
+/// half a unit in the last place of that, 5e-14 at s = 30.) What is too small for a number with
+/// all its digits has fewer, and then is 0.
+pub fn unscale(s: &[f64], scaled: &mut [f64]) {
+    for (s, scaled) in s.iter().zip(scaled) {
+        // Beyond 1e3 there is nothing left.
+        let s = s.min(1e3);
+        if s > 0.0 {
+            // Two equal factors are numbers where their product may not be.
+            let (square, rest) = square(s);
+            let root = (-0.25 * square).exp();
+            *scaled = *scaled * (1.0 - 0.5 * rest) * root * root;
+        }
+    }
+}
+
+/// s² and what its rounding has left out, by Dekker's halves of s.
+fn square(s: f64) -> (f64, f64) {
+    let square = s * s;
+    let large = 134_217_729.0 * s;
+    let high = large - (large - s);
+    let low = s - high;
+    (square, low * low - ((square - high * high) - 2.0 * high * low))
 }
 
 /// -max(s, 0)²/2.
@@ -134,7 +241,7 @@ fn ln_scale(s: f64) -> f64 {
 pub(crate) mod tests {
     use super::*;
     use crate::Piece;
-    use crate::segment::INV_SQRT_2PI;
+    use crate::weight::INV_SQRT_2PI;
     use std::sync::Arc;
 
     /// x^p.
@@ -173,6 +280,98 @@ pub(crate) mod tests {
         }
     }
 
+    /// x^p up to 1, then as much less than nothing.
+    fn both_signs(p: f64) -> Density {
+        let [mut above, mut below] = [power(p), power(p)].map(|mut d| d.pieces.remove(0));
+        (above.to, below.from, below.sign) = (1.0, 1.0, -1.0);
+        Density { pieces: vec![above, below] }
+    }
+
+    #[test]
+    fn arrays_have_the_digits_of_one_at_a_time_in_any_order() {
+        // From below the rules to their end, repeated and scrambled.
+        let mut s: Vec<f64> = (0..700).map(|k| -65.0 + 0.1 * f64::from(k * 619 % 701)).collect();
+        s.extend((0..300).map(|k| 10f64.powf(-3.0 + 0.04 * f64::from(k * 7 % 300))));
+        s.extend([0.0, -0.0, -64.0, 1e9, 1e9, 0.5, -1.0, -1e-300]);
+        for density in [power(1.425), power(20.0), both_signs(1.5)] {
+            for tolerance in [1e-3, 1e-8, 1e-14] {
+                let integral = ShiftedGaussian::new(density.clone(), 0.3, tolerance);
+                let mut out = vec![Moments::NONE; s.len()];
+                integral.values(&s, &mut out).unwrap();
+                for (s, out) in s.iter().zip(&out) {
+                    assert_eq!(*out, integral.value(*s).unwrap(), "{s}");
+                }
+                integral.values_and_slopes(&s, &mut out).unwrap();
+                for (s, out) in s.iter().zip(&out) {
+                    assert_eq!(*out, integral.at(*s).unwrap(), "{s}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_refused_in_an_array_is_named_by_its_index() {
+        let integral = ShiftedGaussian::new(power(1.0), 1.0, 1e-10);
+        for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 2e9] {
+            let mut out = [Moments::NONE; 3];
+            let (index, error) = integral.values(&[1.0, 0.0, wrong], &mut out).unwrap_err();
+            assert!(index == 2 && out[1].value > 0.0);
+            assert!(error.to_string().starts_with(&format!("s is {wrong}")), "{error}");
+            assert!(integral.at(wrong).is_err() && integral.curvature(wrong).is_err());
+        }
+    }
+
+    #[test]
+    fn slopes_far_below_are_refused_where_rounding_takes_their_digits() {
+        let [fine, coarse] = [1e-10, 1e-4].map(|t| ShiftedGaussian::new(power(1.5), 1.0, t));
+        let error = fine.at(-1e6).unwrap().slope_within(-1e6, 1e-10).unwrap_err();
+        assert!(error.to_string().ends_with("1.0e-10 was asked"), "{error}");
+        assert!(fine.value(-1e6).unwrap().error < 1e-7);
+        // ∫ t^1.5 φ(s + t) dt is |s|^1.5 (1 + 3/(8 s²) + ..) there.
+        for s in [-100.0, -500.0f64] {
+            assert!(fine.at(s).unwrap().slope_within(s, 1e-10).is_ok());
+            let exact = 1.5 * s.abs().sqrt() * (1.0 - 0.125 / (s * s));
+            assert!((coarse.at(s).unwrap().slope / exact - 1.0).abs() < 1e-6, "{s}");
+        }
+    }
+
+    #[test]
+    fn sums_err_as_their_large_parts_do() {
+        let part = |value: f64, error: f64| Moments {
+            value,
+            slope: 0.5 * value,
+            sizes: [value, value],
+            error,
+            ..Moments::NONE
+        };
+        let sum = Moments::NONE.plus(2.0, &part(1.0, 1e-12)).plus(-1.0, &part(1e-30, 1e-3));
+        assert_eq!(sum, Moments { error: sum.error, ..part(2.0, 0.0) });
+        assert!((sum.error / 1e-12 - 1.0).abs() < 1e-12, "{sum:?}");
+        assert_eq!(Moments::NONE.plus(1.0, &Moments::NONE), Moments::NONE);
+    }
+
+    #[test]
+    fn plain_numbers_keep_their_digits_down_to_the_smallest() {
+        // exp(-s²/2) of the doubles themselves, from 60-digit arithmetic.
+        let exact = [
+            (-3.0, 1.0, 1.0),
+            (0.1, 1.0, 0.995_012_479_192_682_3),
+            (5.3, 1.0, 7.949_393_615_349_147e-7),
+            (29.99, 1.0, 4.985_971_289_356_593e-196),
+            (37.6, 1e10, 1.013_716_772_581_502_7e-297),
+            (38.4, 1e30, 6.358_642_117_942_238e-291),
+            (38.55, 1e300, 1.981_264_024_195_831_7e-23),
+        ];
+        for (s, scaled, exact) in exact {
+            let mut plain = [scaled];
+            unscale(&[s], &mut plain);
+            assert!((plain[0] / exact - 1.0).abs() < 1e-15, "{s} {:e}", plain[0] / exact - 1.0);
+        }
+        let mut plain = [1.0, 1.0, 1e300];
+        unscale(&[38.55, 40.0, 1e9], &mut plain);
+        assert!((plain[0] - 2e-323).abs() < 5e-324 && plain[1] == 0.0 && plain[2] == 0.0);
+    }
+
     #[test]
     fn the_second_derivative_lowers_a_power_by_two() {
         let [whole, lowered] = [3.425, 1.425].map(|p| ShiftedGaussian::new(power(p), 0.1, 1e-13));
@@ -195,6 +394,7 @@ pub(crate) mod tests {
         let tail = ShiftedGaussian::new(above, 1.0, 1e-12).value(50.0).unwrap();
         let mills = (1..60).rev().fold(51.0, |below, k| 51.0 + f64::from(k) / below).recip();
         let exact = INV_SQRT_2PI * (-50.5f64).exp() * mills;
+        println!("{tail:?} {exact:e} {:e}", tail.value / exact - 1.0);
         assert!((tail.value / exact - 1.0).abs() < tail.error && tail.error < 1e-12);
     }
 
@@ -203,9 +403,9 @@ pub(crate) mod tests {
         let integral = ShiftedGaussian::new(power(1.5), 0.3, 1e-14);
         for s in [-64.0, -63.2] {
             let compiled = integral.at(s).unwrap();
-            let (direct, _) = integral.task.directly(s, 0.3).unwrap();
-            assert!((compiled.value / direct.power[0] - 1.0).abs() < 1e-14);
-            assert!((compiled.slope / direct.power[1] - 1.0).abs() < 2e-12, "{s}");
+            let ([value, slope], _) = integral.task.directly(s, 0.3, 1).unwrap();
+            assert!((compiled.value / value.0 - 1.0).abs() < 1e-14);
+            assert!((compiled.slope / slope.0 - 1.0).abs() < 2e-12, "{s}");
         }
     }
 

@@ -1,5 +1,5 @@
-//! Quadrature for densities with kinks: adaptive discretisation, Gauss rules with the density as
-//! their weight, and the classical methods they are measured against.
+//! Quadrature for densities with kinks: adaptive discretisation, polynomials that stand for the
+//! integral, and the classical methods they are measured against.
 //!
 //! The integrals of this workspace are all of one kind,
 //!
@@ -8,46 +8,50 @@
 //! ```
 //!
 //! with a density q ≥ 0 that has kinks, jumps and fractional powers, and an entire function φ.
-//! Integrating panel by panel pays for q at every evaluation. Here q goes into the weight:
+//! Whatever q is, I is an entire function of s, and smooth in c: integrating anew for every s pays
+//! for q at every evaluation, and a polynomial pays for it once.
 //!
-//! 1. [`discretise`] replaces q(t) φ(s + t) by positive point masses, on panels that end at the
-//!    kinks and are refined until a Legendre tail shows that they are resolved;
-//! 2. hundreds of masses are compressed into the few nodes of their Gauss rule;
-//! 3. [`ShiftedGaussian`] does both once for each short range of s, on demand, and then answers the
-//!    value and its derivative from 4 to 16 nodes without a branch or a power.
+//! 1. [`discretise`] replaces q(t) φ(s + t) by point masses, on panels that end at the kinks and
+//!    are refined until a Legendre tail shows that they are resolved;
+//! 2. the sums over these hundreds of masses are taken at Chebyshev's points of a short range of s
+//!    (and of scales, for [`AnyScale`]), and become a polynomial of 8 to 16 terms: those left out
+//!    are known, and small enough;
+//! 3. [`ShiftedGaussian`] does both once for each range, on demand, and then answers the value and
+//!    its derivatives without a branch, a power or an exponential: the same digits on every
+//!    processor, and as fast without wide registers as sums of exponentials are with them.
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
 
+#![forbid(unsafe_code)]
+
 mod any_scale;
-mod avx2;
 mod chebyshev;
-mod compress;
 mod density;
 mod discretise;
 mod error;
-mod exponentials;
 mod gaussian;
 mod kronrod;
 mod legendre;
 mod nearby;
 mod overlap;
+mod patch;
 mod roots;
 mod rules;
 mod segment;
+mod series;
 mod tanh_sinh;
-mod terms;
+mod weight;
 
 pub use any_scale::AnyScale;
-pub use avx2::with_wide_registers;
 pub use chebyshev::Tabulated;
-pub use density::{Density, Piece, Sampler};
+pub use density::{Density, Piece, Sampler, Weighted};
 pub use discretise::{Discretised, Goal, discretise};
 pub use error::{QuadratureError, WeightFault};
-pub use gaussian::{Curvature, Moments, ShiftedGaussian};
+pub use gaussian::{Curvature, Moments, ShiftedGaussian, unscale};
 pub use kronrod::{Estimate, gauss_kronrod};
 pub use legendre::{Legendre, legendre};
 pub use nearby::Nearby;
 pub use overlap::{Cells, Overlap, Weight};
 pub use roots::bracketed_root;
-pub use segment::reach;
 pub use tanh_sinh::{Point, TanhSinh};
+pub use weight::reach;

@@ -1,11 +1,10 @@
 //! I(s) and its neighbourhood for one s at one scale: for scenes that are asked for few values.
 
 use crate::gaussian::Moments;
-use crate::segment::{self, Shift};
+use crate::rules::{HIGHEST, LOWEST};
+use crate::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
 use crate::{Density, Goal, QuadratureError};
 
-/// Below this s, s + t is a difference of large numbers.
-const DEEP: f64 = -64.0;
 /// As far from where the masses were made they still give a first digit.
 const REACH: f64 = 8.0;
 
@@ -24,28 +23,53 @@ pub struct Nearby {
 
 impl Nearby {
     /// Integrates `density(t/scale)` against φ(s + t) to a relative `tolerance`, without a rule.
-    /// `scale` is positive and finite, s finite and at most 1e9.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`crate::discretise`]; [`QuadratureError::OutOfRange`] unless s is finite and at
+    /// most 1e9, `scale` positive and finite.
     pub fn new(
         density: &Density,
         scale: f64,
         s: f64,
         tolerance: f64,
     ) -> Result<Self, QuadratureError> {
-        let rounding = if s < DEEP { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
-        let aim = rounding.max(0.1 * tolerance);
-        let goal = Goal { aim, refuse: 4.0 * aim };
-        let window = |depth| segment::window((s, s), depth);
-        let weight = |t: f64| segment::weight(s, t);
-        let made = segment::masses(density, scale, (s, &window), &weight, goal)?;
-        let size: f64 = made.masses.iter().map(|mass| mass.abs()).sum();
-        let x: Vec<f64> = made.points.iter().map(|t| t / scale).collect();
-        let known = rounding + segment::ROUNDING + density.relative_error(&x);
-        let error = known + if size > 0.0 { 4.0 * made.error / size } else { 0.0 };
-        let evaluations = made.evaluations;
-        Ok(Self { from: s, points: made.points, masses: made.masses, error, evaluations })
+        Self::of(&density.unprepared(), scale, s, tolerance)
+    }
+
+    /// The same where the density may prepare itself, as it will be sampled again.
+    pub(crate) fn of(
+        density: &Density,
+        scale: f64,
+        s: f64,
+        tolerance: f64,
+    ) -> Result<Self, QuadratureError> {
+        if !(s.is_finite() && s <= HIGHEST && scale > 0.0 && scale.is_finite()) {
+            return Err(QuadratureError::OutOfRange { s, scale });
+        }
+        // Below 0, s + t is a difference of large numbers, and the weight is known no better; what
+        // that makes of panels is worse, and nearly averages out.
+        let rounding = f64::EPSILON * s.min(0.0).abs();
+        let error = rounding + ROUNDING;
+        let mut made = Self { from: s, points: vec![], masses: vec![], error, evaluations: 0 };
+        let weight = Weight::new(s, scale * density.begin());
+        if weight.depth > DEEPEST {
+            return Ok(made);
+        }
+        let noise = if s < LOWEST { 100.0 * rounding } else { weight.noise() };
+        let aim = noise.max(0.1 * tolerance);
+        let goal = Goal { aim, refuse: (0.2 * tolerance).max(4.0 * aim) };
+        let window = |depth| weight.window(depth);
+        let found = masses(density, scale, (s, &window), &|t| weight.at(t), goal)?;
+        let size: f64 = found.masses.iter().map(|mass| mass.abs()).sum();
+        if size > 0.0 {
+            made.error += 4.0 * found.error / size;
+        }
+        let x: Vec<f64> = found.points.iter().map(|t| t / scale).collect();
+        made.error += density.relative_error(&x);
+        let factor = INV_SQRT_2PI * (-weight.depth).exp();
+        made.masses = found.masses.iter().map(|mass| factor * mass).collect();
+        (made.points, made.evaluations) = (found.points, found.evaluations);
+        Ok(made)
     }
 
     /// Where it is exact.
@@ -63,8 +87,25 @@ impl Nearby {
     /// I and -dI/ds: to the bound where it was made, less well further away.
     #[must_use]
     pub fn at(&self, s: f64) -> Moments {
-        let shift = Shift { from: self.from, s, stretch: 0.0 };
-        Moments::new(&segment::sums(&self.points, &self.masses, shift), 1.0, s, self.error)
+        Moments::new(self.with_power(s, 1), s, self.error)
+    }
+
+    /// The value and the integral of zᵏ, k = 1 or 2, each with its size.
+    pub(crate) fn with_power(&self, s: f64, k: i32) -> [(f64, f64); 2] {
+        // The difference of both exponents as a product: nothing large is subtracted.
+        let (moved, middle) = (s - self.from, if s < 0.0 { 0.5 * (s + self.from) } else { 0.0 });
+        let mut sums = [(0.0, 0.0); 2];
+        for (t, mass) in self.points.iter().zip(&self.masses) {
+            let mass = mass * (-moved * (t + middle)).exp();
+            for (sum, term) in sums.iter_mut().zip([mass, mass * (s + t).powi(k)]) {
+                *sum = (sum.0 + term, sum.1 + term.abs());
+            }
+        }
+        sums
+    }
+
+    pub(crate) fn error(&self) -> f64 {
+        self.error
     }
 
     /// How often the density was sampled.

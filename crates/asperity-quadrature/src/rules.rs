@@ -3,9 +3,9 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::segment::{self, Patch, Segment, Shift};
-use crate::terms::Sums;
-use crate::{Density, Goal, QuadratureError};
+use crate::patch::{Patch, Place};
+use crate::segment::Segment;
+use crate::{Density, Nearby, QuadratureError};
 
 /// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
 pub(crate) const LOWEST: f64 = -64.0;
@@ -34,22 +34,17 @@ impl Task {
         Self { density, tolerance, evaluations: AtomicUsize::new(0) }
     }
 
-    /// One s at one scale without a rule, and the error relative to the sizes.
-    pub(crate) fn directly(&self, s: f64, scale: f64) -> Result<(Sums, f64), QuadratureError> {
-        // Below, s + t is a difference of large numbers, and the weight is known no better.
-        let rounding = if s < LOWEST { 100.0 * f64::EPSILON * s.abs() } else { 1e-15 };
-        let aim = rounding.max(0.1 * self.tolerance);
-        let goal = Goal { aim, refuse: 4.0 * aim };
-        let window = |depth| segment::window((s, s), depth);
-        let weight = |t: f64| segment::weight(s, t);
-        let masses = segment::masses(&self.density, scale, (s, &window), &weight, goal)?;
-        self.evaluations.fetch_add(masses.evaluations, Ordering::Relaxed);
-        let here = Shift { from: s, s, stretch: 0.0 };
-        let sums = segment::sums(&masses.points, &masses.masses, here);
-        let size = sums.size[0];
-        let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
-        let x: Vec<f64> = masses.points.iter().map(|t| t / scale).collect();
-        Ok((sums, error + rounding + segment::ROUNDING + self.density.relative_error(&x)))
+    /// The value and the integral of zᵏ, k = 1 or 2, at one s and one scale without a rule, each
+    /// with its size, and the error relative to the sizes.
+    pub(crate) fn directly(
+        &self,
+        s: f64,
+        scale: f64,
+        k: i32,
+    ) -> Result<([(f64, f64); 2], f64), QuadratureError> {
+        let made = Nearby::of(&self.density, scale, s, self.tolerance)?;
+        self.evaluations.fetch_add(made.evaluations(), Ordering::Relaxed);
+        Ok((made.with_power(s, k), made.error()))
     }
 }
 
@@ -57,31 +52,52 @@ impl Task {
 #[derive(Debug)]
 pub(crate) struct Rules {
     scale: f64,
-    /// Smallest and largest c/`scale` - 1.
-    stretch: (f64, f64),
+    inverse: f64,
+    /// Scales are `scale` over 1 - stretch to 1 + stretch.
+    stretch: f64,
     segments: Box<[Cell]>,
 }
 
 impl Rules {
-    pub(crate) fn new(scale: f64, stretch: (f64, f64)) -> Self {
+    pub(crate) fn new(scale: f64, stretch: f64) -> Self {
         let segments = (0..NEGATIVE + POSITIVE).map(|_| OnceLock::new()).collect();
-        Self { scale, stretch, segments }
+        Self { scale, inverse: scale.recip(), stretch, segments }
     }
 
-    /// The rule for s, if s is in a range that has one.
+    /// For scales from `low` to `high`.
+    pub(crate) fn between(low: f64, high: f64) -> Self {
+        Self::new(2.0 / (low.recip() + high.recip()), (high - low) / (high + low))
+    }
+
     #[inline]
-    pub(crate) fn at(&self, s: f64, task: &Task) -> Result<Option<&Segment>, QuadratureError> {
-        let Some(index) = locate(s) else { return Ok(None) };
-        let cell = &self.segments[index];
-        match cell.get().unwrap_or_else(|| cell.get_or_init(|| self.build(index, task))) {
+    pub(crate) fn place(&self, s: f64, scale: f64) -> Place {
+        // Neither waits for the other.
+        Place::at_scale(s, scale * self.inverse, self.scale / scale)
+    }
+
+    /// The rule for a place, if it has been built: all there is to do, nearly always.
+    #[inline]
+    pub(crate) fn ready(&self, place: Place) -> Option<&Segment> {
+        let built = self.segments[locate(place.key())?].get()?;
+        built.as_ref().ok().map(Box::as_ref)
+    }
+
+    /// The rule for a place, if there is one, built if need be.
+    #[cold]
+    pub(crate) fn at(
+        &self,
+        place: Place,
+        task: &Task,
+    ) -> Result<Option<&Segment>, QuadratureError> {
+        let Some(index) = locate(place.key()) else { return Ok(None) };
+        match self.segments[index].get_or_init(|| self.build(index, task)) {
             Ok(segment) => Ok(Some(segment)),
             Err(error) => Err(error.clone()),
         }
     }
 
-    #[cold]
     fn build(&self, index: usize, task: &Task) -> Result<Box<Segment>, QuadratureError> {
-        let patch = Patch { s: range(index), stretch: self.stretch };
+        let patch = Patch::new(range(index), self.stretch);
         let segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
         task.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
         Ok(Box::new(segment))

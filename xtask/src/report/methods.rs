@@ -68,9 +68,9 @@ pub enum Setting {
 /// A method of this process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// The law is the weight of a Gauss rule, built once a scene.
+    /// Polynomials in the separation, built once a scene.
     Compiled,
-    /// The same without a compiled scene: the law's rules serve every scene.
+    /// The same without a compiled scene: polynomials in separation and scale serve every scene.
     Rule,
     /// Adaptive; this and the next two are scaled against underflow and split at the kinks.
     GaussKronrod,

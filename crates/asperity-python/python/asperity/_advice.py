@@ -75,14 +75,14 @@ def plan(
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
 ) -> Plan:
-    """What is integrated for a request, with how many nodes, and what is left out.
+    """What is integrated for a request, with how many terms, and what is left out.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
     >>> print(asperity.plan("ke", scene, [0.0, 2.0]))
     KE, gaussian heights, 2 rows from a separation of 0 asperity_height_std to a separation of 2 asperity_height_std, relative tolerance 1e-10
-      force from the force law: Gauss rules with the law as weight
-        8 nodes: exponentials a value; 320 samples of the law, once
+      force from the force law: polynomials in the separation
+        12 terms a value; 320 samples of the law, once
         elastic: sum of powers
         elastic-plastic: sum of powers
         elastic-plastic 2: sum of powers
