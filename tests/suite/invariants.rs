@@ -100,11 +100,11 @@ fn upright_normals_without_shear_give_greenwood_and_williamson() {
 fn very_rough_surfaces_flow_at_the_hardness() {
     let scene = with_index(1e4);
     let asperity = scene.asperity().unwrap();
-    let s_h = asperity.pressure_factor * asperity.hardness;
+    let s_h = asperity.pressure_factor * asperity.hardness().unwrap();
     for (id, pressure) in [
-        ("ke", asperity.hardness),
-        ("zmc", asperity.hardness),
-        ("etsion", asperity.hardness),
+        ("ke", asperity.hardness().unwrap()),
+        ("zmc", asperity.hardness().unwrap()),
+        ("etsion", asperity.hardness().unwrap()),
         ("ceb", s_h),
     ] {
         let found = compiled(&model(id), &scene, &BASIC, 1e-12);

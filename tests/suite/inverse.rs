@@ -151,7 +151,7 @@ fn heavy_tails_and_single_asperities_are_not_confused_with_crossings_elsewhere()
     use asperity::StandardisedHeights;
     let heavy = statrs::distribution::StudentsT::new(0.0, 1.0, 3.0).unwrap();
     let mut scene = scenes::named("mild");
-    let heights = StandardisedHeights::new("t3", heavy).unwrap();
+    let heights = StandardisedHeights::new("t3", heavy, scene.surface.asperity_height_std).unwrap();
     scene.heights = HeightDistribution::other(heights);
     let contact =
         "gw".parse::<Model>().unwrap().compile(&scene, &Request::new([Quantity::Force])).unwrap();

@@ -1,6 +1,7 @@
 //! One binary for all tests that need more than one crate.
 #![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
 
+mod check;
 mod figures;
 mod hard_cases;
 mod heights;

@@ -67,7 +67,11 @@ impl Bem {
         let (hardness, ..) = interface.check()?;
         let elements = BoundaryElements::new(self.map.clone(), interface.equivalent_modulus);
         let elements = elements.map_err(refused)?.boundary(self.boundary);
-        if self.elastic { Ok(elements) } else { elements.hardness(hardness).map_err(refused) }
+        match hardness.filter(|_| !self.elastic) {
+            Some(hardness) => elements.hardness(hardness).map_err(refused),
+            // What has no hardness is elastic.
+            None => Ok(elements),
+        }
     }
 }
 

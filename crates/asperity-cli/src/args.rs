@@ -72,6 +72,11 @@ impl Asked {
         Request::new(once(quantities)).at(at).within(self.tolerance)
     }
 
+    /// Whether separations and loads are left to the command.
+    pub fn is_nowhere(&self) -> bool {
+        self.separations.is_empty() && self.loads.is_empty() && self.pressures.is_empty()
+    }
+
     /// The default ones are multiples of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
         let separation = |value| At::from(scene.separation(value, self.unit));

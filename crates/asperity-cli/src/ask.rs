@@ -4,8 +4,8 @@ use std::mem::discriminant;
 
 use anyhow::{Context, Result, bail};
 use asperity::{
-    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Separation,
-    SeparationUnit, Warnings,
+    At, Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Separation,
+    SeparationUnit, Severity, Warning, Warnings,
 };
 
 use crate::output::{once, progress, say};
@@ -21,7 +21,11 @@ pub struct Question<'s> {
     pub request: Request,
     /// Every separation that carries a load is a row, and not the largest alone.
     pub all: bool,
+    /// The places are those where nothing was asked for.
+    pub unasked: bool,
     words: Vec<String>,
+    /// What is unusual about the answers of each model.
+    findings: Vec<(String, Finding)>,
 }
 
 /// One row of a model's answer.
@@ -34,7 +38,7 @@ pub struct Row {
 
 impl<'s> Question<'s> {
     pub fn new(scene: &'s LoadedScene, request: Request) -> Self {
-        Self { scene, request, all: false, words: vec![] }
+        Self { scene, request, all: false, unasked: false, words: vec![], findings: vec![] }
     }
 
     /// Names of the columns that say which model is asked, and where.
@@ -53,6 +57,13 @@ impl<'s> Question<'s> {
     pub fn ask(&mut self, (id, model): &NamedModel, mut deliver: impl FnMut(Row)) -> Result<()> {
         let _progress = progress(id);
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
+        // Of places that nobody chose, a usual one has to do.
+        let usual = [At::from(2.0)];
+        let chosen = if self.unasked { &usual[..] } else { &self.request.at };
+        let found = self.scene.file.findings_at(model, chosen);
+        let found = found.into_iter().filter(|finding| finding.severity < Severity::Note);
+        let crowded = found.clone().any(|finding| finding.code == "crowded");
+        self.findings.extend(found.map(|finding| (id.clone(), finding)));
         let contact = model.compile(scene, &self.request);
         let contact = contact.with_context(|| format!("{}: {id}", self.scene.name))?;
         let model = Cell::from(id.as_str());
@@ -85,7 +96,11 @@ impl<'s> Question<'s> {
             }
             warnings.append(response.warnings);
         }
-        self.words.extend(warnings.into_vec().iter().map(ToString::to_string));
+        let warnings = warnings.into_vec().into_iter();
+        // That is what the findings say.
+        let new =
+            |warning: &Warning| !(crowded && matches!(warning, Warning::AreaAboveNominal { .. }));
+        self.words.extend(warnings.filter(new).map(|warning| warning.to_string()));
         self.words.extend(reasons.into_iter().map(|(count, reason)| match rows {
             1 => format!("{id}: {reason}"),
             _ => format!("{id}: no value in {count} of {rows} rows, in the first because {reason}"),
@@ -130,6 +145,19 @@ impl<'s> Question<'s> {
     /// Says what deserves a word; that nothing at all was answered is an error.
     pub fn finish(&self, answered: bool) -> Result<()> {
         once(&self.words).iter().for_each(|text| say("warning", text));
+        // One cause is told once, whatever models show it: of the worst of them.
+        for code in once(&self.findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
+            let mut same: Vec<_> = self.findings.iter().filter(|(_, f)| f.code == code).collect();
+            let beyond = |f: &Finding| (f.value / f.usual[1]).max(f.usual[0] / f.value);
+            same.sort_by(|(_, a), (_, b)| beyond(b).total_cmp(&beyond(a)));
+            let Some(((_, worst), others)) = same.split_first() else { continue };
+            let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
+            let likewise = match &others[..] {
+                [] => String::new(),
+                ids => format!(" (likewise {})", ids.join(", ")),
+            };
+            say("warning", &format!("{worst}{likewise}"));
+        }
         if !answered {
             bail!("{}: no row has a value", self.scene.name);
         }

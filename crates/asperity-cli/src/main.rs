@@ -22,7 +22,9 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
-use commands::{bem, compare, curve, export, init, models, plan, recommend, solve, surface, truth};
+use commands::{
+    bem, check, compare, curve, export, init, models, plan, recommend, solve, surface, truth,
+};
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
 #[derive(Debug, Parser)]
@@ -41,6 +43,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Check(check::Check),
     Curve(curve::Curve),
     Solve(solve::Solve),
     Compare(compare::Compare),
@@ -56,6 +59,7 @@ enum Command {
 
 fn main() -> ExitCode {
     let done = match Cli::parse_from(with_negative_numbers(std::env::args_os())).command {
+        Command::Check(command) => command.run(),
         Command::Curve(command) => command.run(),
         Command::Solve(command) => command.run(),
         Command::Compare(command) => command.run(),

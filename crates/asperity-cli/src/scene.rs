@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use asperity::{ContactModel, Model};
+use asperity::{ContactModel, Model, Severity};
 use asperity_scene::SceneFile;
 
 use crate::output::{once, say};
@@ -20,9 +20,26 @@ pub type NamedModel = (String, Model);
 impl LoadedScene {
     /// Reads the file; what deserves a word is said.
     pub fn load(path: &Path) -> Result<Self> {
+        let scene = Self::read(path)?;
+        let found = scene.file.findings();
+        for finding in found.iter().filter(|finding| finding.severity < Severity::Note) {
+            say("warning", &finding.message);
+        }
+        Ok(scene)
+    }
+
+    /// Reads the file; only what its files deserve is said.
+    pub fn read(path: &Path) -> Result<Self> {
         let file = asperity_scene::load(path)?;
         file.warnings.iter().for_each(|warning| say("warning", warning));
         Ok(Self { file, name: path.display().to_string() })
+    }
+
+    /// The model that others are held against: ke unless another is asked for, or gw where there
+    /// is no hardness.
+    pub fn reference(&self, asked: Option<&str>) -> Result<NamedModel> {
+        let yields = self.file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_some());
+        self.model(asked.unwrap_or(if yields { "ke" } else { "gw" }))
     }
 
     /// The models asked for, or all that the scene allows: those it does not are named.
@@ -31,8 +48,16 @@ impl LoadedScene {
             return once(asked).iter().map(|id| self.model(id)).collect();
         }
         let (models, left_out) = self.file.models();
+        let mut reasons: Vec<(String, Vec<&str>)> = vec![];
         for model in &left_out {
-            say("note", &format!("{} is left out: {}", model.id, model.reason));
+            let reason = model.reason.to_string();
+            match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, ids)) => ids.push(&model.id),
+                None => reasons.push((reason, vec![&model.id])),
+            }
+        }
+        for (reason, ids) in &reasons {
+            say("note", &format!("left out: {}: {reason}", ids.join(", ")));
         }
         if models.is_empty() {
             bail!("{}: no model can use this scene", self.name);

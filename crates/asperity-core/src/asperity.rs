@@ -12,10 +12,10 @@ pub struct Asperity {
     pub equivalent_shear_modulus: Option<f64>,
     /// ν of the softer body.
     pub poissons_ratio: f64,
-    /// H of the softer body \[Pa\].
-    pub hardness: f64,
-    /// S_y of the softer body \[Pa\].
-    pub yield_strength: f64,
+    /// H of the softer body \[Pa\]; `None` where it never yields.
+    pub hardness: Option<f64>,
+    /// S_y of the softer body \[Pa\]; `None` where it never yields.
+    pub yield_strength: Option<f64>,
     /// S, the maximum contact pressure factor.
     pub pressure_factor: f64,
     /// R \[m\].
@@ -44,15 +44,16 @@ impl Asperity {
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] unless w_c < R: beyond, the asperity would be flattened
-    /// before it yields, and the laws scaled by w_c mean nothing.
+    /// before it yields, and the laws scaled by w_c mean nothing. That of [`hardness`](Self::hardness()).
     pub fn critical_interference(&self) -> Result<f64, ContactError> {
-        let strain = std::f64::consts::PI * self.pressure_factor * self.hardness
-            / (2.0 * self.equivalent_modulus);
+        let value = self.hardness()?;
+        let strain =
+            std::f64::consts::PI * self.pressure_factor * value / (2.0 * self.equivalent_modulus);
         if strain < 1.0 {
             Ok(strain * strain * self.radius)
         } else {
             let required = "a hardness below 2E/(pi S), so that the critical interference is smaller than the radius,";
-            Err(ContactError::OutOfRange { field: "hardness", value: self.hardness, required })
+            Err(ContactError::OutOfRange { field: "hardness", value, required })
         }
     }
 
@@ -62,7 +63,23 @@ impl Asperity {
     /// Those of [`critical_interference`](Self::critical_interference).
     pub fn critical_force(&self) -> Result<f64, ContactError> {
         let area = std::f64::consts::PI * self.radius * self.critical_interference()?;
-        Ok(2.0 / 3.0 * area * self.pressure_factor * self.hardness)
+        Ok(2.0 / 3.0 * area * self.pressure_factor * self.hardness()?)
+    }
+
+    /// H \[Pa\].
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] where the scene gives neither hardness nor yield strength.
+    pub fn hardness(&self) -> Result<f64, ContactError> {
+        self.hardness.ok_or_else(never_yields)
+    }
+
+    /// S_y \[Pa\].
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] where the scene gives neither hardness nor yield strength.
+    pub fn yield_strength(&self) -> Result<f64, ContactError> {
+        self.yield_strength.ok_or_else(never_yields)
     }
 
     /// G \[Pa\].
@@ -75,6 +92,11 @@ impl Asperity {
             needed_by: needed_by.into(),
         })
     }
+}
+
+fn never_yields() -> ContactError {
+    let needed_by = "every model but GW (that, or yield_strength,)".into();
+    ContactError::Missing { field: "hardness", needed_by }
 }
 
 #[cfg(test)]

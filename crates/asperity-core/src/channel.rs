@@ -131,8 +131,8 @@ impl Channel {
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
         let units = Units::new(base, &law, scene)?;
-        let total =
-            HeightIntegral::new(law.density(), units.scale, &scene.heights, tolerance.relative());
+        let unit = law.interference_unit;
+        let total = HeightIntegral::new(law.density(), unit, scene, tolerance.relative());
         let (parts, scene) = (OnceLock::new(), scene.clone());
         Ok(Self { base, law, units, total, parts, scene, tolerance })
     }
@@ -142,8 +142,8 @@ impl Channel {
         self.parts.get_or_init(|| {
             let integral = |part: &crate::Part| {
                 let alone = Density { pieces: vec![part.piece()] };
-                let tolerance = self.tolerance.relative();
-                HeightIntegral::new(alone, self.units.scale, &self.scene.heights, tolerance)
+                let unit = self.law.interference_unit;
+                HeightIntegral::new(alone, unit, &self.scene, self.tolerance.relative())
             };
             self.law.parts.iter().map(integral).collect()
         })

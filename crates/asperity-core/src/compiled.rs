@@ -162,13 +162,19 @@ struct Once<'c> {
 }
 
 impl Integrals for Once<'_> {
-    fn moments(&mut self, base: Quantity, _: bool) -> Result<(Moments, f64), ContactError> {
+    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
         if let Some((_, known)) = self.known.iter().find(|(known, _)| *known == base) {
             return Ok(*known);
         }
-        let found = self.here.moments(base, self.slopes)?;
-        self.known.push((base, found));
-        Ok(found)
+        match self.here.moments(base, self.slopes) {
+            Ok(found) => {
+                self.known.push((base, found));
+                Ok(found)
+            }
+            // A value is not refused for a slope that it does not need.
+            Err(_) if self.slopes && !slope => self.here.moments(base, false),
+            Err(error) => Err(error),
+        }
     }
 
     fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {

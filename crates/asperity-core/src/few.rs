@@ -9,6 +9,9 @@ use crate::{
 
 /// Rows for which nothing is worth preparing: a rule costs some ten of them.
 const FEW: usize = 4;
+/// Series in the separation, for other heights, begin anew at every break of the density; each
+/// costs as much as some thirty rows.
+const FEW_BETWEEN_BREAKS: usize = 32;
 
 /// Answers a request of a few rows, if it is one, with no rules and no tables.
 pub(crate) fn few(
@@ -16,8 +19,13 @@ pub(crate) fn few(
     scene: &Scene,
     request: &Request,
 ) -> Result<Option<Response>, ContactError> {
-    let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
-    if request.at.len() > FEW || request.shares || !gaussian {
+    let few = match &scene.heights {
+        HeightDistribution::Other(other) => {
+            FEW_BETWEEN_BREAKS * (2 + other.heights().breaks().len())
+        }
+        _ => FEW,
+    };
+    if request.at.len() > few || request.shares {
         return Ok(None);
     }
     let (asperity, tolerance) = (scene.asperity()?, request.tolerance);
@@ -42,7 +50,7 @@ pub(crate) fn few(
         };
         answers.unwrap_or_else(refused)
     };
-    let rows = |places: &[At]| places.iter().map(row).collect();
+    let rows = |places: &[At]| crate::parallel::map(places, row);
     let behind = |q, at| if signed { Some(one(q, at).ok()?.value()) } else { None };
     let none = |_, _| Ok(vec![]);
     Ok(Some(respond((model.name(), scene), request, rows, none, behind)))

@@ -42,6 +42,18 @@ impl Power {
                 p => base.powf(p),
             }
     }
+
+    /// The derivative at x.
+    pub(crate) fn slope(&self, x: f64) -> f64 {
+        let base = x - self.origin;
+        self.coefficient
+            * match self.exponent {
+                0.0 => 0.0,
+                1.0 => 1.0,
+                1.5 => 1.5 * base.sqrt(),
+                p => p * base.powf(p - 1.0),
+            }
+    }
 }
 
 /// The formula of a part.
@@ -134,6 +146,18 @@ impl Sampler for Form {
                 Ok(())
             }
             Self::Function { sampler, .. } => sampler.sample(x, out),
+        }
+    }
+
+    fn slope(&self, x: &[f64], out: &mut [f64]) -> bool {
+        match self {
+            Self::Powers(powers) => {
+                for (out, &x) in out.iter_mut().zip(x) {
+                    *out = powers.iter().map(|p| p.slope(x)).sum();
+                }
+                true
+            }
+            Self::Function { sampler, .. } => sampler.slope(x, out),
         }
     }
 

@@ -1,19 +1,16 @@
-//! I(s) = ∫₀^∞ q(t/c) g(s + t) dt for each kind of heights g: one door for the engine.
+//! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g: one door for the engine.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use asperity_quadrature::{
-    Curvature, Density, Discretised, Moments, QuadratureError, ShiftedGaussian, discretise,
+    Cells, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian, Weight,
 };
 
-use crate::{HeightDistribution, Heights};
+use crate::heights::OtherHeights;
+use crate::{HeightDistribution, Scene};
 
-/// Densities are followed down to exp(-CUT) of their largest value: 1e-20.
-const CUT: f64 = 46.0;
-/// Rounding of a sum of masses; 9e-15 was seen at s = -30, where z - s is taken of large numbers.
-const ROUNDING: f64 = 2e-14;
-
-/// The integral of one density over one kind of heights, for all s.
+/// The integral of one density over one kind of heights, for all s: I(s), and -dI/ds by the
+/// dimensionless s.
 #[derive(Debug)]
 pub(crate) enum HeightIntegral {
     Gaussian(ShiftedGaussian),
@@ -22,23 +19,31 @@ pub(crate) enum HeightIntegral {
 }
 
 impl HeightIntegral {
-    /// `scale` is c, the interference unit over σ_z.
+    /// Of a density over x = w/`interference_unit` \[m\].
     pub(crate) fn new(
         density: Density,
-        scale: f64,
-        heights: &HeightDistribution,
+        interference_unit: f64,
+        scene: &Scene,
         tolerance: f64,
     ) -> Self {
-        match heights {
+        let height_std = scene.surface.asperity_height_std;
+        let scale = interference_unit / height_std;
+        match &scene.heights {
             HeightDistribution::Gaussian => {
                 Self::Gaussian(ShiftedGaussian::new(density, scale, tolerance))
             }
-            HeightDistribution::Exponential => {
-                Self::Exponential(Exponential { density, scale, tolerance, above: OnceLock::new() })
-            }
-            HeightDistribution::Other(heights) => {
-                Self::Other(Other { density, scale, tolerance, heights: heights.clone() })
-            }
+            HeightDistribution::Exponential => Self::Exponential(Exponential {
+                density: density.clone(),
+                scale,
+                below: Followed::new(Overlap::new(density, scale, tolerance)),
+                above: OnceLock::new(),
+            }),
+            HeightDistribution::Other(heights) => Self::Other(Other {
+                integral: Followed::new(Overlap::new(density, interference_unit, tolerance)),
+                height_std,
+                heights: heights.clone(),
+                error: heights.heights().error(),
+            }),
         }
     }
 
@@ -62,7 +67,7 @@ impl HeightIntegral {
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match self {
             Self::Gaussian(integral) => integral.value(s),
-            _ => self.at(s),
+            _ => self.answer(s, Asked { slope: false, many: true }),
         }
     }
 
@@ -74,248 +79,152 @@ impl HeightIntegral {
         }
     }
 
-    /// I(s) and -dI/ds.
+    /// I(s) and -dI/ds, from what is prepared for many s.
     pub(crate) fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
+        self.answer(s, Asked { slope: true, many: true })
+    }
+
+    /// I(s), and -dI/ds where it is asked for, with nothing prepared for other s.
+    pub(crate) fn once(&self, s: f64, slope: bool) -> Result<Moments, QuadratureError> {
+        self.answer(s, Asked { slope, many: false })
+    }
+
+    fn answer(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
         match self {
             Self::Gaussian(integral) => integral.at(s),
-            Self::Exponential(integral) => integral.at(s),
-            Self::Other(integral) => integral.at(s),
+            Self::Exponential(integral) => integral.at(s, asked),
+            Self::Other(integral) => integral.at(s, asked),
         }
     }
 }
 
-fn sum(masses: &Discretised) -> (f64, f64) {
-    (masses.masses.iter().sum(), masses.masses.iter().map(|m| m.abs()).sum())
+/// What is asked of an integral.
+#[derive(Debug, Clone, Copy)]
+struct Asked {
+    slope: bool,
+    /// Whether others will be asked for nearby.
+    many: bool,
 }
 
-fn relative(masses: &Discretised, size: f64, density: &Density) -> f64 {
-    let error = if size > 0.0 { 4.0 * masses.error / size } else { 0.0 };
-    error + ROUNDING + density.relative_error(&masses.points)
+/// An integral over heights whose density is followed, directly or by its cells.
+#[derive(Debug)]
+pub(crate) struct Followed {
+    overlap: Arc<Overlap>,
+    cells: OnceLock<Cells>,
 }
+
+impl Followed {
+    fn new(overlap: Overlap) -> Self {
+        Self { overlap: Arc::new(overlap), cells: OnceLock::new() }
+    }
+
+    fn at(&self, weight: &Arc<Weight>, d: f64, asked: Asked) -> Result<Moments, QuadratureError> {
+        let Asked { slope, many } = asked;
+        if many {
+            let make = || Cells::new(self.overlap.clone(), weight.clone());
+            self.cells.get_or_init(make).at(d, slope)
+        } else {
+            self.overlap.at(weight, d, slope)
+        }
+    }
+}
+
+/// exp(-ζ) on ζ ≥ 0.
+static EXPONENTIAL: LazyLock<Result<Arc<Weight>, QuadratureError>> = LazyLock::new(|| {
+    let ln = |z: f64| if z < 0.0 { f64::NEG_INFINITY } else { -z };
+    Weight::new("the exponential density", ln, (0.0, f64::INFINITY), &[], 0.0).map(Arc::new)
+});
 
 /// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
 #[derive(Debug)]
 pub(crate) struct Exponential {
     density: Density,
     scale: f64,
-    tolerance: f64,
+    below: Followed,
     above: OnceLock<Result<Moments, QuadratureError>>,
 }
 
 impl Exponential {
-    fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
+    fn at(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
+        let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
         if s < 0.0 {
-            return self.integrate(s);
+            return self.below(weight, s, asked);
         }
-        let at_zero =
-            self.above.get_or_init(|| self.integrate(0.0)).as_ref().map_err(Clone::clone)?;
-        Ok(Moments { ln_scale: -s, ..*at_zero })
+        let at_zero = self.above.get_or_init(|| self.below.overlap.at(weight, 0.0, false));
+        let Moments { value, sizes: [size, _], ln_scale, error, .. } =
+            *at_zero.as_ref().map_err(Clone::clone)?;
+        Ok(Moments { value, slope: value, sizes: [size; 2], ln_scale: ln_scale - s, error })
     }
 
-    /// s ≤ 0: heights begin at ζ = 0, interferences at -s; moving the surface by ds also moves
-    /// that beginning, so -dI/ds = I - q(-s).
-    fn integrate(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let window = (-s / self.scale, (CUT - s) / self.scale);
-        let edges = [0.02, 0.07, 0.2, 0.45, 0.7].map(|share| (share * CUT - s) / self.scale);
-        let weight = |x: f64| (-(s + x * self.scale)).exp() * self.scale;
-        // s + x c is a difference of large numbers: far below, the weight is known no better.
-        let rounding = f64::EPSILON * s.abs();
-        let tolerance = (0.1 * self.tolerance).max(16.0 * rounding);
-        let masses = discretise(&self.density, window, &edges, &weight, tolerance)?;
-        let (value, size) = sum(&masses);
-        let lowest = if s < 0.0 { point(&self.density, -s / self.scale)? } else { 0.0 };
-        Ok(Moments {
-            value,
-            slope: value - lowest,
-            sizes: [size, size + lowest.abs()],
-            ln_scale: 0.0,
-            error: relative(&masses, size, &self.density) + rounding,
-        })
+    fn below(
+        &self,
+        weight: &Arc<Weight>,
+        s: f64,
+        asked: Asked,
+    ) -> Result<Moments, QuadratureError> {
+        if !asked.slope || self.density.knows_slope() {
+            return self.below.at(weight, s, asked);
+        }
+        // By parts: moving the surface moves the lowest asperity, which is at -s.
+        let found = self.below.at(weight, s, Asked { slope: false, ..asked })?;
+        let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
+        let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
+        Ok(Moments { slope: found.value - lowest, sizes, ..found })
     }
 }
 
-/// The density at one point.
-fn point(density: &Density, x: f64) -> Result<f64, QuadratureError> {
-    let mut total = 0.0;
-    for piece in density.pieces.iter().filter(|p| p.from <= x && x < p.to) {
-        let mut value = [0.0];
-        piece.sampler.sample(&[x], &mut value)?;
-        total += piece.sign * value[0];
-    }
-    Ok(total)
-}
-
-/// The heights that count for one s.
-struct Window {
-    low: f64,
-    high: f64,
-    /// Logarithm of the largest density.
-    peak: f64,
-    /// Variation of the density over its integral.
-    steepness: f64,
-}
-
-/// Where a density on an interval is looked at, beside its breaks.
-const STEPS: u32 = 64;
-
-/// Any other heights: each s is integrated anew, on panels that end at the kinks of the law and
-/// at the breaks of the density.
+/// Any other heights, in metres.
 #[derive(Debug)]
 pub(crate) struct Other {
-    density: Density,
-    scale: f64,
-    tolerance: f64,
-    heights: Arc<dyn Heights>,
+    integral: Followed,
+    /// σ_z \[m\], the unit of s.
+    height_std: f64,
+    heights: Arc<OtherHeights>,
+    error: f64,
 }
 
 impl Other {
-    fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let Some(Window { low, high, peak: ln_scale, steepness }) = self.window(s) else {
-            // No asperity is as high as the flat: there is no contact, and that is exact.
-            let none =
-                Moments { value: 0.0, slope: 0.0, sizes: [0.0; 2], ln_scale: 0.0, error: 0.0 };
-            return Ok(none);
-        };
-        let mut edges: Vec<f64> = self.heights.breaks().to_vec();
-        let width = high - low;
-        edges.extend([0.004, 0.02, 0.06, 0.15, 0.3, 0.5, 0.75].map(|share| low + share * width));
-        edges.sort_by(f64::total_cmp);
-        edges.iter_mut().for_each(|z| *z = (*z - s) / self.scale);
-        let weight =
-            |x: f64| (self.heights.ln_density(s + x * self.scale) - ln_scale).exp() * self.scale;
-        let window = ((low - s) / self.scale, (high - s) / self.scale);
-        // Heights are rounded against zero: that counts next to the top, and in steep densities.
-        let unit = f64::EPSILON * s.abs().max(high.abs());
-        let rounding = 16.0 * unit * steepness;
-        let tolerance = (0.1 * self.tolerance).max(rounding).max(1e-15);
-        let masses = discretise(&self.density, window, &edges, &weight, tolerance)?;
-        let (value, size) = sum(&masses);
-        let (slope, slope_size) = self.slope(s, ln_scale, &masses)?;
+    fn at(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
+        let found = self.integral.at(&self.heights.weight()?, s * self.height_std, asked)?;
         Ok(Moments {
-            value,
-            slope,
-            sizes: [size, slope_size],
-            ln_scale,
-            error: relative(&masses, size, &self.density)
-                + self.heights.error()
-                + if size > 0.0 { unit * slope_size / size } else { 0.0 },
+            slope: found.slope * self.height_std,
+            sizes: [found.sizes[0], found.sizes[1] * self.height_std],
+            error: found.error + self.error,
+            ..found
         })
-    }
-
-    /// -dI/ds = -∫ q g' - Σ (jump of g at z) q(z - s), with the size of its terms.
-    fn slope(
-        &self,
-        s: f64,
-        ln_scale: f64,
-        masses: &Discretised,
-    ) -> Result<(f64, f64), QuadratureError> {
-        let (mut slope, mut size) = (0.0, 0.0);
-        for (x, mass) in masses.points.iter().zip(&masses.masses) {
-            let term = -mass * self.heights.ln_density_slope(s + x * self.scale);
-            slope += term;
-            size += term.abs();
-        }
-        let (low, high) = self.heights.support();
-        let ends = [low, high].into_iter().chain(self.heights.breaks().iter().copied());
-        for z in ends.filter(|z| z.is_finite() && *z > s) {
-            let side = |z: f64| (self.heights.ln_density(z) - ln_scale).exp();
-            let jump = side(z.next_up()) - side(z.next_down());
-            if jump != 0.0 {
-                let term = -jump * point(&self.density, (z - s) / self.scale)?;
-                slope += term;
-                size += term.abs();
-            }
-        }
-        Ok((slope, size))
-    }
-
-    /// The heights that count.
-    fn window(&self, s: f64) -> Option<Window> {
-        let (bottom, top) = self.heights.support();
-        let low = s.max(bottom);
-        if low >= top {
-            return None;
-        }
-        let ln = |z: f64| self.heights.ln_density(z);
-        if top.is_finite() {
-            return self.interval(low, top);
-        }
-        // Steps that double from a small one find the largest density, and where it has fallen by
-        // exp(-CUT); refinement makes up for their coarseness.
-        let mut seen = vec![];
-        let mut peak = f64::NEG_INFINITY;
-        let mut high = low;
-        let mut step = 1e-3 / (1.0 + low.abs());
-        for _ in 0..1000 {
-            let reached = high;
-            high += step;
-            let here = ln(high);
-            peak = peak.max(here);
-            seen.push((reached, high, here));
-            if here < peak - CUT && high > 1.0 {
-                break;
-            }
-            // From far below, steps shrink again on the way to the mean, or would miss all of it.
-            step = (1.25 * step).min(0.5 + 0.1 * high.abs());
-        }
-        // What lies as far below the peak counts as little.
-        let low =
-            seen.iter().find(|(.., ln)| *ln >= peak - CUT).map_or(low, |(before, ..)| *before);
-        let (mut variation, mut area, mut last) = (0.0, 0.0, 0.0f64);
-        for (from, to, ln) in seen {
-            let here = (ln - peak).exp();
-            variation += (here - last).abs();
-            area += here * (to - from);
-            last = here;
-        }
-        let steepness = if area > 0.0 { variation / area } else { 0.0 };
-        peak.is_finite().then_some(Window { low, high, peak, steepness })
-    }
-
-    /// A density on an interval may fall and rise again, as measured ones do: nothing of it is left
-    /// out.
-    fn interval(&self, low: f64, high: f64) -> Option<Window> {
-        let steps = (0..=STEPS).map(|k| low + (high - low) * f64::from(k) / f64::from(STEPS));
-        let beside = self.heights.breaks().iter().flat_map(|z| [z.next_down(), *z]);
-        let end = high.next_down();
-        let mut inside: Vec<f64> =
-            steps.map(|z| z.min(end)).chain(beside.filter(|z| *z >= low && *z <= end)).collect();
-        // Two ascending runs: that is quick.
-        inside.sort_by(f64::total_cmp);
-        let ln: Vec<f64> = inside.iter().map(|z| self.heights.ln_density(*z)).collect();
-        let peak = ln.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let (mut variation, mut area) = (0.0, 0.0);
-        for (z, ln) in inside.windows(2).zip(ln.windows(2)) {
-            let (a, b) = ((ln[0] - peak).exp(), (ln[1] - peak).exp());
-            variation += (b - a).abs();
-            area += 0.5 * (a + b) * (z[1] - z[0]);
-        }
-        let steepness = if area > 0.0 { variation / area } else { 0.0 } + 1.0 / (high - low);
-        peak.is_finite().then_some(Window { low, high, peak, steepness })
     }
 }
 
+#[cfg(feature = "statrs")]
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Law, Power, StandardisedHeights};
+    use crate::{Interface, Law, Power, StandardisedHeights, Surface};
     use statrs::distribution::Normal;
 
     /// ∫ t g(s + t) dt far below is the mean of z - s.
-    fn linear(heights: HeightDistribution, s: f64) -> Moments {
+    fn linear(heights: HeightDistribution, s: f64) -> [Moments; 2] {
         let law = Law::in_units(1.0, 1.0).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.0)]);
-        HeightIntegral::new(law.density(), 1.0, &heights, 1e-13).at(s).unwrap()
+        let (interface, surface) = (Interface::new(1.0, 0.3, 1.0), Surface::new(1.0, 1.0, 1.0));
+        let mut scene = Scene::new(interface, surface, 1.0);
+        scene.heights = heights;
+        let integral = HeightIntegral::new(law.density(), 1.0, &scene, 1e-13);
+        [integral.at(s).unwrap(), integral.once(s, true).unwrap()]
     }
 
     #[test]
     fn no_heights_are_missed_from_far_below_them() {
-        let normal = StandardisedHeights::new("normal", Normal::new(0.0, 1.0).unwrap()).unwrap();
+        let normal = Normal::new(0.0, 1.0).unwrap();
+        let normal = StandardisedHeights::new("normal", normal, 1.0).unwrap();
         let normal = HeightDistribution::other(normal);
         for s in [-10.0, -100.0, -1e3, -1e4, -1e6] {
             for (heights, mean) in [(&normal, 0.0), (&HeightDistribution::Exponential, 1.0)] {
-                let found = linear(heights.clone(), s);
-                let error = (found.value * found.ln_scale.exp() / (mean - s) - 1.0).abs();
-                assert!(error < found.error && found.error < 1e-7, "{s}: {found:?}");
+                for found in linear(heights.clone(), s) {
+                    let scale = found.ln_scale.exp();
+                    let error = (found.value * scale / (mean - s) - 1.0).abs();
+                    assert!(error < found.error && found.error < 1e-12, "{s}: {found:?}");
+                    assert!((found.slope * scale - 1.0).abs() < 1e-13, "{s}: {found:?}");
+                }
             }
         }
     }

@@ -1,32 +1,91 @@
 //! How asperity heights are spread.
 
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+use asperity_quadrature::{QuadratureError, Weight};
 use serde::{Deserialize, Serialize};
 
-/// A density of heights over ζ = z/σ_z, the height in standard deviations.
+/// A density of heights z \[m\] about the plane that separations are measured from: the mean of
+/// the asperity heights, unless a density says otherwise.
+///
+/// It keeps its metres whatever the scene's `asperity_height_std` is: that is then the unit of
+/// separations, and no more. Slopes are not asked for; the engine follows the density itself.
+///
+/// ```
+/// use asperity_core::{HeightDistribution, Heights};
+///
+/// /// 12 u²(1-u) between -2 µm and 2.5 µm.
+/// #[derive(Debug)]
+/// struct Worn;
+///
+/// impl Heights for Worn {
+///     fn name(&self) -> &str {
+///         "worn"
+///     }
+///     fn ln_density(&self, z: f64) -> f64 {
+///         let u = (z + 2e-6) / 4.5e-6;
+///         if (0.0..=1.0).contains(&u) { (12.0 * u * u * (1.0 - u) / 4.5e-6).ln() } else { f64::NEG_INFINITY }
+///     }
+///     fn support(&self) -> (f64, f64) {
+///         (-2e-6, 2.5e-6)
+///     }
+/// }
+///
+/// let heights = HeightDistribution::other(Worn); // the `heights` of a `Scene`
+/// ```
 pub trait Heights: fmt::Debug + Send + Sync {
-    /// Name, for plans and tables.
+    /// Name, for plans, tables and errors.
     fn name(&self) -> &str;
 
-    /// Natural logarithm of the density at ζ; -∞ outside the support.
-    fn ln_density(&self, height: f64) -> f64;
+    /// Natural logarithm of the density \[1/m\] at z \[m\]; -∞ where there is none, and +∞ nowhere
+    /// but at the place of a pole itself. The density integrates to 1.
+    fn ln_density(&self, z: f64) -> f64;
 
-    /// d(ln density)/dζ inside the support.
-    fn ln_density_slope(&self, height: f64) -> f64;
-
-    /// Smallest and largest height; may be infinite.
+    /// Smallest and largest height \[m\]; may be infinite.
     fn support(&self) -> (f64, f64);
 
-    /// Heights at which the density or its slope jumps, inside the support.
+    /// Heights \[m\] inside the support at which the density or its slope jumps, or has a pole.
+    ///
+    /// Kinks and jumps that are not declared are found, which costs time; undeclared poles are
+    /// refused. Poles, at an end of the support or a break, are powers above -0.95 of the distance.
     fn breaks(&self) -> &[f64] {
         &[]
     }
 
-    /// Relative error of density and slope, if they are themselves approximations.
+    /// Relative error of the density, if it is itself an approximation.
     fn error(&self) -> f64 {
         0.0
+    }
+}
+
+/// Any heights, followed once for all that is integrated over them: scenes that share them share
+/// what has been found.
+#[derive(Debug)]
+pub struct OtherHeights {
+    heights: Arc<dyn Heights>,
+    weight: OnceLock<Result<Arc<Weight>, QuadratureError>>,
+}
+
+impl OtherHeights {
+    /// The heights themselves.
+    #[must_use]
+    pub fn heights(&self) -> &dyn Heights {
+        &*self.heights
+    }
+
+    /// The density as the engine sees it.
+    pub(crate) fn weight(&self) -> Result<Arc<Weight>, QuadratureError> {
+        let followed = self.weight.get_or_init(|| {
+            let name = format!("the density of the heights {:?}", self.heights.name());
+            let heights = self.heights.clone();
+            let (support, breaks, error) =
+                (heights.support(), heights.breaks().to_vec(), heights.error());
+            let weight =
+                Weight::new(name, move |z| heights.ln_density(z), support, &breaks, error)?;
+            Ok(Arc::new(weight))
+        });
+        followed.clone()
     }
 }
 
@@ -42,13 +101,13 @@ pub enum HeightDistribution {
     Exponential,
     /// Any other density.
     #[serde(skip)]
-    Other(Arc<dyn Heights>),
+    Other(Arc<OtherHeights>),
 }
 
 impl HeightDistribution {
     /// Any density as the heights of a scene.
     pub fn other(heights: impl Heights + 'static) -> Self {
-        Self::Other(Arc::new(heights))
+        Self::Other(Arc::new(OtherHeights { heights: Arc::new(heights), weight: OnceLock::new() }))
     }
 
     /// Name, for plans and tables.
@@ -57,7 +116,7 @@ impl HeightDistribution {
         match self {
             Self::Gaussian => "gaussian",
             Self::Exponential => "exponential",
-            Self::Other(heights) => heights.name(),
+            Self::Other(other) => other.heights.name(),
         }
     }
 }

@@ -5,11 +5,10 @@ use crate::{ContactError, Heights};
 
 /// A density given at heights in metres: linear between the points, zero outside them, normalised.
 ///
-/// Two points at the same height make a step. The heights keep their metres: what the engine sees
-/// is ζ = (z - mean)/unit, with the mean of the table itself, so that separations are measured
-/// from it. The unit is the table's own standard deviation, the natural `asperity_height_std` of a
-/// measured surface; a scene with another one takes [`in_units_of`](Self::in_units_of) it, or its
-/// lengths in metres would be stretched.
+/// Two points at the same height make a step. The engine sees heights z about the mean of the
+/// table itself, so that separations are measured from it, and in metres, whatever the scene's
+/// `asperity_height_std`: the table's own standard deviation is the natural one, and another is
+/// only another unit of separations.
 ///
 /// ```
 /// use asperity_core::{HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
@@ -33,9 +32,7 @@ pub struct TabulatedHeights {
     mean: f64,
     std: f64,
     integral: f64,
-    /// One ζ \[m\].
-    unit: f64,
-    /// The heights over the unit, the first and the last apart.
+    /// The heights above the mean, the first and the last apart.
     breaks: Vec<f64>,
 }
 
@@ -65,31 +62,21 @@ impl TabulatedHeights {
         };
         let variance = segments().map(square).sum::<f64>() / integral;
         let std = positive("standard deviation of height_m", variance.sqrt())?;
-        let table = Self {
+        let heights: Vec<f64> = points.iter().map(|point| point.0 - mean).collect();
+        let ends = (heights[0], heights[heights.len() - 1]);
+        let mut breaks = heights.clone();
+        breaks.retain(|z| *z > ends.0 && *z < ends.1);
+        breaks.dedup();
+        Ok(Self {
             name: name.into(),
             points: points.to_vec(),
-            heights: points.iter().map(|point| point.0 - mean).collect(),
+            heights,
             densities: points.iter().map(|point| point.1 / integral).collect(),
             mean,
             std,
             integral,
-            unit: std,
-            breaks: vec![],
-        };
-        table.in_units_of(std)
-    }
-
-    /// The same heights for a scene with this `asperity_height_std` \[m\]: lengths in metres stay.
-    ///
-    /// # Errors
-    /// [`ContactError::OutOfRange`] unless it is a finite number above 0.
-    pub fn in_units_of(mut self, asperity_height_std: f64) -> Result<Self, ContactError> {
-        self.unit = positive("asperity_height_std", asperity_height_std)?;
-        self.breaks = self.heights.iter().map(|z| z / self.unit).collect();
-        let (bottom, top) = self.support();
-        self.breaks.retain(|z| *z > bottom && *z < top);
-        self.breaks.dedup();
-        Ok(self)
+            breaks,
+        })
     }
 
     /// The points as they were given: height \[m\] and density \[1/m\], not normalised.
@@ -159,23 +146,14 @@ impl Heights for TabulatedHeights {
         &self.name
     }
 
-    fn ln_density(&self, height: f64) -> f64 {
+    fn ln_density(&self, z: f64) -> f64 {
         // Weighted with both distances, not with a slope: exact in relation to itself next to an
         // end where the density is 0.
-        self.piece(height * self.unit).map_or(f64::NEG_INFINITY, |[(a, f), (b, g)]| {
-            (self.unit * (f * b + g * a) / (a + b)).ln()
-        })
-    }
-
-    fn ln_density_slope(&self, height: f64) -> f64 {
-        let piece = self.piece(height * self.unit);
-        let slope = piece.map_or(0.0, |[(a, f), (b, g)]| self.unit * (g - f) / (f * b + g * a));
-        // Where the density is 0 throughout, there is nothing to weight.
-        if slope.is_finite() { slope } else { 0.0 }
+        self.piece(z).map_or(f64::NEG_INFINITY, |[(a, f), (b, g)]| ((f * b + g * a) / (a + b)).ln())
     }
 
     fn support(&self) -> (f64, f64) {
-        let end = |z: Option<&f64>| z.map_or(0.0, |z| z / self.unit);
+        let end = |z: Option<&f64>| z.copied().unwrap_or(0.0);
         (end(self.heights.first()), end(self.heights.last()))
     }
 
@@ -203,41 +181,20 @@ mod tests {
     }
 
     #[test]
-    fn the_density_is_normalised_in_the_unit_asked_for() {
+    fn the_density_is_normalised_and_about_its_mean() {
         let points = [(-1e-6, 0.0), (0.0, 1.0), (0.0, 3.0), (1e-6, 3.0), (2e-6, 0.0), (3e-6, 0.0)];
-        for unit in [None, Some(0.3e-6), Some(4e-6)] {
-            let table = TabulatedHeights::new("steps", &points).unwrap();
-            let table = unit.map_or(table.clone(), |u| table.in_units_of(u).unwrap());
-            let (low, high) = table.support();
-            let count = 100_000;
-            let step = (high - low) / f64::from(count);
-            let area: f64 = (0..count)
-                .map(|k| step * table.ln_density(low + step * (f64::from(k) + 0.5)).exp())
-                .sum();
-            assert!((area - 1.0).abs() < 1e-4, "{unit:?}: {area}");
-            let mean: f64 = (0..count)
-                .map(|k| low + step * (f64::from(k) + 0.5))
-                .map(|z| step * z * table.ln_density(z).exp())
-                .sum();
-            assert!(mean.abs() < 1e-4, "{unit:?}: {mean}");
-            assert_eq!(table.breaks().len(), 3, "the step is one break");
-        }
-    }
-
-    #[test]
-    fn slopes_are_those_of_the_density_and_zero_where_there_is_none() {
-        let points = [(0.0, 0.0), (1.0, 2.0), (2.0, 0.0), (3.0, 0.0), (4.0, 1.0)];
-        let table = TabulatedHeights::new("gap", &points).unwrap();
-        let at = |z: f64| (z - table.mean()) / table.standard_deviation();
-        for z in [0.3, 1.4, 3.2, 3.9] {
-            let h = 1e-5;
-            let [above, below] = [h, -h].map(|h| table.ln_density(at(z) + h));
-            let slope = table.ln_density_slope(at(z));
-            assert!((slope - (above - below) / (2.0 * h)).abs() < 1e-6 * slope.abs(), "{z}");
-        }
-        for z in [-0.1, 2.5, 4.1] {
-            assert!(table.ln_density(at(z)) == f64::NEG_INFINITY);
-            assert!(table.ln_density_slope(at(z)).abs() < f64::MIN_POSITIVE);
+        let table = TabulatedHeights::new("steps", &points).unwrap();
+        let (low, high) = table.support();
+        let count = 100_000;
+        let step = (high - low) / f64::from(count);
+        let z = |k: i32| low + step * (f64::from(k) + 0.5);
+        let area: f64 = (0..count).map(|k| step * table.ln_density(z(k)).exp()).sum();
+        assert!((area - 1.0).abs() < 1e-4, "{area}");
+        let mean: f64 = (0..count).map(|k| step * z(k) * table.ln_density(z(k)).exp()).sum();
+        assert!(mean.abs() < 1e-10, "{mean}");
+        assert_eq!(table.breaks().len(), 3, "the step is one break");
+        for z in [low - 1e-9, high + 1e-9, high - 0.5e-6] {
+            assert!(table.ln_density(z) == f64::NEG_INFINITY);
         }
     }
 
@@ -257,7 +214,5 @@ mod tests {
             let message = TabulatedHeights::new("bad", points).unwrap_err().to_string();
             assert!(message.starts_with(wanted), "{message}");
         }
-        let table = TabulatedHeights::new("t", &[(0.0, 1.0), (1.0, 1.0)]).unwrap();
-        assert!(table.in_units_of(0.0).unwrap_err().to_string().starts_with("asperity_height_std"));
     }
 }

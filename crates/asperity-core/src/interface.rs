@@ -18,7 +18,8 @@ pub struct Body {
     pub youngs_modulus: f64,
     /// Poisson's ratio, in (-1, 0.5].
     pub poissons_ratio: f64,
-    /// Hardness \[Pa\]; 2.8 times the yield strength when not given.
+    /// Hardness \[Pa\]; 2.8 times the yield strength when not given. Without either, the body never
+    /// yields: only GW describes that.
     #[serde(default)]
     pub hardness: Option<f64>,
     /// Yield strength \[Pa\]; the hardness over 2.8 when not given.
@@ -38,7 +39,8 @@ pub struct Interface {
     pub equivalent_shear_modulus: Option<f64>,
     /// ν of the softer body, in (-1, 0.5].
     pub poissons_ratio: f64,
-    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength when not given.
+    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength when not given. GW alone
+    /// does without either.
     #[serde(default)]
     pub hardness: Option<f64>,
     /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 when not given.
@@ -59,21 +61,16 @@ fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
     }
 }
 
+/// Each from the other, where only one is given.
 fn hardness_and_yield(
     hardness: Option<f64>,
     yield_strength: Option<f64>,
-) -> Result<(f64, f64), ContactError> {
+) -> Result<(Option<f64>, Option<f64>), ContactError> {
     let hardness = hardness.map(|h| positive("hardness", h)).transpose()?;
     let yield_strength = yield_strength.map(|y| positive("yield_strength", y)).transpose()?;
-    match (hardness, yield_strength) {
-        (Some(h), Some(y)) => Ok((h, y)),
-        (Some(h), None) => Ok((h, h / HARDNESS_OVER_YIELD)),
-        (None, Some(y)) => Ok((y * HARDNESS_OVER_YIELD, y)),
-        (None, None) => {
-            let needed_by = "every interface (or yield_strength)".into();
-            Err(ContactError::Missing { field: "hardness", needed_by })
-        }
-    }
+    let by_yield = yield_strength.map(|y| y * HARDNESS_OVER_YIELD);
+    let by_hardness = hardness.map(|h| h / HARDNESS_OVER_YIELD);
+    Ok((hardness.or(by_yield), yield_strength.or(by_hardness)))
 }
 
 impl Body {
@@ -90,10 +87,17 @@ impl Body {
         Self { youngs_modulus, poissons_ratio, hardness: None, yield_strength }
     }
 
-    fn check(&self) -> Result<(f64, f64), ContactError> {
+    /// A body that never yields, such as rubber: of no use to any model but GW.
+    #[must_use]
+    pub fn elastic(youngs_modulus: f64, poissons_ratio: f64) -> Self {
+        Self { youngs_modulus, poissons_ratio, hardness: None, yield_strength: None }
+    }
+
+    /// Checks every field; returns the hardness \[Pa\], where there is one.
+    fn check(&self) -> Result<Option<f64>, ContactError> {
         positive("youngs_modulus", self.youngs_modulus)?;
         poissons_ratio(self.poissons_ratio)?;
-        hardness_and_yield(self.hardness, self.yield_strength)
+        Ok(hardness_and_yield(self.hardness, self.yield_strength)?.0)
     }
 
     /// (1-ν²)/E and (2-ν)/G with G = E/(2(1+ν)).
@@ -130,12 +134,16 @@ impl Interface {
     }
 
     /// Two deformable bodies. Hardness, yield strength and ν are those of the one with the lower
-    /// hardness.
+    /// hardness; of the one with the lower Young's modulus, where one has none.
     ///
     /// # Errors
     /// [`ContactError`] naming the field, of either body, that is out of range.
     pub fn between(first: &Body, second: &Body) -> Result<Self, ContactError> {
-        let softer = if first.check()?.0 <= second.check()?.0 { first } else { second };
+        let first_is_softer = match (first.check()?, second.check()?) {
+            (Some(one), Some(other)) => one <= other,
+            _ => first.youngs_modulus <= second.youngs_modulus,
+        };
+        let softer = if first_is_softer { first } else { second };
         let (a, b) = (first.compliances(), second.compliances());
         Ok(softer.interface((a.0 + b.0, a.1 + b.1)))
     }
@@ -149,11 +157,18 @@ impl Interface {
         Ok(body.interface(body.compliances()))
     }
 
-    /// Checks every field; returns hardness and yield strength \[Pa\] and the pressure factor.
+    /// An interface that never yields, such as rubber on anything: of no use to any model but GW.
+    #[must_use]
+    pub fn elastic(equivalent_modulus: f64, poissons_ratio: f64) -> Self {
+        Self { hardness: None, ..Self::new(equivalent_modulus, poissons_ratio, 0.0) }
+    }
+
+    /// Checks every field; returns hardness and yield strength \[Pa\], where there is either, and
+    /// the pressure factor.
     ///
     /// # Errors
-    /// [`ContactError`] naming the field that is out of range or missing.
-    pub fn check(&self) -> Result<(f64, f64, f64), ContactError> {
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn check(&self) -> Result<(Option<f64>, Option<f64>, f64), ContactError> {
         positive("equivalent_modulus", self.equivalent_modulus)?;
         if let Some(shear) = self.equivalent_shear_modulus {
             positive("equivalent_shear_modulus", shear)?;
@@ -186,6 +201,7 @@ mod tests {
         let shear = interface.equivalent_shear_modulus.unwrap();
         assert!((shear / 45.249e9 - 1.0).abs() < 1e-4);
         let (hardness, yield_strength, factor) = interface.check().unwrap();
+        let (hardness, yield_strength) = (hardness.unwrap(), yield_strength.unwrap());
         assert!((hardness - 1.12e9).abs() < 1.0 && (yield_strength - 400e6).abs() < 1.0);
         assert!((factor - 0.577).abs() < 1e-12);
     }
@@ -210,7 +226,6 @@ mod tests {
             ("poissons_ratio", Interface { poissons_ratio: 0.51, ..good }),
             ("poissons_ratio", Interface { poissons_ratio: -1.0, ..good }),
             ("hardness", Interface { hardness: Some(0.0), ..good }),
-            ("hardness", Interface { hardness: None, ..good }),
             ("yield_strength", Interface { yield_strength: Some(f64::INFINITY), ..good }),
             ("pressure_factor", Interface { pressure_factor: Some(0.0), ..good }),
         ];
@@ -219,5 +234,17 @@ mod tests {
             assert!(message.starts_with(field), "{field}: {message}");
         }
         assert!(Interface { poissons_ratio: 0.5, ..good }.check().is_ok());
+    }
+
+    #[test]
+    fn rubber_needs_no_hardness_and_is_the_softer_one() {
+        let (rubber, glass) = (Body::elastic(2e6, 0.5), Body::new(70e9, 0.22, 6e9));
+        for interface in [Interface::between(&rubber, &glass), Interface::between(&glass, &rubber)]
+        {
+            let interface = interface.unwrap();
+            assert!((interface.poissons_ratio - 0.5).abs() < 1e-15);
+            assert_eq!(interface.check().unwrap().0, None);
+        }
+        assert_eq!(Interface::elastic(2e6, 0.5).check().unwrap().1, None);
     }
 }

@@ -17,6 +17,7 @@
 mod asperity;
 mod case;
 mod channel;
+mod check;
 mod compiled;
 mod contact;
 mod crossings;
@@ -26,6 +27,7 @@ mod few;
 mod form;
 mod height_integral;
 mod heights;
+#[cfg(feature = "statrs")]
 mod heights_statrs;
 mod heights_table;
 mod interface;
@@ -50,11 +52,13 @@ mod warning;
 
 pub use asperity::Asperity;
 pub use asperity_quadrature::{Density, Moments, Piece, QuadratureError, Sampler};
+pub use check::{Check, Finding, Number, Severity};
 pub use contact::{Contact, ContactModel};
 pub use error::{ContactError, positive};
 pub use evaluation::{Evaluation, Share};
 pub use form::{Form, FunctionKey, Power};
-pub use heights::{HeightDistribution, Heights};
+pub use heights::{HeightDistribution, Heights, OtherHeights};
+#[cfg(feature = "statrs")]
 pub use heights_statrs::StandardisedHeights;
 pub use heights_table::TabulatedHeights;
 pub use interface::{Body, HARDNESS_OVER_YIELD, Interface};

@@ -58,11 +58,20 @@ pub struct Claims {
     pub angles: bool,
     /// What the model is valid for, in a few words; empty where nothing is said.
     pub valid_for: &'static str,
+    /// The interference over w_c up to which the laws are derived or fitted; `None` where nothing is
+    /// said. 1 for a model without yielding.
+    pub holds_to: Option<f64>,
 }
 
 impl Default for Claims {
     fn default() -> Self {
-        Self { force_monotone: true, hertz_limit: Some(1.0), angles: false, valid_for: "" }
+        Self {
+            force_monotone: true,
+            hertz_limit: Some(1.0),
+            angles: false,
+            valid_for: "",
+            holds_to: None,
+        }
     }
 }
 
@@ -82,7 +91,13 @@ impl Claims {
     /// Contact normals are spread over angles: no limit, and the force may fall.
     #[must_use]
     pub fn over_angles() -> Self {
-        Self { force_monotone: false, hertz_limit: None, angles: true, valid_for: "" }
+        Self { angles: true, ..Self::default().not_monotone().without_hertz_limit() }
+    }
+
+    /// The laws are derived or fitted up to this multiple of w_c.
+    #[must_use]
+    pub fn holds_to(self, interference: f64) -> Self {
+        Self { holds_to: Some(interference), ..self }
     }
 
     /// What the model is valid for, in a few words.

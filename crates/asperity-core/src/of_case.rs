@@ -54,9 +54,11 @@ impl<'c> OfCase<'c> {
         laws: &'c Laws,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
+        let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
         let of_law = |(base, law): &'c (Quantity, Law)| {
             let units = Units::new(*base, law, scene)?;
-            let sources = law.parts.iter().map(|_| Source::Alone(None)).collect();
+            let parts = law.parts.iter().filter(|_| gaussian);
+            let sources = parts.map(|_| Source::Alone(None)).collect();
             Ok(OfLaw { base: *base, law, units, sources })
         };
         let of_laws = laws.laws.iter().map(of_law).collect::<Result<_, ContactError>>()?;
@@ -143,8 +145,8 @@ impl Integrals for OfCase<'_> {
                 alone(part, units.scale, s, tolerance.relative()).map(|made| made.at(s))
             } else {
                 let density = Density { pieces: vec![part.piece()] };
-                let (scale, tolerance) = (units.scale, tolerance.relative());
-                HeightIntegral::new(density, scale, &scene.heights, tolerance).value(s)
+                let unit = law.interference_unit;
+                HeightIntegral::new(density, unit, scene, tolerance.relative()).once(s, false)
             };
             let part = part.map_err(failed(Quantity::Force, at))?;
             let one = part.value / total.value * (part.ln_scale - total.ln_scale).exp();
@@ -185,9 +187,8 @@ impl OfLaw<'_> {
     ) -> Result<Moments, QuadratureError> {
         let (scale, relative) = (self.units.scale, tolerance.relative());
         if self.sources.is_empty() {
-            let density = self.law.density();
-            let integral = HeightIntegral::new(density, scale, &scene.heights, relative);
-            return if slope { integral.at(s) } else { integral.value(s) };
+            let unit = self.law.interference_unit;
+            return HeightIntegral::new(self.law.density(), unit, scene, relative).once(s, slope);
         }
         let mut sum =
             Moments { value: 0.0, slope: 0.0, ln_scale: 0.0, sizes: [0.0; 2], error: 0.0 };

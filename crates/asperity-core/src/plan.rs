@@ -19,7 +19,7 @@ pub enum Method {
     GaussRules,
     /// Exponential heights: one integral for all separations ≥ 0, one for each below.
     OneIntegral,
-    /// Other heights: adaptive panels at each separation.
+    /// Other heights: adaptive panels, and from those series in the separation.
     Panels,
 }
 
@@ -29,7 +29,7 @@ impl fmt::Display for Method {
             Self::GaussRules => "Gauss rules with the law as weight",
             Self::OneIntegral => "one integral for all separations above 0, as exp(-d) is a factor",
             Self::Panels => {
-                "adaptive panels at each separation, as nothing is known of the heights"
+                "panels that follow the heights; series in the separation between kinks, made where asked"
             }
         })
     }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::positive;
-use crate::{ContactError, Interface};
+use crate::{Asperity, ContactError, Interface};
 
 /// σ_z² = σ² - SUMMIT_VARIANCE/(ηR)² for an isotropic Gaussian surface. \[seen, derived\]
 const SUMMIT_VARIANCE: f64 = 3.716_954_9e-4;
@@ -72,7 +72,8 @@ impl Surface {
         positive("plasticity_index", plasticity_index)?;
         positive("roughness_parameter", roughness_parameter)?;
         positive("asperity_height_std", asperity_height_std)?;
-        let (hardness, _, factor) = interface.check()?;
+        let asperity = Asperity::new(interface, 1.0)?;
+        let (hardness, factor) = (asperity.hardness()?, asperity.pressure_factor);
         // ψ² = σ_z/w_c and w_c = (strain)² R.
         let strain =
             std::f64::consts::PI * factor * hardness / (2.0 * interface.equivalent_modulus);
@@ -130,6 +131,16 @@ impl Surface {
         Ok(Self { asperity_radius, asperity_density, asperity_height_std })
     }
 
+    /// The moments of the profiles of an isotropic Gaussian surface with these asperities: what
+    /// [`from_moments`](Self::from_moments) inverts.
+    #[must_use]
+    pub fn moments(&self) -> ProfileMoments {
+        let m4 = (0.375 / self.asperity_radius).powi(2) * std::f64::consts::PI;
+        let m2 = m4 / (6.0 * 3f64.sqrt() * std::f64::consts::PI * self.asperity_density);
+        let m0 = self.asperity_height_std.powi(2) + BANDWIDTH_LOSS * m2 * (m2 / m4);
+        ProfileMoments { m0, m2, m4 }
+    }
+
     /// β_z = η R σ_z; 0.03 to 0.06 for classic surfaces.
     #[must_use]
     pub fn roughness_parameter(&self) -> f64 {
@@ -179,6 +190,11 @@ mod tests {
             (moments.bandwidth() / (768.0 * std::f64::consts::PI * beta * beta) - 1.0).abs()
                 < 1e-12
         );
+        let back = a.moments();
+        for (found, given) in [(back.m0, moments.m0), (back.m2, moments.m2), (back.m4, moments.m4)]
+        {
+            assert!((found / given - 1.0).abs() < 1e-14, "{back:?}");
+        }
         let offset = 4.0 * (moments.m0 / (std::f64::consts::PI * moments.bandwidth())).sqrt();
         assert!((a.mean_plane_offset() / offset - 1.0).abs() < 1e-6);
     }

@@ -85,5 +85,6 @@ impl AsperityModel for EtsionKligermanKadin {
         Claims::default()
             .not_monotone()
             .valid_for("w_c < R, loading; fitted to finite elements up to 170 w_c, plastic beyond")
+            .holds_to(170.0)
     }
 }

@@ -125,7 +125,7 @@ impl Lateral {
             options,
             pressure_factor: asperity.pressure_factor,
             // The sheet takes S_y = H/2.8 unless it is given, as JG does.
-            area_exponent: asperity_jg::area_exponent(asperity),
+            area_exponent: asperity_jg::area_exponent(asperity)?,
             shear_ratio: 4.0 * asperity.shear_modulus(model)? / asperity.equivalent_modulus,
             critical: asperity.critical_interference()?,
             critical_force: asperity.critical_force()?,

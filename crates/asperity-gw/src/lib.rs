@@ -78,7 +78,9 @@ impl AsperityModel for GreenwoodWilliamson {
     }
 
     fn claims(&self) -> Claims {
-        Claims::default().valid_for("plasticity index below about 0.6: no asperity yields")
+        Claims::default()
+            .valid_for("plasticity index below about 0.6: no asperity yields")
+            .holds_to(1.0)
     }
 }
 

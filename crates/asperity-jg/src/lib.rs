@@ -97,21 +97,23 @@ const COSINE: Source = Source { id: "jg-cosine", name: "JG cosine", ..SOURCE };
 const ELASTIC_END: f64 = 1.9;
 
 /// B = 0.14 exp(23 S_y/E), the exponent of the area beyond x = 1.9. \[seen\]
-#[must_use]
-pub fn area_exponent(asperity: &Asperity) -> f64 {
-    0.14 * (23.0 * asperity.yield_strength / asperity.equivalent_modulus).exp()
+///
+/// # Errors
+/// [`ContactError::Missing`] without a yield strength or hardness.
+pub fn area_exponent(asperity: &Asperity) -> Result<f64, ContactError> {
+    Ok(0.14 * (23.0 * asperity.yield_strength()? / asperity.equivalent_modulus).exp())
 }
 
 /// C, and the strain √(w_c'/R) = π C S_y/(2E).
 fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
     let c = 1.295 * (0.736 * asperity.poissons_ratio).exp();
-    let strain = 0.5 * PI * c * asperity.yield_strength / asperity.equivalent_modulus;
+    let value = asperity.yield_strength()?;
+    let strain = 0.5 * PI * c * value / asperity.equivalent_modulus;
     if strain < 1.0 {
         return Ok((c, strain));
     }
     let required = "a yield strength below 2E/(pi C), so that the critical interference is smaller than the radius,";
-    let (field, value) = ("yield_strength", asperity.yield_strength);
-    Err(ContactError::OutOfRange { field, value, required })
+    Err(ContactError::OutOfRange { field: "yield_strength", value, required })
 }
 
 impl AsperityModel for JacksonGreen {
@@ -129,7 +131,7 @@ impl AsperityModel for JacksonGreen {
         _: Tolerance,
     ) -> Result<Option<Law>, ContactError> {
         let (c, strain) = critical(asperity)?;
-        let (r, b) = (asperity.radius, area_exponent(asperity));
+        let (r, b) = (asperity.radius, area_exponent(asperity)?);
         let unit = strain * strain * r;
         let beyond = ELASTIC_END..f64::INFINITY;
         Ok(Some(match quantity {

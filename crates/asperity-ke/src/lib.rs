@@ -86,5 +86,6 @@ impl AsperityModel for KogutEtsion {
     fn claims(&self) -> Claims {
         Claims::default()
             .valid_for("w_c < R; fitted to finite elements up to 110 w_c, plastic beyond")
+            .holds_to(110.0)
     }
 }

@@ -3,7 +3,7 @@
 use asperity::ProfileMoments;
 use pyo3::prelude::*;
 
-use crate::error::refused;
+use crate::error::{refused, warn};
 
 /// A struct of the library: read from the attributes of the dataclass of its name, and given back
 /// as a dict of its arguments.
@@ -40,15 +40,15 @@ fields!(Surface, asperity::Surface::new(1.0, 1.0, 1.0),
     asperity_radius: f64, asperity_density: f64, asperity_height_std: f64);
 fields!(Asperity, NO_ASPERITY,
     equivalent_modulus: f64, equivalent_shear_modulus: Option<f64>, poissons_ratio: f64,
-    hardness: f64, yield_strength: f64, pressure_factor: f64, radius: f64);
+    hardness: Option<f64>, yield_strength: Option<f64>, pressure_factor: f64, radius: f64);
 
 /// To be filled.
 const NO_ASPERITY: asperity::Asperity = asperity::Asperity {
     equivalent_modulus: 0.0,
     equivalent_shear_modulus: None,
     poissons_ratio: 0.0,
-    hardness: 0.0,
-    yield_strength: 0.0,
+    hardness: None,
+    yield_strength: None,
     pressure_factor: 0.0,
     radius: 0.0,
 };
@@ -76,12 +76,24 @@ pub(crate) fn checked_surface(surface: Surface) -> PyResult<Surface> {
 
 /// The interface of two bodies; of one on a rigid body, if there is no second.
 #[pyfunction]
-pub(crate) fn interface_of(first: Body, second: Option<Body>) -> PyResult<Interface> {
-    let interface = match second {
-        Some(second) => asperity::Interface::between(&first.into(), &second.into()),
-        None => asperity::Interface::against_rigid(&first.into()),
+pub(crate) fn interface_of(
+    py: Python<'_>,
+    first: Body,
+    second: Option<Body>,
+) -> PyResult<Interface> {
+    let (first, second) = (first.into(), second.map(Into::into));
+    let interface = match &second {
+        Some(second) => asperity::Interface::between(&first, second),
+        None => asperity::Interface::against_rigid(&first),
     };
-    interface.map(Into::into).map_err(refused)
+    let interface = interface.map_err(refused)?;
+    // What the interface shows as well is said when it is used.
+    if interface.findings().is_empty() {
+        let bodies = [Some(first), second].into_iter().flatten();
+        let mut odd = bodies.flat_map(|body: asperity::Body| body.findings());
+        odd.try_for_each(|finding| warn(py, &finding.message, 1))?;
+    }
+    Ok(interface.into())
 }
 
 /// The roughness parameter, and how far the mean of the asperity heights lies above the mean plane.

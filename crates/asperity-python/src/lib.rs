@@ -14,6 +14,7 @@ mod advice;
 mod answer;
 mod ask;
 mod bem;
+mod check;
 mod contact;
 mod engine;
 mod error;
@@ -21,10 +22,12 @@ mod fields;
 mod long;
 mod numbers;
 mod objects;
+mod picture;
 mod places;
 mod python_model;
 mod rows;
 mod scene;
+mod table;
 mod topography;
 
 /// The compiled part of the package `asperity`.
@@ -36,6 +39,8 @@ mod _asperity {
     use crate::ask::{answer, separations, shares};
     #[pymodule_export]
     use crate::bem::{bem, truth};
+    #[pymodule_export]
+    use crate::check::{check, findings};
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]
@@ -50,7 +55,11 @@ mod _asperity {
     #[pymodule_export]
     use crate::numbers::floats;
     #[pymodule_export]
+    use crate::picture::svg;
+    #[pymodule_export]
     use crate::scene::{SceneFile, check_inputs, template};
+    #[pymodule_export]
+    use crate::table::contact_table;
     #[pymodule_export]
     use crate::topography::Topography;
 }

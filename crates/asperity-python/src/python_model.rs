@@ -93,8 +93,8 @@ impl PythonModel {
             one.equivalent_modulus,
             shear,
             one.poissons_ratio,
-            one.hardness,
-            one.yield_strength,
+            one.hardness.unwrap_or(0.0),
+            one.yield_strength.unwrap_or(0.0),
             one.pressure_factor,
             one.radius,
         ];

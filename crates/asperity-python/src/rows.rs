@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum};
+use asperity::{At, Case, ContactError, Datum, Finding};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -69,6 +69,32 @@ impl<'r> View<'r> {
     /// The scene of a row, or the one that it differs from in some numbers.
     fn file(&self, row: usize) -> &asperity_scene::SceneFile {
         &self.files[if self.columns.is_empty() { self.place(row) } else { 0 }]
+    }
+
+    /// How many scenes there are.
+    pub(crate) fn scenes(&self) -> usize {
+        self.columns.first().map_or(self.files.len(), |(_, column)| column.len())
+    }
+
+    /// What is unusual about the scene of this number; nothing where it is refused.
+    pub(crate) fn findings(&self, scene: usize) -> Vec<Finding> {
+        if self.columns.is_empty() {
+            return self.files[scene].findings();
+        }
+        let numbers = self.columns.iter().map(|(input, column)| (*input, column[scene]));
+        with_numbers(&self.files[0], numbers).map_or(vec![], |file| file.findings())
+    }
+
+    /// The rows of the smallest and the largest number.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = usize> {
+        let finite = || (0..self.len()).filter(|row| self.numbers[*row].is_finite());
+        let by = |a: &usize, b: &usize| self.numbers[*a].total_cmp(&self.numbers[*b]);
+        [finite().min_by(by), finite().max_by(by)].into_iter().flatten()
+    }
+
+    /// The only scene there is, with all that is said of it.
+    pub(crate) fn one_file(&self) -> Option<&asperity_scene::SceneFile> {
+        self.one_scene().map(|_| &*self.files[0])
     }
 
     /// The only scene there is.

@@ -87,7 +87,9 @@ impl SceneFile {
             }
             Heights::Table(z, density) => {
                 let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
-                file.table = Some(TabulatedHeights::new("table", &points).map_err(refused)?);
+                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
+                file.scene.heights = HeightDistribution::other(table.clone());
+                file.table = Some(table);
             }
         }
         let from = serde_json::from_value(Value::String(fields.separation_from));
@@ -162,6 +164,29 @@ impl SceneFile {
     /// The square root of height_std over the critical interference.
     fn plasticity_index(&self) -> PyResult<f64> {
         self.0.scene.plasticity_index().map_err(refused)
+    }
+
+    /// The text of a scene file that reads back exactly; a table of heights stands in a file of its
+    /// own.
+    #[pyo3(signature = (heights_file, comments))]
+    fn to_toml(&self, heights_file: Option<&str>, comments: Vec<String>) -> PyResult<String> {
+        let Self(file) = self;
+        if file.table.is_some() && heights_file.is_none() {
+            let needed =
+                "heights is a table: a path to write to was required, beside which it goes";
+            return Err(value_error(needed));
+        }
+        let comments: Vec<&str> = comments.iter().map(String::as_str).collect();
+        let text = asperity_scene::write(&file.scene, &file.options, heights_file, &comments);
+        // What is not among the numbers: the plane of the separations.
+        let from = match file.separation_from {
+            Datum::SurfaceMean => "separation_from = \"surface-mean\"\n",
+            _ => "",
+        };
+        Ok(match text.split_once("\n[options]") {
+            Some((before, options)) => format!("{before}{from}\n[options]{options}"),
+            None => text + from,
+        })
     }
 
     /// The ids of the models that this scene allows, simplest first.

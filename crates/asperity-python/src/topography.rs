@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity_topography::{LengthUnit, ReadOptions, Statistics, TopographyError};
+use asperity_topography::{Estimator, LengthUnit, ReadOptions, Statistics, TopographyError};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
@@ -113,6 +113,50 @@ impl Topography {
         Ok(heights.reshape([self.0.rows(), self.0.columns()])?.into_any())
     }
 
+    /// The same surface without its form: "none", "plane" or "quadratic" is taken away.
+    #[pyo3(name = "_levelled")]
+    fn levelled(&self, py: Python<'_>, level: &str) -> PyResult<Self> {
+        let level = level.parse().map_err(|error: TopographyError| value_error(error))?;
+        self.changed(py, |surface| surface.level(level))
+    }
+
+    /// The same surface without waves that are longer than a cut-off [m].
+    #[pyo3(name = "_filtered")]
+    fn filtered(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
+        self.changed(py, |surface| surface.filter(cutoff))
+    }
+
+    /// The same surface without waves that are shorter than a cut-off [m].
+    #[pyo3(name = "_smoothed")]
+    fn smoothed(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
+        self.changed(py, |surface| surface.smooth(cutoff))
+    }
+
+    /// Whether the surface goes on beyond its edges.
+    #[getter]
+    fn periodic(&self) -> bool {
+        self.0.is_periodic()
+    }
+
+    /// Heights [m] above the mean of the summits and the density there [1/m].
+    #[pyo3(name = "_summit_density")]
+    fn summit_density(&self, py: Python<'_>) -> PyResult<(Vec<f64>, Vec<f64>)> {
+        let found = py.detach(|| self.0.height_density()).map_err(value_error)?;
+        Ok((found.heights_m, found.density_per_m))
+    }
+
+    /// The fields of the equivalent rough surface of this one and another, as they are.
+    #[pyo3(name = "_against")]
+    fn against(&self, py: Python<'_>, other: &Self) -> PyResult<Surface> {
+        let both = py.detach(|| {
+            let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
+            Statistics::combined(&one?, &two?)
+        });
+        let both = both.map_err(value_error)?;
+        both.warnings.iter().try_for_each(|warning| warn(py, &warning.to_string(), 1))?;
+        Ok(both.surface().into())
+    }
+
     /// What the surface comes to, in SI units: Sq, Ssk, Sku, moments, asperities by the estimator
     /// ("moments" or "summits"), after levelling ("none", "plane" or "quadratic") and, where a
     /// cut-off [m] is given, a Gaussian filter.
@@ -151,6 +195,17 @@ impl Topography {
 }
 
 impl Topography {
+    fn changed(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(
+            asperity_topography::Topography,
+        ) -> Result<asperity_topography::Topography, TopographyError>
+        + Send,
+    ) -> PyResult<Self> {
+        py.detach(|| change(self.0.clone())).map(Self).map_err(value_error)
+    }
+
     fn found(
         &self,
         py: Python<'_>,

@@ -10,6 +10,9 @@ import scipy.stats
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+# Scenes are drawn, whether or not there are such surfaces.
+pytestmark = pytest.mark.filterwarnings("ignore::asperity.ContactWarning")
+
 # Where formulas of most models change, over the critical interference; quad finds the others.
 KINKS = [1.0, 1.9, 6.0, 110.0, 170.0]
 

@@ -220,7 +220,7 @@ class Hertz:
     """A model of one's own, which fails on soft asperities."""
 
     def __init__(self, asperity: asperity.Asperity) -> None:
-        if asperity.hardness < 1.5e9:
+        if (asperity.hardness or 0.0) < 1.5e9:
             raise ZeroDivisionError("too soft")
         self.asperity = asperity
 

@@ -13,6 +13,11 @@ pub trait Sampler: Send + Sync {
     /// [`QuadratureError::Refused`] with the reason when the function has no value there.
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
 
+    /// Writes the derivative at `x` to `out`, if there is a formula for it: says whether.
+    fn slope(&self, _x: &[f64], _out: &mut [f64]) -> bool {
+        false
+    }
+
     /// Error of the values at `x`, where they have been sampled, relative to the function's size
     /// nearby, if they are approximations. It may depend on nothing that others have sampled.
     fn relative_error(&self, _x: &[f64]) -> f64 {
@@ -97,6 +102,57 @@ impl Density {
     /// The pieces that cover all of `[low, high]`, which must not straddle a break.
     pub(crate) fn active(&self, low: f64, high: f64) -> impl Iterator<Item = &Piece> {
         self.pieces.iter().filter(move |p| p.from <= low && p.to >= high)
+    }
+
+    /// The value at one point; at a jump, that above it.
+    ///
+    /// # Errors
+    /// What a sampler refuses.
+    pub fn value_at(&self, x: f64) -> Result<f64, QuadratureError> {
+        self.value(x, |from, to| from <= x && x < to)
+    }
+
+    /// Whether there are formulas for the derivatives of all pieces.
+    #[must_use]
+    pub fn knows_slope(&self) -> bool {
+        self.pieces.iter().all(|piece| piece.sampler.slope(&[], &mut []))
+    }
+
+    /// The sum of the pieces whose ends suit, at one point.
+    pub(crate) fn value(
+        &self,
+        x: f64,
+        suits: impl Fn(f64, f64) -> bool,
+    ) -> Result<f64, QuadratureError> {
+        let mut total = 0.0;
+        for piece in self.pieces.iter().filter(|p| suits(p.from, p.to)) {
+            let mut value = [0.0];
+            piece.sampler.sample(&[x], &mut value)?;
+            total += piece.sign * value[0];
+        }
+        Ok(total)
+    }
+
+    /// Whether all pieces active on `[low, high]` know their derivative.
+    pub(crate) fn has_slope(&self, (low, high): (f64, f64)) -> bool {
+        self.active(low, high).all(|piece| piece.sampler.slope(&[], &mut []))
+    }
+
+    /// Adds up the derivatives of the pieces active on `[low, high]`, which all know theirs.
+    pub(crate) fn slope(
+        &self,
+        (low, high): (f64, f64),
+        x: &[f64],
+        scratch: &mut [f64],
+        out: &mut [f64],
+    ) {
+        out.fill(0.0);
+        for piece in self.active(low, high) {
+            piece.sampler.slope(x, scratch);
+            for (total, value) in out.iter_mut().zip(scratch.iter()) {
+                *total += piece.sign * value;
+            }
+        }
     }
 
     /// Adds up the pieces active on `[low, high]` at the points `x`.

@@ -117,8 +117,11 @@ impl Panel {
             &mut scratch[range.clone()],
             &mut values[range.clone()],
         )?;
-        for ((value, slope), x) in values.iter_mut().zip(&slope).zip(&x) {
-            *value *= slope * weight(*x);
+        for ((value, slope), &at) in values.iter_mut().zip(&slope).zip(&x) {
+            *value *= slope * weight(at);
+            if !value.is_finite() {
+                return Err(QuadratureError::NotFinite { at, value: *value });
+            }
         }
         let inner = 1..POINTS + 1;
         self.points.copy_from_slice(&x[inner.clone()]);
@@ -141,7 +144,7 @@ impl Panel {
 
 /// What a kink or jump beyond the outermost nodes hides, at most: the share of the panel out there
 /// times how far the function is, at its ends, from the series through the nodes.
-fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2]) -> f64 {
+pub(crate) fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2]) -> f64 {
     let largest = samples.iter().chain(ends.iter().flatten()).fold(0.0, |m: f64, f| m.max(f.abs()));
     let rounding = 1e-12 * largest;
     let off = |(series, value): (f64, Option<f64>)| value.map_or(0.0, |v| (series - v).abs());

@@ -10,6 +10,7 @@ use asperity::ContactError;
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 
+use crate::quantity::{NoQuantity, in_si};
 use crate::template::key;
 use crate::{Place, SceneError};
 
@@ -24,7 +25,8 @@ pub(crate) struct Document<'a> {
     file: Option<&'a Path>,
     /// Where relative paths begin; keywords have none, and no lines.
     directory: Option<&'a Path>,
-    text: &'a str,
+    /// With plain numbers in the place of those with units.
+    text: Cow<'a, str>,
     /// Every key, those of a table behind its own, and where it stands.
     keys: Vec<(String, Range<usize>)>,
 }
@@ -36,10 +38,23 @@ impl<'a> Document<'a> {
         directory: Option<&'a Path>,
         text: &'a str,
     ) -> Result<(Self, T), SceneError> {
-        let mut document = Self { file, directory, text, keys: vec![] };
+        let mut document = Self { file, directory, text: text.into(), keys: vec![] };
         let root = DeTable::parse(text).map_err(|error| document.no_toml(&error))?;
-        document.index(String::new(), root.span(), &DeValue::Table(root.into_inner()), DEEPEST);
-        let read = toml::from_str(text).map_err(|error| document.explained(&error))?;
+        let (span, table) = (root.span(), root.into_inner());
+        let in_si = in_si(text, &table);
+        document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
+        let in_si = in_si.map_err(|NoQuantity { path, found, needed }| {
+            SceneError::value(document.place(&path), shortened(&found), &needed)
+        })?;
+        if in_si != text {
+            // The keys once more, as they stand now.
+            document.keys.clear();
+            document.text = in_si.into();
+            let text = document.text.clone();
+            let root = DeTable::parse(&text).map_err(|error| document.no_toml(&error))?;
+            document.index(String::new(), root.span(), &DeValue::Table(root.into_inner()), DEEPEST);
+        }
+        let read = toml::from_str(&document.text).map_err(|error| document.explained(&error))?;
         Ok((document, read))
     }
 

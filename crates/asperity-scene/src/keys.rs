@@ -29,11 +29,15 @@ pub(crate) struct SurfaceKeys {
     pub(crate) asperity_radius: Option<f64>,
     pub(crate) asperity_density: Option<f64>,
     pub(crate) asperity_height_std: Option<f64>,
+    pub(crate) surface_height_std: Option<f64>,
     pub(crate) plasticity_index: Option<f64>,
     pub(crate) roughness_parameter: Option<f64>,
     pub(crate) m0: Option<f64>,
     pub(crate) m2: Option<f64>,
     pub(crate) m4: Option<f64>,
+    pub(crate) sq: Option<f64>,
+    pub(crate) spd: Option<f64>,
+    pub(crate) spc: Option<f64>,
     pub(crate) file: Option<PathBuf>,
     pub(crate) files: Option<Vec<PathBuf>>,
     pub(crate) unit: Option<LengthUnit>,
@@ -41,6 +45,8 @@ pub(crate) struct SurfaceKeys {
     pub(crate) estimator: Estimator,
     pub(crate) level: Level,
     pub(crate) filter: Option<f64>,
+    pub(crate) smooth: Option<f64>,
+    pub(crate) periodic: bool,
     pub(crate) max_missing: Option<f64>,
     pub(crate) separation_from: Datum,
     pub(crate) heights: HeightsKey,
@@ -62,12 +68,13 @@ pub(crate) enum PixelSize {
 #[serde(
     rename_all = "kebab-case",
     deny_unknown_fields,
-    expecting = "\"gaussian\" or \"exponential\" or { file = \"pdf.csv\" }"
+    expecting = "\"gaussian\" or \"exponential\" or \"measured\" or { file = \"pdf.csv\" }"
 )]
 pub(crate) enum HeightsKey {
     #[default]
     Gaussian,
     Exponential,
+    Measured,
     #[serde(untagged)]
     Table {
         file: PathBuf,

@@ -3,6 +3,7 @@
 // This crate knows the models through the facade's registry alone, and does no arithmetic on
 // results.
 
+mod check;
 mod document;
 mod error;
 mod heights;
@@ -10,12 +11,14 @@ mod interface;
 mod keys;
 mod measured;
 mod options;
+mod quantity;
 mod scan;
 mod scene_file;
 mod surface;
 mod template;
 mod write;
 
+pub use check::Measured;
 pub use error::{Place, SceneError};
 pub use heights::write_heights;
 pub use options::{ModelOptions, OptionValue};

@@ -3,19 +3,22 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::Surface;
-use asperity_topography::{Estimator, ReadOptions, Statistics, Topography, TopographyError, read};
+use asperity::{Surface, TabulatedHeights};
+use asperity_topography::{
+    Estimator, HeightDensity, ReadOptions, Statistics, Topography, TopographyError, read,
+};
 
-use crate::SceneError;
 use crate::document::Document;
-use crate::keys::{PixelSize, SurfaceKeys};
+use crate::keys::{HeightsKey, PixelSize, SurfaceKeys};
+use crate::{Measured, SceneError};
 
 /// The surface of a scene.
 #[derive(Debug, Clone)]
 pub(crate) struct Described {
     pub(crate) surface: Surface,
-    /// Mean of the asperity heights above the mean plane \[m\].
-    pub(crate) mean_plane_offset: Option<f64>,
+    pub(crate) measured: Option<Measured>,
+    /// The density of its summits' heights, where that is asked for.
+    pub(crate) heights: Option<TabulatedHeights>,
     pub(crate) notes: Vec<String>,
     /// The scan, levelled and filtered, where there is one alone.
     pub(crate) scan: Option<Arc<Topography>>,
@@ -29,7 +32,14 @@ pub(crate) fn measured(
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     let one = |at: &str, path: &Path| {
         let path = document.path(path);
-        let found = read(&path, &read_options(keys)).and_then(|read| prepared(read, keys));
+        let found = read(&path, &read_options(keys)).and_then(|read| {
+            let [dx, dy] = read.pixel_size();
+            let topography = prepared(read, keys)?;
+            let statistics = topography.statistics(keys.estimator)?;
+            let asked = matches!(keys.heights, HeightsKey::Measured);
+            let density = asked.then(|| density(&topography)).transpose()?;
+            Ok((Measured { statistics, pixel_size: dx.max(dy) }, density, topography))
+        });
         found.map_err(|error| match unnamed(error) {
             // What is wrong with an option stands at that option, all else at the file.
             TopographyError::OutOfRange { field, value, required } => {
@@ -41,7 +51,7 @@ pub(crate) fn measured(
             }
         })
     };
-    let (at, statistics, scan) = match (&keys.file, keys.files.as_deref()) {
+    let (at, (measured, density, scan)) = match (&keys.file, keys.files.as_deref()) {
         (Some(_), Some(_)) => {
             let needed = "file = \"a.x3p\" or files = [\"a.x3p\", \"b.x3p\"]";
             return conflict("surface.file", "surface.files", needed);
@@ -50,13 +60,19 @@ pub(crate) fn measured(
             let needed = "estimator = \"moments\" for two surfaces: their moments add, their summits do not,";
             return conflict("surface.estimator", "surface.files", needed);
         }
+        (_, Some(_)) if matches!(keys.heights, HeightsKey::Measured) => {
+            let needed = "one file: the heights of two surfaces do not add,";
+            return conflict("surface.heights", "surface.files", needed);
+        }
         (_, Some([first, second])) => {
             let at = "surface.files";
-            let (a, _) = one("surface.files[1]", first)?;
-            let (b, _) = one("surface.files[2]", second)?;
-            let both = Statistics::combined(&a, &b).map_err(|error| error.to_string());
+            let (a, ..) = one("surface.files[1]", first)?;
+            let (b, ..) = one("surface.files[2]", second)?;
+            let pixel_size = a.pixel_size.max(b.pixel_size);
+            let both = Statistics::combined(&a.statistics, &b.statistics);
             let refused = |reason| SceneError::Measured { at: document.place(at), reason };
-            (at, both.map_err(refused)?, None)
+            let statistics = both.map_err(|error| refused(error.to_string()))?;
+            (at, (Measured { statistics, pixel_size }, None, None))
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
@@ -65,15 +81,20 @@ pub(crate) fn measured(
         }
         (file, None) => {
             let at = "surface.file";
-            let (statistics, scan) = one(at, file.as_deref().unwrap_or(Path::new("")))?;
-            (at, statistics, Some(Arc::new(scan)))
+            let (measured, density, scan) = one(at, file.as_deref().unwrap_or(Path::new("")))?;
+            (at, (measured, density, Some(Arc::new(scan))))
         }
     };
+    let statistics = &measured.statistics;
     let surface = statistics.surface();
     surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
     let notes = statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
-    Ok(Described { surface, mean_plane_offset: Some(statistics.mean_plane_offset), notes, scan })
+    let heights = density.map(|points| {
+        TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
+    });
+    let (heights, measured) = (heights.transpose()?, Some(measured));
+    Ok(Described { surface, measured, heights, notes, scan })
 }
 
 /// Reading names the file, what follows does not.
@@ -93,16 +114,24 @@ fn read_options(keys: &SurfaceKeys) -> ReadOptions {
     ReadOptions { unit: keys.unit, pixel_size, max_missing }
 }
 
-/// The statistics of a topography, and itself, levelled and filtered.
-fn prepared(
-    topography: Topography,
-    keys: &SurfaceKeys,
-) -> Result<(Statistics, Topography), TopographyError> {
-    let mut topography = topography.level(keys.level)?;
-    if let Some(cutoff) = keys.filter {
-        topography = topography.filter(cutoff)?;
+/// The density of the summits' heights above the mean plane.
+fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> {
+    let summits = topography.summits()?;
+    let offset = summits.mean() - topography.mean();
+    let HeightDensity { heights_m, density_per_m, .. } = summits.height_density()?;
+    Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
+}
+
+/// Levelled and filtered.
+fn prepared(read: Topography, keys: &SurfaceKeys) -> Result<Topography, TopographyError> {
+    let mut topography = read.with_periodic(keys.periodic).level(keys.level)?;
+    if let Some(cutoff) = keys.smooth {
+        topography = topography.smooth(cutoff)?;
     }
-    Ok((topography.statistics(keys.estimator)?, topography))
+    match keys.filter {
+        Some(cutoff) => topography.filter(cutoff),
+        None => Ok(topography),
+    }
 }
 
 #[cfg(test)]
@@ -129,7 +158,7 @@ mod tests {
 
     fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
         let keys = SurfaceKeys { level, filter, estimator, ..SurfaceKeys::default() };
-        prepared(topography(192), &keys).unwrap().0
+        prepared(topography(192), &keys).unwrap().statistics(estimator).unwrap()
     }
 
     #[test]

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::{
-    ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity, Request,
-    Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
+    Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
+    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
@@ -15,7 +15,7 @@ use crate::heights::{compared, read_heights};
 use crate::interface::interface;
 use crate::keys::{HeightsKey, SceneKeys};
 use crate::surface::surface;
-use crate::{ModelOptions, Place, SceneError};
+use crate::{Measured, ModelOptions, Place, SceneError};
 
 /// All that a scene file says.
 #[derive(Debug, Clone)]
@@ -29,6 +29,10 @@ pub struct SceneFile {
     pub separation_from: Datum,
     /// The table of heights, where there is one: what `scene.heights` was made of.
     pub table: Option<TabulatedHeights>,
+    /// The bodies that the interface follows from, where they were given.
+    pub bodies: Vec<Body>,
+    /// What the scans say that the surface follows from, where there are any.
+    pub measured: Option<Measured>,
     /// What was read, and still deserves a word.
     pub warnings: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
@@ -78,7 +82,7 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
     keys.options.check(document, "options.")?;
     let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { options, surface: keys, nominal_area, .. } = keys;
+    let SceneKeys { options, surface: keys, nominal_area, body: bodies, .. } = keys;
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
     let table = match &keys.heights {
@@ -92,6 +96,7 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     if let Some(table) = &table {
         warnings.extend(compared(document, table, std)?);
     }
+    let table = table.or(described.heights);
     let from = keys.separation_from;
     let impossible = match (&keys.heights, &table) {
         _ if from == Datum::AsperityMean => None,
@@ -109,19 +114,15 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let mut scene = Scene::new(interface, surface, nominal_area);
     scene.heights = match (&keys.heights, &table) {
         (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
-        (_, Some(table)) => in_units_of(table, std).map_err(document.refused("surface"))?,
+        (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };
     scene.asperity().map_err(document.refused(of_interface))?;
-    let measured = described.mean_plane_offset;
-    scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(measured);
-    let scan = described.scan;
-    Ok(SceneFile { scene, options, separation_from: from, table, warnings, scan })
-}
-
-/// A table of heights as the library takes it, for this `asperity_height_std` \[m\].
-fn in_units_of(table: &TabulatedHeights, std: f64) -> Result<HeightDistribution, ContactError> {
-    Ok(HeightDistribution::other(table.clone().in_units_of(std)?))
+    let measured = described.measured;
+    let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
+    scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
+    let (scan, separation_from) = (described.scan, from);
+    Ok(SceneFile { scene, options, separation_from, table, bodies, measured, warnings, scan })
 }
 
 impl From<Scene> for SceneFile {
@@ -133,6 +134,8 @@ impl From<Scene> for SceneFile {
             options: ModelOptions::default(),
             separation_from: Datum::AsperityMean,
             table: None,
+            bodies: vec![],
+            measured: None,
             warnings: vec![],
             scan: None,
         }
@@ -186,15 +189,14 @@ impl SceneFile {
     ) -> Result<Self, ContactError> {
         let mut scene = Scene::new(interface, surface, nominal_area);
         scene.asperity()?;
-        scene.heights = match &self.table {
-            Some(table) => in_units_of(table, surface.asperity_height_std)?,
-            None => self.scene.heights.clone(),
-        };
+        scene.heights = self.scene.heights.clone();
         // What was measured holds for the surface it was measured on.
         let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
+        let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
+        let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
         // Nor is a scan one of another surface.
         let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
-        Ok(Self { scene, warnings: vec![], scan, ..self.clone() })
+        Ok(Self { scene, bodies, measured, warnings: vec![], scan, ..self.clone() })
     }
 }

@@ -1,23 +1,29 @@
-//! `[surface]`: exactly one of four ways to say what the asperities are.
+//! `[surface]`: exactly one of five ways to say what the asperities are.
 
 use asperity::{Interface, ProfileMoments, Surface};
 
 use crate::SceneError;
 use crate::document::Document;
-use crate::keys::SurfaceKeys;
+use crate::keys::{HeightsKey, SurfaceKeys};
 use crate::measured::{Described, measured};
 
-/// The four ways; the keys but `asperity_height_std` tell them from each other.
-const WAYS: [&[&str]; 4] = [
+/// The five ways; the keys but `asperity_height_std` tell them from each other.
+const WAYS: [&[&str]; 5] = [
     &["asperity_radius", "asperity_density", STD],
     &["plasticity_index", "roughness_parameter", STD],
     &["m0", "m2", "m4"],
+    &["sq", "spd", "spc"],
     &["file", "files"],
 ];
+/// The last of them.
+const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
+/// What may stand in its place, beside radius and density.
+const OF_SURFACE: &str = "surface_height_std";
 
 /// Keys that only measured files have.
-const OF_FILES: [&str; 6] = ["unit", "pixel_size", "estimator", "level", "filter", "max_missing"];
+const OF_FILES: [&str; 8] =
+    ["unit", "pixel_size", "estimator", "level", "filter", "smooth", "periodic", "max_missing"];
 
 /// `measured_std` is the standard deviation of a table of heights, where there is one: it may
 /// stand in for an `asperity_height_std` that was not given.
@@ -39,8 +45,17 @@ pub(crate) fn surface(
     if let Some((_, other)) = given.next() {
         return conflict(key, other, &one_way);
     }
-    if let Some(of_files) = OF_FILES.iter().find(has).filter(|_| way != 3) {
+    if let Some(of_files) = OF_FILES.iter().find(has).filter(|_| way != MEASURED) {
         return conflict(of_files, key, "a measured file");
+    }
+    if has(&&OF_SURFACE) && way > 0 {
+        return conflict(OF_SURFACE, key, "asperity_radius and asperity_density beside it");
+    }
+    if has(&&OF_SURFACE) && has(&&STD) {
+        return conflict(OF_SURFACE, STD, "one of the two: the one follows from the other");
+    }
+    if matches!(keys.heights, HeightsKey::Measured) && way != MEASURED {
+        return conflict("heights", key, "a measured file, whose heights they are");
     }
     let together = WAYS[way].join(", ");
     if way > 1 && has(&&STD) {
@@ -53,11 +68,14 @@ pub(crate) fn surface(
     let std = || needed(STD, keys.asperity_height_std.or(measured_std));
     let refused = document.refused("surface");
     let surface = match way {
-        0 => Surface::new(
-            needed("asperity_radius", keys.asperity_radius)?,
-            needed("asperity_density", keys.asperity_density)?,
-            std()?,
-        ),
+        0 => {
+            let radius = needed("asperity_radius", keys.asperity_radius)?;
+            let density = needed("asperity_density", keys.asperity_density)?;
+            match keys.surface_height_std {
+                Some(std) => Surface::from_surface_std(radius, density, std).map_err(&refused)?,
+                None => Surface::new(radius, density, std()?),
+            }
+        }
         1 => {
             let index = needed("plasticity_index", keys.plasticity_index)?;
             let parameter = needed("roughness_parameter", keys.roughness_parameter)?;
@@ -68,8 +86,14 @@ pub(crate) fn surface(
             let (m2, m4) = (needed("m2", keys.m2)?, needed("m4", keys.m4)?);
             Surface::from_moments(&ProfileMoments { m0, m2, m4 }).map_err(&refused)?
         }
+        // What ISO 25178 calls peaks are taken for the asperities: Spd for η, 1/Spc for R.
+        3 => {
+            let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
+            let spc = asperity::positive("spc", needed("spc", keys.spc)?).map_err(&refused)?;
+            Surface::from_surface_std(1.0 / spc, spd, sq).map_err(&refused)?
+        }
         _ => return measured(document, keys),
     };
     surface.check().map_err(&refused)?;
-    Ok(Described { surface, mean_plane_offset: None, notes: vec![], scan: None })
+    Ok(Described { surface, measured: None, heights: None, notes: vec![], scan: None })
 }

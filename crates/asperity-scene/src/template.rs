@@ -55,7 +55,7 @@ mod tests {
             let key = key("", name).unwrap();
             assert_eq!((key.section, key.meaning), (section, meaning), "{name}");
         }
-        assert!(key("", "surface").unwrap().meaning.contains("exactly one of four ways"));
+        assert!(key("", "surface").unwrap().meaning.contains("exactly one of five ways"));
         assert_eq!(key("interface", "poissons_ratio").unwrap().meaning, "of the softer body");
         assert!(key("", "zeta").is_none() && key("", "").is_none());
     }

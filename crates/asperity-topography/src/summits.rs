@@ -41,7 +41,8 @@ impl Summits {
     }
 
     /// Mean of the heights \[m\]; NaN where there is none.
-    pub(crate) fn mean(&self) -> f64 {
+    #[must_use]
+    pub fn mean(&self) -> f64 {
         self.heights.iter().sum::<f64>() / self.heights.len() as f64
     }
 }

@@ -145,7 +145,8 @@ impl Topography {
     }
 
     /// Mean of the heights that are there \[m\], summed row by row.
-    pub(crate) fn mean(&self) -> f64 {
+    #[must_use]
+    pub fn mean(&self) -> f64 {
         let row_sum = |row: &[f64]| row.iter().filter(|height| !height.is_nan()).sum::<f64>();
         self.heights.chunks(self.columns).map(row_sum).sum::<f64>() / self.measured() as f64
     }

@@ -71,13 +71,14 @@ fn pressure(x: f64) -> f64 {
 
 /// w₁ \[m\].
 fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
-    let strain = 0.75 * PI * YIELD_PRESSURE * asperity.hardness / asperity.equivalent_modulus;
+    let value = asperity.hardness()?;
+    let strain = 0.75 * PI * YIELD_PRESSURE * value / asperity.equivalent_modulus;
     if strain < 1.0 {
         return Ok(strain * strain * asperity.radius);
     }
     let required =
         "a hardness below 4E/(3 pi 0.4), so that yield begins below an interference of one radius,";
-    Err(ContactError::OutOfRange { field: "hardness", value: asperity.hardness, required })
+    Err(ContactError::OutOfRange { field: "hardness", value, required })
 }
 
 impl AsperityModel for ZhaoMaiettaChang {
@@ -97,7 +98,7 @@ impl AsperityModel for ZhaoMaiettaChang {
         Ok(Some(match quantity {
             Quantity::Force => {
                 let force = Form::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
-                Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness * area_unit)
+                Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness()? * area_unit)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
                     .elastic_plastic(between, force)
                     .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)])

@@ -4,7 +4,8 @@
 use std::hint::black_box;
 
 use asperity::{
-    Case, Interface, Model, Quantity, Request, Scene, Surface, Sweep, Tolerance, linspace,
+    Case, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Sweep,
+    TabulatedHeights, Tolerance, linspace,
 };
 use asperity_quadrature::{gauss_kronrod, reach};
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -115,8 +116,39 @@ fn sweeps(c: &mut Criterion) -> Outcome<()> {
     Ok(())
 }
 
+/// KE's force on measured heights: from its series, and integrated anew.
+fn tables(c: &mut Criterion) -> Outcome<()> {
+    let ke: Model = "ke".parse()?;
+    for rows in [101u32, 1001] {
+        let point = |k: u32| {
+            let z = -4.0 + 9.0 * f64::from(k) / f64::from(rows - 1);
+            (1e-6 * z, (-0.5 * z * z).exp() * (1.0 + 0.2 * f64::from(7 * k).sin()))
+        };
+        let points: Vec<(f64, f64)> = (0..rows).map(point).collect();
+        let heights = TabulatedHeights::new("measured", &points)?;
+        let mut scene = scene()?;
+        scene.surface.asperity_height_std = heights.standard_deviation();
+        scene.heights = HeightDistribution::other(heights);
+        let separations: Vec<f64> = separations().into_iter().map(|d| 0.5 * d).collect();
+        let compiled = ke.compile(&scene, &request(Quantity::Force)?)?;
+        let sweep = Sweep::new(&ke, &[Quantity::Force], Tolerance::new(1e-10)?);
+        let mut k = 0;
+        let mut next = || {
+            k = (k + 1) % separations.len();
+            separations[k]
+        };
+        c.bench_function(&format!("table of {rows}, compiled/ke"), |b| {
+            b.iter(|| compiled.evaluate(Quantity::Force, black_box(next())).map(|e| e.scaled));
+        });
+        c.bench_function(&format!("table of {rows}, once/ke"), |b| {
+            b.iter(|| sweep.evaluate(&Case::new(scene.clone(), next())));
+        });
+    }
+    Ok(())
+}
+
 fn all(c: &mut Criterion) {
-    for group in [evaluations, classical, whole_answers, sweeps] {
+    for group in [evaluations, classical, whole_answers, sweeps, tables] {
         if let Err(error) = group(c) {
             eprintln!("error: {error}");
         }

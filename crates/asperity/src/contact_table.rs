@@ -56,6 +56,18 @@ pub enum TableError {
     /// The model refused.
     #[error(transparent)]
     Contact(#[from] ContactError),
+    /// The code takes fewer nodes.
+    #[error(
+        "{nodes} nodes: at most {most} were required, as {format} takes no more: a larger error, a narrower range or fewer nodes"
+    )]
+    TooMany {
+        /// Nodes of the table.
+        nodes: usize,
+        /// Nodes that can be written.
+        most: usize,
+        /// What takes no more.
+        format: &'static str,
+    },
     /// The range is empty.
     #[error("range is {first} to {last}: a first separation below the last was required")]
     Range {

@@ -2,6 +2,7 @@
 
 mod contact_table;
 mod cubic;
+mod fe_tables;
 mod recommend;
 mod registry;
 mod truth;
@@ -21,6 +22,7 @@ pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_ke::KogutEtsion;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
+pub use fe_tables::TableFormat;
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;
 pub use truth::{ContactState, Truth, truth};

@@ -53,7 +53,7 @@ pub fn table() -> Result<Table> {
             };
             let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
             // Where the printed sum is negative, a mean pressure means nothing.
-            let pressure = f / a / asperity.hardness;
+            let pressure = f / a / asperity.hardness()?;
             let pressure = if f > 0.0 && a > 0.0 { Field::Number(pressure) } else { Field::Gap };
             table.push(&[
                 Field::Word(id),

@@ -153,7 +153,7 @@ impl BemCommand {
             (&self.picture, &maps[..], whole.first())
         {
             let hardness = scene.file.scene.interface.check()?.0;
-            let hardness = (!self.way.elastic).then_some(hardness);
+            let hardness = hardness.filter(|_| !self.way.elastic);
             let map = contact_map::picture(&bem, pressures, row, hardness, &scene.name);
             let svg = draw_map(&map)?;
             output::write_text(Some(path), &svg)?;

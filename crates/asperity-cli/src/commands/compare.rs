@@ -24,9 +24,9 @@ Examples:
 pub struct Compare {
     #[command(flatten)]
     asked: Asked,
-    /// The model that the others are compared with
-    #[arg(long, value_name = "M", value_parser = model_id, default_value = "ke")]
-    reference: String,
+    /// The model that the others are compared with [default: ke; gw where there is no hardness]
+    #[arg(long, value_name = "M", value_parser = model_id)]
+    reference: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -35,9 +35,10 @@ impl Compare {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene)?;
         let models = scene.models(&self.asked.models)?;
-        let reference = scene.model(&self.reference)?;
+        let reference = scene.reference(self.reference.as_deref())?;
         let request = self.asked.request(&scene.file, &[2.0], &USUAL);
         let mut question = Question::new(&scene, request);
+        question.unasked = self.asked.is_nowhere();
         let quantities = question.request.quantities.clone();
 
         let mut table = question.head();

@@ -59,6 +59,7 @@ impl Curve {
         let models = scene.models(&self.asked.models)?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let mut question = Question::new(&scene, request);
+        question.unasked = self.asked.is_nowhere();
         let table = question.table(&models, self.errors)?;
         if drawn.is_some() {
             let svg = plot::svg(&table, &question.request, scene.file.separation_from)?;

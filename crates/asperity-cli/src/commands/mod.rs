@@ -1,6 +1,7 @@
 //! One command a file.
 
 pub mod bem;
+pub mod check;
 pub mod compare;
 pub mod curve;
 pub mod export;
@@ -8,6 +9,7 @@ pub mod init;
 pub mod models;
 pub mod plan;
 pub mod recommend;
+pub mod scales;
 pub mod solve;
 pub mod surface;
 pub mod truth;

@@ -29,9 +29,9 @@ Examples:
 pub struct Recommend {
     #[command(flatten)]
     asked: Asked,
-    /// The model that the others are compared with
-    #[arg(long, value_name = "M", value_parser = model_id, default_value = "ke")]
-    reference: String,
+    /// The model that the others are compared with [default: ke; gw where there is no hardness]
+    #[arg(long, value_name = "M", value_parser = model_id)]
+    reference: Option<String>,
     /// Largest relative deviation
     #[arg(long, value_name = "X", value_parser = positive_number, default_value = "0.05")]
     within: f64,
@@ -43,14 +43,14 @@ impl Recommend {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene)?;
         let models = scene.models(&self.asked.models)?.into_iter().map(|(_, model)| model);
-        let (_, reference) = scene.model(&self.reference)?;
+        let (id, reference) = scene.reference(self.reference.as_deref())?;
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
         let working = progress("comparing models");
         let scene_of = &scene.file.scene;
         let advice = recommend_among(models.collect(), scene_of, &request, &reference, self.within)
-            .with_context(|| format!("{}: the reference {}", scene.name, self.reference))?;
+            .with_context(|| format!("{}: the reference {id}", scene.name))?;
         drop(working);
 
         let mut table = Table::new(&["model", "asperities", "parts"]);

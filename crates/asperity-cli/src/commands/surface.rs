@@ -4,11 +4,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
 use asperity_scene::ModelOptions;
-use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, Statistics, Topography};
+use asperity_topography::{
+    Estimator, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError,
+};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::args::OutputArgs;
+use crate::commands::scales::Scales;
 use crate::numbers::{number, positive_number, positive_numbers};
 use crate::output::{self, once, progress, say};
 use crate::table::{Cell, Format, Table};
@@ -20,11 +23,14 @@ use crate::table::{Cell, Format, Table};
 What a file does not say of its units and pixels must be said here; nothing is
 guessed. A scan of n points at a distance dx is n dx wide.
 With two files, their moments add: two rough surfaces in contact.
+--scales shows how the numbers depend on the shortest wave that is kept: what
+follows it is the instrument's, not the surface's.
 
 Examples:
   asperity surface scan.txt --unit um --pixel-size 0.5
   asperity surface scan.txt --unit um --pixel-size 0.5,0.5 --estimator summits --format json
   asperity surface scan.txt --unit um --pixel-size 0.5 --heights pdf.csv --scene rough.toml
+  asperity surface scan.txt --unit um --pixel-size 0.5 --scales 1.5e-6:2e-5:8:log
   asperity surface scan.txt scan.txt --unit um --pixel-size 0.5 --scene measured.toml"
 )]
 pub struct Surface {
@@ -67,6 +73,8 @@ pub struct Surface {
     /// Replace the scene and heights files if they exist
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    scales: Scales,
 }
 
 fn pixel_size(text: &str) -> Result<[f64; 2], String> {
@@ -84,6 +92,11 @@ impl Surface {
             output::refuse_to_replace(path, self.force)?;
         }
         let working = progress("surface");
+        if self.scales.is_asked() {
+            let table = self.at_scales()?;
+            drop(working);
+            return self.output.write(&table);
+        }
         let (mut each, mut words, mut density) = (vec![], vec![], None);
         for path in &self.files {
             let of = || path.display().to_string();
@@ -125,6 +138,9 @@ impl Surface {
         if self.heights.is_some() && self.files.len() > 1 {
             refuse("--heights takes one FILE: the heights of two surfaces do not add");
         }
+        if self.scales.is_asked() && self.files.len() > 1 {
+            refuse("--scales takes one FILE");
+        }
         if let (Some(smooth), Some(filter)) = (self.smooth, self.filter)
             && smooth >= filter
         {
@@ -139,22 +155,36 @@ impl Surface {
         names.join(between)
     }
 
+    /// The surface against the shortest wave that is kept.
+    fn at_scales(&self) -> Result<Table> {
+        let path = self.files.first().context("a file was required")?;
+        let surface = self.levelled(path)?;
+        let finish = |smooth: Topography| Ok(self.filtered(smooth)?);
+        self.scales.table(&surface, self.estimator, finish)
+    }
+
     /// Read, levelled and filtered.
     fn prepared(&self, path: &Path) -> Result<Topography> {
+        let mut surface = self.levelled(path)?;
+        let of = || path.display().to_string();
+        if let Some(cutoff) = self.smooth {
+            surface = surface.smooth(cutoff).with_context(of)?;
+        }
+        self.filtered(surface).with_context(of)
+    }
+
+    fn levelled(&self, path: &Path) -> Result<Topography> {
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let options = ReadOptions { unit, pixel_size, max_missing };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
-        let prepared = || {
-            let mut surface = read.level(self.level)?;
-            if let Some(cutoff) = self.smooth {
-                surface = surface.smooth(cutoff)?;
-            }
-            match self.filter {
-                Some(cutoff) => surface.filter(cutoff),
-                None => Ok(surface),
-            }
-        };
-        prepared().with_context(|| path.display().to_string())
+        read.level(self.level).with_context(|| path.display().to_string())
+    }
+
+    fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
+        match self.filter {
+            Some(cutoff) => surface.filter(cutoff),
+            None => Ok(surface),
+        }
     }
 
     /// The template's scene on this surface.

@@ -102,3 +102,49 @@ fn what_a_solver_cannot_use_is_refused() {
     assert_eq!(coarse.code, Some(1));
     assert!(coarse.words.contains("2 nodes are too few"), "{}", coarse.words);
 }
+
+#[test]
+fn other_solvers_read_the_same_lines_in_their_own_words() {
+    let bench = Bench::new();
+    let of = |form: &str, words: &str| {
+        bench.run(&format!("export scene.toml --model ke --as {form} --load 1:1e3 {words}"))
+    };
+    let numbers = |line: &str| -> Vec<f64> {
+        line.split([',', ' ']).filter_map(|word| word.parse().ok()).collect()
+    };
+    let rows = |text: &str| -> Vec<Vec<f64>> {
+        text.lines().filter(|line| !line.starts_with('*')).map(numbers).collect()
+    };
+    let (abaqus, calculix) = (of("abaqus", "--max-error 0.1"), of("calculix", "--max-error 0.1"));
+    let (pairs, shifted) = (rows(&abaqus.out), rows(&calculix.out));
+    assert!(calculix.out.contains(
+        "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0.000000000e0, 0.000000000e0\n"
+    ));
+    assert_eq!(pairs.len(), shifted.len());
+    let begins = -pairs[0][1];
+    assert!(calculix.out.contains(&format!("at a separation of {begins:.9e} m")));
+    for (pair, moved) in pairs.iter().zip(&shifted) {
+        assert!((moved[0] - pair[0]).abs() <= 1e-9 * pair[0]);
+        assert!((moved[1] - (pair[1] + begins)).abs() < 1e-9 * begins);
+    }
+    // ccx reads 20 characters of a number.
+    let longest = calculix.out.lines().filter(|line| !line.starts_with('*'));
+    assert!(longest.flat_map(|line| line.split(", ")).all(|word| word.len() <= 20));
+
+    let ansys = of("ansys", "--max-error 0.1").out;
+    let constants = ansys.lines().filter(|line| line.starts_with('R'));
+    let points: Vec<f64> = constants.flat_map(numbers).collect();
+    let points: Vec<&[f64]> = points.chunks(2).collect();
+    assert!(points.len() <= 20 && points.len() == pairs.len() + 1, "{ansys}");
+    assert!(points.is_sorted_by(|a, b| a[0] < b[0]), "deflections ascend: {ansys}");
+    let origin = points[points.len() - 2];
+    assert!(origin[0] == 0.0 && origin[1] == 0.0 && points[points.len() - 1][0] > 0.0);
+    let closest = &pairs[pairs.len() - 1];
+    // The whole nominal area of the scene hangs on one spring.
+    assert!((points[0][1] / -1e3 - 1.0).abs() < 1e-8 && points[0][1] < 0.0);
+    assert!((points[0][0] + closest[1] + begins).abs() < 1e-9 * begins);
+    assert!(ansys.lines().all(|line| line.split(',').count() <= 8), "6 constants a line: {ansys}");
+    let refused = of("ansys", "--max-error 1e-3");
+    assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
+    assert!(refused.words.contains("at most 18 were required, as COMBIN39"), "{}", refused.words);
+}

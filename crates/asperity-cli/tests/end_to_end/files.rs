@@ -6,13 +6,13 @@ use std::process::Stdio;
 
 use crate::bench::{Bench, Run};
 
-const CURVE: &str = "curve scene.toml --model gw --separation 0:4:3";
+const CURVE: &str = "curve scene.toml --model ke --separation 0:4:3";
 
 #[test]
 fn a_reader_that_has_seen_enough_is_no_error() {
     let bench = Bench::new();
     for format in ["csv", "json", "table"] {
-        let words = format!("curve scene.toml --model gw --separation 0:4:50000 --format {format}");
+        let words = format!("curve scene.toml --model ke --separation 0:4:50000 --format {format}");
         let mut child = bench
             .command()
             .args(words.split(' '))
@@ -108,7 +108,7 @@ fn names_that_are_no_text_are_files_like_any_other() {
         command.arg("curve").arg(scene).arg("--output").arg(out).arg("--plot").arg(plot);
         Run::of(command.args(["--separation", "1", "--model"]).arg(model).output().unwrap())
     };
-    let run = curve(OsStr::new("gw"));
+    let run = curve(OsStr::new("ke"));
     assert_eq!((run.code, run.words.as_str()), (Some(0), ""));
     assert!(fs::read(bench.folder().join(out)).unwrap().starts_with(b"model,"));
     assert!(fs::read(bench.folder().join(plot)).unwrap().starts_with(b"<svg"));
@@ -117,7 +117,7 @@ fn names_that_are_no_text_are_files_like_any_other() {
     assert_eq!(run.code, Some(2), "{}", run.words);
     // And so is the name in an error, as far as it can be.
     fs::write(bench.folder().join(scene), "nominal_area = -1").unwrap();
-    let run = curve(OsStr::new("gw"));
+    let run = curve(OsStr::new("ke"));
     assert_eq!(run.code, Some(1));
     assert!(run.words.contains("sc\u{fffd}ne.toml"), "{}", run.words);
 }

@@ -5,8 +5,9 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 13] = [
     "",
+    "check",
     "curve",
     "solve",
     "compare",

@@ -185,7 +185,7 @@ fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
     );
     assert!(bench.read("made/rough.toml").contains("{ file = \"heights/pdf.csv\" }"));
     std::fs::rename(bench.path("made"), bench.path("moved")).unwrap();
-    let run = bench.run("curve moved/rough.toml --model gw --separation 1");
+    let run = bench.run("curve moved/rough.toml --model ke --separation 3");
     assert_eq!(run.code, Some(0), "{}", run.words);
     // No word of a density that is wider than its summits.
     assert_eq!(run.words, "");
@@ -207,4 +207,56 @@ fn filters_that_leave_nothing_are_refused_by_name() {
     let short = of("--smooth 1e-9");
     assert_eq!(short.code, Some(1), "{}", short.words);
     assert!(short.words.contains("smooth is 1e-9"), "{}", short.words);
+}
+
+#[test]
+fn scales_show_what_the_shortest_wave_changes() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let of =
+        |words: &str| bench.data(&format!("surface scan.txt --unit um --pixel-size 2 {words}"));
+    let table = of(
+        "--scales 6e-6,12e-6 --with scene.toml --pressure 1e6 --model jg --format csv --plot scales.svg",
+    );
+    for (k, cutoff) in ["6e-6", "12e-6"].into_iter().enumerate() {
+        let one: serde_json::Value =
+            serde_json::from_str(&of(&format!("--smooth {cutoff} --format json"))).unwrap();
+        for (column_name, key) in [
+            ("alpha", "alpha"),
+            ("asperity_radius_m", "asperity_radius"),
+            ("asperity_density_per_m2", "asperity_density"),
+            ("asperity_height_std_m", "asperity_height_std"),
+        ] {
+            let (found, wanted) = (column(&table, column_name)[k], one[key].as_f64().unwrap());
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{column_name}: {found} {wanted}");
+        }
+    }
+    // The answer is that of the scene's bodies on this surface.
+    of("--smooth 6e-6 --scene smooth.toml --output numbers.txt");
+    let theirs = bench.read("smooth.toml");
+    let (_, surface) = theirs.split_once("[surface]").unwrap();
+    let ours = bench.read("scene.toml");
+    let (bodies, _) = ours.split_once("[surface]").unwrap();
+    bench.write("own.toml", &format!("{bodies}[surface]{surface}"));
+    let answer =
+        bench.data("curve own.toml --model jg --pressure 1e6 --quantity area-fraction,tangent");
+    for name in ["area_fraction", "tangent_N_per_m"] {
+        let (found, wanted) = (column(&table, name)[0], column(&answer, name)[0]);
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found} {wanted}");
+    }
+    assert!(bench.read("scales.svg").starts_with("<svg"));
+    // Cut-offs that the scan cannot have are blank, and said why.
+    let run =
+        bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6 --format csv");
+    assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
+    assert!(run.words.contains("cutoff_m 1e-9: smooth is 1e-9: a length of at least two pixels"));
+    for (words, said) in [
+        ("--scales 6e-6 --smooth 6e-6", "cannot be used with"),
+        ("--scales 6e-6 --load 5", "--with <SCENE>"),
+        ("--scales 6e-6 --with scene.toml", "<--load <N>|--pressure <PA>>"),
+    ] {
+        let run = bench.run(&format!("surface scan.txt --unit um --pixel-size 2 {words}"));
+        assert_eq!(run.code, Some(2), "{words}");
+        assert!(run.words.contains(said), "{words}: {}", run.words);
+    }
 }

@@ -47,7 +47,7 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("export scene.toml --model ke --as csv --separation 0:4", "needs --max-error"),
         ("export scene.toml --model ke --as csv --load 1:4:3:log", "without log"),
         ("export scene.toml --model ke --as csv --load 1:4:3 --pressure 1:4:3", "cannot be used"),
-        ("export scene.toml --model ke --as ansys --separation 0:4:5", "abaqus"),
+        ("export scene.toml --model ke --as nastran --separation 0:4:5", "abaqus"),
         ("export scene.toml --model ke --as csv --separation 4:0:5", "A below B"),
     ] {
         let run = bench.run(words);

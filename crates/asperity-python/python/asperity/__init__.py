@@ -22,12 +22,14 @@ from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import Contact, ContactWarning, NotConverged, template
+from asperity._check import Check, Finding
 from asperity._bem import BemContacts, TruthRow, bem, truth
 from asperity._curve import Curve
+from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
 from asperity._scene import Asperity, Body, Interface, Scene, Scenes, Surface
-from asperity._surfaces import Topography, topography
+from asperity._surfaces import Topography, read, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")
@@ -37,9 +39,12 @@ __all__ = [
     "AsperityLaws",
     "BemContacts",
     "Body",
+    "Check",
     "Contact",
+    "ContactTable",
     "ContactWarning",
     "Curve",
+    "Finding",
     "Interface",
     "Model",
     "NotConverged",
@@ -53,11 +58,13 @@ __all__ = [
     "Surface",
     "SweepResult",
     "Topography",
+    "export",
     "TruthRow",
     "bem",
     "model",
     "models",
     "plan",
+    "read",
     "read_sweep",
     "recommend",
     "sweep",

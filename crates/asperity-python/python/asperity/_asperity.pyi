@@ -16,12 +16,15 @@ __all__ = [
     "SceneFile",
     "Topography",
     "answer",
+    "check",
     "bem",
     "check_inputs",
     "checked_body",
     "checked_interface",
     "checked_surface",
+    "contact_table",
     "critical_of",
+    "findings",
     "floats",
     "interface_of",
     "model_ids",
@@ -34,6 +37,7 @@ __all__ = [
     "surface_from_moments",
     "surface_from_plasticity_index",
     "surface_from_std",
+    "svg",
     "template",
     "truth",
 ]
@@ -76,7 +80,20 @@ class SceneFile:
     def asperities(self) -> float: ...
     def plasticity_index(self) -> float: ...
     def models(self) -> list[str]: ...
+    def to_toml(self, heights_file: str | None, comments: Sequence[str]) -> str: ...
 
+def check(
+    scene: SceneFile, asked: tuple[Engine, str, _Float] | None = None
+) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
+def findings(engine: Engine, rows: _Rows) -> list[str]: ...
+def svg(csv: str, x: tuple[str, str, bool], y: Sequence[tuple[str, str, bool]], curve: str) -> str: ...
+def contact_table(
+    engine: Engine,
+    scene: SceneFile,
+    ends: tuple[str, _Float, _Float],
+    spacing: tuple[int, _Float | None, _Float],
+    form: str,
+) -> tuple[list[float], list[float], list[float], float, float, str]: ...
 @disjoint_base
 class Topography:
     def __new__(
@@ -101,6 +118,13 @@ class Topography:
     def statistics(
         self, level: str = "plane", estimator: str = "moments", cutoff: _Float | None = None
     ) -> dict[str, float]: ...
+    @property
+    def periodic(self) -> bool: ...
+    def _levelled(self, level: str) -> Topography: ...
+    def _filtered(self, cutoff: _Float) -> Topography: ...
+    def _smoothed(self, cutoff: _Float) -> Topography: ...
+    def _summit_density(self) -> tuple[list[float], list[float]]: ...
+    def _against(self, other: Topography) -> _Fields: ...
     def _surface(self, level: str, estimator: str, cutoff: _Float | None) -> _Fields: ...
 
 @disjoint_base

@@ -17,6 +17,12 @@ if TYPE_CHECKING:
     import pandas as pd
 
 
+def _is_wide(values: npt.NDArray[Any]) -> bool:
+    """Whether a logarithmic axis shows more: positive numbers over more than a decade."""
+    numbers = values[np.isfinite(values)]
+    return bool(numbers.size and numbers.min() > 0 and numbers.max() > 30 * numbers.min())
+
+
 class Curve:
     """Quantities of a contact at separations or under loads, in SI units; made by ``Model.solve``.
 
@@ -140,6 +146,62 @@ class Curve:
         ):
             table[head] = np.ma.filled(values, np.nan).ravel()
         return table
+
+    def _labels(self) -> dict[str, str]:
+        """Columns, with labels for axes."""
+        axis = self._rows.axis
+        place = {"load": "load (N)", "pressure": "pressure (Pa)", "m": "separation (m)"}
+        names = _asperity.quantities(list(self._columns)).items()
+        labels = {AXES[axis]: place.get(axis, "separation / asperity_height_std")}
+        for name, head in names:
+            unit = head[len(name) :].strip("_").replace("_per_", "/")
+            labels[head] = f"{name} ({unit})" if unit else name
+        return labels
+
+    def _repr_svg_(self) -> str | None:
+        """A picture of one scene's curve, for notebooks."""
+        rows = self._rows
+        if rows.one is None or rows.numbers.size < 3:
+            return None
+        table = self._table()
+        x, *ys = self._labels()
+        order = np.argsort(table[x], kind="stable")
+        lines = [",".join(["curve", *table])]
+        for k in order:
+            cells = ("" if math.isnan(c[k]) else repr(float(c[k])) for c in table.values())
+            lines.append(",".join([self.model, *cells]))
+        labels = self._labels()
+        columns = [(name, label, _is_wide(table[name])) for name, label in labels.items()]
+        return _asperity.svg("\n".join(lines) + "\n", columns[0], columns[1:], self.model)
+
+    def plot(self, ax: Any = None, quantity: str | None = None, **line: Any) -> Any:
+        """Draws a quantity (the first, unless one is named) against separation, load or pressure
+        on matplotlib axes, and gives these back; ``line`` goes to ``Axes.plot``. Needs matplotlib.
+
+        >>> import asperity, numpy as np
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> curve = asperity.model("ke").solve(scene, load=np.geomspace(1, 1e3, 20), quantities="area")
+        >>> curve.plot(marker=".").get_ylabel()
+        'area (m2)'
+        """
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            _, ax = plt.subplots(layout="constrained")
+        name = quantity or self.quantities[0]
+        x = np.broadcast_to(self._rows.given, self.shape)
+        y = self[name]
+        heads = _asperity.quantities(list(self._columns))
+        labels = self._labels()
+        line.setdefault("label", self.model)
+        ax.plot(x.T if x.ndim > 1 else x, y.T if y.ndim > 1 else y, **line)
+        if _is_wide(np.asarray(x)):
+            ax.set_xscale("log")
+        if _is_wide(np.ma.filled(y, np.nan)):
+            ax.set_yscale("log")
+        ax.set_xlabel(labels[AXES[self._rows.axis]])
+        ax.set_ylabel(labels[heads[name.replace("_", "-")]])
+        return ax
 
     def to_csv(self) -> str:
         """The text of a table with a row for each value, units in its head, every digit, and

@@ -6,13 +6,15 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from os import PathLike
+from pathlib import Path
 from typing import Any, ClassVar, Literal, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import SceneFile, floats
+from asperity._asperity import Engine, SceneFile, floats
+from asperity._check import Check
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Plane: TypeAlias = Literal["asperity-mean", "surface-mean"]
@@ -84,7 +86,8 @@ class Interface(_Given):
     hardness : float, optional
         Of the softer body [Pa]; 2.8 times the yield strength when not given.
     yield_strength : float, optional
-        Of the softer body [Pa]; the hardness over 2.8 when not given. One of the two is needed.
+        Of the softer body [Pa]; the hardness over 2.8 when not given. Without either, the surfaces
+        never yield, and gw alone can be asked.
     equivalent_shear_modulus : float, optional
         G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; the models gao and at need it.
     pressure_factor : float, optional
@@ -197,10 +200,10 @@ class Asperity:
     equivalent_shear_modulus: float | None
     #: Poisson's ratio of the softer body.
     poissons_ratio: float
-    #: Hardness of the softer body [Pa].
-    hardness: float
-    #: Yield strength of the softer body [Pa].
-    yield_strength: float
+    #: Hardness of the softer body [Pa], unless it never yields.
+    hardness: float | None
+    #: Yield strength of the softer body [Pa], unless it never yields.
+    yield_strength: float | None
     #: Maximum contact pressure factor.
     pressure_factor: float
     #: Radius [m].
@@ -209,7 +212,7 @@ class Asperity:
     @property
     def critical_interference(self) -> float:
         """The interference at which yielding begins [m]; ValueError where it would exceed the
-        radius."""
+        radius, or there is no hardness."""
         return _asperity.critical_of(self)[0]
 
     @property
@@ -321,6 +324,60 @@ class Scene(_Given):
     def models(self) -> list[str]:
         """The ids of the models that this scene allows, simplest first."""
         return self._file.models()
+
+    def to_toml(self, path: str | PathLike[str] | None = None) -> str:
+        """The text of a scene file that reads back exactly, written to ``path`` if there is one. A
+        table of heights goes to a file beside it, of the same name with the end ``.csv``.
+
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> asperity.Scene.parse(scene.to_toml()) == scene
+        True
+        """
+        target = None if path is None else Path(path)
+        heights_file = None
+        if target is not None and not isinstance(self.heights, str):
+            table = target.with_suffix(".csv")
+            heights, densities = (np.asarray(column, float).tolist() for column in self.heights)
+            rows = zip(heights, densities, strict=True)
+            lines = ["height_m,density_per_m", *(f"{z!r},{g!r}" for z, g in rows)]
+            table.write_text("\n".join(lines) + "\n", encoding="utf-8")
+            heights_file = table.name
+        text = self._file.to_toml(heights_file, [])
+        if target is not None:
+            target.write_text(text, encoding="utf-8")
+        return text
+
+    def check(
+        self,
+        model: str | Engine | None = None,
+        separation: float | None = None,
+        *,
+        load: float | None = None,
+        pressure: float | None = None,
+        separation_unit: str = "asperity_height_std",
+    ) -> Check:
+        """What follows from the scene, and what in it is unusual: sizes that no surface or material
+        has, with the unit that would explain them. At a separation, load [N] or pressure [Pa], also
+        how much touches, how deep contacts are pressed, and whether the model is made for that:
+        "ke" unless another is given, or "gw" where there is no hardness.
+
+        >>> import asperity
+        >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
+        >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+        >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
+        error: equivalent_modulus is 116 Pa, materials have 30000 to 1.3e12 Pa: is it in GPa? 116 GPa is 1.16e11 Pa
+        """
+        given = {"separation": separation, "load": load, "pressure": pressure}
+        places = [(name, number) for name, number in given.items() if number is not None]
+        if len(places) > 1:
+            raise TypeError("at most one of separation, load and pressure was expected")
+        if not places:
+            return Check._of(*_asperity.check(self._file))
+        (axis, number), default = places[0], "gw" if self.asperity.hardness is None else "ke"
+        engine = model if isinstance(model, Engine) else Engine(model or default, {})
+        axis = separation_unit if axis == "separation" else axis
+        return Check._of(*_asperity.check(self._file, (engine, axis, number)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Scene, tuple(getattr(self, entry.name) for entry in dataclasses.fields(self)[:-1])

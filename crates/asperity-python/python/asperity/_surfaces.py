@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from typing import Any
 
 from asperity import _asperity
@@ -28,6 +29,48 @@ class Topography(_asperity.Topography):
     ) -> Surface:
         """The equivalent rough surface of this one on a flat; see ``statistics``."""
         return Surface(**self._surface(level, estimator, cutoff))
+
+    def against(self, other: Topography) -> Surface:
+        """The equivalent rough surface of this one and another pressed together, both as they are:
+        their moments add."""
+        return Surface(**self._against(other))
+
+    def level(self, form: str = "plane") -> Topography:
+        """The same surface without its "plane" or "quadratic" form, by least squares."""
+        return self._of(self._levelled(form))
+
+    def filter(self, cutoff: float) -> Topography:
+        """The roughness below a wavelength [m] (Gaussian filter, ISO 16610)."""
+        return self._of(self._filtered(cutoff))
+
+    def smooth(self, cutoff: float) -> Topography:
+        """The same surface without waves shorter than this [m], noise above all."""
+        return self._of(self._smoothed(cutoff))
+
+    def summit_density(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """How the heights of the summits are spread: heights [m] from their mean, and the density
+        there [1/m], as ``Scene`` takes them for its ``heights``."""
+        heights, densities = self._summit_density()
+        return tuple(heights), tuple(densities)
+
+    @classmethod
+    def _of(cls, changed: _asperity.Topography) -> Topography:
+        return cls(changed.heights, changed.pixel_size, "m", changed.periodic)
+
+
+def read(
+    path: str | PathLike[str],
+    unit: str | None = None,
+    pixel_size: float | tuple[float, float] | None = None,
+    max_missing: float = 0.1,
+) -> Topography:
+    """A scan from a file: ASCII matrix, XYZ points, CSV profile, NumPy .npy or .npz, X3P or SUR.
+
+    What the file does not say of its unit and pixels must be said here, nothing is guessed;
+    ``pixel_size`` is in that unit. A scan of which more than ``max_missing`` is missing is refused.
+    """
+    found: Topography = Topography.read(path, unit, pixel_size, max_missing)
+    return found
 
 
 def topography(surface: Any, unit: str | None = None) -> Topography:

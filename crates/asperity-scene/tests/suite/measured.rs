@@ -142,3 +142,56 @@ fn files_become_the_surfaces_that_topography_makes_of_them() {
             .is_ok()
     );
 }
+
+#[test]
+fn a_scan_gives_its_own_heights_and_is_smoothed_and_continued_as_asked() {
+    let directory = directory("measured-heights");
+    let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
+    std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
+    let of = |words: &str| scene(&directory, &format!("file = \"a.txt\"\n{words}"));
+    let file =
+        of("heights = \"measured\"\nestimator = \"summits\"\nseparation_from = \"surface-mean\"");
+    let file = file.unwrap();
+    let topography = read(&directory.join("a.txt"), &ReadOptions::default()).unwrap();
+    let topography = topography.level(Level::Plane).unwrap();
+    let summits = topography.summits().unwrap();
+    let table = file.table.as_ref().unwrap();
+    let std = summits.surface().unwrap().asperity_height_std;
+    assert!((table.standard_deviation() / std - 1.0).abs() < 1e-9);
+    // The summits lie above the mean plane, as far as they were found to.
+    let offset = summits.mean() - topography.mean();
+    assert!(offset > 0.3 * std && (file.scene.mean_plane_offset() / offset - 1.0).abs() < 1e-9);
+    let plain = of("").unwrap();
+    let smooth = of("smooth = 12e-6\nperiodic = true").unwrap();
+    let options = Statistics::clone(&plain.measured.as_ref().unwrap().statistics);
+    assert!(smooth.scene.surface.asperity_radius > 1.05 * plain.scene.surface.asperity_radius);
+    assert!((options.sq - topography.statistics(Estimator::Moments).unwrap().sq).abs() < 1e-20);
+    let two = scene(&directory, "files = [\"a.txt\", \"a.txt\"]\nheights = \"measured\"");
+    let two = two.unwrap_err().to_string();
+    assert!(two.contains("one file: the heights of two surfaces do not add"), "{two}");
+}
+
+#[test]
+fn a_scan_is_looked_at_before_it_is_believed() {
+    let directory = directory("measured-check");
+    std::fs::write(directory.join("a.txt"), scan(5.1)).unwrap();
+    // Pits: most of the surface is flat.
+    let pits = scan(5.1);
+    let pits =
+        pits.split_whitespace().map(|z| (-(0.02 * z.parse::<f64>().unwrap()).exp()).to_string());
+    let rows: Vec<String> = pits.collect();
+    let rows: String = rows.chunks(96).map(|row| row.join(" ") + "\n").collect();
+    std::fs::write(directory.join("pits.txt"), rows).unwrap();
+    let codes = |words: &str| {
+        let file = scene(&directory, words).unwrap();
+        file.findings().iter().map(|f| f.code).collect::<Vec<_>>()
+    };
+    assert_eq!(codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1000"), [""; 0]);
+    // The pixels are in micrometres, the heights in nanometres.
+    let steep = codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1");
+    assert!(steep.contains(&"slope"), "{steep:?}");
+    let flat = codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1e7");
+    assert!(flat.contains(&"slope"), "{flat:?}");
+    let pits = codes("file = \"pits.txt\"\nunit = \"nm\"\npixel_size = 1000");
+    assert!(pits.contains(&"not-gaussian"), "{pits:?}");
+}

@@ -68,7 +68,7 @@ fn two_bodies_and_a_rigid_counterface_give_the_librarys_interfaces() {
 }
 
 #[test]
-fn the_four_ways_lead_to_the_librarys_surfaces() {
+fn the_ways_lead_to_the_librarys_surfaces() {
     let interface = read(&text("", INTERFACE, SURFACE)).unwrap().scene.interface;
     let index =
         "[surface]\nplasticity_index = 6\nroughness_parameter = 0.04\nasperity_height_std = 1e-6";
@@ -84,6 +84,31 @@ fn the_four_ways_lead_to_the_librarys_surfaces() {
             .surface,
         Surface::from_moments(&moments).unwrap()
     );
+    let of_surface = SURFACE.replace("asperity_height_std", "surface_height_std");
+    let wanted = Surface::from_surface_std(3.59e-4, 1.11e8, 1e-6).unwrap();
+    assert_eq!(read(&text("", INTERFACE, &of_surface)).unwrap().scene.surface, wanted);
+    // As an instrument reports them, in its own units.
+    let iso = "[surface]\nsq = \"1 um\"\nspd = \"111 1/mm2\"\nspc = \"2.5 1/mm\"";
+    let wanted = Surface::from_surface_std(1.0 / 2500.0, 1.11e8, 1e-6).unwrap();
+    assert_eq!(read(&text("", INTERFACE, iso)).unwrap().scene.surface, wanted);
+    for (surface, words) in [
+        (iso.replace("2.5 1/mm", "-2.5 1/mm"), "surface.spc is -2500.0: a finite number above 0"),
+        (format!("{iso}\nm2 = 1e-2"), "exclude each other"),
+        (
+            format!("{SURFACE}surface_height_std = 1e-6"),
+            "surface.surface_height_std and surface.asperity_height_std",
+        ),
+        (
+            format!("{iso}\nsurface_height_std = 1e-6"),
+            "asperity_radius and asperity_density beside it",
+        ),
+        (format!("{SURFACE}heights = \"measured\""), "a measured file, whose heights they are"),
+        // Too little roughness for so many peaks.
+        (iso.replace("1 um", "1 nm"), "roughness_parameter is 4.44e-5"),
+    ] {
+        let said = message(&text("", INTERFACE, &surface));
+        assert!(said.contains(words), "{said}");
+    }
 }
 
 #[test]
@@ -124,9 +149,9 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         ),
         (text("interfaces = 3", INTERFACE, SURFACE), &["did you mean \"interface\"?"]),
         (
-            text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 um\"")),
+            text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 parsec\"")),
             &[
-                "line 12: surface.asperity_height_std is \"1 um\": a number in SI units, without quotes (m, ",
+                "line 12: surface.asperity_height_std is \"1 parsec\": a number in m without quotes, or one with a unit as",
             ],
         ),
         (
@@ -146,12 +171,6 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         (
             text("", &INTERFACE.replace("0.31", "0.6"), SURFACE),
             &["line 6: interface.poissons_ratio is 0.6: a number above -1 and at most 0.5"],
-        ),
-        (
-            text("", &INTERFACE.replace("hardness = 1.12e9", ""), SURFACE),
-            &[
-                "line 3: interface.hardness is missing: every interface (or yield_strength) needs it",
-            ],
         ),
         (text("", &two, SURFACE), &["line 9: body[2].poissons_ratio is 0.7"]),
         (text("", bodies, SURFACE), &["body[2] is missing", "rigid_counterface = true"]),
@@ -382,5 +401,40 @@ fn tables_of_heights_that_are_none_are_refused_with_their_line() {
         let message = load(&directory.join("scene.toml")).unwrap_err().to_string();
         assert!(message.contains(wanted), "{message}\nlacks: {wanted}");
         assert!(!message.contains('\n'), "{message}");
+    }
+}
+
+#[test]
+fn numbers_may_say_their_unit() {
+    let plain = read(&text("", INTERFACE, SURFACE)).unwrap().scene;
+    let with_units = text("", INTERFACE, SURFACE)
+        .replace("116e9", "\"116 GPa\"")
+        .replace("1.12e9", "\"1120 MPa\"")
+        .replace("3.59e-4", "\"0.359 mm\"")
+        .replace("1.11e8", "\"\"\"111\n 1/mm2\"\"\"")
+        .replace("1e-6", "\"1 \u{b5}m\"")
+        .replace("3e-5", "\"30 mm^2\"");
+    let found = read(&with_units).unwrap().scene;
+    assert_eq!((found.interface, found.surface), (plain.interface, plain.surface));
+    assert!((found.nominal_area - plain.nominal_area).abs() < 1e-20);
+    // Lines stay what they are behind a number of two lines.
+    let odd = with_units.replace("\"1 \u{b5}m\"", "-1");
+    assert!(
+        message(&odd).contains("line 13: surface.asperity_height_std is -1"),
+        "{}",
+        message(&odd)
+    );
+    for (from, to, words) in [
+        (
+            "116e9",
+            "\"116 mm\"",
+            "interface.equivalent_modulus is \"116 mm\": a number in Pa without quotes, or one with a unit as \"210 GPa\" (GPa, MPa,",
+        ),
+        ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
+        ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
+        ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": a number in SI units, without"),
+    ] {
+        let said = message(&text("", INTERFACE, SURFACE).replace(from, to));
+        assert!(said.contains(words), "{said}");
     }
 }

@@ -106,7 +106,7 @@ fn scene(points: &[(f64, f64)], std: Option<f64>) -> Scene {
     let heights = TabulatedHeights::new("table", points).unwrap();
     let std = std.unwrap_or(heights.standard_deviation());
     let mut scene = Scene::new(interface(), Surface::new(RADIUS, DENSITY, std), AREA);
-    scene.heights = HeightDistribution::other(heights.in_units_of(std).unwrap());
+    scene.heights = HeightDistribution::other(heights);
     scene
 }
 

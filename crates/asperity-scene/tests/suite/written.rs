@@ -36,13 +36,18 @@ fn every_alternative_of_the_template_is_read_when_it_is_chosen() {
     let bodies = block("# The softer body", "# ... or, instead");
     let interface = block("# [interface]", "[surface]");
     let (index, moments) =
-        (block("# plasticity_index", "# 3. spectral"), block("# m0 =", "# 4. a measurement"));
-    let surface = block("asperity_radius", "# 2. dim");
+        (block("# plasticity_index", "# 3. spectral"), block("# m0 =", "# 4. parameters"));
+    let iso = block("# sq =", "# 5. a measurement");
+    let surface = block("asperity_radius", "# surface_height_std");
     let options = template().split_once("[options]").unwrap().1;
     let options = format!("[options]{options}");
-    for (interface, surface) in
-        [(&bodies, &surface), (&interface, &surface), (&bodies, &index), (&interface, &moments)]
-    {
+    for (interface, surface) in [
+        (&bodies, &surface),
+        (&interface, &surface),
+        (&bodies, &index),
+        (&interface, &moments),
+        (&bodies, &iso),
+    ] {
         read(&format!("nominal_area = 1e-4\n{interface}[surface]\n{surface}{options}"));
     }
     // Bodies and interface are the same steel.

@@ -1,0 +1,151 @@
+//! `asperity surface --scales`: what of a scan is the surface's, and what the instrument's.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use asperity::{At, ContactModel, Quantity, Request, Scene, Surface};
+use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+use asperity_topography::{Estimator, Topography};
+use clap::Args;
+
+use crate::args::{model_id, svg_file};
+use crate::numbers::{Numbers, positive_number, positive_numbers};
+use crate::output::{self, say};
+use crate::scene::{LoadedScene, NamedModel};
+use crate::table::{Cell, Table};
+
+/// The numbers of a surface against the shortest wave that is kept.
+#[derive(Debug, Args)]
+pub struct Scales {
+    /// Show the asperities, and the answer of a scene, against the shortest wave that is kept: N
+    /// cut-offs from A to B, in m
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(conflicts_with_all = ["smooth", "scene", "heights"])]
+    scales: Option<Numbers>,
+    /// With --scales: a scene whose materials, area and options answer with each surface
+    #[arg(long, value_name = "SCENE", requires = "scales", requires = "place")]
+    with: Option<PathBuf>,
+    /// With --with: the load in N
+    #[arg(long, value_name = "N", value_parser = positive_number, group = "place")]
+    #[arg(requires = "with")]
+    load: Option<f64>,
+    /// With --with: the pressure on the nominal area in Pa
+    #[arg(long, value_name = "PA", value_parser = positive_number, group = "place")]
+    #[arg(requires = "with")]
+    pressure: Option<f64>,
+    /// With --with: the model [default: ke; gw where there is no hardness]
+    #[arg(long, value_name = "M", value_parser = model_id, requires = "with")]
+    model: Option<String>,
+    /// With --scales: a picture of the table
+    #[arg(long, value_name = "FILE.svg", value_parser = |name: &str| svg_file(name.into()))]
+    #[arg(requires = "scales")]
+    plot: Option<PathBuf>,
+}
+
+/// Columns of the surface, with their labels in a picture.
+const COLUMNS: [(&str, &str); 5] = [
+    ("alpha", "bandwidth α"),
+    ("asperity_radius_m", "radius R (m)"),
+    ("asperity_density_per_m2", "density η (1/m²)"),
+    ("asperity_height_std_m", "height std σ_z (m)"),
+    ("rms_slope", "rms slope"),
+];
+/// Columns of the answer.
+const ANSWERS: [(Quantity, &str); 2] =
+    [(Quantity::AreaFraction, "area fraction"), (Quantity::Tangent, "tangent (N/m)")];
+const CUTOFF: &str = "cutoff_m";
+
+impl Scales {
+    pub fn is_asked(&self) -> bool {
+        self.scales.is_some()
+    }
+
+    /// The table of a surface that has been levelled; `finish` is what is done to it afterwards.
+    pub fn table(
+        &self,
+        surface: &Topography,
+        estimator: Estimator,
+        finish: impl Fn(Topography) -> Result<Topography>,
+    ) -> Result<Table> {
+        let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
+        let scene = self.with.as_deref().map(LoadedScene::load).transpose()?;
+        let asked = match &scene {
+            Some(scene) => Some((scene, scene.reference(self.model.as_deref())?)),
+            None => None,
+        };
+        let at = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
+        let mut table = Table::new(&[CUTOFF]);
+        table.head.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
+        if asked.is_some() {
+            table.head.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
+        }
+        for cutoff in cutoffs {
+            let found = surface.clone().smooth(*cutoff).map_err(Into::into).and_then(&finish);
+            let found = found.and_then(|smooth| Ok(smooth.statistics(estimator)?));
+            let mut row = vec![Cell::Number(Some(*cutoff))];
+            let numbers = found.as_ref().ok().map(|s| {
+                let Surface { asperity_radius, asperity_density, asperity_height_std, .. } =
+                    s.surface();
+                let slope = (2.0 * s.m2).sqrt();
+                [s.alpha, asperity_radius, asperity_density, asperity_height_std, slope]
+            });
+            row.extend((0..COLUMNS.len()).map(|k| Cell::Number(numbers.map(|n| n[k]))));
+            match (&asked, at, &found) {
+                (Some((scene, model)), Some(at), Ok(statistics)) => {
+                    row.extend(answers(scene, model, at, statistics.surface())?);
+                }
+                (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::Number(None))),
+                _ => {}
+            }
+            if let Err(reason) = &found {
+                say("warning", &format!("{CUTOFF} {cutoff:e}: {}", output::told(reason)));
+            }
+            table.rows.push(row);
+        }
+        if let Some(path) = &self.plot {
+            output::write_text(Some(path), &picture(&table)?)?;
+        }
+        Ok(table)
+    }
+}
+
+/// What a scene's bodies answer with another surface; blank where they have none.
+fn answers(
+    scene: &LoadedScene,
+    (_, model): &NamedModel,
+    at: At,
+    surface: Surface,
+) -> Result<Vec<Cell>> {
+    let other = Scene::new(scene.file.scene.interface, surface, scene.file.scene.nominal_area);
+    let request = Request::new(ANSWERS.map(|(quantity, _)| quantity)).at([at]);
+    let response = model.solve(&other, &request).with_context(|| scene.name.clone())?;
+    let value = |column: &asperity::Column| column.rows[0].as_ref().ok().map(|v| v.value());
+    Ok(response.columns.iter().map(|column| Cell::Number(value(column))).collect())
+}
+
+/// A panel for each column, against the cut-off.
+fn picture(table: &Table) -> Result<String> {
+    let labels = COLUMNS.map(|(name, label)| (name.to_string(), label));
+    let answers = ANSWERS.map(|(quantity, label)| (quantity.column(), label));
+    let mut panels = vec![];
+    for (name, label) in labels.into_iter().chain(answers) {
+        let Some(k) = table.head.iter().position(|head| *head == name) else { continue };
+        let number = |row: &Vec<Cell>| if let Cell::Number(x) = row[k] { x } else { None };
+        let values: Vec<f64> = table.rows.iter().filter_map(number).collect();
+        let mut y = Axis::new(&name, label);
+        y.scale = Scale::fitting(&values);
+        let x = Axis::new(CUTOFF, "shortest wave (µm)").times(1e6).log();
+        let mut panel = Panel::new(x, y);
+        let mut curve = Curve::new(0, "surface", "");
+        curve.every_point = true;
+        panel.curves = vec![curve];
+        panels.push(panel);
+    }
+    let mut named = table.clone();
+    named.head.insert(0, "curve".into());
+    named.rows.iter_mut().for_each(|row| row.insert(0, "surface".into()));
+    let mut csv = vec![];
+    named.csv(&mut csv)?;
+    let caption = "What changes with the shortest wave belongs to the instrument and the filter, not to the surface.";
+    Ok(draw(&Figure::new("", &[caption], panels), &String::from_utf8(csv)?)?)
+}

@@ -1,0 +1,219 @@
+//! An answer that is looked at before it is believed: how deep the asperities are pressed, how many
+//! there are, and whether the model is made for that.
+
+use super::finding::{Finding, Severity, short};
+use super::interferences::Interferences;
+use super::{Check, Scene};
+use crate::{
+    At, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit, Tolerance,
+};
+
+/// So many numbers are enough for a word.
+const TOLERANCE: f64 = 1e-6;
+/// Asperities that cover more of the nominal area feel each other.
+const CROWDED: [f64; 2] = [0.1, 0.5];
+/// An average of fewer contacts says little about one surface.
+const FEW: f64 = 30.0;
+/// w/R beyond which an asperity is no longer a cap that is pressed a little.
+const DEEP: [f64; 2] = [0.3, 1.0];
+/// Share of the force by asperities that yield, which an elastic law does not know.
+const YIELDS: [f64; 2] = [0.02, 0.1];
+/// Share of the force beyond what a law was fitted to.
+const BEYOND: f64 = 0.02;
+
+impl Check {
+    /// What follows from a scene, a model and a place: the numbers of [`Scene::check`], those of the
+    /// answer, and what is unusual about either.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming what the scene or the model is refused for, and why there is no
+    /// answer at this place.
+    pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
+        let mut check = scene.check()?;
+        let answer = Self::of_answer(model, scene, at)?;
+        check.numbers.extend(answer.numbers);
+        check.extend(answer.findings);
+        Ok(check)
+    }
+
+    /// What is unusual about the answers at these places, each finding once: where the surfaces are
+    /// closest, and at the lightest of the loads. A place that has no answer has no findings.
+    #[must_use]
+    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Vec<Finding> {
+        let mut check = Self::default();
+        for at in extremes(places) {
+            if let Ok(answer) = Self::of_answer(model, scene, at) {
+                check.extend(answer.findings);
+            }
+        }
+        check.findings
+    }
+
+    fn of_answer(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
+        let quantities =
+            [Quantity::Force, Quantity::Area, Quantity::Contacts, Quantity::MeanPressure];
+        let request = Request::new(quantities).within(Tolerance::new(TOLERANCE)?);
+        let contact = model.compile(scene, &request)?;
+        let place = contact.separation(at)?.measured_in(
+            SeparationUnit::Sigma,
+            crate::Datum::AsperityMean,
+            scene,
+        )?;
+        let s = place.value;
+        let of = |quantity| contact.evaluate(quantity, place).map(|found| found.value());
+        let (force, area) = (of(Quantity::Force)?, of(Quantity::Area)?);
+        let mut check = Self::default();
+        let fraction = area / scene.nominal_area;
+        let sigma = scene.surface.asperity_height_std;
+        check.say("load", force, "N", "normal force");
+        check.say("pressure", force / scene.nominal_area, "Pa", "load over A_n");
+        check.say(
+            "separation_over_sigma",
+            s,
+            "",
+            "d/sigma_z, from the mean of the asperity heights",
+        );
+        check.say("separation", s * sigma, "m", "d, from the mean of the asperity heights");
+        check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
+        check.say("area_fraction", fraction, "", "real over nominal area");
+        check.extend(crowded(model, at, fraction));
+        let contacts = of(Quantity::Contacts)?;
+        check.say("contacts", contacts, "", "asperities that touch");
+        if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
+            check.extend([few(at, contacts)]);
+        }
+        if contacts > 0.0 && area > 0.0 {
+            let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
+            check.say("contact_radius", radius, "m", "of a contact of mean area");
+        }
+        let mean = force / area;
+        if mean > 0.0 {
+            check.say("mean_pressure", mean, "Pa", "load over real area");
+            if let Some(hardness) = scene.asperity()?.hardness {
+                check.say("mean_pressure_over_hardness", mean / hardness, "", "p/H");
+            }
+        }
+        if let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
+            && let Some(deep) = Interferences::of(&*contact, &law, place)?
+        {
+            check.of_depths(model, scene, at, &deep);
+        }
+        Ok(check)
+    }
+
+    /// What the depths tell to which the asperities are pressed.
+    fn of_depths(&mut self, model: &dyn ContactModel, scene: &Scene, at: At, deep: &Interferences) {
+        let (w, r) = (deep.largest(), scene.surface.asperity_radius);
+        self.say("interference", w, "m", "w beyond which 1 % of the load is carried");
+        self.say("interference_over_radius", w / r, "", "w/R of it");
+        if w > DEEP[0] * r {
+            let severity = if w > DEEP[1] * r { Severity::Error } else { Severity::Warning };
+            let name = model.name();
+            let message = format!(
+                "interference_over_radius is {} at {at} by {name}: asperities are pressed as flat as they are high, which no law of a spherical cap describes",
+                short(w / r)
+            );
+            let usual = [0.0, DEEP[0]];
+            self.extend([Finding::new(
+                "deep",
+                severity,
+                "interference_over_radius",
+                w / r,
+                usual,
+                message,
+            )]);
+        }
+        let Some(critical) = scene.asperity().ok().and_then(|a| a.critical_interference().ok())
+        else {
+            return;
+        };
+        self.say("interference_over_critical", w / critical, "", "w/w_c of it");
+        let beyond = deep.beyond(critical);
+        self.say("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
+        let Some(holds_to) = model.claims().holds_to else { return };
+        let outside = deep.beyond(holds_to * critical);
+        if holds_to <= 1.0 {
+            self.extend(yields(model, at, outside));
+        } else {
+            self.extend(beyond_fit(model, at, outside, w / critical, holds_to));
+        }
+    }
+}
+
+/// A load that asperities carry which yield, by a model that knows no yielding.
+fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
+    let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
+    let (name, percent) = (model.name(), short(100.0 * share));
+    let message = format!(
+        "yielding_share is {percent} % at {at}: {name} knows no yielding and gives too small an area and too large a load there: ask a model that does (ke, jg)"
+    );
+    let usual = [0.0, YIELDS[0]];
+    let finding = Finding::new("yields", severity, "yielding_share", share, usual, message);
+    (share > YIELDS[0]).then_some(finding)
+}
+
+/// A load that is carried beyond what a law was fitted to; `x` is the largest w/w_c that matters.
+fn beyond_fit(
+    model: &dyn ContactModel,
+    at: At,
+    share: f64,
+    x: f64,
+    holds_to: f64,
+) -> Option<Finding> {
+    let (name, percent) = (model.name(), short(100.0 * share));
+    let message = format!(
+        "interference_over_critical is {} at {at}: {percent} % of the load is carried beyond {} w_c, to which {name} is fitted; it goes on as plastic there, as one expects",
+        short(x),
+        short(holds_to)
+    );
+    let (field, usual) = ("interference_over_critical", [0.0, holds_to]);
+    let finding = Finding::new("beyond-fit", Severity::Note, field, x, usual, message);
+    (share > BEYOND).then_some(finding)
+}
+
+fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {
+    let severity = match fraction {
+        f if f > CROWDED[1] => Severity::Error,
+        f if f > CROWDED[0] => Severity::Warning,
+        _ => return None,
+    };
+    let message = format!(
+        "area_fraction is {} at {at} by {}: models of asperities that do not feel each other are made for less than {}, and contacts grow together beyond",
+        short(fraction),
+        model.name(),
+        CROWDED[0]
+    );
+    Some(Finding::new("crowded", severity, "area_fraction", fraction, [0.0, CROWDED[0]], message))
+}
+
+fn few(at: At, contacts: f64) -> Finding {
+    let message = format!(
+        "contacts is {} at {at}: one surface differs from this average of many by more than the models do",
+        short(contacts)
+    );
+    let usual = [FEW, f64::INFINITY];
+    Finding::new("few-contacts", Severity::Warning, "contacts", contacts, usual, message)
+}
+
+/// The closest place and, of loads, the lightest.
+fn extremes(places: &[At]) -> Vec<At> {
+    let mut found: Vec<At> = vec![];
+    let number = |at: &At| match at {
+        At::Separation(Separation { value, .. }) => -value,
+        At::Load(load) => *load,
+        At::Pressure(pressure) => *pressure,
+    };
+    for kind in 0..3 {
+        let same = |at: &&At| match at {
+            At::Separation(_) => kind == 0,
+            At::Load(_) => kind == 1,
+            At::Pressure(_) => kind == 2,
+        };
+        let by_number = |a: &&At, b: &&At| number(a).total_cmp(&number(b));
+        found.extend(places.iter().filter(same).max_by(by_number));
+        if kind > 0 {
+            found.extend(places.iter().filter(same).min_by(by_number));
+        }
+    }
+    found
+}

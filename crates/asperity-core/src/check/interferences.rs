@@ -1,0 +1,70 @@
+//! How deep the asperities are pressed that carry the load.
+
+use crate::{Contact, ContactError, Law, Quantity, Separation};
+
+/// Bins over the interferences that matter.
+const BINS: usize = 600;
+/// The asperities beyond the last bin are so few of those that touch.
+const REST: f64 = 1e-7;
+
+/// The force of the asperities by their interference \[m\].
+pub(crate) struct Interferences {
+    /// Middle of each bin, and the share of the force that it carries.
+    bins: Vec<(f64, f64)>,
+}
+
+impl Interferences {
+    /// By counting: as many asperities are pressed deeper than w as touch at d + w. Good to a per
+    /// cent, which is enough to say how much of a load lies beyond a limit. `None` where the force
+    /// is not above 0, or nothing touches.
+    ///
+    /// `place` is in multiples of σ_z from the mean of the asperity heights.
+    pub(crate) fn of(
+        contact: &dyn Contact,
+        law: &Law,
+        place: Separation,
+    ) -> Result<Option<Self>, ContactError> {
+        let s = place.value;
+        let sigma = contact.scene().surface.asperity_height_std;
+        let above = |s: f64| match contact.evaluate(Quantity::Contacts, Separation::sigmas(s)) {
+            Ok(found) => Ok(found.value()),
+            Err(ContactError::NoValue { .. }) => Ok(0.0),
+            Err(error) => Err(error),
+        };
+        let at = place.into();
+        let failed = |source| ContactError::Integral { quantity: Quantity::Force, at, source };
+        let all = above(s)?;
+        let mut reach = 0.01;
+        while above(s + reach)? > REST * all && reach < 1e6 {
+            reach *= 1.3;
+        }
+        let (mut bins, mut total, mut outer) = (vec![], 0.0, all);
+        for k in 0..BINS {
+            let inner = above(s + reach * (k + 1) as f64 / BINS as f64)?;
+            let w = reach * sigma * (k as f64 + 0.5) / BINS as f64;
+            let force = (outer - inner) * law.value(w).map_err(failed)?;
+            bins.push((w, force));
+            (total, outer) = (total + force, inner);
+        }
+        if !(total > 0.0 && total.is_finite()) {
+            return Ok(None);
+        }
+        bins.iter_mut().for_each(|(_, force)| *force /= total);
+        Ok(Some(Self { bins }))
+    }
+
+    /// The share of the force that is carried beyond this interference \[m\].
+    pub(crate) fn beyond(&self, interference: f64) -> f64 {
+        self.bins.iter().filter(|(w, _)| *w > interference).map(|(_, share)| share).sum()
+    }
+
+    /// The interference \[m\] beyond which one per cent of the force is carried.
+    pub(crate) fn largest(&self) -> f64 {
+        let mut rest = 0.0;
+        let found = self.bins.iter().rev().find(|(_, share)| {
+            rest += share;
+            rest > 0.01
+        });
+        found.map_or(0.0, |(w, _)| *w)
+    }
+}

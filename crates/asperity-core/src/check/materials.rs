@@ -1,0 +1,182 @@
+//! Whether moduli and hardnesses are those of any material.
+
+use super::finding::{Finding, Severity, short};
+use super::units::{PRESSURES, Unit, ask, slip};
+use crate::{Body, Interface};
+
+/// From soft gels to diamond \[Pa\].
+const MODULUS: [f64; 2] = [3e4, 1.3e12];
+/// From soft plastics, where there is a hardness at all, to diamond \[Pa\].
+const HARDNESS: [f64; 2] = [1e5, 1.5e11];
+/// H/E: from indium and lead to ceramics and hard plastics.
+const RATIO: [f64; 2] = [3e-4, 0.3];
+/// Below this modulus \[Pa\], a hardness says no more than "does not yield" and may be anything near E.
+const RUBBER: f64 = 1e8;
+/// No metal has a lower modulus \[Pa\], and what has is a plastic or softer ...
+const PLASTIC: f64 = 3e9;
+/// ... and those have H/E above this.
+const PLASTIC_RATIO: f64 = 0.02;
+/// G/E of two bodies is (1-ν)/(2(2-ν)), 0.17 to 0.25, where they are alike.
+const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
+/// H/S_y.
+const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
+/// S = 0.454 + 0.41 ν.
+const PRESSURE_FACTOR: [f64; 2] = [0.2, 1.2];
+
+/// The numbers of one material, or of two together, with the name of the modulus.
+struct Material {
+    modulus: (&'static str, f64),
+    hardness: Option<f64>,
+    yield_strength: Option<f64>,
+}
+
+impl Body {
+    /// What is unusual about these numbers for any material.
+    #[must_use]
+    pub fn findings(&self) -> Vec<Finding> {
+        let modulus = ("youngs_modulus", self.youngs_modulus);
+        let &Self { hardness, yield_strength, .. } = self;
+        Material { modulus, hardness, yield_strength }.findings()
+    }
+}
+
+impl Interface {
+    /// What is unusual about these numbers for any two materials.
+    #[must_use]
+    pub fn findings(&self) -> Vec<Finding> {
+        let modulus = ("equivalent_modulus", self.equivalent_modulus);
+        let &Self { hardness, yield_strength, .. } = self;
+        let mut found = Material { modulus, hardness, yield_strength }.findings();
+        if let Some(shear) = self.equivalent_shear_modulus {
+            let usual = SHEAR_RATIO.map(|ratio| ratio * self.equivalent_modulus);
+            // Where the modulus is objected to, the ratio says nothing new.
+            if found.is_empty() && !within(shear, usual) {
+                let field = "equivalent_shear_modulus";
+                let share = short(shear / self.equivalent_modulus);
+                let why = format!(
+                    "{share} of the equivalent modulus, and (1 - nu)/(2 (2 - nu)), about 0.2, is usual"
+                );
+                let question = slip(shear, PRESSURES, "Pa", |g| within(g, usual));
+                let why = question.into_iter().fold(why, |why, question| why + ": " + &question);
+                found.push(unusual(field, shear, usual, &why));
+            }
+        }
+        if let Some(factor) = self.pressure_factor
+            && !within(factor, PRESSURE_FACTOR)
+        {
+            let why = "0.454 + 0.41 nu, 0.4 to 0.7, is usual: leave it out if in doubt";
+            found.push(unusual("pressure_factor", factor, PRESSURE_FACTOR, why));
+        }
+        found
+    }
+}
+
+impl Material {
+    fn findings(&self) -> Vec<Finding> {
+        let mut found = self.sizes();
+        if let (Some(h), Some(y)) = (self.hardness, self.yield_strength)
+            && !within(h / y, YIELD_RATIO)
+        {
+            let usual = [h / YIELD_RATIO[1], h / YIELD_RATIO[0]];
+            let why = format!("{} of the hardness, where 1/2.8 is usual", short(y / h));
+            found.push(unusual("yield_strength", y, usual, &why));
+        }
+        found
+    }
+
+    /// Of modulus and hardness: which of them is of no material, or not of the other's.
+    fn sizes(&self) -> Vec<Finding> {
+        let (modulus_field, modulus) = self.modulus;
+        let (strength_field, strength) = match (self.hardness, self.yield_strength) {
+            (Some(h), _) => ("hardness", Some(h)),
+            (None, yields) => ("yield_strength", yields),
+        };
+        if plausible(modulus, strength) {
+            return vec![];
+        }
+        let ratio = strength.unwrap_or(0.0) / modulus;
+        let found = |field, value: f64, usual: [f64; 2], unit: Option<Unit>| {
+            let within_its_own = within(value, usual);
+            let mut why = match within_its_own {
+                false => format!("materials have {} to {} Pa", short(usual[0]), short(usual[1])),
+                true => format!(
+                    "{strength_field} over modulus would be {}, where {} to {} is usual",
+                    short(ratio),
+                    least_ratio(modulus),
+                    RATIO[1]
+                ),
+            };
+            why += &unit.map_or(String::new(), |unit| format!(": {}", ask(value, unit, "Pa")));
+            let by_ratio = [least_ratio(modulus), RATIO[1]];
+            let usual = match field == modulus_field {
+                _ if !within_its_own => usual,
+                true => [by_ratio[1], by_ratio[0]].map(|r| ratio * modulus / r),
+                false => by_ratio.map(|r| r * modulus),
+            };
+            unusual(field, value, usual, &why)
+        };
+        let of_modulus = |unit| found(modulus_field, modulus, MODULUS, unit);
+        let of_strength = |unit| strength.map(|h| found(strength_field, h, HARDNESS, unit));
+        match meant(modulus, strength) {
+            Some((e, h)) => {
+                let e = e.map(|unit| of_modulus(Some(unit)));
+                e.into_iter().chain(h.and_then(|unit| of_strength(Some(unit)))).collect()
+            }
+            None => {
+                let e = (!within(modulus, MODULUS)).then(|| of_modulus(None));
+                let odd = e.is_none() || strength.is_some_and(|h| !within(h, HARDNESS));
+                e.into_iter().chain(if odd { of_strength(None) } else { None }).collect()
+            }
+        }
+    }
+}
+
+/// Units in which modulus and strength would be those of a material: one of them alone in another
+/// unit than Pa before both in the same before each in one of its own.
+fn meant(modulus: f64, strength: Option<f64>) -> Option<(Option<Unit>, Option<Unit>)> {
+    let units = || PRESSURES.iter().map(|unit| Some(*unit));
+    let alone = units().map(|u| (u, None)).chain(units().map(|u| (None, u)));
+    let both = units().map(|u| (u, u));
+    let any = units().flat_map(|u| units().map(move |v| (u, v)));
+    let times = |value: f64, unit: Option<Unit>| unit.map_or(value, |(_, factor)| value * factor);
+    alone
+        .chain(both)
+        .chain(any)
+        .find(|(e, h)| plausible(times(modulus, *e), strength.map(|value| times(value, *h))))
+}
+
+fn least_ratio(modulus: f64) -> f64 {
+    if modulus < PLASTIC { PLASTIC_RATIO } else { RATIO[0] }
+}
+
+/// Whether there may be a material of this modulus and hardness.
+fn plausible(modulus: f64, strength: Option<f64>) -> bool {
+    within(modulus, MODULUS)
+        && strength.is_none_or(|h| within(h, HARDNESS) && e_and_h_agree(modulus, h))
+}
+
+/// Whether one material may have both.
+fn e_and_h_agree(modulus: f64, hardness: f64) -> bool {
+    let ratio = hardness / modulus;
+    match modulus {
+        e if e < RUBBER => (PLASTIC_RATIO..10.0 * RATIO[1]).contains(&ratio),
+        e if e < PLASTIC => (PLASTIC_RATIO..RATIO[1]).contains(&ratio),
+        _ => within(ratio, RATIO),
+    }
+}
+
+pub(crate) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
+    (from..=to).contains(&value)
+}
+
+/// Ten times beyond what is usual is no rarity but a mistake.
+pub(crate) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
+    if value < 0.1 * from || value > 10.0 * to { Severity::Error } else { Severity::Warning }
+}
+
+/// A number that no material has.
+fn unusual(field: &'static str, value: f64, usual: [f64; 2], why: &str) -> Finding {
+    let unit = if field == "pressure_factor" { "" } else { " Pa" };
+    let message = format!("{field} is {}{unit}, {why}", short(value));
+    Finding::new("unusual-size", severity(value, usual), field, value, usual, message)
+}

@@ -1,0 +1,33 @@
+//! Numbers that would be usual in another unit.
+
+use super::finding::short;
+
+/// A unit that people mean when they forget that plain numbers are SI: its name, and how many SI
+/// units it is. The likeliest stands first.
+pub(crate) type Unit = (&'static str, f64);
+
+/// Of moduli and strengths \[Pa\].
+pub(crate) const PRESSURES: &[Unit] = &[("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3)];
+/// Of lengths \[m\].
+pub(crate) const LENGTHS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
+/// Of asperity densities \[1/m²\].
+pub(crate) const DENSITIES: &[Unit] =
+    &[("1/mm2", 1e6), ("1/um2", 1e12), ("1/cm2", 1e4), ("1/nm2", 1e18)];
+/// Of areas \[m²\].
+pub(crate) const AREAS: &[Unit] = &[("mm2", 1e-6), ("cm2", 1e-4), ("um2", 1e-12)];
+
+/// What to ask of a value that would make sense in one of these units.
+pub(crate) fn slip(
+    value: f64,
+    units: &[Unit],
+    si: &str,
+    makes_sense: impl Fn(f64) -> bool,
+) -> Option<String> {
+    units.iter().find(|(_, factor)| makes_sense(value * factor)).map(|unit| ask(value, *unit, si))
+}
+
+/// "is it in GPa? 116 GPa is 1.16e11 Pa"
+pub(crate) fn ask(value: f64, (name, factor): Unit, si: &str) -> String {
+    let (given, meant) = (short(value), short(value * factor));
+    format!("is it in {name}? {given} {name} is {meant} {si}")
+}

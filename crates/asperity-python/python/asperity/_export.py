@@ -1,0 +1,79 @@
+"""Contact tables for finite-element codes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from asperity import _asperity
+from asperity._advice import _model
+from asperity._arguments import checked_unit
+from asperity._model import Model
+from asperity._scene import Floats, Scene
+
+
+@dataclass(frozen=True)
+class ContactTable:
+    """Pressure against clearance at nodes; ``print`` it, or write ``text`` to a file."""
+
+    #: Clearances from the scene's plane [m], ascending.
+    clearance: Floats
+    #: Pressures on the nominal area [Pa].
+    pressure: Floats
+    #: Their tangents, -dp/dclearance [Pa/m].
+    tangent: Floats
+    #: Largest relative errors between the nodes.
+    pressure_error: float
+    tangent_error: float
+    #: In the words of the code.
+    text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def export(
+    model: str | Model,
+    scene: Scene,
+    format: str = "csv",
+    *,
+    separation: tuple[float, float] | None = None,
+    load: tuple[float, float] | None = None,
+    pressure: tuple[float, float] | None = None,
+    nodes: int | None = None,
+    max_error: float | None = None,
+    separation_unit: str = "asperity_height_std",
+    rtol: float = 1e-10,
+) -> ContactTable:
+    """Pressure against clearance for a finite-element code, from one separation, load [N] or
+    pressure [Pa] to another: with ``nodes`` at equal distances of clearance, or with as many as
+    keep the pressure between them within a relative ``max_error``.
+
+    The format is "csv" (for cubics), "abaqus", "calculix" (both for straight lines) or "ansys" (a
+    nonlinear spring that stands for the nominal area).
+
+    >>> import asperity
+    >>> scene = asperity.Scene.parse(asperity.template())
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), max_error=0.01)
+    >>> "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR" in table.text
+    True
+    """
+    places: Mapping[str, tuple[float, float] | None] = {
+        checked_unit(separation_unit): separation,
+        "load": load,
+        "pressure": pressure,
+    }
+    given = [(axis, ends) for axis, ends in places.items() if ends is not None]
+    if len(given) != 1:
+        raise TypeError("exactly one of separation, load and pressure was required")
+    if nodes is None and max_error is None:
+        raise TypeError("nodes or max_error was required")
+    (axis, (first, last)), count = given[0], 2 if nodes is None else nodes
+    ends = axis, float(first), float(last)
+    spacing = count, max_error, rtol
+    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, format)
+    clearance, pressures, tangent, pressure_error, tangent_error, text = found
+    columns = np.array(clearance), np.array(pressures), np.array(tangent)
+    return ContactTable(*columns, pressure_error, tangent_error, text)

@@ -1,0 +1,84 @@
+//! Scenes and answers that are looked at before they are believed.
+
+use asperity::{Check, Finding, Severity};
+use pyo3::prelude::*;
+
+use crate::engine::Engine;
+use crate::error::refused;
+use crate::objects::object;
+use crate::places::Axis;
+use crate::rows::{Rows, View};
+use crate::scene::SceneFile;
+
+/// Numbers with unit and meaning, and findings, of a scene and, if a number is given, of the answer
+/// there.
+type Looked<'py> = (Vec<(String, f64, String, String)>, Bound<'py, PyAny>);
+
+/// What follows from a scene and, for a model, from a place, with what is unusual about it.
+#[pyfunction]
+#[pyo3(signature = (scene, asked=None))]
+pub(crate) fn check<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    asked: Option<(PyRef<'py, Engine>, Axis, f64)>,
+) -> PyResult<Looked<'py>> {
+    let file = &scene.0;
+    let looked = match asked {
+        None => file.check(None).map_err(refused)?,
+        Some((engine, axis, number)) => {
+            let (model, at) = (engine.on(file)?, axis.at(number, file.separation_from));
+            let looked = py.detach(|| file.check(Some((&model, at))));
+            looked.map_err(|error| engine.raise(py, error))?
+        }
+    };
+    let Check { numbers, findings, .. } = looked;
+    let number = |n: asperity::Number| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
+    Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
+}
+
+/// What deserves a word of the scenes of rows and, where there is but one, of the answers.
+#[pyfunction]
+pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyResult<Vec<String>> {
+    let rows = rows.view()?;
+    let model = engine.on_all(&rows.files)?;
+    let written = engine.is_written();
+    Ok(py.detach(|| {
+        let mut found = of_scenes(&rows);
+        // What a user's own law raises belongs to the answer.
+        if let (Some(file), false) = (rows.one_file(), written) {
+            // Of millions of rows the closest and the lightest are enough.
+            let places: Vec<_> = rows.ends().map(|row| rows.at(row)).collect();
+            let serious = |finding: &Finding| finding.severity < Severity::Note;
+            let of_answers = file.findings_at(&model, &places).into_iter().filter(serious);
+            found.extend(of_answers.map(|finding| steady(&finding)));
+        }
+        found
+    }))
+}
+
+/// A finding of an answer without its numbers: in a loop, Python tells equal warnings once.
+fn steady(finding: &Finding) -> String {
+    let [least, most] = finding.usual;
+    let (side, bound) = if finding.value > most { ("above", most) } else { ("below", least) };
+    let why = finding.message.split_once(": ").map_or("", |(_, why)| why);
+    format!("{} is {side} {bound} at one of these places: {why}", finding.field)
+}
+
+/// Each finding once, of the first scene that shows it, with the number of scenes that do.
+fn of_scenes(rows: &View<'_>) -> Vec<String> {
+    let mut found: Vec<(Finding, usize)> = vec![];
+    let count = rows.scenes();
+    for scene in 0..count {
+        for new in rows.findings(scene).into_iter().filter(|f| f.severity < Severity::Note) {
+            match found.iter_mut().find(|(f, _)| f.code == new.code && f.field == new.field) {
+                Some((_, scenes)) => *scenes += 1,
+                None => found.push((new, 1)),
+            }
+        }
+    }
+    let told = |(finding, scenes): (Finding, usize)| match count {
+        1 => finding.message,
+        _ => format!("{} (in {scenes} of {count} scenes)", finding.message),
+    };
+    found.into_iter().map(told).collect()
+}

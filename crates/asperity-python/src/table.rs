@@ -1,0 +1,64 @@
+//! Contact tables for finite-element codes.
+
+use asperity::{ContactTable, SeparationUnit, TableFormat, Tolerance};
+use pyo3::prelude::*;
+
+use crate::engine::Engine;
+use crate::error::{refused, value_error};
+use crate::places::Axis;
+use crate::scene::SceneFile;
+
+/// Clearances [m], pressures [Pa], tangents [Pa/m], relative errors of the last two between the
+/// nodes, and the text.
+type Table = (Vec<f64>, Vec<f64>, Vec<f64>, f64, f64, String);
+
+fn format_of(name: &str) -> PyResult<TableFormat> {
+    Ok(match name {
+        "csv" => TableFormat::Csv,
+        "abaqus" => TableFormat::Abaqus,
+        "calculix" => TableFormat::Calculix,
+        "ansys" => TableFormat::Ansys,
+        other => {
+            let needed = "\"csv\", \"abaqus\", \"calculix\" or \"ansys\" was required";
+            return Err(value_error(format!("format is {other:?}: {needed}")));
+        }
+    })
+}
+
+/// A table between two places, with nodes added until an error is met, if one is given.
+#[pyfunction]
+pub(crate) fn contact_table(
+    py: Python<'_>,
+    engine: &Engine,
+    scene: &SceneFile,
+    ends: (Axis, f64, f64),
+    spacing: (usize, Option<f64>, f64),
+    form: &str,
+) -> PyResult<Table> {
+    let (model, format, file) = (engine.on(&scene.0)?, format_of(form)?, &scene.0);
+    let (from, contact) = (file.separation_from, &file.scene);
+    let (nodes, max_error, rtol) = spacing;
+    let tolerance = Tolerance::new(rtol).map_err(refused)?;
+    let (axis, first, last) = ends;
+    let range = (axis.at(first, from), axis.at(last, from), nodes);
+    let between = format.interpolation();
+    let table = py.detach(|| match max_error {
+        Some(error) => ContactTable::within(&model, contact, tolerance, range, error, between),
+        None => ContactTable::even(&model, contact, tolerance, range, between),
+    });
+    let table = table.map_err(value_error)?;
+    let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), model_name(&model));
+    let text = table.text(format, contact, from, &title).map_err(value_error)?;
+    let clearance = |node: &asperity::ContactNode| {
+        let separation = asperity::Separation::sigmas(node.separation);
+        Ok(separation.measured_in(SeparationUnit::Metres, from, contact).map_err(refused)?.value)
+    };
+    let clearances = table.nodes.iter().map(clearance).collect::<PyResult<Vec<f64>>>()?;
+    let pressures = table.nodes.iter().map(|node| node.pressure).collect();
+    let tangents = table.nodes.iter().map(|node| node.stiffness).collect();
+    Ok((clearances, pressures, tangents, table.pressure_error, table.stiffness_error, text))
+}
+
+fn model_name(model: &asperity::Model) -> String {
+    asperity::ContactModel::id(model).to_string()
+}

@@ -1,0 +1,80 @@
+"""Scenes and answers that are looked at before they are believed."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+import asperity
+
+
+@pytest.fixture(autouse=True)
+def every_word() -> Iterator[None]:
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        yield
+
+
+def words(scene: asperity.Scene | asperity.Scenes, model: str = "ke", **asked: object) -> list[str]:
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("always")
+        asperity.model(model).solve(scene, quantities="area", **asked)  # type: ignore[arg-type]
+    assert {warning.filename for warning in seen} <= {__file__}
+    return [str(warning.message) for warning in seen]
+
+
+def test_numbers_and_findings_of_a_scene_and_of_a_load(scene: asperity.Scene) -> None:
+    check = scene.check()
+    assert check.findings == ()
+    assert check.numbers["plasticity_index"] == pytest.approx(scene.plasticity_index)
+    at_load = scene.check(load=100.0)
+    assert at_load.numbers["load"] == pytest.approx(100.0)
+    area = asperity.model("ke").solve(scene, load=100.0, quantities="area").area
+    assert at_load.numbers["area"] == pytest.approx(float(area), rel=1e-5)
+    assert set(check.numbers) < set(at_load.numbers)
+    (yields,) = scene.check("gw", load=100.0).findings
+    assert (yields.code, yields.severity) == ("yields", "warning")
+    assert yields.usual == (0.0, 0.02) and "ask a model that does" in str(yields)
+    assert scene.check(asperity.model("gw"), pressure=1e6).findings[0].code == "yields"
+    with pytest.raises(TypeError, match="at most one of separation, load and pressure"):
+        scene.check(load=1.0, pressure=1.0)
+    with pytest.raises(ValueError, match="load is 1e30 N"):
+        scene.check(load=1e30)
+
+
+def test_units_that_are_not_si_are_named_before_an_answer(scene: asperity.Scene) -> None:
+    assert words(scene, load=100.0) == []
+    in_micrometres = scene.replace(asperity_height_std=1.0)
+    (said,) = [w for w in words(in_micrometres, separation=3.0) if "in um?" in w]
+    assert said.startswith("asperity_height_std is 1 m")
+    many = scene.vary(asperity_height_std=[1e-6, 1.0, 2.0])
+    said, *others = words(many, separation=3.0)
+    assert said.endswith("(in 2 of 3 scenes)") and not others
+    assert len(words([scene, in_micrometres], separation=[3.0, 3.0])) == 1  # type: ignore[arg-type]
+
+
+def test_bodies_are_looked_at_before_they_are_one_interface() -> None:
+    steel = asperity.Body(210e9, 0.3, hardness=2e9)
+    with pytest.warns(asperity.ContactWarning, match="youngs_modulus is 2.1e14 Pa") as seen:
+        asperity.Interface.between(steel, asperity.Body(210e12, 0.3, hardness=1.2e11))
+    assert seen[0].filename == __file__
+
+
+def test_loads_that_a_model_is_not_made_for_are_said_once(scene: asperity.Scene) -> None:
+    (crowded,) = words(scene, load=np.geomspace(1e3, 3e5, 20))
+    assert crowded.startswith("area_fraction is ")
+    (few,) = words(scene, load=[1e-3, 100.0])
+    assert few.startswith("contacts is ")
+    assert [w.split()[0] for w in words(scene, "gw", load=[100.0])] == ["yielding_share"]
+
+
+def test_rubber_needs_no_hardness() -> None:
+    interface = asperity.Interface(2.7e6, 0.5)
+    rubber = asperity.Scene(interface, asperity.Surface(1e-4, 4e8, 1e-6), 1e-4)
+    assert rubber.models() == ["gw"]
+    assert "plasticity_index" not in rubber.check().numbers
+    assert rubber.check(load=0.1).numbers["area_fraction"] < 0.1
+    assert words(rubber, "gw", load=0.1) == []

@@ -1,0 +1,122 @@
+"""What the program can, the package can: scans, scene files, tables for solvers, pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import asperity
+import matplotlib
+import numpy as np
+import pytest
+
+matplotlib.use("Agg")
+
+
+def waves(phase: float) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """A rough surface of waves in all directions [m], 96 x 96 points."""
+    y, x = np.mgrid[:96, :96].astype(float)
+    heights = np.zeros((96, 96))
+    for k in range(1, 40):
+        angle, size = 2.399963 * k, 0.035 * (k + 6)
+        along = x * np.cos(angle) + y * np.sin(angle)
+        heights += np.cos(size * along + (7.1 + phase) * k * k) / (10 + k)
+    return 3e-6 * heights
+
+
+def test_a_scan_is_read_levelled_filtered_and_smoothed(tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "scan.txt", waves(0.0) * 1e6)
+    scan = asperity.read(tmp_path / "scan.txt", unit="um", pixel_size=2.0)
+    np.testing.assert_allclose(scan.heights, waves(0.0), rtol=1e-12, atol=1e-20)
+    assert scan.pixel_size == pytest.approx((2e-6, 2e-6)) and not scan.periodic
+    one_by_one = scan.level("plane").filter(6e-5).statistics(level="none")
+    at_once = scan.statistics(level="plane", cutoff=6e-5)
+    assert one_by_one == pytest.approx(at_once)
+    smooth = scan.smooth(1e-5)
+    assert isinstance(smooth, asperity.Topography)
+    assert smooth.surface().asperity_radius > 1.05 * scan.surface().asperity_radius
+    with pytest.raises(ValueError, match="unit is missing|the unit"):
+        asperity.read(tmp_path / "scan.txt")
+    # Too much is missing, as the program has it.
+    holes = waves(0.0)
+    holes[:30] = np.nan
+    np.save(tmp_path / "holes.npy", holes)
+    with pytest.raises(ValueError, match="missing"):
+        asperity.read(tmp_path / "holes.npy", unit="m", pixel_size=2e-6)
+    assert asperity.read(
+        tmp_path / "holes.npy", unit="m", pixel_size=2e-6, max_missing=0.5
+    ).missing_share == pytest.approx(30 / 96)
+
+
+def test_two_surfaces_and_measured_heights_make_scenes(tmp_path: Path) -> None:
+    one, two = (asperity.Topography(waves(phase), 2e-6, "m").level() for phase in (0.0, 0.4))
+    both = one.against(two)
+    moments = [scan.statistics(level="none") for scan in (one, two)]
+    added = (sum(m[key] for m in moments) for key in ("m0", "m2", "m4"))
+    assert both == asperity.Surface.from_moments(*added)
+    interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+    density = one.summit_density()
+    assert np.trapezoid(density[1], density[0]) == pytest.approx(1.0)
+    measured = asperity.Scene(interface, one.surface(estimator="summits"), 1e-4, heights=density)
+    path = tmp_path / "measured.toml"
+    measured.to_toml(path)
+    again = asperity.Scene.from_toml(path)
+    assert again == measured and (tmp_path / "measured.csv").exists()
+    with pytest.raises(ValueError, match="a path to write to was required"):
+        measured.to_toml()
+
+
+def test_scenes_are_written_with_plane_and_options(scene: asperity.Scene) -> None:
+    other = asperity.Scene(
+        scene.interface,
+        scene.surface,
+        scene.nominal_area,
+        separation_from="surface-mean",
+        options={"at_reading": "additive"},
+    )
+    assert asperity.Scene.parse(other.to_toml()) == other
+    assert asperity.Scene.parse(scene.to_toml()) == scene
+
+
+def test_tables_for_solvers_are_those_of_the_library(scene: asperity.Scene) -> None:
+    table = asperity.export("ke", scene, load=(1.0, 1e3), max_error=1e-4)
+    assert table.pressure_error <= 1e-4 and (np.diff(table.clearance) > 0).all()
+    curve = asperity.model("ke").solve(
+        scene, table.clearance, ["pressure", "tangent"], separation_unit="m"
+    )
+    np.testing.assert_allclose(table.pressure, curve.pressure, rtol=1e-9)
+    np.testing.assert_allclose(table.tangent, curve.tangent / scene.nominal_area, rtol=1e-9)
+    for form, words in [
+        ("csv", "clearance_m,pressure_Pa,tangent_Pa_per_m"),
+        ("abaqus", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR"),
+        ("calculix", "not yet tried with ccx"),
+        ("ansys", "RMORE,"),
+    ]:
+        assert words in str(asperity.export("ke", scene, form, load=(10.0, 1e3), nodes=8))
+    wrongs: list[tuple[dict[str, Any], str]] = [
+        ({"format": "nastran"}, "format is \"nastran\""),
+        ({"load": (10.0, 1.0)}, "range"),
+        ({"max_error": -1.0}, "error is -1.0"),
+    ]
+    for wrong, words in wrongs:
+        asked: dict[str, Any] = {"load": (1.0, 10.0), "nodes": 4} | wrong
+        with pytest.raises(ValueError, match=words):
+            asperity.export("ke", scene, **asked)
+    with pytest.raises(TypeError, match="nodes or max_error"):
+        asperity.export("ke", scene, load=(1.0, 10.0))
+
+
+def test_curves_are_drawn(scene: asperity.Scene) -> None:
+    curve = asperity.model("ke").solve(scene, load=np.geomspace(1, 1e3, 9), quantities=["area", "tangent"])
+    axes = curve.plot()
+    assert axes.get_xscale() == axes.get_yscale() == "log"
+    (line,) = axes.get_lines()
+    np.testing.assert_allclose(line.get_ydata(), curve.area)
+    assert curve.plot(axes, "tangent", color="k") is axes and len(axes.get_lines()) == 2
+    svg = curve._repr_svg_()
+    assert svg is not None and svg.startswith("<svg") and "tangent (N/m)" in svg
+    assert asperity.model("ke").solve(scene, 2.0)._repr_svg_() is None
+    many = asperity.model("ke").solve(scene.vary(hardness=[[1e9], [2e9]]), [0.0, 1.0, 2.0])
+    assert many._repr_svg_() is None and len(many.plot().get_lines()) == 2
+    with pytest.raises(KeyError, match="force was not requested"):
+        curve.plot(quantity="force")

@@ -1,0 +1,344 @@
+//! An integral over a weight as Chebyshev series in d, made where they are asked for.
+
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use super::integral::{Found, Overlap, SCALED};
+use super::lobatto::chebyshev_sum;
+use super::weight::Weight;
+use crate::{Moments, QuadratureError};
+
+/// Terms of a series; the last few tell what is left,
+const TERMS: usize = 12;
+const LAST: usize = 3;
+/// and so does the integral at these shares of a cell.
+const CHECKED: [f64; 3] = [0.004, 0.47, 0.993];
+/// The share of the tolerance that series may take, beside the integrals they are made of.
+const SHARE: f64 = 0.25;
+/// Cells narrower than this, relative to their place, are not made.
+const NARROW: f64 = 1e-12;
+/// Cells no wider than this share of the weight are tried; beyond it, as wide as they are far.
+const WIDE: f64 = 0.3;
+/// Cells reach so many widths of the weight beyond it; farther out each d is integrated anew.
+const REACH: f64 = 64.0;
+
+/// The integral I(d) of one density over one weight for many d: between the d at which a break of
+/// the weight meets a kink of the density I is smooth, but for powers of the distance to them.
+///
+/// Cells are made when d first falls into them, by bisection, to an error that is measured
+/// against the integral itself, and shared by all threads.
+pub struct Cells {
+    overlap: Arc<Overlap>,
+    weight: Arc<Weight>,
+    /// Where breaks and kinks meet, ascending.
+    meetings: Vec<f64>,
+    range: (f64, f64),
+    root: Node,
+}
+
+impl fmt::Debug for Cells {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Cells").field("range", &self.range).finish_non_exhaustive()
+    }
+}
+
+/// A range of d, once it has been looked at.
+#[derive(Default)]
+struct Node(OnceLock<State>);
+
+enum State {
+    Series(Box<Series>),
+    /// Where the range was divided, and whether breaks and kinks meet there.
+    Divided {
+        at: f64,
+        meeting: Option<usize>,
+        parts: Box<[Node; 2]>,
+    },
+    /// Nothing is smooth here, or too narrow.
+    Direct,
+}
+
+/// A range of d on its way down.
+#[derive(Clone)]
+struct Range {
+    low: f64,
+    high: f64,
+    /// Whether breaks and kinks meet at the ends.
+    sharp: [bool; 2],
+    /// The meetings inside.
+    meetings: std::ops::Range<usize>,
+}
+
+struct Series {
+    map: Map,
+    /// Value, slope and their sizes, over exp(`ln_scale`); no sizes where they are the values.
+    terms: [Vec<f64>; 4],
+    /// The logarithm of the scale at the lower end, and its slope.
+    ln_scale: [f64; 2],
+    /// The smallest sizes of value and slope, over their scale.
+    least: [f64; 2],
+    /// What the integration has left of value and slope, and the bound.
+    reached: [f64; 2],
+    error: f64,
+}
+
+/// The j-th Chebyshev coefficient of numbers at the roots.
+fn term(j: usize, numbers: impl Iterator<Item = f64>) -> f64 {
+    let sum: f64 = numbers.enumerate().map(|(k, f)| f * (j as f64 * angle(k)).cos()).sum();
+    sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64
+}
+
+/// From d to v in [0, 1].
+#[derive(Debug, Clone, Copy)]
+struct Map {
+    low: f64,
+    high: f64,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Linear,
+    /// The distance to the lower end is v².
+    Low,
+    /// The distance to the higher end is.
+    High,
+}
+
+impl Map {
+    fn new(range: &Range) -> Self {
+        let kind = match range.sharp {
+            [true, false] => Kind::Low,
+            [false, true] => Kind::High,
+            _ => Kind::Linear,
+        };
+        Self { low: range.low, high: range.high, kind }
+    }
+
+    fn d(&self, v: f64) -> f64 {
+        let width = self.high - self.low;
+        match self.kind {
+            Kind::Linear => self.low + width * v,
+            Kind::Low => self.low + width * v * v,
+            Kind::High => self.high - width * v * v,
+        }
+    }
+
+    fn v(&self, d: f64) -> f64 {
+        let width = self.high - self.low;
+        match self.kind {
+            Kind::Linear => (d - self.low) / width,
+            Kind::Low => ((d - self.low) / width).sqrt(),
+            Kind::High => ((self.high - d) / width).sqrt(),
+        }
+    }
+}
+
+impl Cells {
+    /// For all separations; nothing is integrated yet.
+    #[must_use]
+    pub fn new(overlap: Arc<Overlap>, weight: Arc<Weight>) -> Self {
+        let (low, high) = weight.bulk();
+        let width = REACH * (high - low);
+        let end = overlap.end(&weight);
+        let range = (low - width, if end.is_finite() { end } else { high + width });
+        let meet = |at: &f64| -> Vec<f64> {
+            overlap.kinks.iter().map(|kink| at - kink * overlap.unit).collect()
+        };
+        let mut meetings: Vec<f64> = weight.breaks().iter().flat_map(meet).collect();
+        meetings.retain(|d| *d > range.0 && *d < range.1);
+        meetings.sort_by(f64::total_cmp);
+        // Closer ones are one: what lies between them counts for nothing.
+        meetings.dedup_by(|a, b| (*a - *b).abs() <= NARROW * a.abs());
+        Self { overlap, weight, meetings, range, root: Node::default() }
+    }
+
+    /// I(d), -dI/dd; the bound holds for the slope only where that is asked for.
+    ///
+    /// # Errors
+    /// Those of [`Overlap::at`].
+    pub fn at(&self, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
+        match self.series(d) {
+            Some(series) if self.overlap.check(series.reached, 0, slope).is_ok() => {
+                Ok(series.moments(d, slope))
+            }
+            // The same digits whether the slope is asked for or not.
+            _ => self.overlap.answer(&self.overlap.find(&self.weight, d, true)?, slope),
+        }
+    }
+
+    /// The series of the cell of d, if it has one.
+    fn series(&self, d: f64) -> Option<&Series> {
+        let (low, high) = self.range;
+        if !(d >= low && d < high) {
+            return None;
+        }
+        let mut range = Range { low, high, sharp: [false, true], meetings: 0..self.meetings.len() };
+        let mut node = &self.root;
+        loop {
+            match node.0.get_or_init(|| self.make(&range)) {
+                State::Series(series) => return Some(series),
+                State::Direct => return None,
+                State::Divided { at, meeting, parts } => {
+                    let upper = d >= *at;
+                    range = range.part(*at, *meeting, upper);
+                    node = &parts[usize::from(upper)];
+                }
+            }
+        }
+    }
+
+    fn make(&self, range: &Range) -> State {
+        let divided = |at, meeting| State::Divided { at, meeting, parts: Box::default() };
+        if !range.meetings.is_empty() {
+            let middle = range.meetings.start + range.meetings.len() / 2;
+            return divided(self.meetings[middle], Some(middle));
+        }
+        let Range { low, high, sharp, .. } = *range;
+        let (width, bulk) = (high - low, self.weight.bulk());
+        if width <= NARROW * low.abs().max(high.abs()) {
+            return State::Direct;
+        }
+        // Too wide to be worth a look.
+        let outside = (bulk.0 - high).max(low - bulk.1).max(0.0);
+        if width > WIDE * (bulk.1 - bulk.0) + outside {
+            return divided(0.5 * (low + high), None);
+        }
+        match self.fit(range) {
+            Ok(Some(series)) => State::Series(Box::new(series)),
+            Ok(None) => divided(
+                match sharp {
+                    [true, false] => low + 0.25 * width,
+                    [false, true] => high - 0.25 * width,
+                    _ => low + 0.5 * width,
+                },
+                None,
+            ),
+            // Whoever asks is told why.
+            Err(_) => State::Direct,
+        }
+    }
+
+    /// A series over a range, if one follows the integral there.
+    fn fit(&self, range: &Range) -> Result<Option<Series>, QuadratureError> {
+        let map = Map::new(range);
+        let find = |v: f64| -> Result<Sample, QuadratureError> {
+            let d = map.d(v);
+            let found = self.overlap.find(&self.weight, d, true)?;
+            // A slope that nobody may ask for is refused when it is asked for.
+            self.overlap.check(found.errors, found.evaluations, false)?;
+            Ok((d, found))
+        };
+        let samples: Vec<Sample> =
+            (0..TERMS).map(|k| find(0.5 + 0.5 * angle(k).cos())).collect::<Result<_, _>>()?;
+        let (mut series, left) = Series::through(map, &samples);
+        let most = |of: &dyn Fn(&Found) -> f64| {
+            samples.iter().map(|(_, found)| of(found)).fold(0.0, f64::max)
+        };
+        series.reached = [0, 1].map(|n| most(&|found| found.errors[n]));
+        let least = (SHARE * self.overlap.tolerance).max(1e-14);
+        let allowed = series.reached.map(|reached| least.max(2.0 * reached));
+        if left[0] > allowed[0] || left[1] > allowed[1] {
+            return Ok(None);
+        }
+        let mut off = left;
+        for v in CHECKED {
+            let here = series.off(&find(v)?);
+            off = [off[0].max(here[0]), off[1].max(here[1])];
+        }
+        let errors = [0, 1].map(|n| most(&|found| found.total()[n]) + 2.0 * off[n]);
+        series.error = self.overlap.bound(series.reached, errors);
+        Ok((off[0] <= 2.0 * allowed[0] && off[1] <= 2.0 * allowed[1]).then_some(series))
+    }
+}
+
+/// The integral at one d.
+type Sample = (f64, Found);
+
+/// Of a root of the polynomial of degree TERMS.
+fn angle(k: usize) -> f64 {
+    std::f64::consts::PI * (k as f64 + 0.5) / TERMS as f64
+}
+
+impl Range {
+    fn part(self, at: f64, meeting: Option<usize>, upper: bool) -> Self {
+        let Self { low, high, sharp, meetings } = self;
+        let at_end = meeting.is_some();
+        let middle = meeting.unwrap_or(meetings.start);
+        if upper {
+            let from = if at_end { middle + 1 } else { middle };
+            Self { low: at, high, sharp: [at_end, sharp[1]], meetings: from..meetings.end }
+        } else {
+            Self { low, high: at, sharp: [sharp[0], at_end], meetings: meetings.start..middle }
+        }
+    }
+}
+
+impl Series {
+    /// Through the integrals at the roots; and the largest of what the last terms leave, relative
+    /// to the smallest size of each of value and slope.
+    fn through(map: Map, samples: &[Sample]) -> (Self, [f64; 2]) {
+        // Sizes are nearly exponentials of d far out.
+        let ln = |(d, found): &Sample| (*d, found.sizes[0].ln() + found.ln_scale);
+        let ((d, from), (to, there)) = (ln(&samples[0]), ln(&samples[TERMS - 1]));
+        let slope = (there - from) / (to - d);
+        let ln_scale =
+            if slope.is_finite() { [from + slope * (map.low - d), slope] } else { [0.0; 2] };
+        let (terms, none) = (Default::default(), [0.0; 2]);
+        let mut series = Self { map, terms, ln_scale, least: none, reached: none, error: 0.0 };
+        let numbers: Vec<[f64; 4]> = samples.iter().map(|sample| series.numbers(sample)).collect();
+        for n in [0, 1] {
+            series.least[n] = numbers.iter().map(|f| f[n + 2]).fold(f64::INFINITY, f64::min);
+            // Sizes are the values themselves where nothing changes its sign.
+            let same = |f: &[f64; 4]| (f[n] - f[n + 2]).abs() <= 1e-13 * f[n + 2];
+            let wanted = if numbers.iter().all(same) { vec![n] } else { vec![n, n + 2] };
+            for n in wanted {
+                series.terms[n] =
+                    (0..TERMS).map(|j| term(j, numbers.iter().map(|f| f[n]))).collect();
+            }
+        }
+        let last = |n: usize| series.terms[n][TERMS - LAST..].iter().map(|t| t.abs()).sum();
+        let left = [0, 1].map(|n| series.relative(n, last(n)));
+        (series, left)
+    }
+
+    /// Value, slope and sizes of a sample, in the cell's scale.
+    fn numbers(&self, (d, found): &Sample) -> [f64; 4] {
+        let Found { sums: [value, slope], sizes: [size, slope_size], ln_scale, .. } = *found;
+        let scale = (ln_scale - self.ln_scale(*d)).exp();
+        [value, slope, size, slope_size].map(|number| number * scale)
+    }
+
+    fn ln_scale(&self, d: f64) -> f64 {
+        self.ln_scale[0] + self.ln_scale[1] * (d - self.map.low)
+    }
+
+    /// A deviation over the smallest size. What is no number, as on ranges over which the scale
+    /// leaves the doubles, is too much.
+    fn relative(&self, n: usize, off: f64) -> f64 {
+        let share = if off == 0.0 { 0.0 } else { off / self.least[n] };
+        if share.is_nan() { f64::INFINITY } else { share }
+    }
+
+    /// How far it is from a sample.
+    fn off(&self, sample: &Sample) -> [f64; 2] {
+        let y = 2.0 * self.map.v(sample.0) - 1.0;
+        let numbers = self.numbers(sample);
+        let off = |n: usize| (chebyshev_sum(&self.terms[n], y) - numbers[n]).abs();
+        [0, 1].map(|n| self.relative(n, off(n)))
+    }
+
+    #[inline]
+    fn moments(&self, d: f64, slope: bool) -> Moments {
+        let y = 2.0 * self.map.v(d) - 1.0;
+        let ln = self.ln_scale(d);
+        let (scale, ln_scale) = if ln.abs() < SCALED { (ln.exp(), 0.0) } else { (1.0, ln) };
+        let sum = |n: usize| scale * chebyshev_sum(&self.terms[n], y);
+        let size = |n: usize, f: f64| {
+            if self.terms[n].is_empty() { f.abs() } else { sum(n).max(f.abs()) }
+        };
+        let (value, by_d) = (sum(0), if slope { sum(1) } else { 0.0 });
+        let sizes = [size(2, value), if slope { size(3, by_d) } else { 0.0 }];
+        Moments { value, slope: by_d, sizes, ln_scale, error: self.error }
+    }
+}

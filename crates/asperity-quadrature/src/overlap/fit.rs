@@ -1,0 +1,279 @@
+//! From the logarithm of a weight to panels that follow it: bisection between its breaks.
+
+use super::lobatto::{NODES, Samples, lobatto};
+use super::panel::{Panel, Series, Shape, end_shares};
+use super::weight::Source;
+use crate::{QuadratureError, WeightFault};
+
+/// How well a logarithm is followed, rounding apart.
+const GOOD: f64 = 1e-13;
+/// Rounding of logarithms, and of places where they are steep, in units of the last place.
+const ROUNDED: f64 = 16.0;
+/// The share of what a series leaves that integrals see: polynomials of degree 16 and more change
+/// their sign often.
+const SEEN: f64 = 0.125;
+/// The logarithm varies by no more than this over a panel, unless all of it is small
+pub(crate) const RANGE: f64 = 10.0;
+/// or far out: smaller than exp(-SMALL) of the largest value.
+const SMALL: f64 = 60.0;
+/// The share of an interval that is too short for a kink inside to count,
+const SLIVER: f64 = 1e-15;
+/// and how wide one may be in units of its place's last place.
+const ULPS: f64 = 64.0;
+/// So many halvings in a row that do not help: it is noise, whose size is then known,
+const STALLED: u32 = 2;
+/// if it is small, or all of the weight is.
+const NOISE: f64 = 1e-6;
+/// A weight that takes more samples is not followed.
+const MOST: usize = 400_000;
+/// What is smaller than exp(-FAINT) of the largest value next to an end is left out, and may be
+/// noisy elsewhere: logarithms of densities that underflow are.
+pub(crate) const FAINT: f64 = 600.0;
+/// Poles with lower powers of the distance leave too much of the weight where no double tells one
+/// distance from another.
+const LOWEST_POWER: f64 = -0.95;
+/// The largest mass that may be in doubt in a sliver.
+const HIDDEN: f64 = 1e-12;
+
+/// What has been found of a weight.
+pub(crate) struct Fitter<'s> {
+    source: &'s Source,
+    pub(crate) panels: Vec<Panel>,
+    /// Undeclared kinks and jumps.
+    pub(crate) kinks: Vec<f64>,
+    /// Where it was left out next to a higher end, if it was.
+    pub(crate) faint: Option<f64>,
+    /// Whether this is where most of the weight is.
+    near: bool,
+    samples: usize,
+    peak: f64,
+}
+
+/// Samples on a panel, and how a series follows them.
+struct Fit {
+    low: f64,
+    high: f64,
+    samples: Samples,
+    series: Series,
+    error: f64,
+    /// The error is rounding, or next to it.
+    followed: bool,
+    /// The weight varies too much over the panel.
+    steep: bool,
+}
+
+impl<'s> Fitter<'s> {
+    /// `peak` is the largest logarithm that is known already.
+    pub(crate) fn new(source: &'s Source, near: bool, peak: f64) -> Self {
+        Self { source, panels: vec![], kinks: vec![], faint: None, near, samples: 0, peak }
+    }
+
+    fn ln(&mut self, z: f64) -> Result<f64, QuadratureError> {
+        self.samples += 1;
+        if self.samples > MOST {
+            return Err(self.source.fault(WeightFault::Wild { at: z }));
+        }
+        let value = (self.source.ln)(z);
+        if value.is_nan() {
+            return Err(self.source.fault(WeightFault::Value { at: z, value }));
+        }
+        if value < f64::INFINITY {
+            self.peak = self.peak.max(value);
+        }
+        Ok(value)
+    }
+
+    /// Between two neighbouring breaks or ends.
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> Result<(), QuadratureError> {
+        if !self.linear(low, high)? {
+            let middle = 0.5 * (low + high);
+            self.beside(low, middle)?;
+            self.beside(high, middle)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the weight is linear, and then its panel.
+    fn linear(&mut self, low: f64, high: f64) -> Result<bool, QuadratureError> {
+        const AT: [f64; 4] = [0.125, 0.375, 0.625, 0.875];
+        let mut g = [0.0; 4];
+        for (g, share) in g.iter_mut().zip(AT) {
+            *g = self.ln(low + (high - low) * share)?.exp();
+        }
+        let largest = g.iter().copied().fold(0.0, f64::max);
+        let slope = (g[3] - g[0]) / 0.75;
+        let at = |share: f64| g[0] + slope * (share - AT[0]);
+        // Logarithms of small numbers are rounded, and so are places in a steep panel.
+        let size = 1.0 + (g[0] / largest).ln().abs().min(1.0) + largest.ln().abs();
+        let place = low.abs().max(high.abs()) / (high - low);
+        let rounding = 4.0 * f64::EPSILON * (size + place * (g[3] - g[0]).abs() / largest);
+        let off = (g[1] - at(AT[1])).abs().max((g[2] - at(AT[2])).abs());
+        if largest == 0.0 || !largest.is_finite() || off > rounding.min(1e-9) * largest {
+            return Ok(false);
+        }
+        let end = |g: f64| if g < 8.0 * rounding * largest { 0.0 } else { g };
+        let shape = Shape::Linear([end(at(0.0)), end(at(1.0))]);
+        self.panels.push(Panel::new(low, high, shape, off / largest));
+        Ok(true)
+    }
+
+    /// From a break or an end to a place below or above it: what it has of powers of the distance
+    /// is found on ever shorter panels.
+    pub(crate) fn beside(&mut self, end: f64, far: f64) -> Result<(), QuadratureError> {
+        let top = (far - end).abs();
+        let mut far = far;
+        loop {
+            let width = (far - end).abs();
+            let fit = self.fit(end.min(far), end.max(far), true)?;
+            if fit.followed {
+                return self.plain(fit, top, 0);
+            }
+            let (_, most) = range(&fit.samples);
+            let faint = most < self.peak - FAINT;
+            if faint || width <= ULPS * f64::EPSILON * end.abs() || width <= 1e-36 * top {
+                let ln = self.ln(far)?;
+                return self.last(end, far, ln, faint);
+            }
+            if let Some(panel) = self.at_end(end, far)? {
+                self.panels.push(panel);
+                return Ok(());
+            }
+            let nearer = end + 0.25 * (far - end);
+            let rest = self.fit(nearer.min(far), nearer.max(far), false)?;
+            self.plain(rest, top, 0)?;
+            far = nearer;
+        }
+    }
+
+    /// What is left between an end and a place next to it.
+    fn last(&mut self, end: f64, far: f64, ln: f64, faint: bool) -> Result<(), QuadratureError> {
+        let width = (far - end).abs();
+        let mut shape = Shape::Zero;
+        if faint {
+            if end > far && ln > f64::NEG_INFINITY {
+                self.faint = Some(self.faint.unwrap_or(far).min(far));
+            }
+        } else if ln.exp() * width > HIDDEN {
+            return Err(self.source.fault(WeightFault::Pole { at: end }));
+        } else {
+            shape = Shape::Linear([ln.exp(); 2]);
+        }
+        self.panels.push(Panel::new(end.min(far), end.max(far), shape, 0.0));
+        Ok(())
+    }
+
+    /// A panel with a power of the distance to an end, if that is what the weight has there.
+    fn at_end(&mut self, end: f64, far: f64) -> Result<Option<Panel>, QuadratureError> {
+        let mut samples = [0.0; NODES];
+        for (sample, share) in samples.iter_mut().zip(end_shares()) {
+            *sample = self.ln(end + (far - end) * share)?;
+            if sample.is_infinite() {
+                return Ok(None);
+            }
+        }
+        let (series, error) = Series::beside_an_end(&samples);
+        // The nearest samples are a thousandth of the panel away from the end.
+        let width = (far - end).abs();
+        let place = 4e3 * f64::EPSILON * end.abs() / width * series.power.abs();
+        let smooth = |k: usize| samples[k] - series.power * end_shares()[k].ln();
+        let all = (0..NODES).map(smooth);
+        let (least, most) =
+            all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
+        let largest = samples.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        let allowed = 10.0 * GOOD + place + ROUNDED * f64::EPSILON * largest;
+        // Next to nothing is there: what it is counts where nothing else does, and is then known.
+        let mass = samples[NODES - 1].exp() * width / (1.0 + series.power);
+        let good = (error <= allowed || error < NOISE && error * mass <= SLIVER)
+            && series.power > LOWEST_POWER
+            && most - least <= RANGE;
+        let panel = Panel {
+            low: end.min(far),
+            high: end.max(far),
+            anchor: end,
+            side: if far > end { 1.0 } else { -1.0 },
+            shape: Shape::Series(series),
+            error,
+        };
+        Ok(good.then_some(panel))
+    }
+
+    /// Samples and follows a panel; beside an end, a pole is no surprise.
+    fn fit(&mut self, low: f64, high: f64, beside: bool) -> Result<Fit, QuadratureError> {
+        let mut samples = [0.0; NODES];
+        for (sample, share) in samples.iter_mut().zip(&lobatto().nodes) {
+            let at = low + (high - low) * share;
+            let value = self.ln(at)?;
+            if value == f64::INFINITY && !beside {
+                return Err(self.source.fault(WeightFault::Value { at, value }));
+            }
+            *sample = value;
+        }
+        let (series, mut error) = Series::plain(&samples);
+        let (least, most) = range(&samples);
+        let largest = least.abs().max(most.abs());
+        let place = low.abs().max(high.abs()) / (high - low);
+        let rounding = ROUNDED * f64::EPSILON * (largest + place * (most - least));
+        let zero = most == f64::NEG_INFINITY;
+        if zero {
+            error = 0.0;
+        } else if !(error <= 1.0 && most < f64::INFINITY && least > f64::NEG_INFINITY) {
+            error = 1.0;
+        }
+        // Rounding hides much in a short panel: a pole, if its mass does not tell.
+        let hidden = error > NOISE && error * most.exp() * (high - low) > HIDDEN;
+        let followed = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
+        let steep = self.near && most - least > RANGE && most > self.peak - SMALL;
+        Ok(Fit { low, high, samples, series, error, followed, steep })
+    }
+
+    /// A panel without a special end, halved until it is followed.
+    fn plain(&mut self, fit: Fit, top: f64, stalled: u32) -> Result<(), QuadratureError> {
+        let width = fit.high - fit.low;
+        let (least, most) = range(&fit.samples);
+        let small = fit.error < NOISE || most < self.peak - FAINT;
+        let noise = small && stalled >= STALLED;
+        if !fit.steep && (fit.followed || noise) {
+            let shape = match (most == f64::NEG_INFINITY, least == f64::NEG_INFINITY) {
+                (true, _) => Shape::Zero,
+                // Next to where it underflows: as good as unknown.
+                (false, true) => Shape::Linear([most.exp(); 2]),
+                _ => Shape::Series(fit.series),
+            };
+            self.panels.push(Panel::new(fit.low, fit.high, shape, SEEN * fit.error));
+            return Ok(());
+        }
+        let short = width <= ULPS * f64::EPSILON * fit.low.abs().max(fit.high.abs());
+        // Where a kink is, it need not be known closer than what it does to integrals.
+        let doubt = fit.error * width;
+        let (narrow, light) = (doubt <= SLIVER * top, doubt * most.exp() <= SLIVER);
+        if short || !fit.followed && narrow && light {
+            if doubt * most.exp() > HIDDEN {
+                return Err(self.source.fault(WeightFault::Pole { at: fit.low }));
+            }
+            let ends = [fit.samples[0].exp(), fit.samples[NODES - 1].exp()];
+            self.panels.push(Panel::new(fit.low, fit.high, Shape::Linear(ends), fit.error));
+            self.kinks.push(0.5 * (fit.low + fit.high));
+            return Ok(());
+        }
+        let middle = 0.5 * (fit.low + fit.high);
+        let halves = [self.fit(fit.low, middle, false)?, self.fit(middle, fit.high, false)?];
+        // A kink or a jump is left in one half; noise stays in both, and halving does not help.
+        let noisy =
+            !fit.followed && halves.iter().map(|half| half.error).sum::<f64>() > 1.5 * fit.error;
+        for half in halves {
+            self.plain(half, top, if noisy { stalled + 1 } else { 0 })?;
+        }
+        Ok(())
+    }
+
+    /// Between two places without a break, in any order.
+    pub(crate) fn octave(&mut self, a: f64, b: f64) -> Result<(), QuadratureError> {
+        let fit = self.fit(a.min(b), a.max(b), false)?;
+        self.plain(fit, (a - b).abs(), 0)
+    }
+}
+
+fn range(samples: &Samples) -> (f64, f64) {
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    samples.iter().fold(ends, |(least, most), s| (least.min(*s), most.max(*s)))
+}

@@ -1,0 +1,210 @@
+//! The integral of one density over a weight, for any separation.
+
+use std::sync::OnceLock;
+
+use super::run::Run;
+use super::strip::View;
+use super::weight::Weight;
+use crate::{Density, Moments, QuadratureError, WeightFault};
+
+/// Rounding of the sums, and of the logarithms that weights come from.
+const ROUNDING: f64 = 1e-14;
+/// What is refused may not be less than this, whatever was asked.
+const ATTAINABLE: f64 = 1e-13;
+/// Where a density that begins at 0 is looked at for its first value.
+const NEXT_TO_ZERO: f64 = 1e-30;
+/// Logarithms of weights as far from 0 as this need a scale.
+pub(crate) const SCALED: f64 = 200.0;
+
+/// A density at one unit, ready to be integrated over weights.
+#[derive(Debug)]
+pub struct Overlap {
+    pub(crate) density: Density,
+    pub(crate) unit: f64,
+    pub(crate) tolerance: f64,
+    /// Finite ends and kinks of all pieces, ascending.
+    pub(crate) kinks: Vec<f64>,
+    /// By how much the density jumps at each.
+    jumps: OnceLock<Result<Vec<f64>, QuadratureError>>,
+}
+
+/// I(d) = sums\[0\]·exp(`ln_scale`) and -dI/dd = sums\[1\]·exp(`ln_scale`), with the integrals of
+/// absolute values and what is known of the errors.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Found {
+    pub(crate) sums: [f64; 2],
+    pub(crate) sizes: [f64; 2],
+    pub(crate) ln_scale: f64,
+    /// Of the integration, relative to the sizes.
+    pub(crate) errors: [f64; 2],
+    /// Of rounded places and of the density's own values, relative to the sizes.
+    pub(crate) inputs: [f64; 2],
+    pub(crate) evaluations: usize,
+}
+
+impl Found {
+    /// All of the error of value and slope, relative to the sizes.
+    pub(crate) fn total(&self) -> [f64; 2] {
+        [0, 1].map(|n| self.errors[n] + self.inputs[n])
+    }
+}
+
+impl Overlap {
+    /// `density` over x = (z - d)/`unit`, to a relative `tolerance`.
+    #[must_use]
+    pub fn new(density: Density, unit: f64, tolerance: f64) -> Self {
+        let mut kinks = density.breaks(f64::NEG_INFINITY, f64::INFINITY);
+        kinks.retain(|x| x.is_finite());
+        Self { density, unit, tolerance, kinks, jumps: OnceLock::new() }
+    }
+
+    /// The same without a look at jumps, for values alone.
+    pub(crate) fn smooth(density: Density, unit: f64, tolerance: f64) -> Self {
+        Self { jumps: OnceLock::from(Ok(vec![])), ..Self::new(density, unit, tolerance) }
+    }
+
+    /// I(d) and -dI/dd; the bound holds for the slope only where that is asked for.
+    ///
+    /// # Errors
+    /// What the density's samplers refuse, [`QuadratureError::Weight`], and
+    /// [`QuadratureError::NotConverged`] where the tolerance is missed.
+    pub fn at(&self, weight: &Weight, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
+        self.answer(&self.find(weight, d, slope)?, slope)
+    }
+
+    /// What was found, unless it misses the tolerance.
+    pub(crate) fn answer(&self, found: &Found, slope: bool) -> Result<Moments, QuadratureError> {
+        self.check(found.errors, found.evaluations, slope)?;
+        Ok(Moments {
+            value: found.sums[0],
+            slope: found.sums[1],
+            sizes: found.sizes,
+            ln_scale: found.ln_scale,
+            error: self.bound(found.errors, found.total()),
+        })
+    }
+
+    /// The bound of value and slope, or of the value alone where the slope misses the tolerance.
+    #[inline]
+    pub(crate) fn bound(&self, reached: [f64; 2], total: [f64; 2]) -> f64 {
+        let held = reached[1] <= self.tolerance.max(ATTAINABLE);
+        if held { total[0].max(total[1]) } else { total[0] }
+    }
+
+    /// Refuses what misses the tolerance.
+    pub(crate) fn check(
+        &self,
+        errors: [f64; 2],
+        evaluations: usize,
+        slope: bool,
+    ) -> Result<(), QuadratureError> {
+        let reached = if slope { errors[0].max(errors[1]) } else { errors[0] };
+        if reached <= self.tolerance.max(ATTAINABLE) {
+            return Ok(());
+        }
+        Err(QuadratureError::NotConverged { reached, asked: self.tolerance, evaluations })
+    }
+
+    /// The d from which on there is nothing: the top of the weight meets the density's beginning.
+    pub(crate) fn end(&self, weight: &Weight) -> f64 {
+        weight.top() - self.first() * self.unit
+    }
+
+    fn first(&self) -> f64 {
+        self.kinks.first().copied().unwrap_or(0.0)
+    }
+
+    pub(crate) fn find(
+        &self,
+        weight: &Weight,
+        d: f64,
+        slope: bool,
+    ) -> Result<Found, QuadratureError> {
+        let start = d + self.first() * self.unit;
+        let mut found = Found {
+            sums: [0.0; 2],
+            sizes: [0.0; 2],
+            ln_scale: 0.0,
+            errors: [0.0; 2],
+            inputs: [0.0; 2],
+            evaluations: 0,
+        };
+        if start >= weight.top() || self.density.pieces.is_empty() {
+            return Ok(found);
+        }
+        if let Some(above) = weight.faint.filter(|faint| start >= *faint) {
+            return Err(weight.source.fault(WeightFault::Faint { above }));
+        }
+        let peak = weight.peak_above(start)?;
+        if peak.abs() > SCALED && peak.is_finite() {
+            found.ln_scale = peak;
+        }
+        let view = View { density: &self.density, d, unit: self.unit, ln_scale: found.ln_scale };
+        let mut run = Run::new(self, weight, view, start);
+        run.everything()?;
+        let places = self.jumps_over(weight, d, &mut run)?;
+        run.refine(slope)?;
+        let unknown = run.sizes[0] == 0.0 || run.errors[0] > 0.5 * run.sizes[0];
+        if unknown && run.nonzero && weight.top() == f64::INFINITY {
+            return Err(weight.source.fault(WeightFault::Faint { above: start }));
+        }
+        let relative = |n: usize, error: f64| {
+            if run.sizes[n] > 0.0 { error / run.sizes[n] } else { 0.0 }
+        };
+        (found.sums, found.sizes, found.evaluations) = (run.sums, run.sizes, run.evaluations);
+        found.errors = [0, 1].map(|n| relative(n, run.errors[n]));
+        // Places are rounded against zero: seen as a shift of the density.
+        let distance = if run.sizes[1] > 0.0 { run.sizes[0] / run.sizes[1] } else { 0.0 };
+        let shift = f64::EPSILON * (d.abs() + 2.0 * distance);
+        let steepness = relative(0, run.sizes[1]);
+        let own = self.density.relative_error(&run.looked_at);
+        found.inputs = [0, 1].map(|_| 4.0 * shift * steepness + ROUNDING + own);
+        found.inputs[1] += relative(1, places);
+        Ok(found)
+    }
+
+    /// Adds the jumps of the density to the slope; what rounded places do to them.
+    fn jumps_over(
+        &self,
+        weight: &Weight,
+        d: f64,
+        run: &mut Run<'_>,
+    ) -> Result<f64, QuadratureError> {
+        let jumps = self.jumps.get_or_init(|| self.jumps()).as_ref().map_err(Clone::clone)?;
+        let mut rounding = 0.0;
+        for (&kink, &jump) in self.kinks.iter().zip(jumps) {
+            if jump == 0.0 {
+                continue;
+            }
+            let z = d + kink * self.unit;
+            let g = |z: f64| weight.at(z, run.view.ln_scale);
+            let near = 2.0 * f64::EPSILON * z.abs().max(d.abs());
+            let (here, below, above) = (g(z)?, g(z - near)?, g(z + near)?);
+            run.sums[1] += jump * here;
+            run.sizes[1] += (jump * here).abs();
+            rounding += jump.abs() * (above - here).abs().max((here - below).abs());
+        }
+        Ok(rounding)
+    }
+
+    fn jumps(&self) -> Result<Vec<f64>, QuadratureError> {
+        let side = |x: f64, inside: &dyn Fn(f64, f64) -> bool| self.density.value(x, inside);
+        let jump = |&x: &f64| {
+            let at = if x == 0.0 { NEXT_TO_ZERO } else { x };
+            let holds = |from: f64, to: f64| from <= x && x < to;
+            let mut above = side(at, &holds)?;
+            if !f64::is_finite(above) {
+                // A formula may be none at its very beginning.
+                above = side(at.next_up(), &holds)?;
+            }
+            let below = side(x.next_down(), &|from, to| from < x && x <= to)?;
+            let jump: f64 = above - below;
+            let rounding = 4.0 * f64::EPSILON * above.abs().max(below.abs());
+            if !jump.is_finite() {
+                return Err(QuadratureError::NotFinite { at: x, value: jump });
+            }
+            Ok(if jump.abs() > rounding { jump } else { 0.0 })
+        };
+        self.kinks.iter().map(jump).collect()
+    }
+}

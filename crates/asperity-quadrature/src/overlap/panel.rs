@@ -1,0 +1,207 @@
+//! One panel of a weight: from its logarithm at a few points to the weight at any.
+
+use std::sync::OnceLock;
+
+use nalgebra::DMatrix;
+
+use super::fit::RANGE;
+use super::lobatto::{NODES, Samples, centred, chebyshev_sum, coefficients, lobatto};
+
+/// Terms of a series on a panel without a special end, at most; the four beyond tell its error.
+const TERMS: usize = 16;
+/// Terms of a series beside a power of the distance to an end.
+const END_TERMS: usize = 10;
+/// Nearer to an end than this share of the panel, rounded places tell nothing of the distance.
+const NEAREST: f64 = 1e-3;
+/// What fractional powers are made: see [`Map`](super::strip::Map).
+pub(crate) const MAP_POWER: f64 = 5.0;
+
+/// A part of a weight, smooth but for a power of the distance to one end.
+#[derive(Debug, Clone)]
+pub(crate) struct Panel {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    /// The end that distances u are counted from,
+    pub(crate) anchor: f64,
+    /// and where they lead: 1 upwards, -1 downwards.
+    pub(crate) side: f64,
+    pub(crate) shape: Shape,
+    /// Relative error of the weight, as far as its samples tell.
+    pub(crate) error: f64,
+}
+
+/// The weight as a function of u.
+#[derive(Debug, Clone)]
+pub(crate) enum Shape {
+    Zero,
+    /// Linear: the weights at u = 0 and at the other end.
+    Linear([f64; 2]),
+    Series(Series),
+}
+
+/// ln weight = power·ln v + Σ terms·T(v), with v = u over the panel's width.
+#[derive(Debug, Clone)]
+pub(crate) struct Series {
+    pub(crate) power: f64,
+    /// v at which the series begins; it is continued to 0.
+    start: f64,
+    terms: Vec<f64>,
+}
+
+impl Panel {
+    pub(crate) fn new(low: f64, high: f64, shape: Shape, error: f64) -> Self {
+        Self { low, high, anchor: low, side: 1.0, shape, error }
+    }
+
+    pub(crate) fn width(&self) -> f64 {
+        self.high - self.low
+    }
+
+    /// The distance from the anchor.
+    pub(crate) fn distance(&self, z: f64) -> f64 {
+        self.side * (z - self.anchor)
+    }
+
+    /// The logarithm of the weight at a distance.
+    pub(crate) fn ln(&self, u: f64) -> f64 {
+        match &self.shape {
+            Shape::Zero => f64::NEG_INFINITY,
+            Shape::Linear(_) => self.weight(u, 0.0).ln(),
+            Shape::Series(series) => series.ln(u / self.width()),
+        }
+    }
+
+    /// The weight at a distance, over exp(`ln_scale`).
+    #[inline]
+    pub(crate) fn weight(&self, u: f64, ln_scale: f64) -> f64 {
+        match &self.shape {
+            Shape::Zero => 0.0,
+            Shape::Linear([near, far]) => {
+                let share = (u / self.width()).clamp(0.0, 1.0);
+                let value = near * (1.0 - share) + far * share;
+                if ln_scale == 0.0 { value } else { (value.ln() - ln_scale).exp() }
+            }
+            Shape::Series(series) => (series.ln(u / self.width()) - ln_scale).exp(),
+        }
+    }
+
+    /// Whether the weight, but for a power of the distance, varies little.
+    pub(crate) fn is_gentle(&self) -> bool {
+        let Shape::Series(series) = &self.shape else { return true };
+        let shares = [series.start.max(1e-9), 0.1, 0.3, 0.6, 1.0];
+        let smooth = shares.map(|share| series.ln(share) - series.power * share.ln());
+        let least = smooth.iter().copied().fold(f64::INFINITY, f64::min);
+        smooth.iter().all(|ln| ln - least <= 1.5 * RANGE)
+    }
+
+    /// The power of v that makes what the panel has at its anchor smooth; `None` if nothing.
+    pub(crate) fn map_power(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Series(series) if series.power != 0.0 => {
+                Some(MAP_POWER / (1.0 + series.power.min(0.0)))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Series {
+    #[inline]
+    fn ln(&self, share: f64) -> f64 {
+        let y = if self.start > 0.0 { beside(share) } else { centred(share) };
+        let smooth = chebyshev_sum(&self.terms, y);
+        if self.power == 0.0 { smooth } else { smooth + self.power * share.max(0.0).ln() }
+    }
+
+    /// Without a special end, from samples of the logarithm at the points of [`lobatto`]; and the
+    /// error of the logarithm.
+    pub(crate) fn plain(samples: &Samples) -> (Self, f64) {
+        let all = coefficients(samples);
+        let (terms, beyond) = all.split_at(TERMS);
+        let error = beyond.iter().map(|c| c.abs()).sum();
+        // Terms that are rounding only cost time.
+        let rounding = f64::EPSILON * terms.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        let needed = terms.iter().rposition(|c| c.abs() > rounding).map_or(1, |last| last + 1);
+        (Self { power: 0.0, start: 0.0, terms: terms[..needed].to_vec() }, error)
+    }
+
+    /// Beside an end, from samples at [`end_shares`]; and the error of the logarithm.
+    pub(crate) fn beside_an_end(samples: &Samples) -> (Self, f64) {
+        let fit = end_fit();
+        let found: Vec<f64> = (0..=END_TERMS).map(|k| row(&fit.inverse, k, samples)).collect();
+        let series = Self { power: found[0], start: NEAREST, terms: found[1..].to_vec() };
+        let off = |(share, wanted): (&f64, &f64)| (series.ln(*share) - wanted).abs();
+        let error = fit.shares.iter().zip(samples).map(off).fold(0.0, f64::max);
+        // Continued to the end, and integrated with a power that is off by as much.
+        let error = 4.0 * error / (1.0 + series.power).clamp(1e-3, 1.0);
+        (series, error)
+    }
+}
+
+fn row(matrix: &DMatrix<f64>, k: usize, samples: &Samples) -> f64 {
+    matrix.row(k).iter().zip(samples).map(|(a, b)| a * b).sum()
+}
+
+/// The distances over the width at which a panel beside an end is sampled.
+pub(crate) fn end_shares() -> &'static Samples {
+    &end_fit().shares
+}
+
+/// Least squares for a power of the distance and a series.
+struct EndFit {
+    shares: Samples,
+    inverse: DMatrix<f64>,
+}
+
+fn end_fit() -> &'static EndFit {
+    static FIT: OnceLock<EndFit> = OnceLock::new();
+    FIT.get_or_init(|| {
+        let shares = lobatto().nodes.map(|v| NEAREST + (1.0 - NEAREST) * v);
+        let basis = DMatrix::from_fn(NODES, END_TERMS + 1, |i, k| match k {
+            0 => shares[i].ln(),
+            k => ((k - 1) as f64 * beside(shares[i]).clamp(-1.0, 1.0).acos()).cos(),
+        });
+        // The columns are independent: the matrix of the normal equations has an inverse.
+        let inverse = basis.svd(true, true).pseudo_inverse(1e-14).unwrap_or_default();
+        EndFit { shares, inverse }
+    })
+}
+
+/// The variable of the series beside an end, in [-1, 1].
+fn beside(share: f64) -> f64 {
+    (2.0 * share - 1.0 - NEAREST) / (1.0 - NEAREST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_at_an_end_are_found() {
+        // Densities like those of beta, Weibull and gamma distributions near their end.
+        for (power, factor) in [(-0.5, -0.5), (1.5, 3.0)] {
+            let smooth = |u: f64| factor * (9.0 - u).ln() + 4.0;
+            let samples = end_shares().map(|u| power * u.ln() + smooth(u));
+            let (series, error) = Series::beside_an_end(&samples);
+            assert!(error < 1e-11, "{power}: {error:e}");
+            assert!((series.power - power).abs() < 1e-11, "{power}: {}", series.power);
+            let panel = Panel::new(3.0, 4.0, Shape::Series(series), error);
+            for u in [1e-12f64, 1e-5, 2e-3, 0.4, 1.0] {
+                let wanted = power * u.ln() + smooth(u);
+                assert!((panel.ln(u) - wanted).abs() < 3e-10, "{power} {u}");
+            }
+        }
+    }
+
+    #[test]
+    fn series_are_as_long_as_they_need_to_be() {
+        let quadratic = lobatto().nodes.map(|v| 3.0 - v * v);
+        let (series, error) = Series::plain(&quadratic);
+        // Rounding of samples of 3.
+        assert!(error < 1e-14, "{error:e}");
+        let panel = Panel::new(-1.0, 1.0, Shape::Series(series), error);
+        assert!((panel.ln(1.0) - 2.75).abs() < 1e-14);
+        let (_, error) = Series::plain(&lobatto().nodes.map(|v| (v - 0.3).abs()));
+        assert!(error > 1e-3);
+    }
+}

@@ -1,0 +1,266 @@
+//! One integral: groups far from the kinks of the density first, then strips, refined together.
+
+use super::fit::FAINT;
+use super::integral::Overlap;
+use super::lobatto::{NODES, dot, lobatto};
+use super::slope::{DERIVED, Slopes};
+use super::strip::{Strip, View};
+use super::tree::{Node, Parts};
+use super::weight::{OCTAVES, Weight};
+use crate::{QuadratureError, WeightFault};
+
+/// A group counts as points where the powers of a density begin at least so many of its widths
+/// away: the error of the interpolation is then below 1e-15.
+const APART: f64 = 1.0;
+/// For densities of unknown form, whose interpolation is looked at, this is enough.
+const APART_LOOKED_AT: f64 = 0.5;
+/// How well those are to be interpolated.
+const RESOLVED: f64 = 3e-14;
+/// An octave that adds less than this adds nothing.
+const NOTHING: f64 = 1e-17;
+/// So many octaves that add as much as the one before: there is no end to that.
+const ENDLESS: usize = 64;
+/// Bisection stops here,
+const DEEPEST: u32 = 50;
+/// after so many halvings in a row that did not help,
+const STALLED: u32 = 4;
+/// or when the density was sampled this often.
+const MOST: usize = 200_000;
+
+/// Sums of one integral, as far as they have got.
+pub(crate) struct Run<'a> {
+    pub(super) overlap: &'a Overlap,
+    pub(super) weight: &'a Weight,
+    pub(crate) view: View<'a>,
+    /// Nothing lower counts.
+    pub(super) start: f64,
+    pub(crate) sums: [f64; 2],
+    pub(crate) sizes: [f64; 2],
+    pub(crate) errors: [f64; 2],
+    /// Whether the density was anything but zero.
+    pub(crate) nonzero: bool,
+    pub(crate) evaluations: usize,
+    /// Some of the x the density was sampled at, where its error depends on them.
+    pub(crate) looked_at: Vec<f64>,
+    approximate: bool,
+    pub(super) strips: Vec<Strip<'a>>,
+}
+
+impl<'a> Run<'a> {
+    pub(crate) fn new(
+        overlap: &'a Overlap,
+        weight: &'a Weight,
+        view: View<'a>,
+        start: f64,
+    ) -> Self {
+        let approximate = overlap.density.relative_error(&[]) > 0.0;
+        Self {
+            overlap,
+            weight,
+            view,
+            start,
+            sums: [0.0; 2],
+            sizes: [0.0; 2],
+            errors: [0.0; 2],
+            nonzero: false,
+            evaluations: 0,
+            looked_at: vec![],
+            approximate,
+            strips: vec![],
+        }
+    }
+
+    /// The bulk of the weight, and its tails as far as they count.
+    pub(crate) fn everything(&mut self) -> Result<(), QuadratureError> {
+        self.group(self.weight.nodes.len() - 1)?;
+        for side in [0, 1] {
+            self.tail(side)?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn x(&self, z: f64) -> f64 {
+        (z - self.view.d) / self.view.unit
+    }
+
+    fn group(&mut self, place: usize) -> Result<(), QuadratureError> {
+        let node = &self.weight.nodes[place];
+        if node.high <= self.start {
+            return Ok(());
+        }
+        // Weights have no scale of their own.
+        if let Some(weights) = node.weights.as_ref().filter(|_| self.view.ln_scale.abs() < FAINT)
+            && self.as_points(node, weights)?
+        {
+            return Ok(());
+        }
+        match node.parts {
+            Parts::Groups(left, right) => {
+                self.group(left)?;
+                self.group(right)
+            }
+            Parts::Panel(panel) => self.panel(&self.weight.panels[panel]),
+        }
+    }
+
+    /// Adds a group as points, if the density is smooth enough over it; says whether.
+    fn as_points(&mut self, node: &Node, weights: &[f64; NODES]) -> Result<bool, QuadratureError> {
+        let (low, high) = (self.x(node.low), self.x(node.high));
+        let kinks = &self.overlap.kinks;
+        let above = kinks.partition_point(|kink| *kink <= low);
+        if kinks.get(above).is_some_and(|kink| *kink < high) {
+            return Ok(false);
+        }
+        let Some(kink) = above.checked_sub(1).map(|k| kinks[k]) else { return Ok(false) };
+        let density = &self.overlap.density;
+        let width = high - low;
+        let (mut known, mut any) = (true, false);
+        for piece in density.active(low, high) {
+            any = true;
+            let apart = match piece.origin {
+                Some(origin) => low - origin >= APART * width,
+                None => low - kink >= APART_LOOKED_AT * width,
+            };
+            if !apart {
+                return Ok(false);
+            }
+            known &= piece.origin.is_some();
+        }
+        if !any {
+            return Ok(true);
+        }
+        let rule = lobatto();
+        let x = rule.nodes.map(|v| low + width * v);
+        let (mut scratch, mut q, mut slope) = ([0.0; NODES], [0.0; NODES], [0.0; NODES]);
+        self.evaluations += density.sample((low, high), &x, &mut scratch, &mut q)?;
+        let largest = q.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
+        let mass: f64 = weights.iter().sum();
+        let tail = rule.tail(&q);
+        if !known && tail > RESOLVED * largest {
+            return Ok(false);
+        }
+        let mut errors = [if known { 0.0 } else { tail * mass }, 0.0];
+        if density.has_slope((low, high)) {
+            density.slope((low, high), &x, &mut scratch, &mut slope);
+            slope.iter_mut().for_each(|s| *s /= self.view.unit);
+        } else {
+            let around = (kink, kinks.get(above).copied().unwrap_or(f64::INFINITY));
+            if Slopes::missing((low, high), around, 0) > 0.0 {
+                let found = Slopes::new(density, (low, high), (low, high), around, 0)?;
+                if found.off > 32.0 * found.noise {
+                    return Ok(false);
+                }
+                slope = x.map(|x| found.at(x) / self.view.unit);
+                errors[1] = (found.noise + found.off) / self.view.unit * mass;
+            } else {
+                let length = node.high - node.low;
+                slope = rule.derivative(&q).map(|slope| slope / length);
+                errors[1] = DERIVED * largest * mass / length;
+            }
+        }
+        let scale = (-self.view.ln_scale).exp();
+        for (n, samples) in [q, slope].iter().enumerate() {
+            let sum = scale * dot(weights, samples);
+            let size = scale * dot(weights, &samples.map(f64::abs));
+            let size = size.abs().max(sum.abs());
+            self.sums[n] += sum;
+            self.sizes[n] += size;
+            self.errors[n] += scale * errors[n] + node.error * size;
+            if !size.is_finite() {
+                return Err(QuadratureError::NotFinite { at: low, value: size });
+            }
+        }
+        self.nonzero |= largest > 0.0;
+        self.look_at(&[low, high]);
+        Ok(true)
+    }
+
+    pub(super) fn look_at(&mut self, x: &[f64]) {
+        if self.approximate {
+            self.looked_at.extend_from_slice(x);
+        }
+    }
+
+    pub(super) fn count(&mut self, strip: &Strip<'_>, sign: f64) {
+        for n in [0, 1] {
+            self.sizes[n] += sign * strip.sizes[n];
+        }
+    }
+
+    /// Octave by octave, until they add nothing.
+    fn tail(&mut self, side: usize) -> Result<(), QuadratureError> {
+        let weight = self.weight;
+        let Some(tail) = &weight.tails[side] else { return Ok(()) };
+        let peak = weight.nodes[weight.nodes.len() - 1].peak;
+        let last = self.overlap.density.pieces.iter().map(|p| p.to).fold(0.0, f64::max);
+        let (mut nothing, mut as_much, mut before) = (0, 0, 0.0);
+        for k in 0..OCTAVES {
+            let panels = tail.octave(&weight.source, peak, k)?;
+            let low = panels.first().map_or(0.0, |p| p.low);
+            let high = panels.last().map_or(0.0, |p| p.high);
+            if side == 0 && high <= self.start || side == 1 && self.x(low) >= last {
+                return Ok(());
+            }
+            if high <= self.start {
+                continue;
+            }
+            let so_far = self.sizes[0];
+            for panel in panels {
+                if panel.high > self.start {
+                    self.panel(panel)?;
+                }
+            }
+            let added = self.sizes[0] - so_far;
+            nothing = if added <= NOTHING * self.sizes[0] { nothing + 1 } else { 0 };
+            if nothing >= 2 && self.sizes[0] > 0.0 {
+                return Ok(());
+            }
+            as_much = if added >= before && added > 0.0 { as_much + 1 } else { 0 };
+            before = added;
+            if as_much >= ENDLESS {
+                break;
+            }
+        }
+        if self.sizes[0] == 0.0 {
+            return Ok(());
+        }
+        Err(weight.source.fault(WeightFault::Diverges))
+    }
+
+    /// Halves strips until their errors add up to little, of the slope where it is asked for; each may err by its share of the whole.
+    pub(crate) fn refine(&mut self, slope: bool) -> Result<(), QuadratureError> {
+        let aim = (0.02 * self.overlap.tolerance).max(1e-15);
+        let mut strips = std::mem::take(&mut self.strips);
+        let count = strips.len().max(1) as f64;
+        while let Some(strip) = strips.pop() {
+            let allowed = [0, 1].map(|n| (aim / count).max(1e-17) * self.sizes[n]);
+            let resolved = strip.errors[0] <= allowed[0]
+                && (!slope || strip.errors[1] <= allowed[1] || strip.errors[1] <= strip.floor);
+            let given_up =
+                strip.depth >= DEEPEST || strip.stalled >= STALLED || self.evaluations >= MOST;
+            if resolved || given_up {
+                for n in [0, 1] {
+                    self.sums[n] += strip.sums[n];
+                    self.errors[n] += strip.errors[n] + strip.panel.error * strip.sizes[n];
+                }
+                continue;
+            }
+            self.count(&strip, -1.0);
+            let mut halves = strip.halves();
+            for half in &mut halves {
+                self.evaluations += half.sample(&self.view)?;
+                self.count(half, 1.0);
+            }
+            let excess = |strip: &Strip<'_>| {
+                let over = |n: usize| strip.errors[n] / allowed[n].max(f64::MIN_POSITIVE);
+                over(0).max(over(1))
+            };
+            let noisy = excess(&halves[0]) + excess(&halves[1]) > 0.75 * excess(&strip);
+            for mut half in halves {
+                half.stalled = if noisy { strip.stalled + 1 } else { 0 };
+                strips.push(half);
+            }
+        }
+        Ok(())
+    }
+}

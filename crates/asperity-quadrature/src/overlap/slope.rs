@@ -1,0 +1,59 @@
+//! The derivative of a density of unknown form.
+
+use super::lobatto::{NODES, Samples, dot, lobatto};
+use crate::{Density, QuadratureError};
+
+/// The rounding of the derivative, in units of the largest value over the interval: of the
+/// interpolating polynomial's at its ends.
+pub(crate) const DERIVED: f64 = 4.0 * f64::EPSILON;
+/// The share of the way to the nearest kinks that is a large enough interval.
+const ROOM: f64 = 0.25;
+
+/// The derivative over an interval, from samples there. Panels of a weight may be too small to
+/// tell one value of the density from the next: the interval is then larger.
+pub(crate) struct Slopes {
+    low: f64,
+    width: f64,
+    by_place: Samples,
+    /// By rounding.
+    pub(crate) noise: f64,
+    /// By what the samples leave out.
+    pub(crate) off: f64,
+}
+
+impl Slopes {
+    /// By how much an interval between kinks is shorter than it may be; 0 where it is not.
+    pub(crate) fn missing((from, to): (f64, f64), kinks: (f64, f64), halvings: u32) -> f64 {
+        let room = (from - kinks.0).min(kinks.1 - to).max(0.0);
+        (ROOM * 0.5f64.powi(halvings as i32) * room - (to - from)).max(0.0)
+    }
+
+    /// Over `[from, to]` or more, between the kinks around it; `ends` say which pieces are meant.
+    pub(crate) fn new(
+        density: &Density,
+        ends: (f64, f64),
+        (from, to): (f64, f64),
+        kinks: (f64, f64),
+        halvings: u32,
+    ) -> Result<Self, QuadratureError> {
+        let more = 0.5 * Self::missing((from, to), kinks, halvings);
+        let (low, width) = (from - more, to - from + 2.0 * more);
+        let rule = lobatto();
+        let x = rule.nodes.map(|node| (low + width * node).clamp(kinks.0, kinks.1));
+        let (mut scratch, mut q) = ([0.0; NODES], [0.0; NODES]);
+        density.sample(ends, &x, &mut scratch, &mut q)?;
+        let largest = q.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
+        Ok(Self {
+            low,
+            width,
+            by_place: rule.derivative(&q).map(|slope| slope / width),
+            noise: DERIVED * largest / width,
+            off: rule.tail(&q) / width,
+        })
+    }
+
+    /// The derivative at a place in the interval.
+    pub(crate) fn at(&self, x: f64) -> f64 {
+        dot(&lobatto().basis((x - self.low) / self.width), &self.by_place)
+    }
+}

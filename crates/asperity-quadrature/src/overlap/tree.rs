@@ -1,0 +1,121 @@
+//! Groups of panels, and groups of groups: far from the kinks of a law, a whole group counts as
+//! twenty points.
+
+use super::lobatto::{NODES, Samples, lobatto};
+use super::panel::{Panel, Shape};
+use crate::legendre::legendre;
+
+/// Points of the rule on one panel.
+const POINTS: usize = 32;
+/// A part this much smaller (in logarithms) than its neighbour adds nothing to it.
+const NOTHING: f64 = 45.0;
+
+/// A panel, or two neighbouring groups of them.
+#[derive(Debug)]
+pub(crate) struct Node {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    /// ∫ g ℓⱼ of Lagrange's polynomials ℓⱼ over the points of [`lobatto`] on [low, high]: the
+    /// integral of the weight g times a polynomial is a sum over the points. `None` where the
+    /// weight varies too much for that.
+    pub(crate) weights: Option<Samples>,
+    /// Error of the weights, relative to their sum.
+    pub(crate) error: f64,
+    /// Logarithm of the largest weight, or nearly.
+    pub(crate) peak: f64,
+    pub(crate) parts: Parts,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Parts {
+    /// The place of a panel.
+    Panel(usize),
+    /// The places of two groups.
+    Groups(usize, usize),
+}
+
+/// The groups, the root last.
+pub(crate) fn tree(panels: &[Panel]) -> Vec<Node> {
+    let mut nodes = Vec::with_capacity(2 * panels.len());
+    group(panels, 0, panels.len(), &mut nodes);
+    nodes
+}
+
+/// Adds the groups of the panels from..to, and says where the largest is.
+fn group(panels: &[Panel], from: usize, to: usize, nodes: &mut Vec<Node>) -> usize {
+    let node = if to - from == 1 {
+        leaf(&panels[from], from)
+    } else {
+        // As evenly as the panels allow; neither half empty.
+        let middle = 0.5 * (panels[from].low + panels[to - 1].high);
+        let at = from + panels[from..to].partition_point(|p| p.low < middle);
+        let near = |k: usize| (panels[k].low - middle).abs();
+        let at = if at > from + 1 && (at >= to || near(at - 1) < near(at)) { at - 1 } else { at };
+        let at = at.clamp(from + 1, to - 1);
+        let left = group(panels, from, at, nodes);
+        let right = group(panels, at, to, nodes);
+        both(nodes, left, right)
+    };
+    nodes.push(node);
+    nodes.len() - 1
+}
+
+fn leaf(panel: &Panel, place: usize) -> Node {
+    let (low, high) = (panel.low, panel.high);
+    let width = panel.width();
+    let ends = [0.0, 0.5, 1.0].map(|share| panel.ln(share * width));
+    // At a pole, the middle; where the end is zero as well.
+    let finite = ends.into_iter().filter(|ln| *ln < f64::INFINITY);
+    let peak = finite.fold(f64::NEG_INFINITY, f64::max);
+    let weights = match &panel.shape {
+        Shape::Zero => Some([0.0; NODES]),
+        Shape::Linear([near, far]) => {
+            let [below, above] = &lobatto().linear;
+            Some(std::array::from_fn(|j| width * (near * below[j] + far * above[j])))
+        }
+        Shape::Series(_) => panel.is_gentle().then(|| {
+            let rule = legendre(POINTS);
+            let power = panel.map_power().unwrap_or(1.0);
+            let mut weights = [0.0; NODES];
+            for (v, w) in rule.nodes.iter().zip(&rule.weights) {
+                let share = v.powf(power);
+                let mass = w * power * share / v * width * panel.weight(share * width, 0.0);
+                let at = if panel.side > 0.0 { share } else { 1.0 - share };
+                let basis = lobatto().basis(at);
+                weights.iter_mut().zip(&basis).for_each(|(w, b)| *w += mass * b);
+            }
+            weights
+        }),
+    };
+    Node { low, high, weights, error: panel.error, peak, parts: Parts::Panel(place) }
+}
+
+fn both(nodes: &[Node], left: usize, right: usize) -> Node {
+    let (a, b) = (&nodes[left], &nodes[right]);
+    let (low, high) = (a.low, b.high);
+    let peak = a.peak.max(b.peak);
+    let mut weights = Some([0.0; NODES]);
+    let (mut off, mut mass) = (0.0, 0.0);
+    for part in [a, b] {
+        let Some(own) = &part.weights else {
+            if part.peak > peak - NOTHING {
+                weights = None;
+            }
+            continue;
+        };
+        let own_mass: f64 = own.iter().sum();
+        off += part.error * own_mass;
+        mass += own_mass;
+        let Some(weights) = &mut weights else { continue };
+        if own_mass == 0.0 {
+            continue;
+        }
+        for (node, own) in lobatto().nodes.iter().zip(own) {
+            let at = (part.low - low + (part.high - part.low) * node) / (high - low);
+            let basis = lobatto().basis(at);
+            weights.iter_mut().zip(&basis).for_each(|(w, b)| *w += own * b);
+        }
+    }
+    let error = if mass > 0.0 { off / mass } else { 0.0 };
+    Node { low, high, weights, error, peak, parts: Parts::Groups(left, right) }
+}

@@ -1,0 +1,122 @@
+//! A scene file that is looked at before it is believed: the library's findings, by the names of
+//! the file, and what a scan shows.
+
+use asperity::{At, Check, ContactError, ContactModel, Finding, HeightDistribution, Severity};
+use asperity_topography::Statistics;
+
+use crate::SceneFile;
+
+/// What a measurement says beyond the asperities that were made of it.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Measured {
+    /// Heights, moments, asperities.
+    pub statistics: Statistics,
+    /// The longer side of a pixel \[m\].
+    pub pixel_size: f64,
+}
+
+/// Skewness and kurtosis of heights that are nearly Gaussian.
+const SKEWNESS: [f64; 2] = [-0.8, 0.8];
+const KURTOSIS: [f64; 2] = [2.0, 5.0];
+/// rms slopes of scans: from polished to blasted.
+const SLOPE: [f64; 2] = [5e-4, 1.0];
+
+impl SceneFile {
+    /// What is unusual about the scene: of bodies each by its own name, and of a scan.
+    #[must_use]
+    pub fn findings(&self) -> Vec<Finding> {
+        let of_body = |(body, k): (&asperity::Body, usize)| {
+            let section = format!("body[{k}]");
+            body.findings().into_iter().map(move |finding| finding.within(&section))
+        };
+        let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(of_body).collect();
+        let mut found = match (&of_bodies[..], &self.bodies[..]) {
+            // What is wrong with a body is wrong with the interface, under another name.
+            ([_, ..], _) => [of_bodies, self.scene.surface.findings()].concat(),
+            _ => self.scene.findings(),
+        };
+        found.extend(self.measured.iter().flat_map(|measured| self.of_scan(measured)));
+        found.sort_by_key(|finding| finding.severity);
+        found
+    }
+
+    /// What follows from the scene and, for a model, from a place, with what is unusual about it.
+    ///
+    /// # Errors
+    /// Those of [`Check::at`].
+    pub fn check(&self, asked: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
+        let mut check = match asked {
+            Some((model, at)) => Check::at(model, &self.scene, at)?,
+            None => self.scene.check()?,
+        };
+        let theirs = self.scene.findings();
+        check.findings.retain(|finding| !theirs.contains(finding));
+        check.extend(self.findings());
+        if let Some(Measured { statistics, pixel_size }) = &self.measured {
+            let profile = "of the profiles that were measured";
+            check.say("measured_height_std", statistics.sq, "m", "Sq");
+            check.say("measured_skewness", statistics.ssk, "", "Ssk");
+            check.say("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights");
+            check.say("measured_slope", (2.0 * statistics.m2).sqrt(), "", "rms slope, likewise");
+            check.say("measured_bandwidth", statistics.alpha, "", profile);
+            check.say("pixel_size", *pixel_size, "m", "of the scan");
+            check.extend(self.of_pixels(&check, *pixel_size));
+        }
+        Ok(check)
+    }
+
+    /// What is unusual about the answers of a model at these places; nothing where the scene itself
+    /// is, as all else may follow from that.
+    #[must_use]
+    pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
+        match self.findings().iter().any(|finding| finding.severity < Severity::Note) {
+            true => vec![],
+            false => Check::answers(model, &self.scene, places),
+        }
+    }
+
+    fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Finding> {
+        let mut found = vec![];
+        let Statistics { ssk, sku, m2, .. } = *statistics;
+        if matches!(self.scene.heights, HeightDistribution::Gaussian) {
+            let told = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
+            let odd = told.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value));
+            found.extend(odd.map(|(field, value, usual)| {
+                let message = format!(
+                    "{field} is {value:.3}, and Gaussian heights have a skewness of 0 and a kurtosis of 3: heights = \"measured\" takes those of the scan"
+                );
+                Finding::new("not-gaussian", Severity::Warning, field, value, usual, message)
+            }));
+        }
+        let slope = (2.0 * m2).sqrt();
+        if !(SLOPE[0]..=SLOPE[1]).contains(&slope) {
+            let message = format!(
+                "measured_slope is {slope:.3e}, where {:e} to {} is usual: are unit and pixel_size ({pixel_size:e} m) right?",
+                SLOPE[0], SLOPE[1]
+            );
+            let severity = if slope > SLOPE[1] { Severity::Error } else { Severity::Warning };
+            found.push(Finding::new("slope", severity, "measured_slope", slope, SLOPE, message));
+        }
+        found
+    }
+
+    /// Contacts that the scan could not have seen.
+    fn of_pixels(&self, check: &Check, pixel: f64) -> Option<Finding> {
+        let radius = check.number("contact_radius")?;
+        let message = format!(
+            "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m): what lies between the points decides, compare cut-offs with `asperity surface --scales`"
+        );
+        let usual = [pixel, f64::INFINITY];
+        (radius < pixel).then(|| {
+            Finding::new(
+                "below-a-pixel",
+                Severity::Warning,
+                "contact_radius",
+                radius,
+                usual,
+                message,
+            )
+        })
+    }
+}

@@ -1,0 +1,162 @@
+//! Numbers with a unit, "210 GPa", as plain numbers in SI units. Plain numbers are SI already.
+
+use std::fmt::Write;
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::template::key;
+
+type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
+
+/// What a unit measures, as the template names the SI unit; the units, and the power of ten of
+/// each. Spaces and ^ are left out, and µ is u.
+const UNITS: [Units; 5] = [
+    ("Pa", "210 GPa", &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("N/mm2", 6), ("N/m2", 0)]),
+    ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
+    ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
+    ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
+    (
+        "1/m^2",
+        "200 1/mm2",
+        &[("1/m2", 0), ("1/cm2", 4), ("1/mm2", 6), ("1/um2", 12), ("1/nm2", 18)],
+    ),
+];
+
+/// A text that is no number of the unit that a key has.
+pub(crate) struct NoQuantity {
+    /// The key with its sections.
+    pub(crate) path: String,
+    pub(crate) found: String,
+    pub(crate) needed: String,
+}
+
+/// The text with plain numbers in the place of those with units; every line stays where it is.
+pub(crate) fn in_si(text: &str, table: &DeTable<'_>) -> Result<String, NoQuantity> {
+    let mut found = vec![];
+    collect(table, "", &mut found)?;
+    found.sort_by_key(|(span, _): &(Range<usize>, f64)| span.start);
+    let (mut rewritten, mut done) = (String::with_capacity(text.len()), 0);
+    for (span, value) in found {
+        rewritten.push_str(text.get(done..span.start).unwrap_or_default());
+        // A text in three quotes may hold lines.
+        let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
+        let _ = write!(rewritten, "{value:?}");
+        if lines > 0 {
+            rewritten.push_str(" #");
+            rewritten.extend(std::iter::repeat_n('\n', lines));
+        }
+        done = span.end;
+    }
+    rewritten.push_str(text.get(done..).unwrap_or_default());
+    Ok(rewritten)
+}
+
+fn collect(
+    table: &DeTable<'_>,
+    section: &str,
+    found: &mut Vec<(Range<usize>, f64)>,
+) -> Result<(), NoQuantity> {
+    let items = table.iter().map(|(name, value)| (name.get_ref().to_string(), value));
+    for (name, value) in items {
+        match value.get_ref() {
+            DeValue::Table(inner) => collect(inner, &name, found)?,
+            DeValue::Array(tables) => {
+                for (table, k) in tables.iter().zip(1..) {
+                    if let DeValue::Table(inner) = table.get_ref() {
+                        collect(inner, &format!("{name}[{k}]"), found)?;
+                    }
+                }
+            }
+            DeValue::String(given) => {
+                let bare = section.split('[').next().unwrap_or(section);
+                if let Some(units) = units_of(bare, &name) {
+                    let dot = if section.is_empty() { "" } else { "." };
+                    let path = format!("{section}{dot}{name}");
+                    found.push((value.span(), read(given, units, path)?));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The units of a key, whose meaning begins with that of plain numbers.
+fn units_of(section: &str, name: &str) -> Option<Units> {
+    let key = key(section, name)?;
+    let si = key.meaning.split([' ', ',', ';']).next()?;
+    UNITS.into_iter().find(|(known, ..)| *known == si)
+}
+
+fn read(given: &str, (si, example, units): Units, path: String) -> Result<f64, NoQuantity> {
+    let text: String = given.chars().filter(|c| !c.is_whitespace() && *c != '^').collect();
+    let text = text.replace(['\u{b5}', '\u{3bc}'], "u");
+    let of = |unit: &str, power| scaled(text.strip_suffix(unit)?, power);
+    let parsed = units.iter().find_map(|(unit, power)| {
+        // 1/mm2 may be written /mm2 or mm-2.
+        let inverse = || {
+            let length = unit.strip_prefix("1/")?.strip_suffix('2')?;
+            of(&format!("/{length}2"), *power).or_else(|| of(&format!("{length}-2"), *power))
+        };
+        of(unit, *power).or_else(inverse)
+    });
+    parsed.ok_or_else(|| {
+        let known: Vec<&str> = units.iter().map(|(unit, _)| *unit).collect();
+        let known = known.join(", ");
+        let needed = format!(
+            "a number in {si} without quotes, or one with a unit as \"{example}\" ({known}),"
+        );
+        NoQuantity { path, found: given.into(), needed }
+    })
+}
+
+/// A decimal number times a power of ten, rounded once.
+fn scaled(number: &str, power: i32) -> Option<f64> {
+    let (digits, own) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let is_number = digits.chars().all(|c| c.is_ascii_digit() || "+-._".contains(c));
+    let exponent = own.parse::<i32>().ok()?.checked_add(power)?;
+    let text = format!("{}e{exponent}", digits.replace('_', ""));
+    text.parse().ok().filter(|_| is_number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(text: &str, key: &str) -> Option<f64> {
+        let units = units_of("", key).unwrap();
+        read(text, units, key.into()).ok()
+    }
+
+    #[test]
+    fn numbers_with_units_are_the_same_doubles_as_those_in_si() {
+        for (text, key, meant) in [
+            ("210 GPa", "youngs_modulus", 210e9),
+            ("0.2mm", "asperity_radius", 0.2e-3),
+            ("1.1e2 \u{b5}m", "asperity_radius", 1.1e-4),
+            ("1_000 nm", "asperity_height_std", 1e-6),
+            ("200 1/mm2", "asperity_density", 200e6),
+            ("200 /mm^2", "asperity_density", 200e6),
+            ("200 mm^-2", "asperity_density", 200e6),
+            ("0.3 cm^2", "nominal_area", 0.3e-4),
+            ("355 N/mm2", "yield_strength", 355e6),
+            ("7 m", "asperity_radius", 7.0),
+        ] {
+            let found = value(text, key).unwrap_or_else(|| panic!("{text}"));
+            assert!(found.total_cmp(&meant).is_eq(), "{text}: {found}");
+        }
+        for (text, key) in [
+            ("210", "youngs_modulus"),
+            ("GPa", "youngs_modulus"),
+            ("210 mm", "youngs_modulus"),
+            ("1 mm", "nominal_area"),
+            ("200 mm2", "asperity_density"),
+            ("1e999999999999 m", "asperity_radius"),
+            ("inf m", "asperity_radius"),
+            ("1e2e3 m", "asperity_radius"),
+        ] {
+            assert_eq!(value(text, key), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Contact tables in the words of finite-element codes.
+//!
+//! What is said of a code's format was read in its public manual or source. No code was run on
+//! these files here.
+
+use crate::{ContactTable, Datum, Interpolation, Scene, Separation, SeparationUnit, TableError};
+
+/// The words in which a table is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFormat {
+    /// Clearance, pressure and tangent with their units in the head, for cubics.
+    Csv,
+    /// `*SURFACE BEHAVIOR` of Abaqus: pairs of pressure and overclosure, for straight lines.
+    Abaqus,
+    /// The same for CalculiX, with overclosures from where the pressure begins.
+    Calculix,
+    /// Real constants of the nonlinear spring COMBIN39 of ANSYS, which stands for the nominal area.
+    Ansys,
+}
+
+impl TableFormat {
+    /// How a code reads between the nodes: tables are to be made so.
+    #[must_use]
+    pub fn interpolation(self) -> Interpolation {
+        match self {
+            Self::Csv => Interpolation::Hermite,
+            _ => Interpolation::Linear,
+        }
+    }
+}
+
+impl ContactTable {
+    /// The table of a scene in the words of a code, with clearances from a plane; `title` goes to
+    /// its comments. SI units.
+    ///
+    /// # Errors
+    /// [`ContactError::NoMeanPlane`](crate::ContactError::NoMeanPlane), and
+    /// [`TableError::TooMany`] where the code takes fewer nodes.
+    pub fn text(
+        &self,
+        format: TableFormat,
+        scene: &Scene,
+        from: Datum,
+        title: &str,
+    ) -> Result<String, TableError> {
+        let head = Head { title, table: self, scene, from };
+        match format {
+            TableFormat::Csv => csv(&head),
+            TableFormat::Abaqus => abaqus(&head),
+            TableFormat::Calculix => calculix(&head),
+            TableFormat::Ansys => ansys(&head),
+        }
+    }
+}
+
+/// A table, and what its comments say of it.
+struct Head<'h> {
+    title: &'h str,
+    table: &'h ContactTable,
+    scene: &'h Scene,
+    /// The plane that clearances are measured from.
+    from: Datum,
+}
+
+type Result<T, E = TableError> = std::result::Result<T, E>;
+
+impl Head<'_> {
+    /// A separation of the table in metres, from the scene's own plane.
+    fn metres(&self, sigmas: f64) -> Result<f64> {
+        let separation = Separation::sigmas(sigmas);
+        Ok(separation.measured_in(SeparationUnit::Metres, self.from, self.scene)?.value)
+    }
+
+    /// Relative errors of the pressure and of its slope between the nodes.
+    fn errors(&self) -> [String; 2] {
+        [self.table.pressure_error, self.table.stiffness_error].map(|x| format!("{x:.3e}"))
+    }
+
+    /// Clearances \[m\] and pressures \[Pa\] for straight lines, the lightest first: from where the
+    /// tangent of the first node reaches 0.
+    fn lines(&self) -> Result<Vec<(f64, f64)>> {
+        let end = self.table.cut_off().map(|separation| (separation, 0.0));
+        let nodes = self.table.nodes.iter().rev().map(|node| (node.separation, node.pressure));
+        end.into_iter().chain(nodes).map(|(s, pressure)| Ok((self.metres(s)?, pressure))).collect()
+    }
+}
+
+/// The shortest digits that give the same number back.
+fn exact(x: f64) -> String {
+    let text = format!("{x:?}");
+    let short = text.strip_suffix(".0").unwrap_or(&text);
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
+/// Clearance, pressure and tangent.
+fn csv(head: &Head<'_>) -> Result<String> {
+    let Head { title, from, table, .. } = head;
+    let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
+    let mut text = format!(
+        "# {title}: contact pressure against clearance
+# clearance is the separation from {from}
+# tangent is -dp/dclearance: cubics through both (Hermite) are continuous with
+# their slope and fall all the way
+# interpolation error, measured at 7 points between any two of {nodes} nodes: pressure {pressure}, tangent {slope} (relative)
+clearance_m,pressure_Pa,tangent_Pa_per_m
+"
+    );
+    for node in &table.nodes {
+        let clearance = head.metres(node.separation)?;
+        let [clearance, pressure, tangent] = [clearance, node.pressure, node.stiffness].map(exact);
+        text += &format!("{clearance},{pressure},{tangent}\n");
+    }
+    Ok(text)
+}
+
+/// `*SURFACE BEHAVIOR`: pairs of pressure and overclosure.
+fn abaqus(head: &Head<'_>) -> Result<String> {
+    let Head { title, from, table, .. } = head;
+    let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
+    let mut text = format!(
+        "** {title}: contact pressure against overclosure, in Pa and m
+** overclosure = -(separation from {from})
+** so that a negative overclosure is a clearance and 0 is where the nominal surfaces meet
+** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
+** measured at 7 points between any two; the slope jumps at the nodes
+** the first pair is where the tangent of the second reaches 0: the model's pressure there,
+** below that of the second pair, is left out; beyond the last pair the last slope goes on
+** to be included after *SURFACE INTERACTION, NAME=...
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR
+"
+    );
+    for (clearance, pressure) in head.lines()? {
+        text += &format!("{}, {}\n", exact(pressure), exact(-clearance));
+    }
+    Ok(text)
+}
+
+/// The same for CalculiX, which reads no more than 20 characters of a number.
+fn calculix(head: &Head<'_>) -> Result<String> {
+    let Head { title, from, table, .. } = head;
+    let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
+    let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
+    let mut text = format!(
+        "** {title}: contact pressure against overclosure, in Pa and m
+** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} m
+** from {from}: put the surfaces there, or move them by that
+** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
+** measured at 7 points between any two; the slope jumps at the nodes
+** to be included after *SURFACE INTERACTION, NAME=...; not yet tried with ccx
+*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR
+"
+    );
+    for (clearance, pressure) in lines {
+        text += &format!("{pressure:.9e}, {:.9e}\n", begins - clearance);
+    }
+    Ok(text)
+}
+
+/// Points that COMBIN39 takes, of which one is the origin and one lies in tension.
+const POINTS: usize = 20;
+
+/// Real constants of COMBIN39: deflections and forces, from compression to tension.
+fn ansys(head: &Head<'_>) -> Result<String> {
+    let Head { title, from, table, scene, .. } = head;
+    let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
+    let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
+    if lines.len() + 1 > POINTS {
+        return Err(TableError::TooMany { nodes, most: POINTS - 2, format: "COMBIN39" });
+    }
+    let area = scene.nominal_area;
+    let mut text = format!(
+        "! {title}: force against deflection, in N and m, of a spring COMBIN39
+! that stands for the nominal area, {area:e} m2: scale the forces to the area of each spring
+! deflection 0 is where the force begins, at a separation of {begins:.9e} m
+! from {from}; compression is negative
+! straight lines between {nodes} nodes: largest relative error {pressure} of the force, {slope} of its slope,
+! measured at 7 points between any two; beyond the ends the last slope goes on
+! not yet tried with ANSYS
+ASPERITY = 1 ! the number of the set of real constants
+"
+    );
+    // In tension there is no force; a point there is asked for.
+    let reach = lines.last().map_or(0.0, |(closest, _)| begins - closest);
+    let mut points: Vec<(f64, f64)> =
+        lines.iter().rev().map(|(c, p)| (c - begins, 0.0 - p * area)).collect();
+    points.push((reach, 0.0));
+    for (k, triple) in points.chunks(3).enumerate() {
+        text += if k == 0 { "R,ASPERITY" } else { "RMORE" };
+        for (deflection, force) in triple {
+            text += &format!(",{deflection:.9e},{force:.9e}");
+        }
+        text.push('\n');
+    }
+    Ok(text)
+}

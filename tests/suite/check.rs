@@ -1,0 +1,239 @@
+//! Scenes that are looked at: mistakes are objected to, and what is merely unusual is not.
+
+use asperity::{At, Body, Check, Finding, Interface, Scene, Severity, Surface};
+
+use crate::scenes::{model, named};
+
+type Change = (&'static str, fn(&mut Scene, f64));
+
+/// What was done, how, and words of what is said to it.
+type Mistake = (&'static str, fn(&mut Scene), &'static [&'static str]);
+
+/// Every input of a scene, and how to multiply it.
+const INPUTS: [Change; 9] = [
+    ("equivalent_modulus", |s, f| s.interface.equivalent_modulus *= f),
+    ("equivalent_shear_modulus", |s, f| {
+        s.interface.equivalent_shear_modulus = s.interface.equivalent_shear_modulus.map(|g| g * f);
+    }),
+    ("hardness", |s, f| s.interface.hardness = s.interface.hardness.map(|h| h * f)),
+    ("yield_strength", |s, f| {
+        let from_hardness = s.interface.hardness.map(|h| h / 2.8);
+        s.interface.yield_strength = s.interface.yield_strength.or(from_hardness).map(|y| y * f);
+    }),
+    ("pressure_factor", |s, f| s.interface.pressure_factor = Some(0.577 * f)),
+    ("asperity_radius", |s, f| s.surface.asperity_radius *= f),
+    ("asperity_density", |s, f| s.surface.asperity_density *= f),
+    ("asperity_height_std", |s, f| s.surface.asperity_height_std *= f),
+    ("nominal_area", |s, f| s.nominal_area *= f),
+];
+
+/// Scenes with nothing to object to: machined metals as in the papers and the examples.
+fn machined() -> Vec<(&'static str, Scene)> {
+    let steel = Body::new(210e9, 0.3, 2e9);
+    let aluminium = Body::yielding(69e9, 0.33, 275e6);
+    let between = |a: &Body, b: &Body| Interface::between(a, b).unwrap();
+    let rail = between(&Body::new(210e9, 0.3, 2.75e9), &Body::new(210e9, 0.3, 2.45e9));
+    vec![
+        ("template", Scene::new(between(&steel, &steel), Surface::new(2e-4, 2e8, 1e-6), 1e-4)),
+        ("bolt", Scene::new(between(&aluminium, &steel), Surface::new(6e-5, 3e8, 2e-6), 6.1e-4)),
+        ("rail", Scene::new(rail, Surface::new(3e-5, 1.53e9, 9e-7), 1.2e-4)),
+        ("paper", named("at-paper")),
+    ]
+}
+
+/// Scenes that are unusual, and right.
+fn unusual() -> Vec<(&'static str, Scene)> {
+    let scene = |interface, radius, density, std, area| {
+        Scene::new(interface, Surface::new(radius, density, std), area)
+    };
+    let rigid = |body: &Body| Interface::against_rigid(body).unwrap();
+    let rubber = rigid(&Body::elastic(2e6, 0.5));
+    let filled = Interface::elastic(1.2e7, 0.49);
+    // As files say it that must name a hardness.
+    let with_hardness = Interface::new(2.7e6, 0.5, 2e6);
+    let silicon = Body::new(165e9, 0.22, 12e9);
+    let polysilicon = Interface::between(&silicon, &silicon).unwrap();
+    let gold = Interface::against_rigid(&Body::new(78e9, 0.42, 1e9)).unwrap();
+    let steel = Interface::between(&Body::new(210e9, 0.3, 2e9), &Body::new(210e9, 0.3, 2e9));
+    let steel = steel.unwrap();
+    let plastic = rigid(&Body::new(0.8e9, 0.46, 5e7));
+    let indium = rigid(&Body::new(11e9, 0.45, 9e6));
+    let diamond = Interface::new(570e9, 0.07, 90e9);
+    let ceramic = rigid(&Body::new(310e9, 0.22, 22e9));
+    vec![
+        ("silicone on ground glass", scene(rubber, 1e-4, 4e8, 1e-6, 1e-4)),
+        ("tyre on asphalt's texture", scene(filled, 2e-3, 2e5, 1.5e-4, 1e-2)),
+        ("rubber with a hardness", scene(with_hardness, 1e-4, 4e8, 1e-6, 1e-4)),
+        ("polysilicon micro-machine", scene(polysilicon, 5e-7, 1e13, 1e-8, 1e-8)),
+        ("gold microswitch", scene(gold, 1e-7, 1e14, 5e-9, 2.5e-11)),
+        ("blasted steel", scene(steel, 4e-5, 3e7, 3e-5, 1e-3)),
+        ("lapped gauge blocks", scene(steel, 5e-5, 8e10, 1e-8, 3e-4)),
+        ("flange", scene(steel, 5e-5, 3e8, 3e-6, 2.5e-2)),
+        ("polyethylene cup", scene(plastic, 5e-5, 1e9, 1e-6, 4e-4)),
+        ("indium seal", scene(indium, 5e-5, 1e9, 1e-6, 1e-4)),
+        ("diamond coating", scene(diamond, 1e-6, 1e12, 5e-8, 1e-6)),
+        ("alumina", scene(ceramic, 5e-6, 1e10, 5e-7, 1e-4)),
+    ]
+}
+
+fn told(findings: &[Finding]) -> Vec<String> {
+    findings.iter().map(|f| format!("{}: {f}", f.severity)).collect()
+}
+
+#[test]
+fn a_thousand_a_million_and_a_billion_times_too_much_or_little_is_objected_to() {
+    let mut missed = vec![];
+    let mut count = 0;
+    for (name, right) in machined() {
+        for (input, multiply) in INPUTS {
+            for factor in [1e3, 1e6, 1e9, 1e-3, 1e-6, 1e-9] {
+                let mut scene = right.clone();
+                multiply(&mut scene, factor);
+                if right.interface.hardness.is_none() && input == "hardness" {
+                    continue;
+                }
+                count += 1;
+                let found = scene.findings();
+                // A thousand times the area of a small joint is that of a large one: a note.
+                let enough = match (input, factor) {
+                    // A thousandth of it still holds some hundred asperities.
+                    ("nominal_area", 1e3 | 1e-3) => Severity::Note,
+                    _ => Severity::Warning,
+                };
+                if !found.iter().any(|finding| finding.severity <= enough) {
+                    missed.push(format!("{name}: {input} * {factor:e}: {:?}", told(&found)));
+                }
+            }
+        }
+    }
+    assert!(count > 180, "{count}");
+    assert!(missed.is_empty(), "{} of {count}:\n{}", missed.len(), missed.join("\n"));
+}
+
+#[test]
+fn good_scenes_are_passed_without_a_word() {
+    for (name, scene) in machined().into_iter().chain(unusual()) {
+        let found = scene.findings();
+        // Indium, and gold in small asperities, yield at less than the size of an atom: so it is.
+        let atomic =
+            ["gold microswitch", "indium seal"].contains(&name) && found[0].code == "atomic";
+        assert!(found.is_empty() || atomic && found.len() == 1, "{name}: {:?}", told(&found));
+        scene.check().unwrap();
+    }
+    for name in ["at-paper", "mild", "severe"] {
+        assert!(named(name).findings().is_empty(), "{name}");
+    }
+}
+
+/// What users have been seen to do, and what they are told.
+#[test]
+fn the_mistakes_of_a_trial_are_named_with_their_unit() {
+    let right = || machined().swap_remove(0).1;
+    let mistakes: [Mistake; 12] = [
+        ("sigma in um", |s| s.surface.asperity_height_std = 1.0, &["asperity_height_std", "in um"]),
+        ("R in mm", |s| s.surface.asperity_radius = 0.2, &["asperity_radius", "in mm"]),
+        ("eta in 1/mm2", |s| s.surface.asperity_density = 200.0, &["asperity_density", "in 1/mm2"]),
+        ("area in mm2", |s| s.nominal_area = 100.0, &["nominal_area", "in mm2"]),
+        (
+            "E and H in GPa",
+            |s| {
+                s.interface.equivalent_modulus = 115.0;
+                s.interface.hardness = Some(2.0);
+                s.interface.equivalent_shear_modulus = None;
+            },
+            &["equivalent_modulus", "in GPa", "hardness"],
+        ),
+        ("H in GPa", |s| s.interface.hardness = Some(2.0), &["hardness", "in GPa"]),
+        ("E in MPa", |s| s.interface.equivalent_modulus = 115e3, &["equivalent_modulus", "in MPa"]),
+        ("E in GPa", |s| s.interface.equivalent_modulus = 115.0, &["equivalent_modulus", "in GPa"]),
+        (
+            "E and H in MPa",
+            |s| {
+                s.interface.equivalent_modulus = 115e3;
+                s.interface.hardness = Some(2000.0);
+                s.interface.equivalent_shear_modulus = None;
+            },
+            &["equivalent_modulus", "in MPa", "hardness"],
+        ),
+        (
+            "all lengths in um",
+            |s| s.surface = Surface::new(200.0, 2e-4, 1.0),
+            &["asperity_height_std", "all lengths in um"],
+        ),
+        ("H in MPa", |s| s.interface.hardness = Some(2000.0), &["hardness", "in MPa"]),
+        (
+            "G in GPa",
+            |s| s.interface.equivalent_shear_modulus = Some(24.0),
+            &["equivalent_shear_modulus", "in GPa"],
+        ),
+    ];
+    for (name, make, words) in mistakes {
+        let mut scene = right();
+        make(&mut scene);
+        let found = told(&scene.findings());
+        let all = found.join("\n");
+        assert!(words.iter().all(|word| all.contains(word)), "{name}: {found:#?}");
+        assert!(found.len() <= 2, "{name}: {found:#?}");
+        assert!(found[0].starts_with("error"), "{name}: {found:#?}");
+    }
+}
+
+#[test]
+fn numbers_are_those_of_their_formulas() {
+    let scene = named("at-paper");
+    let check = scene.check().unwrap();
+    let number = |name| check.number(name).unwrap();
+    let surface = scene.surface;
+    let beta = surface.asperity_density * surface.asperity_radius * surface.asperity_height_std;
+    for (name, value) in [
+        ("plasticity_index", scene.plasticity_index().unwrap()),
+        ("roughness_parameter", beta),
+        ("asperities", scene.nominal_area * surface.asperity_density),
+        ("hardness_over_modulus", 1.12e9 / 116e9),
+    ] {
+        assert!((number(name) / value - 1.0).abs() < 1e-12, "{name}");
+    }
+    // From moments and back.
+    let other = Surface::from_moments(&surface.moments()).unwrap();
+    assert!((other.asperity_height_std / surface.asperity_height_std - 1.0).abs() < 1e-12);
+    assert!((number("rms_slope").powi(2) / (2.0 * surface.moments().m2) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn an_answer_says_how_deep_and_how_crowded_it_is() {
+    let scene = named("at-paper");
+    let codes = |check: &Check| check.findings.iter().map(|f| f.code).collect::<Vec<_>>();
+    let at = |id: &str, at: At| Check::at(&model(id), &scene, at).unwrap();
+    // psi = 6: nearly all of the load is carried by asperities that yield, which GW cannot know.
+    let gw = at("gw", At::from(2.0));
+    assert_eq!(codes(&gw), ["yields"]);
+    assert!(gw.number("yielding_share").unwrap() > 0.9);
+    assert!(at("ke", At::from(2.5)).findings.is_empty());
+    assert_eq!(codes(&at("ke", At::from(-1.0)))[0], "crowded");
+    let light = at("ke", At::Load(0.01));
+    assert_eq!(codes(&light), ["few-contacts"]);
+    assert!(light.number("contacts").unwrap() < 30.0);
+    // The load is the one that was asked for.
+    assert!((light.number("load").unwrap() / 0.01 - 1.0).abs() < 1e-5);
+    // Many places: the closest and the lightest are looked at, and each finding is there once.
+    let places = [At::Load(0.01), At::Load(1.0), At::Load(30.0)];
+    let found = Check::answers(&model("gw"), &scene, &places);
+    let found: Vec<_> = found.iter().map(|f| f.code).collect();
+    assert_eq!(found, ["yields", "few-contacts"]);
+}
+
+#[test]
+fn depths_are_those_of_the_law() {
+    // Exponential heights, GW: the force per depth is w^1.5 exp(-w/sigma), whatever the separation;
+    // the share beyond w is the upper incomplete gamma function of 2.5, Q(2.5, 2) = 0.5494.
+    let mut scene = named("at-paper");
+    scene.heights = asperity::HeightDistribution::Exponential;
+    let critical = scene.asperity().unwrap().critical_interference().unwrap();
+    scene.surface.asperity_height_std = 0.5 * critical;
+    let check = Check::at(&model("gw"), &scene, At::from(2.0)).unwrap();
+    let share = check.number("yielding_share").unwrap();
+    assert!((share - 0.549_416).abs() < 5e-3, "{share}");
+    // Q(2.5, 7.543) = 0.01.
+    let deep = check.number("interference").unwrap() / scene.surface.asperity_height_std;
+    assert!((deep / 7.543 - 1.0).abs() < 0.02, "{deep}");
+}
