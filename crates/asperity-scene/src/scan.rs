@@ -34,3 +34,67 @@ impl SceneFile {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use asperity::ContactModel;
+
+    use super::*;
+
+    /// Waves of two lengths on a grid that is wider than high.
+    fn scan() -> Topography {
+        let height = |k: usize| {
+            let (x, y) = ((k % 48) as f64, (k / 48) as f64);
+            1e-7 * ((0.8 * x + 0.3 * y).cos() + (0.7 * y - 0.2 * x).sin())
+        };
+        Topography::new((0..48 * 32).map(height).collect(), 48, [1e-6, 2e-6]).unwrap()
+    }
+
+    fn scene(surface: &str) -> SceneFile {
+        let folder = tempfile::tempdir().unwrap();
+        let lines: Vec<String> = scan()
+            .heights()
+            .chunks(48)
+            .map(|row| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+            .collect();
+        std::fs::write(folder.path().join("scan.txt"), lines.join("\n")).unwrap();
+        let text = format!(
+            "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\npoissons_ratio = 0.3\n\
+             hardness = 1e9\n[surface]\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n{surface}"
+        );
+        crate::parse(&text, folder.path()).unwrap()
+    }
+
+    #[test]
+    fn rows_and_columns_keep_their_distances() {
+        let map = height_map(&scan()).unwrap();
+        assert_eq!((map.shape(), map.pixel()), ([32, 48], [2e-6, 1e-6]));
+        assert!((map.area() / (48.0 * 32.0 * 2e-12) - 1.0).abs() < 1e-12);
+        assert!(
+            (map.heights()[1] - map.heights()[0] - scan().heights()[1] + scan().heights()[0]).abs()
+                < 1e-20
+        );
+    }
+
+    #[test]
+    fn the_scan_is_levelled_and_goes_with_its_surface() {
+        let file = scene("file = \"scan.txt\"");
+        let levelled = scan().level(asperity_topography::Level::Plane).unwrap();
+        let bem = file.bem(Boundary::Free, true).unwrap();
+        for (a, b) in bem.map().heights().iter().zip(levelled.heights()) {
+            assert!((a - b).abs() < 1e-18);
+        }
+        assert_eq!(file.model("bem").unwrap().id(), "bem");
+        let asperity::Scene { interface, surface, nominal_area, .. } = file.scene;
+        let (mut harder, mut rougher) = (interface, surface);
+        harder.hardness = Some(2e9);
+        rougher.asperity_height_std = 1e-6;
+        let same = file.with_numbers(harder, surface, 2.0 * nominal_area).unwrap();
+        assert!(same.bem(Boundary::Periodic, false).is_ok());
+        let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
+        for none in [other, scene("files = [\"scan.txt\", \"scan.txt\"]")] {
+            let refused = none.bem(Boundary::Periodic, false).unwrap_err().to_string();
+            assert!(refused.starts_with("surface.file is missing: boundary elements"), "{refused}");
+        }
+    }
+}
