@@ -83,8 +83,9 @@ def test_scenes_broadcast_against_separations_and_loads(scene: asperity.Scene) -
     assert curve.force.shape == (2, 3)
     np.testing.assert_array_equal(curve.force, listed.force)
     one = ke.solve(scenes[1, 2], 2.0, ["force", "tangent"])
-    np.testing.assert_allclose(curve.force[1, 2], one.force, rtol=1e-13)
-    np.testing.assert_allclose(curve.tangent[1, 2], one.tangent, rtol=1e-13)
+    # One scene and many are integrated in different ways, each to the tolerance of 1e-10.
+    np.testing.assert_allclose(curve.force[1, 2], one.force, rtol=1e-10)
+    np.testing.assert_allclose(curve.tangent[1, 2], one.tangent, rtol=1e-10)
     outer = ke.solve(scenes.reshape(-1, 1), np.linspace(0, 1, 5))
     assert outer.force.shape == (6, 5)
     loads = ke.separation_at(scenes, curve.force)
@@ -128,7 +129,8 @@ def test_separations_in_metres_and_from_the_surface_mean(scene: asperity.Scene) 
     shifted = ke.solve(plane, np.array([0.5, 2.0]) * std + offset, separation_unit="m")
     np.testing.assert_allclose(shifted.force, in_stds.force, rtol=1e-13)
     back = ke.separation_at(plane, in_stds.force, separation_unit="m")
-    np.testing.assert_allclose(back, np.array([0.5, 2.0]) * std + offset, rtol=1e-12)
+    # To the tolerance of 1e-10, which separations are found with.
+    np.testing.assert_allclose(back, np.array([0.5, 2.0]) * std + offset, rtol=1e-10)
 
 
 def test_tabulated_heights_keep_their_metres() -> None:
