@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
 
 mod check;
+mod contact_radii;
 mod figures;
 mod hard_cases;
 mod heights;

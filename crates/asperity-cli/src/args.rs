@@ -40,7 +40,8 @@ pub struct Asked {
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
     /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
-    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share
+    /// contact-radius-sum, unloading-stiffness, tangential-stiffness, thermal-conductance,
+    /// electrical-conductance (the last five of circular contacts only), mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1

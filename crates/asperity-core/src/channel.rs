@@ -54,6 +54,11 @@ pub(crate) fn bases(quantity: Quantity, own_stiffness: bool) -> &'static [Quanti
         Quantity::Area | Quantity::AreaFraction | Quantity::LnArea => &[Quantity::Area],
         Quantity::MeanPressure => &[Quantity::Force, Quantity::Area],
         Quantity::Contacts => &[Quantity::Contacts],
+        Quantity::ContactRadiusSum
+        | Quantity::UnloadingStiffness
+        | Quantity::TangentialStiffness
+        | Quantity::ThermalConductance
+        | Quantity::ElectricalConductance => &[Quantity::ContactRadiusSum],
         Quantity::Stiffness if own_stiffness => &[Quantity::Stiffness],
         _ => &[Quantity::Force],
     }
@@ -109,6 +114,10 @@ impl Laws {
             Some(law) => Ok(law),
             // Every asperity that is reached touches.
             None if base == Quantity::Contacts => Ok(Law::counting(asperity.radius)),
+            None if base == Quantity::ContactRadiusSum => {
+                let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
+                crate::contact_radii::law(model, &area)
+            }
             None => Err(ContactError::NoLaw { model: model.name().into(), quantity: base }),
         }
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use asperity_quadrature::{Curvature, Moments};
 
 use crate::channel::{Channel, Laws, bases, failed};
+use crate::contact_radii;
 use crate::height_integral::HeightIntegral;
 use crate::readings::{Integrals, Reading};
 use crate::response::{Cell, Response, respond};
@@ -43,6 +44,7 @@ impl Compiled {
         let tolerance = request.tolerance;
         let by_load = request.at.iter().any(|at| !matches!(at, At::Separation(_)));
         let asperity = scene.asperity()?;
+        contact_radii::check(&request.quantities, &scene.interface)?;
         let Laws { own_stiffness, monotone, laws, .. } =
             Laws::new(model, asperity, &request.quantities, by_load, tolerance)?;
         let channel = |(base, law)| Channel::new(base, Arc::new(law), scene, tolerance);
@@ -345,6 +347,7 @@ impl Contact for Compiled {
         if scene.asperity()? != self.facts.asperity {
             return Err(ContactError::OtherAsperity);
         }
+        contact_radii::check(&self.facts.quantities, &scene.interface)?;
         let moved = |c: &Channel| Channel::new(c.base, c.law.clone(), scene, self.facts.tolerance);
         let channels = self.channels.iter().map(moved).collect::<Result<_, _>>()?;
         Ok(Box::new(Self { facts: self.facts.clone(), scene: scene.clone(), channels }))

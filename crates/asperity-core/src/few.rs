@@ -1,6 +1,7 @@
 //! Requests of a few rows, answered with no rules and no tables.
 
 use crate::channel::Laws;
+use crate::contact_radii;
 use crate::of_case::OfCase;
 use crate::response::{Cell, respond};
 use crate::{
@@ -29,6 +30,7 @@ pub(crate) fn few(
         return Ok(None);
     }
     let (asperity, tolerance) = (scene.asperity()?, request.tolerance);
+    contact_radii::check(&request.quantities, &scene.interface)?;
     let by_load = request.at.iter().any(|at| !matches!(at, At::Separation(_)));
     let laws = Laws::new(model, asperity, &request.quantities, by_load, tolerance)?;
     // What cannot be done on this scene is not done row by row.

@@ -25,6 +25,12 @@ pub struct Body {
     /// Yield strength \[Pa\]; the hardness over 2.8 when not given.
     #[serde(default)]
     pub yield_strength: Option<f64>,
+    /// Thermal conductivity k \[W/(m K)\], for the thermal conductance alone.
+    #[serde(default)]
+    pub thermal_conductivity: Option<f64>,
+    /// Electrical resistivity ρ \[Ω m\], for the electrical conductance alone.
+    #[serde(default)]
+    pub electrical_resistivity: Option<f64>,
 }
 
 /// The equivalent properties of two bodies in contact: what the laws use.
@@ -50,6 +56,12 @@ pub struct Interface {
     /// when it is.
     #[serde(default)]
     pub pressure_factor: Option<f64>,
+    /// k \[W/(m K)\]: 2/k = 1/k₁ + 1/k₂; the thermal conductance alone needs it.
+    #[serde(default)]
+    pub thermal_conductivity: Option<f64>,
+    /// ρ \[Ω m\]: 2ρ = ρ₁ + ρ₂; the electrical conductance alone needs it.
+    #[serde(default)]
+    pub electrical_resistivity: Option<f64>,
 }
 
 fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
@@ -59,6 +71,12 @@ fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
         let required = "a number above -1 and at most 0.5";
         Err(ContactError::OutOfRange { field: "poissons_ratio", value, required })
     }
+}
+
+fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Result<(), ContactError> {
+    conductivity.map(|k| positive("thermal_conductivity", k)).transpose()?;
+    resistivity.map(|rho| positive("electrical_resistivity", rho)).transpose()?;
+    Ok(())
 }
 
 /// Each from the other, where only one is given.
@@ -77,26 +95,34 @@ impl Body {
     /// A body with this hardness.
     #[must_use]
     pub fn new(youngs_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
-        Self { youngs_modulus, poissons_ratio, hardness: Some(hardness), yield_strength: None }
+        Self { hardness: Some(hardness), ..Self::elastic(youngs_modulus, poissons_ratio) }
     }
 
     /// A body of which the yield strength \[Pa\] is known, and not the hardness.
     #[must_use]
     pub fn yielding(youngs_modulus: f64, poissons_ratio: f64, yield_strength: f64) -> Self {
         let yield_strength = Some(yield_strength);
-        Self { youngs_modulus, poissons_ratio, hardness: None, yield_strength }
+        Self { yield_strength, ..Self::elastic(youngs_modulus, poissons_ratio) }
     }
 
     /// A body that never yields, such as rubber: of no use to any model but GW.
     #[must_use]
     pub fn elastic(youngs_modulus: f64, poissons_ratio: f64) -> Self {
-        Self { youngs_modulus, poissons_ratio, hardness: None, yield_strength: None }
+        Self {
+            youngs_modulus,
+            poissons_ratio,
+            hardness: None,
+            yield_strength: None,
+            thermal_conductivity: None,
+            electrical_resistivity: None,
+        }
     }
 
     /// Checks every field; returns the hardness \[Pa\], where there is one.
     fn check(&self) -> Result<Option<f64>, ContactError> {
         positive("youngs_modulus", self.youngs_modulus)?;
         poissons_ratio(self.poissons_ratio)?;
+        conducting(self.thermal_conductivity, self.electrical_resistivity)?;
         Ok(hardness_and_yield(self.hardness, self.yield_strength)?.0)
     }
 
@@ -114,6 +140,8 @@ impl Body {
             hardness: self.hardness,
             yield_strength: self.yield_strength,
             pressure_factor: None,
+            thermal_conductivity: None,
+            electrical_resistivity: None,
         }
     }
 }
@@ -130,6 +158,8 @@ impl Interface {
             hardness: Some(hardness),
             yield_strength: None,
             pressure_factor: None,
+            thermal_conductivity: None,
+            electrical_resistivity: None,
         }
     }
 
@@ -145,10 +175,19 @@ impl Interface {
         };
         let softer = if first_is_softer { first } else { second };
         let (a, b) = (first.compliances(), second.compliances());
-        Ok(softer.interface((a.0 + b.0, a.1 + b.1)))
+        let both = |of: fn(&Body) -> Option<f64>| of(first).zip(of(second));
+        // Products of ratios: they stay among the doubles.
+        let conductivities = both(|body| body.thermal_conductivity);
+        let resistivities = both(|body| body.electrical_resistivity);
+        Ok(Self {
+            thermal_conductivity: conductivities.map(|(a, b)| 2.0 * a / (1.0 + a / b)),
+            electrical_resistivity: resistivities.map(|(a, b)| 0.5 * a + 0.5 * b),
+            ..softer.interface((a.0 + b.0, a.1 + b.1))
+        })
     }
 
-    /// A deformable body on a rigid one.
+    /// A deformable body on a rigid one, of which nothing else is known: what conducts through both
+    /// is left open.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
@@ -174,6 +213,7 @@ impl Interface {
             positive("equivalent_shear_modulus", shear)?;
         }
         poissons_ratio(self.poissons_ratio)?;
+        conducting(self.thermal_conductivity, self.electrical_resistivity)?;
         let (hardness, yield_strength) = hardness_and_yield(self.hardness, self.yield_strength)?;
         let factor = match self.pressure_factor {
             Some(factor) => positive("pressure_factor", factor)?,
@@ -193,8 +233,8 @@ mod tests {
         let steel = Body {
             youngs_modulus: 200e9,
             poissons_ratio: 0.3,
-            hardness: None,
             yield_strength: Some(400e6),
+            ..Body::elastic(200e9, 0.3)
         };
         let interface = Interface::against_rigid(&steel).unwrap();
         assert!((interface.equivalent_modulus / 219.78e9 - 1.0).abs() < 1e-4);
@@ -217,6 +257,20 @@ mod tests {
     }
 
     #[test]
+    fn what_conducts_is_the_mean_of_both_bodies_and_of_no_single_one() {
+        let mut one = Body::new(210e9, 0.28, 7e9);
+        let mut other = one;
+        (one.thermal_conductivity, other.thermal_conductivity) = (Some(50.0), Some(100.0));
+        (one.electrical_resistivity, other.electrical_resistivity) = (Some(1e-7), Some(3e-7));
+        let interface = Interface::between(&one, &other).unwrap();
+        assert!((interface.thermal_conductivity.unwrap() - 200.0 / 3.0).abs() < 1e-12);
+        assert!((interface.electrical_resistivity.unwrap() - 2e-7).abs() < 1e-21);
+        other.thermal_conductivity = None;
+        assert_eq!(Interface::between(&one, &other).unwrap().thermal_conductivity, None);
+        assert_eq!(Interface::against_rigid(&one).unwrap().electrical_resistivity, None);
+    }
+
+    #[test]
     fn every_bad_field_is_named() {
         let good = Interface::new(116e9, 0.31, 1.12e9);
         let bad = [
@@ -228,6 +282,8 @@ mod tests {
             ("hardness", Interface { hardness: Some(0.0), ..good }),
             ("yield_strength", Interface { yield_strength: Some(f64::INFINITY), ..good }),
             ("pressure_factor", Interface { pressure_factor: Some(0.0), ..good }),
+            ("thermal_conductivity", Interface { thermal_conductivity: Some(-1.0), ..good }),
+            ("electrical_resistivity", Interface { electrical_resistivity: Some(0.0), ..good }),
         ];
         for (field, interface) in bad {
             let message = interface.check().unwrap_err().to_string();

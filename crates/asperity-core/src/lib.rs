@@ -20,6 +20,7 @@ mod channel;
 mod check;
 mod compiled;
 mod contact;
+mod contact_radii;
 mod crossings;
 mod error;
 mod evaluation;

@@ -38,6 +38,18 @@ pub enum Quantity {
     AreaFraction,
     /// Number of asperities that touch: η A_n ∫ g(d + w) dw, the same for every model.
     Contacts,
+    /// Sum of the contact radii √(A/π) \[m\], for upright asperities with circular contacts: what
+    /// the next four follow from.
+    ContactRadiusSum,
+    /// 2 E Σ a \[N/m\]: what small vibrations, ultrasound and modal tests feel, the slope at which
+    /// unloading begins. First loading follows the tangent, which is smaller where asperities yield.
+    UnloadingStiffness,
+    /// 8 G Σ a \[N/m\] in stick (Mindlin); needs the equivalent shear modulus.
+    TangentialStiffness,
+    /// 2 k Σ a \[W/K\], of contacts far from each other; needs the thermal conductivity.
+    ThermalConductance,
+    /// 2 Σ a/ρ \[S\], of contacts far from each other; needs the electrical resistivity.
+    ElectricalConductance,
     /// Force over real area \[Pa\].
     MeanPressure,
     /// Natural logarithm of the absolute force in newtons, also where the force underflows.
@@ -54,7 +66,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// All quantities.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 18] = [
         Self::Force,
         Self::Area,
         Self::Stiffness,
@@ -62,6 +74,11 @@ impl Quantity {
         Self::Pressure,
         Self::AreaFraction,
         Self::Contacts,
+        Self::ContactRadiusSum,
+        Self::UnloadingStiffness,
+        Self::TangentialStiffness,
+        Self::ThermalConductance,
+        Self::ElectricalConductance,
         Self::MeanPressure,
         Self::LnForce,
         Self::LnArea,
@@ -76,7 +93,13 @@ impl Quantity {
         match self {
             Self::Force => "N",
             Self::Area => "m2",
-            Self::Stiffness | Self::Tangent => "N/m",
+            Self::Stiffness
+            | Self::Tangent
+            | Self::UnloadingStiffness
+            | Self::TangentialStiffness => "N/m",
+            Self::ContactRadiusSum => "m",
+            Self::ThermalConductance => "W/K",
+            Self::ElectricalConductance => "S",
             Self::Pressure | Self::MeanPressure => "Pa",
             Self::LnForce => "ln N",
             Self::LnArea => "ln m2",
@@ -122,6 +145,11 @@ impl fmt::Display for Quantity {
             Self::Pressure => "pressure",
             Self::AreaFraction => "area-fraction",
             Self::Contacts => "contacts",
+            Self::ContactRadiusSum => "contact-radius-sum",
+            Self::UnloadingStiffness => "unloading-stiffness",
+            Self::TangentialStiffness => "tangential-stiffness",
+            Self::ThermalConductance => "thermal-conductance",
+            Self::ElectricalConductance => "electrical-conductance",
             Self::MeanPressure => "mean-pressure",
             Self::LnForce => "ln-force",
             Self::LnArea => "ln-area",

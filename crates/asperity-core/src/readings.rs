@@ -3,6 +3,7 @@
 use asperity_quadrature::Moments;
 
 use crate::channel::failed;
+use crate::contact_radii::per_radius;
 use crate::separation::Place;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
 
@@ -37,7 +38,7 @@ impl Reading<'_> {
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
         match quantity {
-            Quantity::Force | Quantity::Area | Quantity::Contacts => {
+            Quantity::Force | Quantity::Area | Quantity::Contacts | Quantity::ContactRadiusSum => {
                 self.value(quantity, integrals)
             }
             Quantity::Stiffness if self.own_stiffness => self.value(quantity, integrals),
@@ -46,7 +47,7 @@ impl Reading<'_> {
         }
     }
 
-    /// What follows from force and area.
+    /// What follows from force, area and contact radii.
     fn derived(
         &self,
         quantity: Quantity,
@@ -56,6 +57,15 @@ impl Reading<'_> {
             Quantity::AreaFraction => Ok(self.nominal(self.value(Quantity::Area, integrals)?)),
             Quantity::LnForce => self.logarithm(quantity, self.value(Quantity::Force, integrals)?),
             Quantity::LnArea => self.logarithm(quantity, self.value(Quantity::Area, integrals)?),
+            Quantity::UnloadingStiffness
+            | Quantity::TangentialStiffness
+            | Quantity::ThermalConductance
+            | Quantity::ElectricalConductance => {
+                let factor = per_radius(quantity, &self.scene.interface)?;
+                let radii = self.value(Quantity::ContactRadiusSum, integrals)?;
+                let [scaled, size] = [radii.scaled, radii.size].map(|x| x * factor);
+                Evaluation { scaled, size, ..radii }.held(radii.size, quantity)
+            }
             Quantity::MeanPressure => {
                 let force = self.value(Quantity::Force, integrals)?;
                 self.ratio(quantity, force, self.value(Quantity::Area, integrals)?)

@@ -209,6 +209,10 @@ fn cause_of(quantity: Quantity) -> Quantity {
     match quantity {
         Quantity::AreaFraction | Quantity::LnArea => Quantity::Area,
         Quantity::Pressure | Quantity::LnForce | Quantity::MeanPressure => Quantity::Force,
+        Quantity::UnloadingStiffness
+        | Quantity::TangentialStiffness
+        | Quantity::ThermalConductance
+        | Quantity::ElectricalConductance => Quantity::ContactRadiusSum,
         quantity if quantity.regime().is_some() => Quantity::Force,
         quantity => quantity,
     }

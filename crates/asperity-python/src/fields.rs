@@ -31,11 +31,13 @@ macro_rules! fields {
 }
 
 fields!(Body, asperity::Body::new(1.0, 0.0, 1.0),
-    youngs_modulus: f64, poissons_ratio: f64, hardness: Option<f64>, yield_strength: Option<f64>);
+    youngs_modulus: f64, poissons_ratio: f64, hardness: Option<f64>, yield_strength: Option<f64>,
+    thermal_conductivity: Option<f64>, electrical_resistivity: Option<f64>);
 fields!(Interface, asperity::Interface::new(1.0, 0.0, 1.0),
     equivalent_modulus: f64, poissons_ratio: f64, hardness: Option<f64>,
     yield_strength: Option<f64>, equivalent_shear_modulus: Option<f64>,
-    pressure_factor: Option<f64>);
+    pressure_factor: Option<f64>, thermal_conductivity: Option<f64>,
+    electrical_resistivity: Option<f64>);
 fields!(Surface, asperity::Surface::new(1.0, 1.0, 1.0),
     asperity_radius: f64, asperity_density: f64, asperity_height_std: f64);
 fields!(Asperity, NO_ASPERITY,

@@ -92,7 +92,9 @@ class Model(Engine):
             From the plane that the scene chose, in ``separation_unit``. Masked values stay masked.
         quantities : str or sequence of str
             Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m], "pressure" [Pa],
-            "area-fraction", "contacts", "mean-pressure" [Pa], "ln-force", "ln-area",
+            "area-fraction", "contacts", "contact-radius-sum" [m], "unloading-stiffness" (what
+            vibrations feel) and "tangential-stiffness" (in stick) [N/m], "thermal-conductance"
+            [W/K], "electrical-conductance" [S], "mean-pressure" [Pa], "ln-force", "ln-area",
             "elastic-share", "elastic-plastic-share" and "plastic-share".
         rtol : float
             Relative tolerance of every value, from 1e-15 to 0.1.

@@ -57,6 +57,10 @@ class Body(_Given):
         Hardness [Pa]; 2.8 times the yield strength when not given.
     yield_strength : float, optional
         Yield strength [Pa]; the hardness over 2.8 when not given. One of the two is needed.
+    thermal_conductivity : float, optional
+        k [W/(m K)], for the quantity "thermal-conductance" alone.
+    electrical_resistivity : float, optional
+        rho [ohm m], for the quantity "electrical-conductance" alone.
 
     Examples
     --------
@@ -69,6 +73,8 @@ class Body(_Given):
     poissons_ratio: float
     hardness: float | None = None
     yield_strength: float | None = None
+    thermal_conductivity: float | None = None
+    electrical_resistivity: float | None = None
 
     _checked = _asperity.checked_body
 
@@ -89,9 +95,14 @@ class Interface(_Given):
         Of the softer body [Pa]; the hardness over 2.8 when not given. Without either, the surfaces
         never yield, and gw alone can be asked.
     equivalent_shear_modulus : float, optional
-        G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; the models gao and at need it.
+        G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; the models gao and at, and
+        the quantity "tangential-stiffness", need it.
     pressure_factor : float, optional
         Maximum contact pressure factor; 0.454 + 0.41 nu when not given.
+    thermal_conductivity : float, optional
+        k [W/(m K)]: 2/k = 1/k1 + 1/k2; "thermal-conductance" needs it.
+    electrical_resistivity : float, optional
+        rho [ohm m]: 2 rho = rho1 + rho2; "electrical-conductance" needs it.
 
     Examples
     --------
@@ -108,6 +119,8 @@ class Interface(_Given):
     yield_strength: float | None = None
     equivalent_shear_modulus: float | None = None
     pressure_factor: float | None = None
+    thermal_conductivity: float | None = None
+    electrical_resistivity: float | None = None
 
     _checked = _asperity.checked_interface
 
@@ -297,7 +310,7 @@ class Scene(_Given):
 
     def replace(self, **numbers: float) -> Scene:
         """The same scene with other numbers, by the names of a scene file: equivalent_modulus,
-        equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor,
+        equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor, thermal_conductivity, electrical_resistivity,
         asperity_radius, asperity_density, asperity_height_std, nominal_area; or plasticity_index
         and roughness_parameter in the place of radius and density."""
         return Scene._of(self._file.replace(numbers))
