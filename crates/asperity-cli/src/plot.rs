@@ -24,7 +24,8 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     let models: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
     let curve = |model: &&Cell| {
         let Cell::Word(id) = model else { return None };
-        let look = Model::all().iter().position(|model| model.id() == &**id);
+        let known = [Model::all(), Model::whole_surface()].concat();
+        let look = known.iter().position(|model| model.id() == &**id);
         Some(Curve::new(look.unwrap_or(0), id, id))
     };
     let mut curves: Vec<Curve> = once(&models).iter().filter_map(curve).collect();

@@ -13,7 +13,7 @@ use strsim::osa_distance;
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, ChangEtsionBogy, Claims, Contact, ContactError,
     ContactModel, EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen,
-    KogutEtsion, Reading, Request, Scene, Source, Warning, ZhaoMaiettaChang,
+    KogutEtsion, Persson, Reading, Request, Scene, Source, Variance, Warning, ZhaoMaiettaChang,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -93,7 +93,8 @@ impl Model {
         Self { known: Some(model.clone()), model }
     }
 
-    /// Every model of this project with its default options, in the order of their years.
+    /// Every model of asperities of this project with its default options, in the order of their
+    /// years.
     #[must_use]
     pub fn all() -> Vec<Self> {
         let reading = |reading| AminiTehrani { reading, ..AminiTehrani::default() };
@@ -112,6 +113,14 @@ impl Model {
             Self::known(reading(Reading::Additive)),
             Self::known(reading(Reading::Overlap)),
         ]
+    }
+
+    /// Theories of the whole surface, which answer at loads and know no separations: they stand
+    /// beside the others where they are asked for by name.
+    #[must_use]
+    pub fn whole_surface() -> Vec<Self> {
+        let persson = |variance| Self::known(Persson { variance });
+        vec![persson(Variance::Full), persson(Variance::Fudge)]
     }
 
     /// All options with their values; `None` for a model of your own.
@@ -188,7 +197,7 @@ impl FromStr for Model {
 
     /// Reads a model's id, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
-        let models = Self::all();
+        let models = [Self::all(), Self::whole_surface()].concat();
         let wanted = name.trim().to_lowercase();
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
@@ -239,7 +248,8 @@ mod tests {
 
     #[test]
     fn every_id_reads_back_and_is_unique() {
-        let ids: Vec<String> = Model::all().iter().map(ToString::to_string).collect();
+        let models = [Model::all(), Model::whole_surface()].concat();
+        let ids: Vec<String> = models.iter().map(ToString::to_string).collect();
         for id in &ids {
             assert_eq!(id.to_uppercase().parse::<Model>().unwrap().id(), id);
         }
@@ -251,7 +261,7 @@ mod tests {
 
     #[test]
     fn every_model_goes_to_its_id_and_options_and_back() {
-        for model in Model::all() {
+        for model in [Model::all(), Model::whole_surface()].concat() {
             let text = serde_json::to_string(&model).unwrap();
             let back: Model = serde_json::from_str(&text).unwrap();
             assert_eq!((back.id(), back.options()), (model.id(), model.options()), "{text}");
@@ -268,7 +278,7 @@ mod tests {
 
     #[test]
     fn far_names_get_the_list_and_no_guess() {
-        let message = "persson".parse::<Model>().unwrap_err().to_string();
+        let message = "westergaard".parse::<Model>().unwrap_err().to_string();
         assert!(!message.contains("mean") && message.contains("gw, ceb, zmc"), "{message}");
         let message = "etsoin".parse::<Model>().unwrap_err().to_string();
         assert!(message.contains("did you mean \"etsion\"?"), "{message}");

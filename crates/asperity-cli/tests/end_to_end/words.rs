@@ -67,13 +67,34 @@ fn the_list_of_models_has_every_source() {
         serde_json::from_str(&bench.data("models --format json")).unwrap();
     let ids: Vec<&str> =
         json.as_array().unwrap().iter().map(|row| row["model"].as_str().unwrap()).collect();
-    assert_eq!(ids.join(" "), "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap");
+    let of_asperities = "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap";
+    assert_eq!(ids.join(" "), format!("{of_asperities} persson persson-fudge"));
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
     let table = bench.data("models");
-    assert_eq!(table.lines().count(), 13);
+    assert_eq!(table.lines().count(), 15);
     assert!(table.lines().next().unwrap().contains("valid_for"), "{table}");
     assert!(table.contains("fitted to finite elements up to 110 w_c"), "{table}");
     for row in json.as_array().unwrap() {
         assert!(row["valid_for"].as_str().unwrap().len() > 10, "{row}");
     }
+}
+
+#[test]
+fn persson_stands_beside_the_models_of_asperities_at_loads() {
+    let bench = Bench::new();
+    let ask = "--model persson,persson-fudge,gw --pressure 1e7 --quantity area-fraction,tangent";
+    let run = bench.run(&format!("compare scene.toml {ask} --format csv"));
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(cells(&run.out, "model"), ["persson", "persson-fudge", "gw"]);
+    let words = "persson: Persson cannot give tangent (it gives force";
+    assert!(run.words.contains(words), "{}", run.words);
+    // erf(p/√(2V)), V = E² m₂/2: of the scene's own surface.
+    let scene = bench.scene("scene.toml").scene;
+    let m2 = scene.surface.moments().m2;
+    let small = (4.0 / std::f64::consts::PI / m2).sqrt() * 1e7 / scene.interface.equivalent_modulus;
+    let area: f64 = cells(&run.out, "area_fraction")[0].parse().unwrap();
+    assert!((area / small - 1.0).abs() < 0.01 && area < small, "{area} {small}");
+    let run = bench.run("curve scene.toml --model persson --separation 1,2");
+    assert_eq!(run.code, Some(1), "{}", run.out);
+    assert!(run.words.contains("at a separation (it gives them at loads)"), "{}", run.words);
 }
