@@ -45,14 +45,14 @@ fn all_quantities_and_their_errors_have_columns() {
     let bench = Bench::new();
     let names = Quantity::ALL.map(|quantity| quantity.to_string());
     let words = format!(
-        "curve scene.toml --model ke,at-overlap --errors --separation -1,2.5 --quantity {}",
+        "curve scene.toml --model ke,jg --errors --separation -1,2.5 --quantity {}",
         names.join(",")
     );
     let data = bench.data(&words);
     let (head, rows) = csv(&data);
-    assert_eq!(head[3..16], Quantity::ALL.map(Quantity::column));
+    assert_eq!(head[3..21], Quantity::ALL.map(Quantity::column));
     let errors = names.map(|name| format!("{}_error", name.replace('-', "_")));
-    assert_eq!(head[16..], errors);
+    assert_eq!(head[21..], errors);
     assert_eq!(rows.len(), 4);
     let scene = bench.scene("scene.toml").scene;
     let request = Request::new(Quantity::ALL).at([2.5]);
