@@ -2,7 +2,7 @@
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column, csv};
+use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column, conducting, csv};
 
 #[test]
 fn the_default_is_every_model_at_401_separations() {
@@ -43,6 +43,7 @@ fn every_digit_is_the_librarys() {
 #[test]
 fn all_quantities_and_their_errors_have_columns() {
     let bench = Bench::new();
+    bench.write("scene.toml", &conducting());
     let names = Quantity::ALL.map(|quantity| quantity.to_string());
     let words = format!(
         "curve scene.toml --model ke,jg --errors --separation -1,2.5 --quantity {}",

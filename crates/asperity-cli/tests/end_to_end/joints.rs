@@ -3,7 +3,7 @@
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance};
 
-use crate::bench::{Bench, cells, column, csv};
+use crate::bench::{Bench, cells, column, conducting, csv};
 
 fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
     let scene = bench.scene("scene.toml").scene;
@@ -84,28 +84,17 @@ fn what_a_joint_lacks_is_named() {
 #[test]
 fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
     let bench = Bench::new();
-    let template = asperity_scene::template();
-    // Both bodies and their lines of the template.
-    let conducting = template.replace(
-        "hardness = 2e9 ",
-        "thermal_conductivity = 50.0\nelectrical_resistivity = 1.7e-7\nhardness = 2e9 ",
-    );
-    let conducting = conducting.replace(
-        "hardness = 2e9\n\n# ...",
-        "hardness = 2e9\nthermal_conductivity = 100.0\nelectrical_resistivity = 3.3e-7\n\n# ...",
-    );
-    bench.write("scene.toml", &conducting);
+    bench.write("scene.toml", &conducting());
     let run = bench.run(
         "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
     );
     assert_eq!(run.code, Some(0), "{}", run.words);
     assert!(run.words.contains("left out: gao"), "{}", run.words);
-    assert_eq!(csv(&run.out).1.len(), 7);
+    assert_eq!(csv(&run.out).1.len(), 8, "gw to af, jg twice");
     let radii = column(&run.out, "contact_radius_sum_m");
-    for (name, factor) in [
-        ("thermal_conductance_W_per_K", 2.0 * 200.0 / 3.0),
-        ("electrical_conductance_S", 2.0 / 2.5e-7),
-    ] {
+    for (name, factor) in
+        [("thermal_conductance_W_per_K", 2.0 * 50.0), ("electrical_conductance_S", 2.0 / 1.7e-7)]
+    {
         for (value, radii) in column(&run.out, name).iter().zip(&radii) {
             assert!((value / (factor * radii) - 1.0).abs() < 1e-12, "{name}");
         }
