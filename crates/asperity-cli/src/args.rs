@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use asperity::joints::{Unloading, UnloadingLaw};
 use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
 use clap::{ArgAction, Args};
@@ -10,8 +11,9 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::numbers::{Numbers, number, positive_numbers};
+use crate::numbers::{Numbers, number, positive_number, positive_numbers};
 use crate::output::{self, once};
+use crate::scene::LoadedScene;
 use crate::table::{Format, Table};
 
 /// What is asked of which models of a scene.
@@ -47,6 +49,49 @@ pub struct Asked {
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
+}
+
+/// A joint that has been closed.
+#[derive(Debug, Args)]
+pub struct Closed {
+    /// Scene file; `asperity init` writes one to start from
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// The model; `asperity models` lists them
+    #[arg(long, value_name = "M", value_parser = model_id)]
+    model: String,
+    #[command(flatten)]
+    place: Place,
+}
+
+/// Where it was closed to.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+struct Place {
+    /// The closest approach, in sigma (of the asperity heights)
+    #[arg(long, value_name = "D", value_parser = number)]
+    closest: Option<f64>,
+    /// The largest load, in N
+    #[arg(long, value_name = "P", value_parser = positive_number)]
+    load: Option<f64>,
+    /// The largest load as a pressure on the nominal area, in Pa
+    #[arg(long, value_name = "P", value_parser = positive_number)]
+    pressure: Option<f64>,
+}
+
+impl Closed {
+    /// The scene, the model's name, and the joint.
+    pub fn joint(&self, law: UnloadingLaw) -> Result<(LoadedScene, String, Unloading)> {
+        let scene = LoadedScene::load(&self.scene)?;
+        let (id, model) = scene.model(&self.model)?;
+        let closest = |value| At::from(scene.file.separation(value, SeparationUnit::Sigma));
+        let Place { closest: approach, load, pressure } = self.place;
+        let place = approach.map(closest).or(load.map(At::Load)).or(pressure.map(At::Pressure));
+        let place = place.context("a closest approach was required")?;
+        let joint = Unloading::new(&model, &scene.file.scene, place, law, Tolerance::default());
+        let joint = joint.with_context(|| format!("{}: {id}", scene.name))?;
+        Ok((scene, id, joint))
+    }
 }
 
 /// Form and place of the answer.

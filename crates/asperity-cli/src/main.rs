@@ -23,7 +23,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use commands::{
-    bem, check, compare, curve, export, init, models, plan, recommend, solve, surface, truth,
+    bem, check, compare, curve, export, init, models, plan, recommend, slip, solve, surface, truth,
+    unload,
 };
 
 /// Rough surfaces in contact: force, real area and stiffness by nine published models
@@ -55,6 +56,8 @@ enum Command {
     Export(export::Export),
     Bem(bem::BemCommand),
     Truth(truth::TruthCommand),
+    Unload(unload::Unload),
+    Slip(slip::Slip),
 }
 
 fn main() -> ExitCode {
@@ -71,6 +74,8 @@ fn main() -> ExitCode {
         Command::Export(command) => command.run(),
         Command::Bem(command) => command.run(),
         Command::Truth(command) => command.run(),
+        Command::Unload(command) => command.run(),
+        Command::Slip(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use asperity::{ContactModel, Model, Severity};
-use asperity_scene::SceneFile;
+use asperity::{ContactError, ContactModel, Model, Quantity, Request, Severity};
+use asperity_scene::{LeftOut, SceneFile};
 
 use crate::output::{once, say};
 
@@ -43,11 +43,25 @@ impl LoadedScene {
     }
 
     /// The models asked for, or all that the scene allows: those it does not are named.
-    pub fn models(&self, asked: &[String]) -> Result<Vec<NamedModel>> {
+    pub fn models(&self, asked: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
         if !asked.is_empty() {
             return once(asked).iter().map(|id| self.model(id)).collect();
         }
-        let (models, left_out) = self.file.models();
+        let (models, mut left_out) = self.file.models();
+        let (models, refused): (Vec<_>, Vec<_>) = models
+            .into_iter()
+            .map(|model| {
+                let request = Request::new(quantities.iter().copied());
+                let refusal = model.compile(&self.file.scene, &request).err();
+                // Anything else is an error of the scene.
+                let refusal = refusal.filter(|e| matches!(e, ContactError::Unsupported { .. }));
+                (model, refusal)
+            })
+            .partition(|(_, refusal)| refusal.is_none());
+        let models: Vec<Model> = models.into_iter().map(|(model, _)| model).collect();
+        left_out.extend(refused.into_iter().filter_map(|(model, refusal)| {
+            Some(LeftOut { id: model.id().into(), reason: refusal? })
+        }));
         let mut reasons: Vec<(String, Vec<&str>)> = vec![];
         for model in &left_out {
             let reason = model.reason.to_string();

@@ -19,6 +19,7 @@ pub use asperity_gao::{
 };
 pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
+pub use asperity_joints as joints;
 pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, Variance};
 pub use asperity_zmc::ZhaoMaiettaChang;

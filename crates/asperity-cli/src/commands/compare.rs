@@ -34,9 +34,9 @@ pub struct Compare {
 impl Compare {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene)?;
-        let models = scene.models(&self.asked.models)?;
         let reference = scene.reference(self.reference.as_deref())?;
         let request = self.asked.request(&scene.file, &[2.0], &USUAL);
+        let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
         question.unasked = self.asked.is_nowhere();
         let quantities = question.request.quantities.clone();

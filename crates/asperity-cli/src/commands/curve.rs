@@ -56,8 +56,8 @@ impl Curve {
             crate::usage_error("curve", ErrorKind::ArgumentConflict, text);
         }
         let scene = LoadedScene::load(&self.asked.scene)?;
-        let models = scene.models(&self.asked.models)?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
+        let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
         question.unasked = self.asked.is_nowhere();
         let table = question.table(&models, self.errors)?;

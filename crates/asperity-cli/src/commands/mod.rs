@@ -10,6 +10,8 @@ pub mod models;
 pub mod plan;
 pub mod recommend;
 pub mod scales;
+pub mod slip;
 pub mod solve;
 pub mod surface;
 pub mod truth;
+pub mod unload;

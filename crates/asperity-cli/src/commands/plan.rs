@@ -35,7 +35,7 @@ impl Plan {
         let scene = LoadedScene::load(&self.asked.scene)?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let mut plans = String::new();
-        for (id, model) in scene.models(&self.asked.models)? {
+        for (id, model) in scene.models(&self.asked.models, &request.quantities)? {
             let _progress = progress(&id);
             let plan = model.compile(&scene.file.scene, &request).and_then(|c| c.plan(&request));
             plans += &plan.with_context(|| format!("{}: {id}", scene.name))?.to_string();

@@ -42,11 +42,12 @@ pub struct Recommend {
 impl Recommend {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene)?;
-        let models = scene.models(&self.asked.models)?.into_iter().map(|(_, model)| model);
         let (id, reference) = scene.reference(self.reference.as_deref())?;
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
+        let models = scene.models(&self.asked.models, &request.quantities)?;
+        let models = models.into_iter().map(|(_, model)| model);
         let working = progress("comparing models");
         let scene_of = &scene.file.scene;
         let advice = recommend_among(models.collect(), scene_of, &request, &reference, self.within)

@@ -42,8 +42,8 @@ pub struct Solve {
 impl Solve {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.asked.scene)?;
-        let models = scene.models(&self.asked.models)?;
         let request = self.asked.request(&scene.file, &[], &USUAL);
+        let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
         question.all = self.all;
         self.output.write(&question.table(&models, self.errors)?)

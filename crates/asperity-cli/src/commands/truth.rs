@@ -60,7 +60,7 @@ impl TruthCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.scene)?;
         let bem = self.way.bem(&scene)?;
-        let models = scene.models(&self.models)?;
+        let models = scene.models(&self.models, &[])?;
         let models: Vec<_> = models.into_iter().map(|(_, model)| model).collect();
         let area = scene.file.scene.nominal_area;
         let numbers =

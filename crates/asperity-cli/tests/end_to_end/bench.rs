@@ -31,6 +31,14 @@ roughness_parameter = 0.04
 asperity_height_std = 1e-6
 ";
 
+/// The template with the lines that tell what conducts: those below the commented [interface] stand
+/// in the second body then.
+pub fn conducting() -> String {
+    let template = asperity_scene::template();
+    let template = template.replace("# thermal_conductivity", "thermal_conductivity");
+    template.replace("# electrical_resistivity", "electrical_resistivity")
+}
+
 pub struct Bench {
     folder: tempfile::TempDir,
 }

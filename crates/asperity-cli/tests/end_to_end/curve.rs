@@ -2,7 +2,7 @@
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column, csv};
+use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column, conducting, csv};
 
 #[test]
 fn the_default_is_every_model_at_401_separations() {
@@ -43,16 +43,17 @@ fn every_digit_is_the_librarys() {
 #[test]
 fn all_quantities_and_their_errors_have_columns() {
     let bench = Bench::new();
+    bench.write("scene.toml", &conducting());
     let names = Quantity::ALL.map(|quantity| quantity.to_string());
     let words = format!(
-        "curve scene.toml --model ke,at-overlap --errors --separation -1,2.5 --quantity {}",
+        "curve scene.toml --model ke,jg --errors --separation -1,2.5 --quantity {}",
         names.join(",")
     );
     let data = bench.data(&words);
     let (head, rows) = csv(&data);
-    assert_eq!(head[3..16], Quantity::ALL.map(Quantity::column));
+    assert_eq!(head[3..21], Quantity::ALL.map(Quantity::column));
     let errors = names.map(|name| format!("{}_error", name.replace('-', "_")));
-    assert_eq!(head[16..], errors);
+    assert_eq!(head[21..], errors);
     assert_eq!(rows.len(), 4);
     let scene = bench.scene("scene.toml").scene;
     let request = Request::new(Quantity::ALL).at([2.5]);

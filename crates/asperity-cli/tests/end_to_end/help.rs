@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 15] = [
     "",
     "check",
     "curve",
@@ -19,6 +19,8 @@ const COMMANDS: [&str; 13] = [
     "export",
     "bem",
     "truth",
+    "unload",
+    "slip",
 ];
 
 #[test]

@@ -7,6 +7,7 @@ mod curve;
 mod export;
 mod files;
 mod help;
+mod joints;
 mod readme;
 mod solve;
 mod surface;

@@ -1,0 +1,102 @@
+//! `unload`, `slip`, and the quantities that follow from contact radii.
+
+use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
+use asperity::{At, Model, Tolerance};
+
+use crate::bench::{Bench, cells, column, conducting, csv};
+
+fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
+    let scene = bench.scene("scene.toml").scene;
+    let model: Model = model.parse().unwrap();
+    Unloading::new(&model, &scene, at, law, Tolerance::default()).unwrap()
+}
+
+#[test]
+fn unloading_is_printed_as_it_is_computed() {
+    let bench = Bench::new();
+    for (law, words) in [
+        (UnloadingLaw::Hertz, ""),
+        (UnloadingLaw::Brake, "--law brake"),
+        (UnloadingLaw::Etsion, "--law etsion"),
+    ] {
+        let data = bench
+            .data(&format!("unload scene.toml --model ke --load 100 --retreat 0,0.2,1 {words}"));
+        let joint = joint(&bench, "ke", At::Load(100.0), law);
+        let retreats = column(&data, "retreat_m");
+        // The template's heights spread by 1 um.
+        assert!((retreats[1] / 0.2e-6 - 1.0).abs() < 1e-15);
+        for (k, retreat) in retreats.into_iter().enumerate() {
+            let same = |name: &str, value: f64| {
+                assert!(column(&data, name)[k].to_bits() == value.to_bits(), "{law} {name}");
+            };
+            same("force_N", joint.force(retreat).unwrap().value());
+            same("stiffness_N_per_m", joint.stiffness(retreat).unwrap().value());
+            match law {
+                UnloadingLaw::Etsion => assert!(!data.contains("area_m2")),
+                _ => same("area_m2", joint.area(retreat).unwrap().value()),
+            }
+        }
+        assert!((column(&data, "force_N")[0] / 100.0 - 1.0).abs() < 1e-8);
+        assert_eq!(cells(&data, "law"), [law.to_string().as_str(); 3]);
+    }
+}
+
+#[test]
+fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
+    let bench = Bench::new();
+    let words = "slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
+    let run = bench.run(&format!("{words} --points 5"));
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let joint = joint(&bench, "gw", At::Pressure(5e6), UnloadingLaw::Hertz);
+    let slip = PartialSlip::new(&joint, 0.2).unwrap();
+    let (shifts, back, forth) =
+        (column(&run.out, "shift_m"), column(&run.out, "back_N"), column(&run.out, "forth_N"));
+    let first = cells(&run.out, "force_N");
+    assert_eq!(first[..2], ["", ""]);
+    for (k, shift) in shifts.iter().copied().enumerate() {
+        if shift >= 0.0 {
+            let force = slip.force(shift).unwrap().value();
+            assert!(first[k].parse::<f64>().unwrap().to_bits() == force.to_bits());
+        }
+        assert!(back[k] <= forth[k] + 1e-9 && (back[k] + forth[4 - k]).abs() < 1e-9);
+    }
+    let loss = format!("loses {:e} J", slip.loss(1e-7).unwrap().value());
+    assert!(run.words.contains(&loss), "{}", run.words);
+}
+
+#[test]
+fn what_a_joint_lacks_is_named() {
+    let bench = Bench::new();
+    for (words, wanted) in [
+        ("unload scene.toml --model gao --closest 1 --retreat 0.1", "Gao cannot give unloading"),
+        ("unload scene.toml --model ke --closest 1 --retreat -0.1", "retreat is -"),
+        ("curve scene.toml --model ke --quantity thermal-conductance", "thermal_conductivity is"),
+        ("curve scene.toml --model at --quantity unloading-stiffness", "AT cannot give contact-"),
+    ] {
+        let run = bench.run(words);
+        assert!(run.code == Some(1) && run.words.contains(wanted), "{words}: {}", run.words);
+    }
+    for words in ["unload scene.toml --model ke --retreat 1", "slip scene.toml --model ke"] {
+        assert_eq!(bench.run(words).code, Some(2), "{words}");
+    }
+}
+
+#[test]
+fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
+    let bench = Bench::new();
+    bench.write("scene.toml", &conducting());
+    let run = bench.run(
+        "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
+    );
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert!(run.words.contains("left out: gao"), "{}", run.words);
+    assert_eq!(csv(&run.out).1.len(), 8, "gw to af, jg twice");
+    let radii = column(&run.out, "contact_radius_sum_m");
+    for (name, factor) in
+        [("thermal_conductance_W_per_K", 2.0 * 50.0), ("electrical_conductance_S", 2.0 / 1.7e-7)]
+    {
+        for (value, radii) in column(&run.out, name).iter().zip(&radii) {
+            assert!((value / (factor * radii) - 1.0).abs() < 1e-12, "{name}");
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! One asperity that was pressed to w and has come back by u: again a law of w.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use asperity_core::{
+    Asperity, AsperityModel, At, ContactError, Form, Law, QuadratureError, Quantity, Sampler,
+    Source, Tolerance,
+};
+
+use crate::UnloadingLaw;
+
+/// What is asked of the asperity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Asked {
+    /// The force that is left \[N\].
+    Force,
+    /// The area that is left \[m²\].
+    Area,
+    /// -dF/du \[N/m\].
+    Stiffness,
+    /// The force at u = 0 less the one that is left \[N\], without cancellation.
+    Released,
+    /// 8 ∫₀ᵘ released du - 4 u released \[J\], likewise.
+    Loss,
+}
+
+/// The loading laws of one asperity, and how it comes back.
+#[derive(Debug)]
+pub(crate) struct Loading {
+    pub(crate) force: Law,
+    pub(crate) area: Law,
+    pub(crate) asperity: Asperity,
+    pub(crate) unloading: UnloadingLaw,
+    /// w_c \[m\]; infinite where nothing yields.
+    pub(crate) critical: f64,
+}
+
+/// At one interference w.
+struct Pressed {
+    force: f64,
+    area: f64,
+    /// δ: how far the flat goes back until the contact is lost.
+    recovered: f64,
+    exponent: f64,
+}
+
+impl Loading {
+    /// The asperity pressed to w \[m\].
+    fn pressed(&self, w: f64) -> Result<Pressed, QuadratureError> {
+        let Asperity { equivalent_modulus: e, radius, .. } = self.asperity;
+        let (force, area) = (self.force.value(w)?, self.area.value(w)?);
+        let x = w / self.critical;
+        Ok(match self.unloading {
+            UnloadingLaw::Etsion if x > 1.0 => {
+                let residual = (1.0 - x.powf(-0.28)) * (1.0 - x.powf(-0.69));
+                let exponent = 1.5 * x.powf(-0.0331);
+                Pressed { force, area, recovered: w * (1.0 - residual), exponent }
+            }
+            UnloadingLaw::Brake => {
+                let recovered = force / (4.0 / 3.0 * e * (radius * w).sqrt());
+                let elastic = force / (4.0 / 3.0 * e * recovered);
+                Pressed { force, area: PI * elastic * elastic, recovered, exponent: 1.5 }
+            }
+            UnloadingLaw::Hertz | UnloadingLaw::Etsion => {
+                let recovered = 0.75 * force / (e * (area / PI).sqrt());
+                Pressed { force, area, recovered, exponent: 1.5 }
+            }
+        })
+    }
+
+    fn answer(&self, w: f64, u: f64, asked: Asked) -> Result<f64, QuadratureError> {
+        let Pressed { force, area, recovered, exponent: n } = self.pressed(w)?;
+        if force == 0.0 {
+            return Ok(0.0);
+        }
+        let y = u / recovered;
+        let left = (1.0 - y).max(0.0);
+        Ok(match asked {
+            Asked::Force => force * left.powf(n),
+            Asked::Area => area * left,
+            Asked::Stiffness => n * force * left.powf(n - 1.0) / recovered,
+            Asked::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
+            Asked::Released => force,
+            Asked::Loss => force * recovered * loss(y, n),
+        })
+    }
+
+    /// Where a formula changes \[m\], from 0 to infinity.
+    fn breaks(&self) -> Vec<f64> {
+        let mut breaks = vec![0.0];
+        for law in [&self.force, &self.area] {
+            breaks.extend(law.kinks().into_iter().map(|x| x * law.interference_unit));
+        }
+        let fitted = self.unloading == UnloadingLaw::Etsion && self.critical.is_finite();
+        breaks.extend(fitted.then_some(self.critical));
+        breaks.sort_by(f64::total_cmp);
+        // Two units may round one kink to two neighbours.
+        breaks.dedup_by(|a, b| (*a - *b).abs() <= 1e-14 * a.abs());
+        breaks.push(f64::INFINITY);
+        breaks
+    }
+
+    /// From which w between two breaks on the contact lasts to u, if it does: δ grows with w.
+    fn lasts_from(&self, [low, high]: [f64; 2], u: f64) -> Result<Option<f64>, QuadratureError> {
+        let lasts = |w: f64| Ok::<_, QuadratureError>(self.pressed(w)?.recovered > u);
+        if u == 0.0 {
+            return Ok(Some(low));
+        }
+        // δ is about w; far below, its formula leaves the doubles.
+        let mut low = low.max(1e-3 * u);
+        if low >= high {
+            return Ok(None);
+        }
+        if lasts(low)? {
+            return Ok(Some(low));
+        }
+        let mut last = high.next_down();
+        if high == f64::INFINITY {
+            // δ grows at least as √w: what needs more than this is out of anybody's reach.
+            last = low.max(u);
+            for _ in 0..200 {
+                if lasts(last)? {
+                    break;
+                }
+                last *= 2.0;
+            }
+        }
+        if !lasts(last)? {
+            return Ok(None);
+        }
+        while last > low.next_up() {
+            let middle = low + 0.5 * (last - low);
+            let to = if lasts(middle)? { &mut last } else { &mut low };
+            if to.to_bits() == middle.to_bits() {
+                break;
+            }
+            *to = middle;
+        }
+        Ok(Some(last))
+    }
+}
+
+/// 8 ∫₀ʸ (1 - (1-t)ⁿ) dt - 4 y (1 - (1-y)ⁿ), t and y at most 1 where they stand under a power.
+fn loss(y: f64, n: f64) -> f64 {
+    if y >= 1.0 {
+        return 4.0 * y - 8.0 / (n + 1.0);
+    }
+    if y > 0.1 {
+        let left = 1.0 - y;
+        let integral = y - (1.0 - left.powf(n + 1.0)) / (n + 1.0);
+        return 8.0 * integral - 4.0 * y * (1.0 - left.powf(n));
+    }
+    // The binomial series, whose first term is none: it begins with y³.
+    let (mut binomial, mut sum) = (-n * y, 0.0);
+    for k in 2..20 {
+        let k = f64::from(k);
+        binomial *= -(n - k + 1.0) / k * y;
+        sum -= binomial * (8.0 / (k + 1.0) - 4.0) * y;
+    }
+    sum
+}
+
+/// What is asked of one asperity after a retreat, as the force of a model of its own.
+#[derive(Debug)]
+pub(crate) struct Retreated<'u> {
+    pub(crate) source: &'u Source,
+    pub(crate) name: &'u str,
+    /// Of w less the first interference that has not lost contact.
+    law: Law,
+    /// That interference \[m\].
+    pub(crate) first: f64,
+}
+
+impl<'u> Retreated<'u> {
+    pub(crate) fn new(
+        (source, name): (&'u Source, &'u str),
+        loading: &Arc<Loading>,
+        asked: Asked,
+        u: f64,
+    ) -> Result<Self, ContactError> {
+        let (unit, value_unit) = (loading.force.interference_unit, loading.force.value_unit);
+        let value_unit = match asked {
+            Asked::Area => loading.area.value_unit,
+            Asked::Stiffness => value_unit / unit,
+            Asked::Loss => value_unit * unit,
+            Asked::Force | Asked::Released => value_unit,
+        };
+        let whole = matches!(asked, Asked::Released | Asked::Loss);
+        let mut ranges = vec![];
+        for pair in loading.breaks().windows(2) {
+            let (low, high) = (pair[0], pair[1]);
+            let start = loading.lasts_from([low, high], u).map_err(|source| {
+                ContactError::Integral { quantity: Quantity::Force, at: At::metres(u), source }
+            })?;
+            // What has lost contact has released all there was.
+            ranges.push((low, if whole { start.unwrap_or(high) } else { low }));
+            ranges.extend(start.map(|start| (start, high)));
+        }
+        ranges.retain(|(low, high)| high > low);
+        // Counted from the first contact that is left: it may be far beyond what the heights at the
+        // closest approach would be followed to.
+        let first = ranges.first().map_or(0.0, |(low, _)| *low);
+        let mut law = Law::in_units(unit, value_unit);
+        for (low, high) in ranges {
+            let loading = loading.clone();
+            let sample = move |x: &[f64], out: &mut [f64]| {
+                for (out, x) in out.iter_mut().zip(x) {
+                    *out = loading.answer(first + x * unit, u, asked)? / value_unit;
+                }
+                Ok(())
+            };
+            let sampler: Arc<dyn Sampler> = Arc::new(sample);
+            law = law.elastic((low - first) / unit..(high - first) / unit, Form::sampled(sampler));
+        }
+        Ok(Self { source, name, law, first })
+    }
+}
+
+impl AsperityModel for Retreated<'_> {
+    fn source(&self) -> &Source {
+        self.source
+    }
+
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn law(
+        &self,
+        _: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        Ok((quantity == Quantity::Force).then(|| self.law.clone()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::loss;
+
+    #[test]
+    fn the_series_of_the_loss_meets_the_formula() {
+        for n in [1.5, 1.3] {
+            let (below, above) = (loss(0.1, n), loss(0.1_f64.next_up(), n));
+            assert!((below / above - 1.0).abs() < 1e-12, "{below} {above}");
+            assert!((loss(1e-6, n) / (2.0 / 3.0 * n * (n - 1.0) * 1e-18) - 1.0).abs() < 1e-5);
+            let (below, above) = (loss(1.0_f64.next_down(), n), loss(1.0, n));
+            assert!((below / above - 1.0).abs() < 1e-12, "{below} {above}");
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! Tangential force against shift at a constant separation.
+
+use asperity_core::{ContactError, Evaluation, positive};
+
+use crate::Unloading;
+use crate::one::Asked;
+
+/// A closed joint that is sheared, from virgin or in cycles.
+#[derive(Debug, Clone)]
+pub struct PartialSlip {
+    normal: Unloading,
+    friction: f64,
+    /// s/u = 4 G/(μ E).
+    retreat_per_shift: f64,
+}
+
+impl PartialSlip {
+    /// A joint with coefficient of friction μ, whose asperities answer tangential forces as
+    /// elastically as unloading.
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] unless μ > 0, [`ContactError::Missing`] without an equivalent
+    /// shear modulus.
+    pub fn new(normal: &Unloading, friction: f64) -> Result<Self, ContactError> {
+        let friction = positive("friction", friction)?;
+        let asperity = normal.scene().asperity()?;
+        let shear = asperity.shear_modulus(&format!("partial slip by {}", normal.name()))?;
+        let retreat_per_shift = 4.0 * shear / (friction * asperity.equivalent_modulus);
+        Ok(Self { normal: normal.clone(), friction, retreat_per_shift })
+    }
+
+    /// The tangential force Q \[N\] at a first shift \[m\], at least 0.
+    ///
+    /// # Errors
+    /// Those of [`Unloading::force`].
+    pub fn force(&self, shift: f64) -> Result<Evaluation, ContactError> {
+        self.scaled(self.friction, Asked::Released, shift)
+    }
+
+    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\] between
+    /// them: on the way back from +amplitude, or forth from -amplitude.
+    ///
+    /// # Errors
+    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the amplitude.
+    pub fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Result<f64, ContactError> {
+        let amplitude = positive("amplitude", amplitude)?;
+        if shift.is_nan() || shift.abs() > amplitude {
+            let required = "a shift within the amplitude";
+            return Err(ContactError::OutOfRange { field: "shift", value: shift, required });
+        }
+        // The way back is the way forth, turned round.
+        let turned = if forth { -shift } else { shift };
+        let end = self.force(amplitude)?.value();
+        let back = end - 2.0 * self.force(0.5 * (amplitude - turned))?.value();
+        Ok(if forth { -back } else { back })
+    }
+
+    /// The energy \[J\] that a cycle between ±`amplitude` \[m\] loses.
+    ///
+    /// # Errors
+    /// Those of [`force`](Self::force).
+    pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
+        self.scaled(self.friction / self.retreat_per_shift, Asked::Loss, amplitude)
+    }
+
+    fn scaled(&self, factor: f64, asked: Asked, shift: f64) -> Result<Evaluation, ContactError> {
+        if !(shift >= 0.0 && shift.is_finite()) {
+            let required = "a finite number, at least 0,";
+            return Err(ContactError::OutOfRange { field: "shift", value: shift, required });
+        }
+        let mut found = self.normal.of(asked, self.retreat_per_shift * shift)?;
+        found.scaled *= factor;
+        found.size *= factor;
+        Ok(found)
+    }
+}
