@@ -1,0 +1,218 @@
+//! The law of one asperity, averaged over curvatures, part by part.
+
+use std::f64::consts::{PI, SQRT_2};
+use std::sync::Arc;
+
+use asperity_core::{
+    Asperity, AsperityModel, Claims, ContactError, Form, Law, Part, Quantity, Source, Tolerance,
+    Warning,
+};
+use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
+
+use crate::population::{BEGIN, Population};
+
+/// Of the tables, relative to the law's envelope: rounding would be fitted below.
+const TOLERANCE: f64 = 2e-13;
+/// Mean curvatures are at most this much above the smallest that touch, in √(m₄/3): exp(-16²/4).
+const BEYOND: f64 = 16.0;
+
+/// A model of one asperity, averaged over the curvatures of a population.
+#[derive(Debug)]
+pub(crate) struct Average<'m> {
+    pub(crate) model: &'m dyn AsperityModel,
+    pub(crate) population: Population,
+}
+
+impl AsperityModel for Average<'_> {
+    fn source(&self) -> &Source {
+        self.model.source()
+    }
+
+    fn name(&self) -> &str {
+        self.model.name()
+    }
+
+    /// Of interferences counted from [`Population::begin`] below u = 0.
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        tolerance: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        let unit = self.population.unit;
+        let (law, power) = match self.model.law(asperity, quantity, tolerance)? {
+            Some(law) => (law, 2),
+            None if quantity == Quantity::Contacts => {
+                let one = Form::function(|_| 1.0);
+                (Law::in_units(unit, 1.0).elastic(0.0..f64::INFINITY, one), 0)
+            }
+            None => return Ok(None),
+        };
+        let scale = unit / law.interference_unit;
+        let average = |part: &Part| {
+            let mut breaks = vec![part.range.start, part.range.end];
+            breaks.extend(&part.kinks);
+            breaks.iter_mut().for_each(|x| *x /= scale);
+            breaks.sort_by(f64::total_cmp);
+            let form = part.form.clone();
+            let integral = Integral { form, scale, breaks, power };
+            let table =
+                Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[BEGIN], TOLERANCE);
+            let form = Form::sampled(Arc::new(Averaged(table)));
+            let (range, kinks) = (0.0..f64::INFINITY, vec![BEGIN]);
+            Part { range, kinks, form, ..part.clone() }
+        };
+        let parts = law.parts.iter().map(average).collect();
+        Ok(Some(Law { interference_unit: unit, value_unit: law.value_unit, parts }))
+    }
+
+    fn claims(&self) -> Claims {
+        self.model.claims()
+    }
+
+    fn notes(&self) -> Vec<Warning> {
+        self.model.notes()
+    }
+}
+
+/// How the average runs as a function of u: what is tabulated beside it is flat.
+fn envelope(u: f64) -> f64 {
+    if u < 0.0 { (-0.5 * u * u).exp() } else { (1.0 + u) * (1.0 + u).sqrt() }
+}
+
+/// A table of x M/envelope, x = u + `BEGIN`.
+struct Averaged(Tabulated);
+
+impl Sampler for Averaged {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        for (out, &x) in out.iter_mut().zip(x) {
+            *out = self.0.value(x)? / x * envelope(x - BEGIN);
+        }
+        Ok(())
+    }
+
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        self.0.relative_error(x)
+    }
+}
+
+/// With κ = k/√(m₄/3) and y = κ w/v, in which the law has its kinks wherever w has them,
+/// ```text
+/// M(u) = √(3/(2π)) ∫ f(v y) dy ∫₀^κ* κ^(2-n) exp(κ²/2 - (3/2)(y/κ - u)²) dκ
+/// ```
+/// for q = κ^(-n) f(κ w), u in units of v; κ* is where k_m = k.
+struct Integral {
+    form: Form,
+    /// v over the interference unit of the form.
+    scale: f64,
+    /// Ends and kinks in y.
+    breaks: Vec<f64>,
+    /// n.
+    power: i32,
+}
+
+impl Integral {
+    /// x M(u)/envelope(u), u = x - `BEGIN`.
+    fn enveloped(&self, x: f64) -> Estimate {
+        let u = x - BEGIN;
+        let farthest = farthest_mean(u);
+        let last = farthest * (u + farthest / SQRT_2);
+        let rules = TanhSinh::shared();
+        let mut total = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+        for pair in self.breaks.windows(2).filter(|pair| pair[0] < last) {
+            // In √y, as y is near κ u: most of the law is at small y where u is large.
+            let (low, high) = (pair[0].sqrt(), pair[1].min(last).sqrt());
+            let found = rules.integrate_beside(low, high, 1e-14, total.value.abs(), |p| {
+                let y = p.x * p.x;
+                let mut value = [0.0];
+                let sampled = self.form.sample(&[y * self.scale], &mut value);
+                // Powers and closed forms refuse nothing; what did would not be a number here.
+                sampled.map_or(f64::NAN, |()| 2.0 * p.x * value[0] * self.curvatures(u, y))
+            });
+            total.value += found.value;
+            total.error += found.error;
+            total.evaluations += found.evaluations;
+        }
+        let factor = (1.5 / PI).sqrt() * x / envelope(u);
+        Estimate { value: factor * total.value, error: factor * total.error, ..total }
+    }
+
+    /// The integral over κ.
+    fn curvatures(&self, u: f64, y: f64) -> f64 {
+        let root = (u * u + 2.0 * SQRT_2 * y).sqrt();
+        // κ² /√2 + u κ = y, without cancellation.
+        let highest = if u < 0.0 { (root - u) / SQRT_2 } else { 2.0 * y / (u + root) };
+        // From there down to where exp(-(3/4) k_m²) leaves nothing, again without cancellation:
+        // k_m = √2 (y/κ - u) is small beside y/κ where u is large.
+        let farthest = farthest_mean(u);
+        let width = highest * (farthest - highest) / (SQRT_2 * u + farthest);
+        if width <= 0.0 {
+            return 0.0;
+        }
+        let integrand = |down: f64| {
+            let k = highest - down;
+            let mean = highest / SQRT_2 + y * down / (k * highest);
+            k.powi(2 - self.power) * (0.5 * k * k - 1.5 * mean * mean).exp()
+        };
+        TanhSinh::shared().integrate(0.0, width, 1e-13, |p| integrand(p.x)).value
+    }
+}
+
+/// The largest k_m/√(m₄/3) that is looked at.
+fn farthest_mean(u: f64) -> f64 {
+    (-SQRT_2 * u).max(0.0) + BEYOND
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_core::Power;
+    use asperity_quadrature::gauss_kronrod;
+
+    fn integral(exponent: f64, power: i32) -> Integral {
+        let (form, breaks) = ([Power::new(1.0, exponent)].into(), vec![0.0, f64::INFINITY]);
+        Integral { form, scale: 1.0, breaks, power }
+    }
+
+    fn value(integral: &Integral, u: f64) -> f64 {
+        integral.enveloped(u + BEGIN).value / (u + BEGIN) * envelope(u)
+    }
+
+    #[test]
+    fn all_summits_are_counted_and_the_mean_area_is_in_closed_form() {
+        for u in [0.0, 0.7, 20.0] {
+            let all = value(&integral(0.0, 0), 12.0 + u);
+            assert!((all - 1.0).abs() < 1e-12, "{u} {all}");
+        }
+        // At u = 0 areas are (K/√2)/κ, whose mean is √(2/3).
+        let area = value(&integral(1.0, 2), 0.0);
+        assert!((area / (2.0f64 / 3.0).sqrt() - 1.0).abs() < 1e-14, "{area}");
+    }
+
+    /// In the variables of the density, k and k_m, one within the other.
+    #[test]
+    fn averages_are_those_of_the_density_itself() {
+        for (exponent, power) in [(1.5, 2), (1.0, 2)] {
+            for u in [-4.0, -1.0, 0.5, 6.0] {
+                let first = (-SQRT_2 * u).max(0.0);
+                // K = first + t², κ = K r².
+                let outer = |t: f64| {
+                    let k_m = first + t * t;
+                    let w = if u < 0.0 { t * t / SQRT_2 } else { u + k_m / SQRT_2 };
+                    let inner = |r: f64| {
+                        let k = k_m * r * r;
+                        let weight = (0.5 * k * k - 0.75 * k_m * k_m).exp();
+                        2.0 * k_m * r * k.powi(3 - power) * weight * (k * w).powf(exponent)
+                    };
+                    let inner = gauss_kronrod(inner, &[0.0, 0.5, 1.0], 1e-12, 50_000).unwrap();
+                    2.0 * t * inner.value
+                };
+                let found =
+                    gauss_kronrod(outer, &[0.0, 0.5, 1.0, 2.0, 4.0], 1e-11, 50_000).unwrap();
+                let direct = (0.75 / PI).sqrt() * found.value;
+                let ours = value(&integral(exponent, power), u);
+                assert!((ours / direct - 1.0).abs() < 1e-11, "{exponent} {u}: {ours} {direct}");
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! The spread of summits in numbers of a scene, and the scene that the averaged law lives on.
+
+use asperity_core::{ContactError, HeightDistribution, Scene, Surface};
+
+/// How far below 0 the averaged law begins, in standard deviations of μ k_m. At a separation of
+/// [`FARTHEST`](crate::FARTHEST) √m₀ = 6 √m₀ and a correlation ρ of height and curvature, contacts
+/// come from 6ρ ± 8√(1-ρ²), at most 10.
+pub(crate) const BEGIN: f64 = 10.5;
+
+/// What the summits of a scene's surface are like.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Population {
+    /// √m₀ \[m\].
+    pub(crate) surface_std: f64,
+    /// √(m₄/3) \[1/m\], the unit of curvatures.
+    pub(crate) curvature: f64,
+    /// v = μ √(2 m₄/3) \[m\], the standard deviation of μ k_m: the unit of interferences.
+    pub(crate) unit: f64,
+    /// σ_c \[m\].
+    pub(crate) height_std: f64,
+}
+
+impl Population {
+    pub(crate) fn new(scene: &Scene) -> Result<Self, ContactError> {
+        scene.asperity()?;
+        let moments = scene.surface.moments();
+        // Refuses bandwidths below 1.5.
+        Surface::from_moments(&moments)?;
+        let curvature = (moments.m4 / 3.0).sqrt();
+        let unit = 1.5 * moments.m2 / moments.m4 * std::f64::consts::SQRT_2 * curvature;
+        // v² = (3/2) m₂²/m₄ is what the curvatures take of m₀.
+        let height_std = (moments.m0 - unit * unit).max(0.0).sqrt();
+        Ok(Self { surface_std: moments.m0.sqrt(), curvature, unit, height_std })
+    }
+
+    /// Asperities of the radius 1/√(m₄/3), under heights that curvature has nothing to do with.
+    pub(crate) fn scene(&self, scene: &Scene) -> Scene {
+        let density = scene.surface.asperity_density;
+        let surface = Surface::new(1.0 / self.curvature, density, self.height_std);
+        let mut own = Scene::new(scene.interface, surface, scene.nominal_area);
+        own.heights = HeightDistribution::Gaussian;
+        own
+    }
+
+    /// What a separation from the surface's mean plane is larger by than one from the mean of
+    /// those heights, at which the averaged law begins \[m\].
+    pub(crate) fn begin(&self) -> f64 {
+        BEGIN * self.unit
+    }
+}
