@@ -91,7 +91,19 @@ fn above(height: f64) -> At {
 }
 
 #[test]
+fn reference_values_are_met_within_the_bound() {
+    // Every model on one surface, and the plainest on all.
+    assert_eq!(meets_the_reference(|case, id| case == "medium" || id == "gw"), 135);
+}
+
+#[test]
+#[ignore = "takes a minute: by hand after a change"]
 fn every_reference_value_is_met_within_the_bound() {
+    assert_eq!(meets_the_reference(|_, _| true), 315);
+}
+
+/// In how many rows.
+fn meets_the_reference(wanted: impl Fn(&str, &str) -> bool) -> usize {
     let scenes = scenes();
     let mut contacts = BTreeMap::<(&str, &str), Box<dyn Contact>>::new();
     let mut worst = BTreeMap::<&str, f64>::new();
@@ -99,6 +111,9 @@ fn every_reference_value_is_met_within_the_bound() {
     for line in include_str!("../../../tests/reference/population.csv").lines().skip(1) {
         let fields: Vec<&str> = line.split(',').collect();
         let [case, id, height, quantity, value] = fields[..] else { panic!("{line}") };
+        if !wanted(case, id) {
+            continue;
+        }
         let (scene, rms) = &scenes[case];
         let (law, random) = models(id);
         let contact = contacts.entry((case, id)).or_insert_with(|| {
@@ -129,7 +144,7 @@ fn every_reference_value_is_met_within_the_bound() {
     }
     println!("{worst:?}");
     assert!(failures.is_empty(), "{} of {count}:\n{}", failures.len(), failures.join("\n"));
-    assert_eq!(count, 315);
+    count
 }
 
 #[test]
