@@ -88,6 +88,7 @@ impl Closed {
         let Place { closest: approach, load, pressure } = self.place;
         let place = approach.map(closest).or(load.map(At::Load)).or(pressure.map(At::Pressure));
         let place = place.context("a closest approach was required")?;
+        scene.tell(&[&(id.clone(), model.clone())], &[place]);
         let joint = Unloading::new(&model, &scene.file.scene, place, law, Tolerance::default());
         let joint = joint.with_context(|| format!("{}: {id}", scene.name))?;
         Ok((scene, id, joint))

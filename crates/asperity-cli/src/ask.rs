@@ -145,23 +145,28 @@ impl<'s> Question<'s> {
     /// Says what deserves a word; that nothing at all was answered is an error.
     pub fn finish(&self, answered: bool) -> Result<()> {
         once(&self.words).iter().for_each(|text| say("warning", text));
-        // One cause is told once, whatever models show it: of the worst of them.
-        for code in once(&self.findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
-            let mut same: Vec<_> = self.findings.iter().filter(|(_, f)| f.code == code).collect();
-            let beyond = |f: &Finding| (f.value / f.usual[1]).max(f.usual[0] / f.value);
-            same.sort_by(|(_, a), (_, b)| beyond(b).total_cmp(&beyond(a)));
-            let Some(((_, worst), others)) = same.split_first() else { continue };
-            let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
-            let likewise = match &others[..] {
-                [] => String::new(),
-                ids => format!(" (likewise {})", ids.join(", ")),
-            };
-            say("warning", &format!("{worst}{likewise}"));
-        }
+        tell(&self.findings);
         if !answered {
             bail!("{}: no row has a value", self.scene.name);
         }
         Ok(())
+    }
+}
+
+/// Says what is unusual about the answers of models: one cause once, of the worst of them.
+pub fn tell(findings: &[(String, Finding)]) {
+    for code in once(&findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
+        let mut same: Vec<_> = findings.iter().filter(|(_, f)| f.code == code).collect();
+        let beyond = |f: &Finding| (f.value / f.usual[1]).max(f.usual[0] / f.value);
+        same.sort_by(|(_, a), (_, b)| beyond(b).total_cmp(&beyond(a)));
+        let Some(((first, worst), others)) = same.split_first() else { continue };
+        let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
+        let others: Vec<&str> = once(&others).into_iter().filter(|id| id != first).collect();
+        let likewise = match &others[..] {
+            [] => String::new(),
+            ids => format!(" (likewise {})", ids.join(", ")),
+        };
+        say("warning", &format!("{worst}{likewise}"));
     }
 }
 

@@ -2,7 +2,8 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 use std::thread;
 use std::time::Duration;
 
@@ -39,10 +40,23 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<()> {
     write(path, |out| out.write_all(text.as_bytes()))
 }
 
+/// Files that are read, and are not written over.
+static KEPT: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
+
+/// Keeps a file that is read from being written over by its own answer.
+pub fn keep(path: &Path) {
+    if let (Ok(path), Ok(mut kept)) = (fs::canonicalize(path), KEPT.lock()) {
+        kept.push(path);
+    }
+}
+
 /// Writes beside the file and renames, so that what was there stays until all is written.
 fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     // A link is followed, so that what it points to is replaced and not the link.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
+    if KEPT.lock().is_ok_and(|kept| kept.contains(&target)) {
+        return Err(io::Error::other("it is what was read: another name was required"));
+    }
     let found = fs::metadata(&target).ok();
     if found.as_ref().is_some_and(|found| !found.is_file() && !found.is_dir()) {
         // A device or a pipe is written to, not replaced.

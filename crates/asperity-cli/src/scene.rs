@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use asperity::{ContactError, ContactModel, Model, Quantity, Request, Severity};
+use asperity::{At, ContactError, ContactModel, Model, Quantity, Request, Severity};
 use asperity_scene::{LeftOut, SceneFile};
 
-use crate::output::{once, say};
+use crate::ask::tell;
+use crate::output::{self, once, say};
 
 /// A scene file that has been read.
 pub struct LoadedScene {
@@ -30,9 +31,20 @@ impl LoadedScene {
 
     /// Reads the file; only what its files deserve is said.
     pub fn read(path: &Path) -> Result<Self> {
+        output::keep(path);
         let file = asperity_scene::load(path)?;
         file.warnings.iter().for_each(|warning| say("warning", warning));
         Ok(Self { file, name: path.display().to_string() })
+    }
+
+    /// Says what is unusual about the answers of models at places.
+    pub fn tell(&self, models: &[&NamedModel], places: &[At]) {
+        let of = |(id, model): &&NamedModel| {
+            let found = self.file.findings_at(model, places).into_iter();
+            let serious = found.filter(|finding| finding.severity < Severity::Note);
+            serious.map(|finding| (id.clone(), finding)).collect::<Vec<_>>()
+        };
+        tell(&models.iter().flat_map(of).collect::<Vec<_>>());
     }
 
     /// The model that others are held against: ke unless another is asked for, or gw where there

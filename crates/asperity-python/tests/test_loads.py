@@ -177,12 +177,16 @@ def test_exactly_one_of_the_three_is_required(scene: asperity.Scene) -> None:
 
 def test_every_quantity_of_the_library_is_there(scene: asperity.Scene) -> None:
     names = list(asperity._asperity.quantities())
-    assert len(names) >= 13
+    assert len(names) >= 18
+    scene = scene.replace(thermal_conductivity=45.0, electrical_resistivity=2e-7)
     for scenes in (scene, [scene]):
         curve = asperity.model("ke").solve(scenes, [0.0, 2.0], names)
         assert list(curve.quantities) == names
         np.testing.assert_allclose(curve.pressure, curve.force / scene.nominal_area, rtol=1e-14)
         np.testing.assert_allclose(curve["area_fraction"], curve.area / scene.nominal_area)
+        # A conductance k and one of 1/rho are of the same radii.
+        thermal, electrical = curve["thermal-conductance"], curve["electrical-conductance"]
+        np.testing.assert_allclose(thermal / electrical, 45.0 * 2e-7, rtol=1e-12)
         np.testing.assert_allclose(curve.mean_pressure, curve.force / curve.area, rtol=1e-12)
         np.testing.assert_allclose(curve.ln_force, np.log(curve.force), rtol=1e-13)
         shares = curve.elastic_share + curve.elastic_plastic_share + curve.plastic_share

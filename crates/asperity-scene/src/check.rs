@@ -36,6 +36,7 @@ impl SceneFile {
             ([_, ..], _) => [of_bodies, self.scene.surface.findings()].concat(),
             _ => self.scene.findings(),
         };
+        found.extend(self.of_elastic_body());
         found.extend(self.measured.iter().flat_map(|measured| self.of_scan(measured)));
         found.sort_by_key(|finding| finding.severity);
         found
@@ -74,6 +75,32 @@ impl SceneFile {
             true => vec![],
             false => Check::answers(model, &self.scene, places),
         }
+    }
+
+    /// A body that was given no hardness beside one that was: forgotten, more likely than meant.
+    fn of_elastic_body(&self) -> Option<Finding> {
+        let elastic = |body: &asperity::Body| body.hardness.or(body.yield_strength).is_none();
+        let [first, second] = &self.bodies[..] else { return None };
+        let (k, body) = match (elastic(first), elastic(second)) {
+            (true, false) => (1, first),
+            (false, true) => (2, second),
+            _ => return None,
+        };
+        let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
+        let (field, modulus) = ("youngs_modulus", body.youngs_modulus);
+        let message = format!(
+            "{field} stands without hardness and yield_strength{}",
+            if without {
+                ": nothing yields then, and only models of elastic contact can be asked"
+            } else {
+                ": the other body is taken for the softer one"
+            }
+        );
+        let usual = [0.0, f64::INFINITY];
+        let finding =
+            Finding::new("no-hardness", Severity::Warning, field, modulus, usual, message);
+        // Rubber on glass is as it should be.
+        (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }
 
     fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Finding> {

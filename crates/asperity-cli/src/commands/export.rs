@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 
 use crate::args::{model_id, separation_unit};
 use crate::numbers::{Span, positive_number, range};
-use crate::output::{self, progress};
+use crate::output::{self, progress, say};
 use crate::scene::LoadedScene;
 
 /// Pressure against clearance as a table for a finite-element code
@@ -98,6 +98,8 @@ impl Export {
             _ => At::Pressure(value),
         };
         let range = (place(span.first), place(span.last), span.count.unwrap_or(2));
+        let named = (id.clone(), model.clone());
+        scene.tell(&[&named], &[range.0, range.1]);
         let format = match self.form {
             Form::Csv => TableFormat::Csv,
             Form::Abaqus => TableFormat::Abaqus,
@@ -116,6 +118,15 @@ impl Export {
         let table = table.with_context(|| format!("{}: {id}", scene.name))?;
         let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
         let text = table.text(format, contact, scene.file.separation_from, &title)?;
+        if table.pressure_error > 0.1 {
+            let percent = (100.0 * table.pressure_error).round();
+            say(
+                "warning",
+                &format!(
+                    "between the nodes, pressures are off by up to {percent} %: --max-error adds nodes"
+                ),
+            );
+        }
         output::write_text(self.output.as_deref(), &text)
     }
 }

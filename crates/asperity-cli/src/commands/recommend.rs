@@ -1,7 +1,7 @@
 //! `asperity recommend`: the simplest model that will do.
 
 use anyhow::{Context, Result};
-use asperity::{ContactModel, Quantity, linspace, recommend_among};
+use asperity::{At, ContactModel, Quantity, linspace, recommend_among};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
@@ -75,9 +75,17 @@ impl Recommend {
             });
             table.rows.push(row);
         }
+        let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };
+        let both = [&advice.reference, &advice.simplest].map(|m| (m.id().to_string(), m.clone()));
+        scene.tell(&both.iter().collect::<Vec<_>>(), &places);
         let [simplest, reference] = [&advice.simplest, &advice.reference].map(ContactModel::id);
-        let chosen =
-            format!("{simplest} is the simplest model within {} of {reference}", self.within);
+        let asked = advice.comparisons.iter().any(|found| found.model.id() == simplest);
+        let chosen = match asked {
+            true => {
+                format!("{simplest} is the simplest model within {} of {reference}", self.within)
+            }
+            false => format!("none of these models is within {} of {reference}", self.within),
+        };
         let order = "simplest first: upright asperities before all angles, few parts of the force law before many, old before new";
         say("note", &format!("{chosen}; {order}"));
         self.output.write(&table)

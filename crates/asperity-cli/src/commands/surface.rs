@@ -135,6 +135,9 @@ impl Surface {
     /// What does not go together on the command line.
     fn check(&self) {
         let refuse = |text: &str| crate::usage_error("surface", ErrorKind::ArgumentConflict, text);
+        if self.scene.is_some() && self.scene == self.heights {
+            refuse("--scene and --heights name the same file: two were expected");
+        }
         if self.heights.is_some() && self.files.len() > 1 {
             refuse("--heights takes one FILE: the heights of two surfaces do not add");
         }
@@ -174,6 +177,7 @@ impl Surface {
     }
 
     fn levelled(&self, path: &Path) -> Result<Topography> {
+        output::keep(path);
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let options = ReadOptions { unit, pixel_size, max_missing };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);

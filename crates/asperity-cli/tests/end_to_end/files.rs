@@ -121,3 +121,15 @@ fn names_that_are_no_text_are_files_like_any_other() {
     assert_eq!(run.code, Some(1));
     assert!(run.words.contains("sc\u{fffd}ne.toml"), "{}", run.words);
 }
+
+#[test]
+fn what_is_read_is_not_written_over_by_its_answer() {
+    let bench = Bench::new();
+    let scene = bench.read("scene.toml");
+    let run = bench.run(&format!("{CURVE} --output scene.toml"));
+    assert_eq!(run.code, Some(1));
+    assert!(run.words.contains("it is what was read: another name was required"), "{}", run.words);
+    assert_eq!(bench.read("scene.toml"), scene);
+    let run = bench.run("surface s.txt --unit um --pixel-size 2 --scene x.toml --heights x.toml");
+    assert_eq!(run.code, Some(2), "{}", run.words);
+}

@@ -98,3 +98,24 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
     assert_eq!(run.code, Some(1), "{}", run.out);
     assert!(run.words.contains("at a separation (it gives them at loads)"), "{}", run.words);
 }
+
+#[test]
+fn advice_and_tables_come_with_what_is_unusual_about_them() {
+    let bench = Bench::new();
+    let words = |line: &str| {
+        let run = bench.run(line);
+        assert_eq!(run.code, Some(0), "{line}\n{}", run.words);
+        run.words
+    };
+    let heavy = words("recommend scene.toml --load 3e5");
+    assert!(heavy.contains("warning: area_fraction is "), "{heavy}");
+    let none = words("recommend scene.toml --load 100 --model gw,ceb --within 0.01");
+    assert!(none.contains("note: none of these models is within 0.01 of ke"), "{none}");
+    let table = words("export scene.toml --model gw --as abaqus --load 1:1e4:4");
+    assert!(table.contains("yielding_share is ") && table.contains("off by up to"), "{table}");
+    let whole = words("curve scene.toml --model persson --load 100 --quantity area");
+    assert!(whole.contains("mean_pressure_over_hardness is "), "{whole}");
+    let slip = words("slip scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");
+    assert!(slip.contains("yielding_share is "), "{slip}");
+    assert_eq!(words("compare scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
+}

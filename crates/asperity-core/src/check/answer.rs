@@ -16,6 +16,8 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 const FEW: f64 = 30.0;
 /// w/R beyond which an asperity is no longer a cap that is pressed a little.
 const DEEP: [f64; 2] = [0.3, 1.0];
+/// p/H of the models that go on rising where contacts are plastic (JG, AF) is still below this.
+const PLASTIC: f64 = 1.5;
 /// Share of the force by asperities that yield, which an elastic law does not know.
 const YIELDS: [f64; 2] = [0.02, 0.1];
 /// Share of the force beyond what a law was fitted to.
@@ -54,31 +56,37 @@ impl Check {
             [Quantity::Force, Quantity::Area, Quantity::Contacts, Quantity::MeanPressure];
         let request = Request::new(quantities).within(Tolerance::new(TOLERANCE)?);
         let contact = model.compile(scene, &request)?;
-        let place = contact.separation(at)?.measured_in(
-            SeparationUnit::Sigma,
-            crate::Datum::AsperityMean,
-            scene,
-        )?;
-        let s = place.value;
-        let of = |quantity| contact.evaluate(quantity, place).map(|found| found.value());
+        // A theory of the whole surface knows no separations, and no single contacts.
+        let from = crate::Datum::AsperityMean;
+        let place = match contact.separation(at) {
+            Ok(found) => Some(found.measured_in(SeparationUnit::Sigma, from, scene)?),
+            Err(ContactError::Unsupported { .. }) => None,
+            Err(error) => return Err(error),
+        };
+        let there = place.map_or(at, At::from);
+        let of = |quantity| contact.evaluate(quantity, there).map(|found| found.value());
         let (force, area) = (of(Quantity::Force)?, of(Quantity::Area)?);
         let mut check = Self::default();
         let fraction = area / scene.nominal_area;
         let sigma = scene.surface.asperity_height_std;
         check.say("load", force, "N", "normal force");
         check.say("pressure", force / scene.nominal_area, "Pa", "load over A_n");
-        check.say(
-            "separation_over_sigma",
-            s,
-            "",
-            "d/sigma_z, from the mean of the asperity heights",
-        );
-        check.say("separation", s * sigma, "m", "d, from the mean of the asperity heights");
+        if let Some(Separation { value, .. }) = place {
+            let meaning = "d/sigma_z, from the mean of the asperity heights";
+            check.say("separation_over_sigma", value, "", meaning);
+            let meaning = "d, from the mean of the asperity heights";
+            check.say("separation", value * sigma, "m", meaning);
+        }
         check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.say("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction));
-        let contacts = of(Quantity::Contacts)?;
-        check.say("contacts", contacts, "", "asperities that touch");
+        let contacts = match of(Quantity::Contacts) {
+            Err(ContactError::Unsupported { .. } | ContactError::NoLaw { .. }) => 0.0,
+            found => found?,
+        };
+        if place.is_some() {
+            check.say("contacts", contacts, "", "asperities that touch");
+        }
         if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
             check.extend([few(at, contacts)]);
         }
@@ -91,9 +99,14 @@ impl Check {
             check.say("mean_pressure", mean, "Pa", "load over real area");
             if let Some(hardness) = scene.asperity()?.hardness {
                 check.say("mean_pressure_over_hardness", mean / hardness, "", "p/H");
+                // What yields is told by its depth.
+                if model.claims().holds_to.is_none() {
+                    check.extend(above_hardness(model, at, mean / hardness));
+                }
             }
         }
         if let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
+            && let Some(place) = place
             && let Some(deep) = Interferences::of(&*contact, &law, place)?
         {
             check.of_depths(model, scene, at, &deep);
@@ -184,6 +197,19 @@ fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {
         CROWDED[0]
     );
     Some(Finding::new("crowded", severity, "area_fraction", fraction, [0.0, CROWDED[0]], message))
+}
+
+/// A mean pressure that no contact carries.
+fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
+    let message = format!(
+        "mean_pressure_over_hardness is {} at {at} by {}: no contact carries much more than its hardness, the real area is larger: ask a model of yielding (ke, jg)",
+        short(ratio),
+        model.name()
+    );
+    let field = "mean_pressure_over_hardness";
+    let usual = [0.0, PLASTIC];
+    let finding = Finding::new("above-hardness", Severity::Warning, field, ratio, usual, message);
+    (ratio > PLASTIC).then_some(finding)
 }
 
 fn few(at: At, contacts: f64) -> Finding {
