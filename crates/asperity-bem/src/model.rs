@@ -224,18 +224,12 @@ impl Contact for OnScene {
         }
         let Summary { pressure, area, .. } = self.solve(self.given(at)?)?;
         let nominal = self.scene.nominal_area;
-        let value = match quantity {
-            Quantity::Force => pressure * nominal,
-            Quantity::Pressure => pressure,
-            Quantity::Area => area * nominal,
-            Quantity::AreaFraction => area,
-            Quantity::MeanPressure => pressure / area,
-            Quantity::LnForce => (pressure * nominal).ln(),
-            Quantity::LnArea => (area * nominal).ln(),
-            _ => return Err(self.unsupported(&quantity.to_string())),
+        let totals = (pressure * nominal, area * nominal);
+        let Some(found) = Evaluation::of_totals(quantity, totals, nominal, ERROR) else {
+            return Err(self.unsupported(&quantity.to_string()));
         };
-        if value.is_finite() {
-            return Ok(Evaluation::new(value, ERROR));
+        if found.scaled.is_finite() {
+            return Ok(found);
         }
         Err(ContactError::NoValue { quantity, at })
     }

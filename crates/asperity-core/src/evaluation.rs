@@ -36,6 +36,33 @@ impl Evaluation {
         Self { scaled: value, ln_scale: 0.0, size: 1.0, error }
     }
 
+    /// A quantity of a model that knows force \[N\] and real area \[m²\] under a nominal area \[m²\],
+    /// both to a bound on their relative error: what the engine's integrals give for models of
+    /// asperities. `None` for quantities that need more.
+    #[must_use]
+    pub fn of_totals(
+        quantity: Quantity,
+        (force, area): (f64, f64),
+        nominal_area: f64,
+        error: f64,
+    ) -> Option<Self> {
+        let value = match quantity {
+            Quantity::Force => force,
+            Quantity::Area => area,
+            Quantity::Pressure => force / nominal_area,
+            Quantity::AreaFraction => area / nominal_area,
+            Quantity::MeanPressure => force / area,
+            Quantity::LnForce => force.ln(),
+            Quantity::LnArea => area.ln(),
+            _ => return None,
+        };
+        Some(match quantity {
+            _ if quantity.is_absolute() => Self::absolute(value, error * (1.0 + value.abs())),
+            Quantity::MeanPressure => Self::new(value, 2.0 * error),
+            _ => Self::new(value, error),
+        })
+    }
+
     /// The value; 0 only where it is below the smallest number a double can hold.
     #[must_use]
     #[inline]

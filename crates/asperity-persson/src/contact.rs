@@ -56,24 +56,12 @@ impl Contact for OnScene {
             At::Load(load) => positive("load", load)? / nominal,
             _ => return Err(self.unsupported("an answer at a separation (it gives them at loads)")),
         };
-        let area = self.model.variance.area_fraction(pressure / self.pressure_std);
-        let value = match quantity {
-            Quantity::Force => pressure * nominal,
-            Quantity::Pressure => pressure,
-            Quantity::Area => area * nominal,
-            Quantity::AreaFraction => area,
-            Quantity::MeanPressure => pressure / area,
-            Quantity::LnForce => pressure.ln() + nominal.ln(),
-            _ => area.ln() + nominal.ln(),
-        };
-        if !value.is_finite() {
-            return Err(ContactError::NoValue { quantity, at });
+        let fraction = self.model.variance.area_fraction(pressure / self.pressure_std);
+        let totals = (pressure * nominal, fraction * nominal);
+        match Evaluation::of_totals(quantity, totals, nominal, ERROR) {
+            Some(found) if found.scaled.is_finite() => Ok(found),
+            _ => Err(ContactError::NoValue { quantity, at }),
         }
-        let mut found = Evaluation::new(value, ERROR);
-        if quantity.is_absolute() {
-            (found.size, found.error) = (1.0, ERROR * (1.0 + value.abs()));
-        }
-        Ok(found)
     }
 }
 

@@ -5,7 +5,8 @@ use super::finding::{Finding, Severity, short};
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::{
-    At, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit, Tolerance,
+    At, Contact, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit,
+    Tolerance,
 };
 
 /// So many numbers are enough for a word.
@@ -16,6 +17,8 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 const FEW: f64 = 30.0;
 /// w/R beyond which an asperity is no longer a cap that is pressed a little.
 const DEEP: [f64; 2] = [0.3, 1.0];
+/// Fewer of the contacts than this carry no per cent of a load.
+const NEGLIGIBLE: f64 = 1e-6;
 /// p/H of the models that go on rising where contacts are plastic (JG, AF) is still below this.
 const PLASTIC: f64 = 1.5;
 /// Share of the force by asperities that yield, which an elastic law does not know.
@@ -32,7 +35,7 @@ impl Check {
     /// answer at this place.
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
         let mut check = scene.check()?;
-        let answer = Self::of_answer(model, scene, at)?;
+        let answer = Self::of_answer(model, scene, at, true)?;
         check.numbers.extend(answer.numbers);
         check.extend(answer.findings);
         Ok(check)
@@ -44,17 +47,30 @@ impl Check {
     pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Vec<Finding> {
         let mut check = Self::default();
         for at in extremes(places) {
-            if let Ok(answer) = Self::of_answer(model, scene, at) {
+            if let Ok(answer) = Self::of_answer(model, scene, at, false) {
                 check.extend(answer.findings);
             }
         }
         check.findings
     }
 
-    fn of_answer(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
-        let quantities =
-            [Quantity::Force, Quantity::Area, Quantity::Contacts, Quantity::MeanPressure];
+    /// With all numbers, or with those alone that warnings come of: models over angles are then
+    /// answered without their tables, and depths are looked at where they may matter.
+    fn of_answer(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        whole: bool,
+    ) -> Result<Self, ContactError> {
+        let quantities = [Quantity::Force, Quantity::Area, Quantity::Contacts];
         let request = Request::new(quantities).within(Tolerance::new(TOLERANCE)?);
+        let claims = model.claims();
+        if claims.angles && !whole {
+            let response = model.solve(scene, &request.at([at]))?;
+            let row = |k: usize| response.columns[k].rows[0].as_ref();
+            let value = |k| row(k).map(|found| found.value()).map_err(|error| (**error).clone());
+            return Ok(Self::of_totals(model, scene, at, None, [value(0)?, value(1)?, value(2)?]));
+        }
         let contact = model.compile(scene, &request)?;
         // A theory of the whole surface knows no separations, and no single contacts.
         let from = crate::Datum::AsperityMean;
@@ -65,7 +81,28 @@ impl Check {
         };
         let there = place.map_or(at, At::from);
         let of = |quantity| contact.evaluate(quantity, there).map(|found| found.value());
-        let (force, area) = (of(Quantity::Force)?, of(Quantity::Area)?);
+        let contacts = if place.is_some() { of(Quantity::Contacts)? } else { 0.0 };
+        let totals = [of(Quantity::Force)?, of(Quantity::Area)?, contacts];
+        let mut check = Self::of_totals(model, scene, at, place, totals);
+        let Some(place) = place else { return Ok(check) };
+        let yields = claims.holds_to.is_some_and(|x| x <= 1.0);
+        if (whole || yields || may_be_deep(&*contact, place, contacts))
+            && let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
+            && let Some(deep) = Interferences::of(&*contact, &law, place)?
+        {
+            check.of_depths(model, scene, at, &deep);
+        }
+        Ok(check)
+    }
+
+    /// What force \[N\], area \[m²\] and number of contacts say.
+    fn of_totals(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        place: Option<Separation>,
+        [force, area, contacts]: [f64; 3],
+    ) -> Self {
         let mut check = Self::default();
         let fraction = area / scene.nominal_area;
         let sigma = scene.surface.asperity_height_std;
@@ -80,10 +117,6 @@ impl Check {
         check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.say("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction));
-        let contacts = match of(Quantity::Contacts) {
-            Err(ContactError::Unsupported { .. } | ContactError::NoLaw { .. }) => 0.0,
-            found => found?,
-        };
         if place.is_some() {
             check.say("contacts", contacts, "", "asperities that touch");
         }
@@ -97,7 +130,7 @@ impl Check {
         let mean = force / area;
         if mean > 0.0 {
             check.say("mean_pressure", mean, "Pa", "load over real area");
-            if let Some(hardness) = scene.asperity()?.hardness {
+            if let Ok((Some(hardness), ..)) = scene.interface.check() {
                 check.say("mean_pressure_over_hardness", mean / hardness, "", "p/H");
                 // What yields is told by its depth.
                 if model.claims().holds_to.is_none() {
@@ -105,13 +138,7 @@ impl Check {
                 }
             }
         }
-        if let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
-            && let Some(place) = place
-            && let Some(deep) = Interferences::of(&*contact, &law, place)?
-        {
-            check.of_depths(model, scene, at, &deep);
-        }
-        Ok(check)
+        check
     }
 
     /// What the depths tell to which the asperities are pressed.
@@ -151,6 +178,15 @@ impl Check {
             self.extend(beyond_fit(model, at, outside, w / critical, holds_to));
         }
     }
+}
+
+/// Whether enough asperities are pressed deeper than caps may be for it to matter: counted, which
+/// is cheap.
+fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool {
+    let surface = &contact.scene().surface;
+    let depth = DEEP[0] * surface.asperity_radius / surface.asperity_height_std;
+    let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
+    deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
 }
 
 /// A load that asperities carry which yield, by a model that knows no yielding.

@@ -95,6 +95,7 @@ impl Material {
             return vec![];
         }
         let ratio = strength.unwrap_or(0.0) / modulus;
+        let by_ratio = ratios(modulus);
         let found = |field, value: f64, usual: [f64; 2], unit: Option<Unit>| {
             let within_its_own = within(value, usual);
             let mut why = match within_its_own {
@@ -102,12 +103,11 @@ impl Material {
                 true => format!(
                     "{strength_field} over modulus would be {}, where {} to {} is usual",
                     short(ratio),
-                    least_ratio(modulus),
-                    RATIO[1]
+                    by_ratio[0],
+                    by_ratio[1]
                 ),
             };
             why += &unit.map_or(String::new(), |unit| format!(": {}", ask(value, unit, "Pa")));
-            let by_ratio = [least_ratio(modulus), RATIO[1]];
             let usual = match field == modulus_field {
                 _ if !within_its_own => usual,
                 true => [by_ratio[1], by_ratio[0]].map(|r| ratio * modulus / r),
@@ -145,23 +145,19 @@ fn meant(modulus: f64, strength: Option<f64>) -> Option<(Option<Unit>, Option<Un
         .find(|(e, h)| plausible(times(modulus, *e), strength.map(|value| times(value, *h))))
 }
 
-fn least_ratio(modulus: f64) -> f64 {
-    if modulus < PLASTIC { PLASTIC_RATIO } else { RATIO[0] }
-}
-
 /// Whether there may be a material of this modulus and hardness.
 fn plausible(modulus: f64, strength: Option<f64>) -> bool {
     within(modulus, MODULUS)
-        && strength.is_none_or(|h| within(h, HARDNESS) && e_and_h_agree(modulus, h))
+        && strength.is_none_or(|h| within(h, HARDNESS) && within(h / modulus, ratios(modulus)))
 }
 
-/// Whether one material may have both.
-fn e_and_h_agree(modulus: f64, hardness: f64) -> bool {
-    let ratio = hardness / modulus;
+/// H/E of materials with this modulus.
+fn ratios(modulus: f64) -> [f64; 2] {
     match modulus {
-        e if e < RUBBER => (PLASTIC_RATIO..10.0 * RATIO[1]).contains(&ratio),
-        e if e < PLASTIC => (PLASTIC_RATIO..RATIO[1]).contains(&ratio),
-        _ => within(ratio, RATIO),
+        // Any hardness near E says that rubber does not yield.
+        e if e < RUBBER => [PLASTIC_RATIO, 10.0 * RATIO[1]],
+        e if e < PLASTIC => [PLASTIC_RATIO, RATIO[1]],
+        _ => RATIO,
     }
 }
 
