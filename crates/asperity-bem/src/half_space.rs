@@ -3,10 +3,8 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
 use rayon::prelude::*;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
 
 use crate::HeightMap;
 
@@ -63,7 +61,6 @@ impl HalfSpace {
             Boundary::Periodic => [rows, columns],
             Boundary::Free => [2 * fast_length(rows), 2 * fast_length(columns)],
         };
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         let half = padded_columns / 2 + 1;
         let mut space = Self {
             rows,
@@ -71,10 +68,10 @@ impl HalfSpace {
             padded_rows,
             padded_columns,
             compliance: Vec::new(),
-            row_forward: real.plan_fft_forward(padded_columns),
-            row_backward: real.plan_fft_inverse(padded_columns),
-            column_forward: complex.plan_fft_forward(padded_rows),
-            column_backward: complex.plan_fft_inverse(padded_rows),
+            row_forward: asperity_fft::real_forward(padded_columns),
+            row_backward: asperity_fft::real_inverse(padded_columns),
+            column_forward: asperity_fft::forward(padded_rows),
+            column_backward: asperity_fft::inverse(padded_rows),
             by_rows: vec![Complex64::ZERO; rows * half],
             by_columns: vec![Complex64::ZERO; half * padded_rows],
         };

@@ -2,10 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use asperity_fft::Complex64;
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
-use rustfft::FftPlanner;
-use rustfft::num_complex::Complex64;
 
 use crate::height_map::positive;
 use crate::{BemError, HeightMap};
@@ -161,9 +159,9 @@ impl RandomSurface {
                 columns[n - i as usize] = value.conj();
             }
         }
-        let down = FftPlanner::new().plan_fft_inverse(n);
+        let down = asperity_fft::inverse(n);
         columns.par_chunks_mut(n).for_each(|column| down.process(column));
-        let along = RealFftPlanner::new().plan_fft_inverse(n);
+        let along = asperity_fft::real_inverse(n);
         let mut heights = vec![0.0; n * n];
         heights.par_chunks_mut(n).enumerate().for_each(|(a, row)| {
             let mut waves: Vec<Complex64> = (0..half).map(|j| columns[j * n + a]).collect();

@@ -1,9 +1,9 @@
 //! The seam of a map that is repeated: how far its edges are from meeting, and a map without it.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
-use rustfft::num_complex::Complex64;
-use rustfft::{FftDirection, FftPlanner};
+use asperity_fft::{Complex64, Fft};
 
 use crate::HeightMap;
 
@@ -58,7 +58,7 @@ impl HeightMap {
             steps[i * columns] += step;
             steps[i * columns + columns - 1] -= step;
         }
-        transform(&mut steps, [rows, columns], FftDirection::Forward);
+        transform(&mut steps, [rows, columns], asperity_fft::forward);
         let cosine = |k: usize, n: usize| 2.0 * (TAU * k as f64 / n as f64).cos() - 2.0;
         // Back in the layout that the transform leaves: columns first.
         for (j, column) in steps.chunks_mut(rows).enumerate() {
@@ -68,19 +68,22 @@ impl HeightMap {
                 *wave *= scale;
             }
         }
-        transform(&mut steps, [columns, rows], FftDirection::Inverse);
+        transform(&mut steps, [columns, rows], asperity_fft::inverse);
         let heights = self.heights().iter().zip(&steps).map(|(h, s)| h - s.re);
         self.with_heights(heights.collect())
     }
 }
 
 /// Transforms rows, then columns; what stood in row i, column j stands in row j, column i.
-fn transform(map: &mut Vec<Complex64>, [rows, columns]: [usize; 2], direction: FftDirection) {
-    let mut planner = FftPlanner::new();
-    planner.plan_fft(columns, direction).process(map);
+fn transform(
+    map: &mut Vec<Complex64>,
+    [rows, columns]: [usize; 2],
+    of: fn(usize) -> Arc<dyn Fft<f64>>,
+) {
+    of(columns).process(map);
     let turned = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
     *map = turned.map(|at| map[at]).collect();
-    planner.plan_fft(rows, direction).process(map);
+    of(rows).process(map);
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! The Gaussian filter of ISO 16610-21 (profiles) and 16610-61 (areal). \[recalled\]
 
-use rustfft::FftPlanner;
-use rustfft::num_complex::Complex;
+use std::sync::Arc;
+
+use asperity_fft::{Complex64, Fft};
 
 use crate::{Topography, TopographyError};
 
@@ -63,17 +64,17 @@ impl Topography {
         let mean = self.mean();
         // Heights and their weights are real: one complex number holds both.
         let there = |height: &f64| match height.is_nan() {
-            true => Complex::new(0.0, 0.0),
-            false => Complex::new(height - mean, 1.0),
+            true => Complex64::new(0.0, 0.0),
+            false => Complex64::new(height - mean, 1.0),
         };
         let mut along_rows = along(columns, dx)?;
-        let mut points: Vec<Complex<f64>> = self.heights().iter().map(there).collect();
+        let mut points: Vec<Complex64> = self.heights().iter().map(there).collect();
         for row in points.chunks_mut(columns) {
             along_rows.convolve(row);
         }
         if !self.is_profile() {
             let mut along_columns = along(rows, dy)?;
-            let mut block = vec![Complex::default(); rows * BLOCK];
+            let mut block = vec![Complex64::default(); rows * BLOCK];
             for left in (0..columns).step_by(BLOCK) {
                 let width = BLOCK.min(columns - left);
                 for (y, row) in points.chunks(columns).enumerate() {
@@ -97,12 +98,12 @@ impl Topography {
 
 /// Convolution of lines of n points with the Gaussian weight, by FFT.
 struct Line {
-    forward: std::sync::Arc<dyn rustfft::Fft<f64>>,
-    inverse: std::sync::Arc<dyn rustfft::Fft<f64>>,
+    forward: Arc<dyn Fft<f64>>,
+    inverse: Arc<dyn Fft<f64>>,
     /// Transform of the weight over the length; real, as the weight is even.
     spectrum: Vec<f64>,
-    buffer: Vec<Complex<f64>>,
-    scratch: Vec<Complex<f64>>,
+    buffer: Vec<Complex64>,
+    scratch: Vec<Complex64>,
 }
 
 impl Line {
@@ -111,10 +112,8 @@ impl Line {
         let reach = (REACH * cutoff).ceil() as usize;
         // Zeros beyond the line, as far as the weight reaches, keep its ends apart.
         let length = if periodic { n } else { (n + reach.min(n)).next_power_of_two() };
-        let mut planner = FftPlanner::new();
-        let (forward, inverse) =
-            (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
-        let mut weights = vec![Complex::default(); length];
+        let (forward, inverse) = (asperity_fft::forward(length), asperity_fft::inverse(length));
+        let mut weights = vec![Complex64::default(); length];
         for i in 0..=reach {
             // exp(-π (i/(α λ))²) with π/α² = π²/ln 2.
             let width = std::f64::consts::PI * i as f64 / cutoff;
@@ -127,18 +126,18 @@ impl Line {
             }
         }
         let longest = forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
-        let mut scratch = vec![Complex::default(); longest];
+        let mut scratch = vec![Complex64::default(); longest];
         forward.process_with_scratch(&mut weights, &mut scratch);
         let spectrum = weights.iter().map(|weight| weight.re).collect();
-        Self { forward, inverse, spectrum, buffer: vec![Complex::default(); length], scratch }
+        Self { forward, inverse, spectrum, buffer: vec![Complex64::default(); length], scratch }
     }
 
     /// Sums over the line, not yet divided by the sum of the weights: the quotient of the two
     /// components does not feel that scale, nor the length of the unnormalised transform.
-    fn convolve(&mut self, line: &mut [Complex<f64>]) {
+    fn convolve(&mut self, line: &mut [Complex64]) {
         let (points, zeros) = self.buffer.split_at_mut(line.len());
         points.copy_from_slice(line);
-        zeros.fill(Complex::default());
+        zeros.fill(Complex64::default());
         self.forward.process_with_scratch(&mut self.buffer, &mut self.scratch);
         for (value, weight) in self.buffer.iter_mut().zip(&self.spectrum) {
             *value *= weight;

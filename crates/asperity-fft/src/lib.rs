@@ -1,0 +1,43 @@
+//! Fourier transforms of `f64`, planned by rustfft and realfft.
+//!
+//! Both are generic in the number: whoever plans with them compiles every algorithm they have,
+//! some 40 s of it. Here that is done once for the workspace; what is handed out are trait
+//! objects. Neither direction is scaled: there and back is n times what it was.
+//!
+//! ```
+//! use asperity_fft::Complex64;
+//!
+//! let mut wave = vec![Complex64::ONE; 12];
+//! asperity_fft::forward(12).process(&mut wave);
+//! assert!((wave[0].re - 12.0).abs() < 1e-14 && wave[1].norm() < 1e-14);
+//! ```
+
+use std::sync::Arc;
+
+pub use realfft::{ComplexToReal, RealToComplex};
+pub use rustfft::Fft;
+pub use rustfft::num_complex::Complex64;
+
+/// The transform with exp(-2πi jk/n) of rows of `n` complex numbers.
+#[must_use]
+pub fn forward(n: usize) -> Arc<dyn Fft<f64>> {
+    rustfft::FftPlanner::new().plan_fft_forward(n)
+}
+
+/// The transform with exp(2πi jk/n) of rows of `n` complex numbers.
+#[must_use]
+pub fn inverse(n: usize) -> Arc<dyn Fft<f64>> {
+    rustfft::FftPlanner::new().plan_fft_inverse(n)
+}
+
+/// [`forward`] of `n` real numbers: the first n/2 + 1 of its waves.
+#[must_use]
+pub fn real_forward(n: usize) -> Arc<dyn RealToComplex<f64>> {
+    realfft::RealFftPlanner::new().plan_fft_forward(n)
+}
+
+/// `n` real numbers from the first n/2 + 1 of their waves.
+#[must_use]
+pub fn real_inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
+    realfft::RealFftPlanner::new().plan_fft_inverse(n)
+}
