@@ -84,7 +84,7 @@ pub enum ContactError {
     },
     /// A separation from the surface's mean plane was given where there is none.
     #[error(
-        "separations from the mean plane of the surface: gaussian or tabulated heights, or a mean_plane_offset, was required, as no mean plane belongs to exponential heights"
+        "separations from the mean plane of the surface: gaussian or tabulated heights, or a mean_plane_offset, was required, as no mean plane belongs to exponential and Weibull heights"
     )]
     NoMeanPlane,
     /// A compiled scene was moved to one with another interface or asperity radius.

@@ -21,6 +21,7 @@ pub(crate) fn few(
     request: &Request,
 ) -> Result<Option<Response>, ContactError> {
     let few = match &scene.heights {
+        HeightDistribution::Weibull(_) => 2 * FEW_BETWEEN_BREAKS,
         HeightDistribution::Other(other) => {
             FEW_BETWEEN_BREAKS * (2 + other.heights().breaks().len())
         }

@@ -38,6 +38,12 @@ impl HeightIntegral {
                 below: Followed::new(Overlap::new(density, scale, tolerance)),
                 above: OnceLock::new(),
             }),
+            HeightDistribution::Weibull(heights) => Self::Other(Other {
+                integral: Followed::new(Overlap::new(density, scale, tolerance)),
+                height_std: 1.0,
+                error: heights.followed.heights().error(),
+                heights: heights.followed.clone(),
+            }),
             HeightDistribution::Other(heights) => Self::Other(Other {
                 integral: Followed::new(Overlap::new(density, interference_unit, tolerance)),
                 height_std,
@@ -173,11 +179,11 @@ impl Exponential {
     }
 }
 
-/// Any other heights, in metres.
+/// Any other heights: in metres, or in units of σ_z.
 #[derive(Debug)]
 pub(crate) struct Other {
     integral: Followed,
-    /// σ_z \[m\], the unit of s.
+    /// σ_z in the unit of the heights.
     height_std: f64,
     heights: Arc<OtherHeights>,
     error: f64,

@@ -6,6 +6,8 @@ use std::sync::{Arc, OnceLock};
 use asperity_quadrature::{QuadratureError, Weight};
 use serde::{Deserialize, Serialize};
 
+use crate::WeibullHeights;
+
 /// A density of heights z \[m\] about the plane that separations are measured from: the mean of
 /// the asperity heights, unless a density says otherwise.
 ///
@@ -68,6 +70,10 @@ pub struct OtherHeights {
 }
 
 impl OtherHeights {
+    pub(crate) fn new(heights: impl Heights + 'static) -> Self {
+        Self { heights: Arc::new(heights), weight: OnceLock::new() }
+    }
+
     /// The heights themselves.
     #[must_use]
     pub fn heights(&self) -> &dyn Heights {
@@ -102,12 +108,15 @@ pub enum HeightDistribution {
     /// Any other density.
     #[serde(skip)]
     Other(Arc<OtherHeights>),
+    /// Skewed, by Weibull's density.
+    #[serde(untagged)]
+    Weibull(WeibullHeights),
 }
 
 impl HeightDistribution {
     /// Any density as the heights of a scene.
     pub fn other(heights: impl Heights + 'static) -> Self {
-        Self::Other(Arc::new(OtherHeights { heights: Arc::new(heights), weight: OnceLock::new() }))
+        Self::Other(Arc::new(OtherHeights::new(heights)))
     }
 
     /// Name, for plans and tables.
@@ -116,6 +125,7 @@ impl HeightDistribution {
         match self {
             Self::Gaussian => "gaussian",
             Self::Exponential => "exponential",
+            Self::Weibull(_) => "weibull",
             Self::Other(other) => other.heights.name(),
         }
     }

@@ -31,6 +31,7 @@ mod heights;
 #[cfg(feature = "statrs")]
 mod heights_statrs;
 mod heights_table;
+mod heights_weibull;
 mod interface;
 mod inverse;
 mod law;
@@ -62,6 +63,7 @@ pub use heights::{HeightDistribution, Heights, OtherHeights};
 #[cfg(feature = "statrs")]
 pub use heights_statrs::StandardisedHeights;
 pub use heights_table::TabulatedHeights;
+pub use heights_weibull::WeibullHeights;
 pub use interface::{Body, HARDNESS_OVER_YIELD, Interface};
 pub use law::{Law, Part, Regime};
 pub use model::{AsperityModel, Claims, Provenance, Source};

@@ -124,7 +124,7 @@ impl Compiled {
         let method = match self.scene().heights {
             HeightDistribution::Gaussian => Method::Polynomials,
             HeightDistribution::Exponential => Method::OneIntegral,
-            HeightDistribution::Other(_) => Method::Panels,
+            HeightDistribution::Weibull(_) | HeightDistribution::Other(_) => Method::Panels,
         };
         // Beyond the reach, the Gaussian is below 1e-20 of its largest value.
         let out_of_reach = |part: &Part| {

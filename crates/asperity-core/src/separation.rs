@@ -145,8 +145,9 @@ pub(crate) const LOWEST: f64 = -1e6;
 pub(crate) const HIGHEST: f64 = 1e9;
 
 fn mean_plane_offset(scene: &Scene) -> Result<f64, ContactError> {
-    if scene.mean_plane_offset.is_none() && matches!(scene.heights, HeightDistribution::Exponential)
-    {
+    let of_their_own =
+        matches!(scene.heights, HeightDistribution::Exponential | HeightDistribution::Weibull(_));
+    if scene.mean_plane_offset.is_none() && of_their_own {
         return Err(ContactError::NoMeanPlane);
     }
     Ok(scene.mean_plane_offset())

@@ -91,8 +91,10 @@ impl ContactModel for Persson {
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         scene.asperity()?;
-        if matches!(scene.heights, HeightDistribution::Exponential) {
-            let what = "areas of exponential heights: no Gaussian surface has them".into();
+        let heights = &scene.heights;
+        if matches!(heights, HeightDistribution::Exponential | HeightDistribution::Weibull(_)) {
+            let name = heights.name();
+            let what = format!("areas of {name} heights: no Gaussian surface has them");
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
         let slope = scene.surface.moments().m2;

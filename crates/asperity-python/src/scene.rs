@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{ContactError, Datum, HeightDistribution, SeparationUnit, TabulatedHeights};
+use asperity::{
+    ContactError, Datum, HeightDistribution, SeparationUnit, TabulatedHeights, WeibullHeights,
+};
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -28,10 +30,11 @@ pub(crate) struct Fields {
     options: BTreeMap<String, OptionValue>,
 }
 
-/// A name, or a table of heights [m] and densities [1/m].
+/// A name, a skewness, or a table of heights [m] and densities [1/m].
 #[derive(FromPyObject, IntoPyObject)]
 enum Heights {
     Name(String),
+    Named(BTreeMap<String, f64>),
     Table(Vec<f64>, Vec<f64>),
 }
 
@@ -75,8 +78,18 @@ impl SceneFile {
             }
             Heights::Name(name) => {
                 return Err(value_error(format!(
-                    "heights is {name:?}: \"gaussian\", \"exponential\" or a table (heights [m], densities [1/m]) was required"
+                    "heights is {name:?}: \"gaussian\", \"exponential\", {{\"skewness\": value}} or a table (heights [m], densities [1/m]) was required"
                 )));
+            }
+            Heights::Named(named) => {
+                let Some(skewness) = named.get("skewness").filter(|_| named.len() == 1) else {
+                    let keys: Vec<&String> = named.keys().collect();
+                    return Err(value_error(format!(
+                        "heights has the keys {keys:?}: {{\"skewness\": value}} was required"
+                    )));
+                };
+                let heights = WeibullHeights::new(*skewness).map_err(refused)?;
+                file.scene.heights = HeightDistribution::Weibull(heights);
             }
             Heights::Table(z, density) if z.len() != density.len() => {
                 return Err(value_error(format!(
@@ -130,9 +143,12 @@ impl SceneFile {
     /// What it was made of, or would be.
     fn fields(&self) -> PyResult<Fields> {
         let Self(file) = self;
-        let heights = match &file.table {
-            None => Heights::Name(file.scene.heights.name().into()),
-            Some(table) => {
+        let heights = match (&file.table, &file.scene.heights) {
+            (None, HeightDistribution::Weibull(heights)) => {
+                Heights::Named([("skewness".into(), heights.skewness())].into())
+            }
+            (None, heights) => Heights::Name(heights.name().into()),
+            (Some(table), _) => {
                 let (z, density) = table.points().iter().copied().unzip();
                 Heights::Table(z, density)
             }

@@ -68,13 +68,17 @@ pub(crate) enum PixelSize {
 #[serde(
     rename_all = "kebab-case",
     deny_unknown_fields,
-    expecting = "\"gaussian\" or \"exponential\" or \"measured\" or { file = \"pdf.csv\" }"
+    expecting = "\"gaussian\" or \"exponential\" or \"measured\" or { skewness = -0.5 } or { file = \"pdf.csv\" }"
 )]
 pub(crate) enum HeightsKey {
     #[default]
     Gaussian,
     Exponential,
     Measured,
+    #[serde(untagged)]
+    Skewed {
+        skewness: f64,
+    },
     #[serde(untagged)]
     Table {
         file: PathBuf,

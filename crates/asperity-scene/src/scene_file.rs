@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity::{
     Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
+    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
@@ -103,6 +103,9 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
         (HeightsKey::Exponential, _) => Some(
             "separation_from = \"asperity-mean\" (exponential heights begin at the lowest asperity, and no mean plane belongs to them)",
         ),
+        (HeightsKey::Skewed { .. }, _) => Some(
+            "separation_from = \"asperity-mean\" (how far the mean of skewed asperities lies above that of their surface is not known)",
+        ),
         (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
             "a table whose heights are measured from the mean plane of the surface (this one's mean is 0, as if from its own mean)",
         ),
@@ -114,6 +117,11 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let mut scene = Scene::new(interface, surface, nominal_area);
     scene.heights = match (&keys.heights, &table) {
         (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
+        (HeightsKey::Skewed { skewness }, _) => {
+            let heights =
+                WeibullHeights::new(*skewness).map_err(document.refused("surface.heights"));
+            HeightDistribution::Weibull(heights?)
+        }
         (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };

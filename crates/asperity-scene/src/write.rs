@@ -8,7 +8,7 @@ use crate::template::key;
 
 /// A scene file of this scene, which reads back exactly; `comments` go to its head, one a line.
 ///
-/// Heights that are neither Gaussian nor exponential stand in a file of their own: `heights_file`
+/// Heights that are neither Gaussian nor exponential nor skewed stand in a file of their own: `heights_file`
 /// names it, as a path relative to the scene file.
 #[must_use]
 pub fn write(
@@ -26,6 +26,9 @@ pub fn write(
     let heights = match (heights_file, &scene.heights) {
         (Some(file), _) => Some(Value::from(Table::from_iter([("file".into(), file.into())]))),
         (None, HeightDistribution::Exponential) => Some("exponential".into()),
+        (None, HeightDistribution::Weibull(heights)) => {
+            Some(Value::from(Table::from_iter([("skewness".into(), heights.skewness().into())])))
+        }
         (None, _) => None,
     };
     surface.extend(heights.map(|heights| ("heights".into(), heights)));

@@ -3,6 +3,7 @@
 mod densities;
 mod refused;
 mod tables;
+mod weibull;
 
 use std::f64::consts::PI;
 

@@ -19,8 +19,8 @@ from asperity._check import Check
 Floats: TypeAlias = npt.NDArray[np.float64]
 Plane: TypeAlias = Literal["asperity-mean", "surface-mean"]
 Options: TypeAlias = Mapping[str, str | Mapping[str, float]]
-#: A name, or heights [m] and densities [1/m].
-Heights: TypeAlias = str | tuple[npt.ArrayLike, npt.ArrayLike]
+#: A name, a skewness, or heights [m] and densities [1/m].
+Heights: TypeAlias = str | Mapping[str, float] | tuple[npt.ArrayLike, npt.ArrayLike]
 
 
 class _Given:
@@ -246,9 +246,10 @@ class Scene(_Given):
         The equivalent rough surface.
     nominal_area : float
         The apparent area of contact [m^2], above 0.
-    heights : "gaussian", "exponential" or (heights, densities)
-        How the asperity heights are spread. A table has heights [m], ascending, and the density
-        there [1/m]: linear between its points, 0 outside; heights count from the table's own mean.
+    heights : "gaussian", "exponential", {"skewness": s} or (heights, densities)
+        How the asperity heights are spread. A skewness from -1 to 2 stands for a Weibull
+        density. A table has heights [m], ascending, and the density there [1/m]: linear between its
+        points, 0 outside; heights count from the table's own mean.
     separation_from : "asperity-mean" or "surface-mean"
         The plane that separations are measured from: the mean of the asperity heights (for
         exponential heights: the lowest asperity), or the mean plane of the surface.
@@ -285,7 +286,7 @@ class Scene(_Given):
         given = file.fields()
         given["interface"] = Interface(**given["interface"])
         given["surface"] = Surface(**given["surface"])
-        if not isinstance(given["heights"], str):
+        if not isinstance(given["heights"], str | Mapping):
             given["heights"] = tuple(map(tuple, given["heights"]))
         for name, value in given.items():
             object.__setattr__(self, name, value)
@@ -349,7 +350,7 @@ class Scene(_Given):
         """
         target = None if path is None else Path(path)
         heights_file = None
-        if target is not None and not isinstance(self.heights, str):
+        if target is not None and not isinstance(self.heights, str | Mapping):
             table = target.with_suffix(".csv")
             heights, densities = (np.asarray(column, float).tolist() for column in self.heights)
             rows = zip(heights, densities, strict=True)

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{HeightDistribution, Interface, Scene, Surface};
+use asperity::{HeightDistribution, Interface, Scene, Surface, WeibullHeights};
 use asperity_scene::{ModelOptions, SceneFile, parse, template, write};
 use proptest::prelude::*;
 
@@ -65,6 +65,15 @@ fn heights_and_comments_are_written() {
     let text = write(&scene, &ModelOptions::default(), None, &["from scan.x3p,\nlevelled\r[x]"]);
     assert!(text.starts_with("# from scan.x3p,\n# levelled [x]\n"), "{text}");
     assert!(matches!(read(&text).scene.heights, HeightDistribution::Exponential));
+    scene.heights = HeightDistribution::Weibull(WeibullHeights::new(-0.6).unwrap());
+    let text = write(&scene, &ModelOptions::default(), None, &[]);
+    let HeightDistribution::Weibull(heights) = read(&text).scene.heights else { panic!("{text}") };
+    assert_eq!(heights.skewness().to_bits(), (-0.6f64).to_bits());
+    let message = parse(&text.replace("-0.6", "-6.0"), Path::new(".")).unwrap_err().to_string();
+    assert!(
+        message.contains("surface.heights.skewness") && message.contains("-1 to 2"),
+        "{message}"
+    );
     let text = write(&scene, &ModelOptions::default(), Some("my \"pdf\".csv"), &[]);
     let message = parse(&text, Path::new(".")).unwrap_err().to_string();
     assert!(message.contains("pdf") && message.contains("cannot be read"), "{message}");

@@ -1,0 +1,3 @@
+//! A build script, so that what procedural macros are built with is asked for too.
+
+fn main() {}

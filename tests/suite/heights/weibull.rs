@@ -1,0 +1,104 @@
+//! Weibull heights by their skewness, against exponential ones and against mpmath
+//! (`tests/reference/weibull.py`).
+
+use std::f64::consts::{LN_10, PI};
+
+use asperity::{At, Case, HeightDistribution, Request, Surface, Sweep, Tolerance, WeibullHeights};
+
+use super::{ASKED, densities::scene};
+use crate::scenes::{compiled, model};
+
+const SEPARATIONS: [f64; 6] = [-6.0, -2.0, -0.3, 0.5, 2.0, 6.0];
+
+fn skewed(skewness: f64) -> HeightDistribution {
+    HeightDistribution::Weibull(WeibullHeights::new(skewness).unwrap())
+}
+
+#[test]
+fn a_skewness_of_two_is_exponential() {
+    let (weibull, exponential) = (scene(skewed(2.0)), scene(HeightDistribution::Exponential));
+    for id in ["gw", "ceb", "ke", "jg", "af"] {
+        let model = model(id);
+        let [weibull, exponential] =
+            [&weibull, &exponential].map(|scene| compiled(&model, scene, &ASKED, 1e-10));
+        for d in SEPARATIONS {
+            for quantity in ASKED {
+                // The mean is one standard deviation above the lowest.
+                let found = weibull.evaluate(quantity, d).unwrap();
+                let wanted = exponential.evaluate(quantity, d + 1.0).unwrap();
+                let error = (found.value() / wanted.value() - 1.0).abs();
+                let bound = found.relative_error() + wanted.relative_error();
+                // What is above the bound is the skewness itself, found to 1e-13 of 1/k.
+                assert!(error < bound + 1e-12, "{id} {quantity} {d}: {error:e} {bound:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn force_area_and_tangent_are_those_of_mpmath() {
+    let mut count = 0;
+    for line in include_str!("../../reference/weibull.csv").lines().skip(1) {
+        // Some are below the smallest double: mantissas and exponents.
+        let ln = |text: &str| {
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+            mantissa.parse::<f64>().unwrap().ln() + LN_10 * exponent.parse::<f64>().unwrap()
+        };
+        let fields: Vec<&str> = line.split(',').collect();
+        let [skewness, s] = [0, 1].map(|k| fields[k].parse::<f64>().unwrap());
+        let scene = scene(skewed(skewness));
+        let Surface { asperity_radius: radius, asperity_height_std: sigma, .. } = scene.surface;
+        let elastic = 4.0 / 3.0 * scene.interface.equivalent_modulus * radius.sqrt();
+        let factors =
+            [elastic * sigma.powf(1.5), PI * radius * sigma, 1.5 * elastic * sigma.sqrt()];
+        let gw = compiled(&model("gw"), &scene, &ASKED, 1e-11);
+        // A skewness is found to 1e-12, and far in the tail that is felt.
+        let beside = compiled(&model("gw"), &self::scene(skewed(skewness + 1e-4)), &ASKED, 1e-11);
+        for ((quantity, factor), column) in ASKED.into_iter().zip(factors).zip([3, 2, 4]) {
+            let found = gw.evaluate(quantity, s).unwrap();
+            let wanted = ln(fields[column]) + (factor * scene.asperities()).ln();
+            // What is below the doubles has a logarithm of some 1700, known to an ulp of that.
+            let rounding = 4.0 * f64::EPSILON * (4.0 + wanted.abs());
+            let beside = beside.evaluate(quantity, s).unwrap().ln_value();
+            let felt = 1e-12 * (beside - found.ln_value()).abs() / 1e-4;
+            let error = (found.ln_value() - wanted).abs();
+            // What no double holds has no relative error but by its logarithm.
+            let bound = if wanted < -700.0 { 1e-11 } else { found.relative_error() };
+            assert!(
+                error < bound + rounding + felt,
+                "{line}: {quantity} {found:?} {wanted} {bound:e} {felt:e}"
+            );
+            assert!(bound <= 1e-11, "{line}: {quantity} {bound:e}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 90);
+}
+
+#[test]
+fn heights_stretch_with_the_standard_deviation() {
+    let (model, first) = (model("ke"), scene(skewed(-0.5)));
+    let tolerance = Tolerance::new(1e-10).unwrap();
+    let mut second = first.clone();
+    second.surface.asperity_height_std *= 2.5;
+    // The laws do not know σ_z: the compiled scene can be moved.
+    let anew = compiled(&model, &second, &ASKED, 1e-10);
+    let moved = compiled(&model, &first, &ASKED, 1e-10).on(&second).unwrap();
+    let mut sweep = Sweep::new(&*model, &ASKED, tolerance);
+    for d in [-1.0, 1.0, 2.5] {
+        let swept = sweep.evaluate(&Case::new(second.clone(), d)).unwrap();
+        let few = Request::new(ASKED).at([At::sigmas(d)]).within(tolerance);
+        let few = model.solve(&second, &few).unwrap();
+        for (k, quantity) in ASKED.into_iter().enumerate() {
+            let wanted = anew.evaluate(quantity, d).unwrap().value();
+            let others = [
+                moved.evaluate(quantity, d).unwrap().value(),
+                swept[k].value(),
+                few.columns[k].rows[0].as_ref().unwrap().value(),
+            ];
+            for found in others {
+                assert!((found / wanted - 1.0).abs() < 2e-10, "{quantity} {d}: {found} {wanted}");
+            }
+        }
+    }
+}
