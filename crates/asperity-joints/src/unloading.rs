@@ -82,6 +82,11 @@ impl Unloading {
         if model.claims().angles {
             return Err(unsupported("unloading: its contacts lie at all angles"));
         }
+        if model.claims().adhesive {
+            return Err(unsupported(
+                "unloading: adhesion has a branch of its own (jkr-separation)",
+            ));
+        }
         let one = model
             .asperity_model()
             .ok_or_else(|| unsupported("unloading: it has no law of an asperity"))?;
