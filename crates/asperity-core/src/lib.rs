@@ -65,7 +65,7 @@ pub use heights_statrs::StandardisedHeights;
 pub use heights_table::TabulatedHeights;
 pub use interface::{Body, HARDNESS_OVER_YIELD, Interface};
 pub use law::{Law, Part, Regime};
-pub use model::{AsperityModel, Claims, Provenance, Source};
+pub use model::{AsperityModel, Claims, Misses, Provenance, Source};
 pub use plan::{Method, Plan, PlannedPart, Step};
 pub use quantity::Quantity;
 pub use request::{Request, linspace};

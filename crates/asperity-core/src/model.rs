@@ -63,6 +63,19 @@ pub struct Claims {
     /// The interference over w_c up to which the laws are derived or fitted; `None` where nothing is
     /// said. 1 for a model without yielding.
     pub holds_to: Option<f64>,
+    /// Where the force is known to be off, if it is anywhere.
+    pub misses: Option<Misses>,
+}
+
+/// Where a law is known to miss what it was fitted to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Misses {
+    /// From which interference over w_c,
+    pub from: f64,
+    /// and to which.
+    pub to: f64,
+    /// By how much, and what to ask instead.
+    pub words: &'static str,
 }
 
 impl Default for Claims {
@@ -74,6 +87,7 @@ impl Default for Claims {
             adhesive: false,
             valid_for: "",
             holds_to: None,
+            misses: None,
         }
     }
 }
@@ -107,6 +121,12 @@ impl Claims {
     #[must_use]
     pub fn holds_to(self, interference: f64) -> Self {
         Self { holds_to: Some(interference), ..self }
+    }
+
+    /// The force is known to be off somewhere.
+    #[must_use]
+    pub fn misses(self, misses: Misses) -> Self {
+        Self { misses: Some(misses), ..self }
     }
 
     /// What the model is valid for, in a few words.

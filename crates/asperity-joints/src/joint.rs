@@ -113,6 +113,9 @@ impl Joint {
     /// `closest` and open again: what is spent less what comes back. A cycle between fixed
     /// separations loses it once; after that, it retraces.
     ///
+    /// Below 0 where a loading law jumps up (CEB: by half of Hertz' force at w_c) and the way back is
+    /// longer than the way there: such a pair of laws makes energy, and is none for dynamics.
+    ///
     /// # Errors
     /// Those of [`spent`](Self::spent).
     pub fn dissipated(&self, closest: At) -> Result<f64, ContactError> {
