@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 
 use asperity_adhesion::{Branch, DerjaguinMullerToporov, JohnsonKendallRoberts, PullOff, pull_off};
 use asperity_core::{
-    At, Case, Contact, ContactError, ContactModel, HeightDistribution, Interface, Quantity,
-    Request, Scene, Surface, Sweep, Tolerance, Warning,
+    At, Case, Contact, ContactError, ContactModel, Finding, HeightDistribution, Interface,
+    Quantity, Request, Scene, Severity, Surface, Sweep, Tolerance, Warning,
 };
 use asperity_gw::GreenwoodWilliamson;
 
@@ -226,4 +226,25 @@ fn tensions_are_told_and_what_is_missing_is_named() {
             assert!(refused.starts_with(wanted), "{refused}");
         }
     }
+}
+
+#[test]
+fn works_in_another_unit_are_asked_about_and_tabors_parameter_is_told() {
+    let check = scene(50.0).check().unwrap();
+    let found: Vec<&Finding> =
+        check.findings.iter().filter(|f| f.field == "work_of_adhesion").collect();
+    let [finding] = found[..] else { panic!("{:?}", check.findings) };
+    assert_eq!((finding.code, finding.severity), ("unusual-size", Severity::Warning));
+    assert!(finding.message.ends_with("is it in mJ/m2? 50 mJ/m2 is 0.05 J/m2"), "{finding}");
+    let check = scene(0.05).check().unwrap();
+    assert!(!check.findings.iter().any(|f| f.field == "work_of_adhesion"), "{:?}", check.findings);
+    // (1e-4 · 0.0025/(1e18 · 2.7e-29))^(1/3), and 1e9 · 1e-10.5/(0.05 · 0.01).
+    let number = |name| check.number(name).unwrap();
+    assert!((number("tabor_parameter") / 9_259.259_259_259_26f64.cbrt() - 1.0).abs() < 1e-12);
+    assert!((number("adhesion_parameter") / 63.245_553_203_367_6 - 1.0).abs() < 1e-12);
+    let none = scene(0.0).check().unwrap();
+    assert_eq!(
+        (none.number("tabor_parameter"), none.number("adhesion_parameter")),
+        (Some(0.0), None)
+    );
 }

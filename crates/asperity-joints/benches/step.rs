@@ -20,7 +20,7 @@ fn joint() -> Result<Joint, ContactError> {
 
 fn steps(c: &mut Criterion) -> Result<(), ContactError> {
     let joint = joint()?;
-    let range = (-1.0 * SIGMA, 5.0 * SIGMA);
+    let range = (-SIGMA, 5.0 * SIGMA);
     let table = joint.table(range, 1e-6)?;
     // Closest approaches and retreats in an order that no branch predictor learns.
     let places: Vec<(f64, f64)> = (0..1024)

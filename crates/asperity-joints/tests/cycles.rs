@@ -173,7 +173,7 @@ fn tables_answer_as_the_way_back_does() {
 #[test]
 fn memories_step_and_what_is_no_place_is_refused() {
     let joint = joint(&KogutEtsion, UnloadingLaw::Hertz);
-    let table = joint.table((-1.0 * SIGMA, 4.0 * SIGMA), 1e-6).unwrap();
+    let table = joint.table((-SIGMA, 4.0 * SIGMA), 1e-6).unwrap();
     let mut contact = table.new_contact();
     let virgin = |s: f64| {
         let found = joint.virgin().force_and_tangent(At::metres(s * SIGMA)).unwrap();
