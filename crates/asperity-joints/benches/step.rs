@@ -37,7 +37,7 @@ fn steps(c: &mut Criterion) -> Result<(), ContactError> {
     let virgin = joint.virgin();
     c.bench_function("step/virgin-force-alone", |b| {
         b.iter(|| {
-            let at = Separation::metres(black_box(next().0));
+            let at = Separation::sigmas(black_box(next().0) / SIGMA);
             virgin.evaluate(Quantity::Force, at).map(|force| force.value())
         })
     });

@@ -26,6 +26,8 @@ pub struct JointTable {
     strips: Vec<Strip>,
     /// The largest c that is tabulated \[m\].
     open: f64,
+    /// 1/σ_z: multiples of σ_z are what the virgin curve is quickest at.
+    per_metre: f64,
 }
 
 /// What a step answers.
@@ -80,7 +82,7 @@ impl Joint {
             let end = |k: usize| deepest + width * k as f64 / count as f64;
             self.strips((end(k), end(k + 1)), tolerance, 0, &mut strips)?;
         }
-        Ok(JointTable { joint: self.clone(), strips, open })
+        Ok(JointTable { joint: self.clone(), strips, open, per_metre: sigma.recip() })
     }
 
     /// The strips that serve a range of closest approaches \[m\].
@@ -191,7 +193,8 @@ impl JointTable {
     #[inline]
     pub fn at(&self, separation: f64, closest: f64) -> Result<Reply, ContactError> {
         if separation < closest || closest >= self.open {
-            let (force, tangent) = self.joint.virgin().force_and_tangent(At::metres(separation))?;
+            let (force, tangent) =
+                self.joint.virgin().force_and_tangent(At::sigmas(separation * self.per_metre))?;
             let closest = separation.min(closest);
             if closest < self.strips.first().map_or(closest, |strip| strip.from) {
                 return Err(out_of_range(separation));
