@@ -15,6 +15,7 @@
 //! This crate names no model. SI units everywhere; separations are multiples of σ_z.
 
 mod asperity;
+mod begins;
 mod case;
 mod channel;
 mod check;
@@ -66,7 +67,7 @@ pub use heights_table::TabulatedHeights;
 pub use heights_weibull::WeibullHeights;
 pub use interface::{Body, HARDNESS_OVER_YIELD, Interface};
 pub use law::{Law, Part, Regime};
-pub use model::{AsperityModel, Claims, Provenance, Source};
+pub use model::{AsperityModel, Claims, Misses, Provenance, Source};
 pub use plan::{Method, Plan, PlannedPart, Step};
 pub use quantity::Quantity;
 pub use request::{Request, linspace};

@@ -56,11 +56,26 @@ pub struct Claims {
     pub hertz_limit: Option<f64>,
     /// Contact normals are spread over angles.
     pub angles: bool,
+    /// The surfaces attract each other: forces may be negative, and jump where a contact begins.
+    pub adhesive: bool,
     /// What the model is valid for, in a few words; empty where nothing is said.
     pub valid_for: &'static str,
     /// The interference over w_c up to which the laws are derived or fitted; `None` where nothing is
     /// said. 1 for a model without yielding.
     pub holds_to: Option<f64>,
+    /// Where the force is known to be off, if it is anywhere.
+    pub misses: Option<Misses>,
+}
+
+/// Where a law is known to miss what it was fitted to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Misses {
+    /// From which interference over w_c,
+    pub from: f64,
+    /// and to which.
+    pub to: f64,
+    /// By how much, and what to ask instead.
+    pub words: &'static str,
 }
 
 impl Default for Claims {
@@ -69,8 +84,10 @@ impl Default for Claims {
             force_monotone: true,
             hertz_limit: Some(1.0),
             angles: false,
+            adhesive: false,
             valid_for: "",
             holds_to: None,
+            misses: None,
         }
     }
 }
@@ -94,10 +111,22 @@ impl Claims {
         Self { angles: true, ..Self::default().not_monotone().without_hertz_limit() }
     }
 
+    /// The surfaces attract each other: no limit, and the force may be negative and fall.
+    #[must_use]
+    pub fn with_adhesion() -> Self {
+        Self { adhesive: true, ..Self::default().not_monotone().without_hertz_limit() }
+    }
+
     /// The laws are derived or fitted up to this multiple of w_c.
     #[must_use]
     pub fn holds_to(self, interference: f64) -> Self {
         Self { holds_to: Some(interference), ..self }
+    }
+
+    /// The force is known to be off somewhere.
+    #[must_use]
+    pub fn misses(self, misses: Misses) -> Self {
+        Self { misses: Some(misses), ..self }
     }
 
     /// What the model is valid for, in a few words.

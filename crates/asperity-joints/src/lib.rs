@@ -1,4 +1,5 @@
-//! What a joint does after it was closed: unloading, and partial slip under a tangential force.
+//! What a joint does after it was closed: unloading, cycles, and partial slip under a tangential force;
+//! and the correlations of its thermal conductance ([`conductance`]).
 //!
 //! # Unloading
 //! Each asperity has been pressed to its own w, with force F, area A = π a². When the flat has gone
@@ -17,6 +18,13 @@
 //! over the heights at the closest approach is the usual integral, with another law of w in it.
 //! Coming closer again retraces this to the closest approach, and then follows the virgin curve;
 //! that spheres shake down within cycles is ignored.
+//!
+//! # Cycles
+//! All that the contact remembers is its closest approach: a [`Joint`] goes through turning points
+//! ([`Joint::path`]), and [`Joint::table`] answers force and slope of a step in some tens of nanoseconds.
+//! The asperity gives back F δ/(n+1) of the work that pressed it to w, so that what yielding has taken
+//! for good ([`Joint::dissipated`]) is again an integral over the heights, and a cycle between fixed
+//! separations loses it once. √(work back/work spent) of one asperity is its [`restitution`]. \[derived\]
 //!
 //! # Partial slip
 //! Asperities that answer elastically, friction μ, constant separation: Cattaneo's and Mindlin's
@@ -49,9 +57,17 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+pub mod conductance;
+mod joint;
 mod one;
+mod path;
 mod slip;
+mod table;
 mod unloading;
 
+pub use joint::Joint;
+pub use one::restitution;
+pub use path::{Path, Point};
 pub use slip::PartialSlip;
+pub use table::{JointTable, Memory, Reply};
 pub use unloading::{Unloading, UnloadingLaw};

@@ -5,7 +5,7 @@ use super::finding::{Finding, Severity, short};
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::{
-    At, Contact, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit,
+    At, Contact, ContactError, ContactModel, Misses, Quantity, Request, Separation, SeparationUnit,
     Tolerance,
 };
 
@@ -23,6 +23,8 @@ const NEGLIGIBLE: f64 = 1e-6;
 const PLASTIC: f64 = 1.5;
 /// Share of the force by asperities that yield, which an elastic law does not know.
 const YIELDS: [f64; 2] = [0.02, 0.1];
+/// Share of the force that a law is known to miss.
+const MISSED: f64 = 0.2;
 /// Share of the force beyond what a law was fitted to.
 const BEYOND: f64 = 0.02;
 
@@ -170,6 +172,10 @@ impl Check {
         self.say("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
         self.say("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
+        if let Some(misses) = model.claims().misses {
+            let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
+            self.extend(missed(model, at, from - to, &misses));
+        }
         let Some(holds_to) = model.claims().holds_to else { return };
         let outside = deep.beyond(holds_to * critical);
         if holds_to <= 1.0 {
@@ -199,6 +205,20 @@ fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
     let usual = [0.0, YIELDS[0]];
     let finding = Finding::new("yields", severity, "yielding_share", share, usual, message);
     (share > YIELDS[0]).then_some(finding)
+}
+
+/// A load that is carried where a law is known to be off.
+fn missed(model: &dyn ContactModel, at: At, share: f64, misses: &Misses) -> Option<Finding> {
+    let Misses { from, to, words } = misses;
+    let message = format!(
+        "missed_share is {} % at {at}, of the load by asperities from {from} to {to} w_c: {} {words}",
+        short(100.0 * share),
+        model.name()
+    );
+    let usual = [0.0, MISSED];
+    let finding =
+        Finding::new("fit-misses", Severity::Warning, "missed_share", share, usual, message);
+    (share > MISSED).then_some(finding)
 }
 
 /// A load that is carried beyond what a law was fitted to; `x` is the largest w/w_c that matters.

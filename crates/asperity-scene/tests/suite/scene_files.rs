@@ -63,6 +63,9 @@ fn two_bodies_and_a_rigid_counterface_give_the_librarys_interfaces() {
     assert_eq!(both.scene.interface.yield_strength, Some(300e6), "of the softer body");
     let rigid = read(&text("rigid_counterface = true", hard, SURFACE)).unwrap();
     assert_eq!(rigid.scene.interface, Interface::against_rigid(&b).unwrap());
+    let sticky = format!("work_of_adhesion = \"50 mJ/m2\"\n[[body]]{}{hard}", &soft[8..]);
+    let sticky = read(&text("", &sticky, SURFACE)).unwrap().scene.interface;
+    assert_eq!(sticky.work_of_adhesion, Some(0.05));
     let false_is_two = read(&text("rigid_counterface = false", &format!("{soft}{hard}"), SURFACE));
     assert_eq!(false_is_two.unwrap().scene.interface, both.scene.interface);
 }
@@ -185,6 +188,18 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         (
             text("rigid_counterface = 1", bodies, SURFACE),
             &["line 2: rigid_counterface is 1: true or false was required"],
+        ),
+        (
+            text("work_of_adhesion = -0.05", &two.replace("0.7", "0.3"), SURFACE),
+            &["line 2: work_of_adhesion is -0.05: a finite number, at least 0 was required"],
+        ),
+        (
+            text("work_of_adhesion = 0.05", INTERFACE, SURFACE),
+            &["line 2: work_of_adhesion and interface (line 3) exclude each other"],
+        ),
+        (
+            text("", &format!("{INTERFACE}work_of_adhesion = \"5 J\"\n"), SURFACE),
+            &["interface.work_of_adhesion is \"5 J\": a number in J/m^2 without quotes"],
         ),
         (text("", &bodies.repeat(3), SURFACE), &["body is a list of 3: two tables [[body]]"]),
         (text("body = 3", "", SURFACE), &["line 2: body is 3: a list (two of them"]),
