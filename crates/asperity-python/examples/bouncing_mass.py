@@ -1,16 +1,21 @@
 """A contact law in a small dynamics simulation: a mass dropped on a rough surface.
 
-The contact is compiled once; every step calls ``force_and_tangent`` with the gap in metres. The
-step is implicit (trapezoidal rule with Newton's method on the tangent), because rough contacts
-stiffen a hundredfold within a micrometre.
+The contact is compiled once; every step calls it with the gap in metres. The step is implicit
+(trapezoidal rule with Newton's method on the tangent), because rough contacts stiffen a hundredfold
+within a micrometre.
 
->>> history = simulate(milliseconds=4.0)
->>> len(history)
-4001
->>> 2 <= landings(history) <= 8
+Asperities that have yielded do not give back what closing them took. The state that remembers it is
+one number, the closest approach so far: below it the contact closes for the first time, above it
+the joint unloads, or closes again on the same curve. So the first landing loses energy, and those
+after it, which do not come as far, lose none.
+
+>>> history = simulate(milliseconds=2.0)
+>>> len(history), landings(history) >= 2
+(2001, True)
+>>> first, second = rebounds(history)[:2]
+>>> abs(first / quasi_static(history) - 1) < 0.02           # sqrt(work given back / work taken)
 True
->>> energies = [energy(state) for state in history]
->>> max(abs(e / energies[0] - 1) for e in energies) < 2e-3  # an elastic-plastic fit, loading only
+>>> 0.6 < first < 0.8 and abs(second - 1) < 0.02
 True
 """
 
@@ -26,6 +31,8 @@ import numpy as np
 MASS = 0.1  # kg
 GRAVITY = 9.81  # m/s^2
 STEP = 1e-6  # s
+DROP = 2e-5  # m, the gap at which the mass is let go
+FREE = 5e-6  # m, a gap without a force to speak of
 
 
 @dataclass(frozen=True)
@@ -38,56 +45,89 @@ class State:
 
 
 @cache
-def contact() -> asperity.Contact:
-    """Steel on steel, ground: KE on one square centimetre."""
+def scene() -> asperity.Scene:
+    """Steel on steel, ground: one square centimetre."""
     steel = asperity.Body(210e9, 0.3, hardness=2e9)
-    scene = asperity.Scene(
+    return asperity.Scene(
         interface=asperity.Interface.between(steel, steel),
         surface=asperity.Surface(2e-4, 2e8, 1e-6),
         nominal_area=1e-4,
     )
-    return asperity.model("ke").compile(scene, separation_unit="m")
 
 
-def step(state: State) -> State:
+class Joint:
+    """KE with unloading: what the gap is, and how close it has been."""
+
+    def __init__(self) -> None:
+        self.closing = asperity.model("ke").compile(scene(), separation_unit="m")
+        self.closest = np.inf
+        self.opening: asperity.Unloading | None = None
+
+    def force_and_tangent(self, gap: float) -> tuple[float, float]:
+        """Force [N] and its slope [N/m] at a gap."""
+        if self.opening is None or gap <= self.closest:
+            return self.closing.force_and_tangent(gap)
+        if gap >= FREE:
+            return 0.0, 0.0
+        retreat = gap - self.closest
+        return self.opening.force(retreat), self.opening.stiffness(retreat)
+
+    def turn(self, gap: float) -> None:
+        """The gap has closed this far, and opens now."""
+        if gap < self.closest:
+            self.closest = gap
+            self.opening = asperity.model("ke").unloading(scene(), gap, separation_unit="m")
+
+
+def step(state: State, joint: Joint) -> State:
     """One step of the trapezoidal rule."""
-    law = contact()
-    before, _ = law.force_and_tangent(state.gap)
+    before, _ = joint.force_and_tangent(state.gap)
     gap = state.gap + STEP * state.velocity
     for _ in range(20):
-        force, tangent = law.force_and_tangent(gap)
+        force, tangent = joint.force_and_tangent(gap)
         mean = 0.5 * (before + force) / MASS - GRAVITY
         residual = gap - state.gap - STEP * (state.velocity + 0.5 * STEP * mean)
         change = residual / (1.0 + 0.25 * STEP**2 * tangent / MASS)
         gap -= change
-        if abs(change) < 1e-18:
+        if abs(change) < 1e-16:
             break
-    force, _ = law.force_and_tangent(gap)
+    force, _ = joint.force_and_tangent(gap)
     velocity = state.velocity + STEP * (0.5 * (before + force) / MASS - GRAVITY)
+    if state.velocity < 0.0 <= velocity:
+        joint.turn(gap)
     return State(state.time + STEP, gap, velocity)
 
 
-def simulate(milliseconds: float, gap: float = 8e-6) -> list[State]:
-    """A mass let go at a gap."""
-    states = [State(0.0, gap, 0.0)]
+def simulate(milliseconds: float) -> list[State]:
+    """A mass let go above the surface."""
+    joint, states = Joint(), [State(0.0, DROP, 0.0)]
     for _ in range(round(milliseconds * 1e-3 / STEP)):
-        states.append(step(states[-1]))
+        states.append(step(states[-1], joint))
     return states
 
 
 def landings(history: list[State]) -> int:
     """How often the velocity turns from down to up."""
-    pairs = pairwise(history)
-    return sum(one.velocity < 0.0 <= two.velocity for one, two in pairs)
+    return sum(one.velocity < 0.0 <= two.velocity for one, two in pairwise(history))
 
 
-def energy(state: State) -> float:
-    """Kinetic, of weight, and stored in the contact [J]."""
-    far = 8e-6
-    gaps = np.linspace(state.gap, far, 2001) if state.gap < far else np.array([far, far])
-    force = contact().force(gaps)
-    stored = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(gaps)))
-    return 0.5 * MASS * state.velocity**2 + MASS * GRAVITY * state.gap + stored
+def rebounds(history: list[State]) -> list[float]:
+    """Coefficient of restitution of every landing: the speeds of leaving and of coming."""
+    pairs = list(pairwise(history))
+    falling = [abs(two.velocity) for one, two in pairs if one.gap > FREE >= two.gap]
+    rising = [abs(two.velocity) for one, two in pairs if one.gap <= FREE < two.gap]
+    return [up / down for down, up in zip(falling, rising, strict=False)]
+
+
+def quasi_static(history: list[State]) -> float:
+    """The first coefficient from the two force curves alone, at the gap of the first turn."""
+    turn = next(two for one, two in pairwise(history) if one.velocity < 0.0 <= two.velocity)
+    joint, gaps = Joint(), np.linspace(turn.gap, FREE, 401)
+    joint.turn(turn.gap)
+    assert joint.opening is not None
+    taken = np.trapezoid(joint.closing.force(gaps), gaps)
+    given = np.trapezoid(joint.opening.force(gaps - turn.gap), gaps)
+    return float(np.sqrt(given / taken))
 
 
 if __name__ == "__main__":
@@ -98,6 +138,7 @@ if __name__ == "__main__":
     seconds = time.perf_counter() - begun
     lowest = min(state.gap for state in history)
     print(f"{landings(history)} landings in 20 ms, lowest gap {lowest * 1e6:.3f} um")
+    print("restitution", ", ".join(f"{e:.3f}" for e in rebounds(history)))
     print(
         f"{len(history) - 1} steps in {seconds:.2f} s, {seconds / (len(history) - 1) * 1e6:.1f} us each"
     )

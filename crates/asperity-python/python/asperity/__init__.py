@@ -21,7 +21,14 @@ True
 from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
-from asperity._asperity import Contact, ContactWarning, NotConverged, template
+from asperity._asperity import (
+    Contact,
+    ContactWarning,
+    NotConverged,
+    PartialSlip,
+    Unloading,
+    template,
+)
 from asperity._check import Check, Finding
 from asperity._bem import BemContacts, TruthRow, bem, truth
 from asperity._curve import Curve
@@ -48,6 +55,7 @@ __all__ = [
     "Interface",
     "Model",
     "NotConverged",
+    "PartialSlip",
     "Plan",
     "PlanStep",
     "Recommendation",
@@ -58,9 +66,10 @@ __all__ = [
     "Surface",
     "SweepResult",
     "Topography",
-    "export",
     "TruthRow",
+    "Unloading",
     "bem",
+    "export",
     "model",
     "models",
     "plan",
