@@ -29,8 +29,8 @@ from asperity._asperity import (
     Unloading,
     template,
 )
-from asperity._check import Check, Finding
 from asperity._bem import BemContacts, TruthRow, bem, truth
+from asperity._check import Check, Finding
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws

@@ -18,8 +18,8 @@ __all__ = [
     "Topography",
     "Unloading",
     "answer",
-    "check",
     "bem",
+    "check",
     "check_inputs",
     "checked_body",
     "checked_interface",
@@ -69,6 +69,7 @@ def surface_from_moments(m0: _Float, m2: _Float, m4: _Float) -> _Fields: ...
 def surface_from_std(radius: _Float, density: _Float, std: _Float) -> _Fields: ...
 def roughness_of(surface: _Data) -> tuple[float, float]: ...
 def critical_of(one: _Data) -> tuple[float, float]: ...
+
 @final
 class SceneFile:
     def __new__(cls, fields: _Data) -> SceneFile: ...
@@ -88,14 +89,18 @@ def check(
     scene: SceneFile, asked: tuple[Engine, str, _Float] | None = None
 ) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
 def findings(engine: Engine, rows: _Rows) -> list[str]: ...
-def svg(csv: str, x: tuple[str, str, bool], y: Sequence[tuple[str, str, bool]], curve: str) -> str: ...
+def svg(
+    csv: str, x: tuple[str, str, bool], y: Sequence[tuple[str, str, bool]], curve: str
+) -> str: ...
 def contact_table(
     engine: Engine,
     scene: SceneFile,
     ends: tuple[str, _Float, _Float],
     spacing: tuple[int, _Float | None, _Float],
     form: str,
+    beside: tuple[str | None, _Float | None],
 ) -> tuple[list[float], list[float], list[float], float, float, str]: ...
+
 @disjoint_base
 class Topography:
     def __new__(

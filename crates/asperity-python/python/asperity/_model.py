@@ -264,7 +264,9 @@ class Model(Engine):
     def __repr__(self) -> str:
         source = self._origin
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
-        whose = f"{source['authors']} ({source['year']})" if source["authors"] else "written in Python"
+        whose = (
+            f"{source['authors']} ({source['year']})" if source["authors"] else "written in Python"
+        )
         return f"<asperity.Model {self.id!r}{given}: {whose}>"
 
 
