@@ -5,6 +5,19 @@ use asperity::{Asperity, Model, testkit};
 use crate::scenes;
 
 #[test]
+fn no_adhesive_model_has_a_finding() {
+    for (scene, work) in [("at-paper", 0.05), ("mild", 1.0), ("severe", 1e-3), ("severe", 0.0)] {
+        let mut scene = scenes::named(scene);
+        scene.interface.work_of_adhesion = Some(work);
+        let asperity: Asperity = scene.asperity().unwrap();
+        for model in Model::adhesive() {
+            let found = testkit::check(&model, &asperity).unwrap();
+            assert!(found.is_empty(), "{model} {work}: {found:?}");
+        }
+    }
+}
+
+#[test]
 fn no_model_has_a_finding() {
     let mut findings = vec![];
     for scene in ["at-paper", "mild", "severe"] {

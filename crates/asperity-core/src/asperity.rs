@@ -18,6 +18,8 @@ pub struct Asperity {
     pub yield_strength: Option<f64>,
     /// S, the maximum contact pressure factor.
     pub pressure_factor: f64,
+    /// w_a \[J/m²\], where it was given.
+    pub work_of_adhesion: Option<f64>,
     /// R \[m\].
     pub radius: f64,
 }
@@ -36,6 +38,7 @@ impl Asperity {
             hardness,
             yield_strength,
             pressure_factor,
+            work_of_adhesion: interface.work_of_adhesion,
             radius: positive("asperity_radius", radius)?,
         })
     }
@@ -91,6 +94,26 @@ impl Asperity {
             field: "equivalent_shear_modulus",
             needed_by: needed_by.into(),
         })
+    }
+
+    /// w_a \[J/m²\], at least 0.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] naming who needs it.
+    pub fn adhesion(&self, needed_by: &str) -> Result<f64, ContactError> {
+        self.work_of_adhesion.ok_or_else(|| ContactError::Missing {
+            field: "work_of_adhesion",
+            needed_by: needed_by.into(),
+        })
+    }
+
+    /// μ = (R w_a²/(E² z₀³))^(1/3), z₀ = 0.3 nm: Tabor's parameter, how far an adhesive contact yields
+    /// before its atoms let go. DMT holds below about 0.1, JKR above about 5. \[recalled\]
+    #[must_use]
+    pub fn tabor_parameter(&self) -> Option<f64> {
+        const RANGE: f64 = 3e-10;
+        let ratio = self.work_of_adhesion? / (self.equivalent_modulus * RANGE);
+        Some((self.radius / RANGE * ratio * ratio).cbrt())
     }
 }
 

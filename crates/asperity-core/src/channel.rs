@@ -4,8 +4,9 @@ use std::sync::{Arc, OnceLock};
 
 use asperity_quadrature::{Density, QuadratureError};
 
+use crate::begins::Begins;
 use crate::height_integral::HeightIntegral;
-use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance};
+use crate::{Asperity, AsperityModel, At, Claims, ContactError, Law, Quantity, Scene, Tolerance};
 
 /// Scales w_c/σ_z outside mean nothing, and powers of them leave the doubles.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
@@ -30,6 +31,8 @@ pub(crate) struct Units {
     pub(crate) factor: f64,
     /// Interference unit over σ_z.
     pub(crate) scale: f64,
+    /// Where the law begins.
+    pub(crate) begins: Begins,
 }
 
 impl Units {
@@ -42,7 +45,9 @@ impl Units {
         let held = |x: &f64| *x > 0.0 && x.is_finite();
         match [factor, factor / height_std].into_iter().find(|x| !held(x)) {
             Some(scale) => Err(ContactError::Scale { quantity: base, scale }),
-            None if SCALES.contains(&scale) => Ok(Self { factor, scale }),
+            None if SCALES.contains(&scale) && (law.begins * scale).is_finite() => {
+                Ok(Self { factor, scale, begins: Begins(law.begins * scale) })
+            }
             None => Err(ContactError::Ratio { ratio: scale }),
         }
     }
@@ -72,6 +77,8 @@ pub(crate) struct Laws {
     pub(crate) own_stiffness: bool,
     /// Whether the force never rises with the separation.
     pub(crate) monotone: bool,
+    /// Whether loads may be tensions.
+    pub(crate) adhesive: bool,
     pub(crate) laws: Vec<(Quantity, Law)>,
     by_load: bool,
 }
@@ -85,8 +92,9 @@ impl Laws {
         by_load: bool,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let monotone = model.claims().force_monotone;
-        let mut found = Self { asperity, own_stiffness: false, monotone, laws: vec![], by_load };
+        let Claims { force_monotone: monotone, adhesive, .. } = model.claims();
+        let (own_stiffness, laws) = (false, vec![]);
+        let mut found = Self { asperity, own_stiffness, monotone, adhesive, laws, by_load };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
                 let own = model.law(&asperity, quantity, tolerance)?;
@@ -100,6 +108,9 @@ impl Laws {
                 }
             }
         }
+        // Without any work of adhesion there are no tensions to be met.
+        let pulls = |(base, law): &(Quantity, Law)| *base == Quantity::Force && law.is_signed();
+        found.adhesive &= found.laws.iter().any(pulls);
         Ok(found)
     }
 
@@ -112,7 +123,12 @@ impl Laws {
     ) -> Result<Law, ContactError> {
         match model.law(asperity, base, tolerance)? {
             Some(law) => Ok(law),
-            // Every asperity that is reached touches.
+            // Every asperity that is reached touches, and what has an area has a contact.
+            None if base == Quantity::Contacts && model.claims().adhesive => {
+                let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
+                let unit = area.interference_unit;
+                Ok(Law::counting(unit).beginning_at(area.begins))
+            }
             None if base == Quantity::Contacts => Ok(Law::counting(asperity.radius)),
             None if base == Quantity::ContactRadiusSum => {
                 let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
@@ -140,8 +156,7 @@ impl Channel {
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
         let units = Units::new(base, &law, scene)?;
-        let unit = law.interference_unit;
-        let total = HeightIntegral::new(law.density(), unit, scene, tolerance.relative());
+        let total = HeightIntegral::new(law.density(), &law, scene, tolerance.relative());
         let (parts, scene) = (OnceLock::new(), scene.clone());
         Ok(Self { base, law, units, total, parts, scene, tolerance })
     }
@@ -151,8 +166,7 @@ impl Channel {
         self.parts.get_or_init(|| {
             let integral = |part: &crate::Part| {
                 let alone = Density { pieces: vec![part.piece()] };
-                let unit = self.law.interference_unit;
-                HeightIntegral::new(alone, unit, &self.scene, self.tolerance.relative())
+                HeightIntegral::new(alone, &self.law, &self.scene, self.tolerance.relative())
             };
             self.law.parts.iter().map(integral).collect()
         })

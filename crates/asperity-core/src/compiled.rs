@@ -6,7 +6,6 @@ use asperity_quadrature::{Curvature, Moments};
 
 use crate::channel::{Channel, Laws, bases, failed};
 use crate::contact_radii;
-use crate::height_integral::HeightIntegral;
 use crate::readings::{Integrals, Reading};
 use crate::response::{Cell, Response, respond};
 use crate::separation::Place;
@@ -31,6 +30,7 @@ struct Facts {
     asperity: Asperity,
     own_stiffness: bool,
     monotone: bool,
+    adhesive: bool,
     notes: Vec<Warning>,
     tolerance: Tolerance,
 }
@@ -45,7 +45,7 @@ impl Compiled {
         let by_load = request.at.iter().any(|at| !matches!(at, At::Separation(_)));
         let asperity = scene.asperity()?;
         contact_radii::check(&request.quantities, &scene.interface)?;
-        let Laws { own_stiffness, monotone, laws, .. } =
+        let Laws { own_stiffness, monotone, adhesive, laws, .. } =
             Laws::new(model, asperity, &request.quantities, by_load, tolerance)?;
         let channel = |(base, law)| Channel::new(base, Arc::new(law), scene, tolerance);
         Ok(Self {
@@ -55,6 +55,7 @@ impl Compiled {
                 asperity,
                 own_stiffness,
                 monotone,
+                adhesive,
                 notes: model.notes(),
                 tolerance,
             }),
@@ -65,6 +66,14 @@ impl Compiled {
 
     pub(crate) fn monotone(&self) -> bool {
         self.facts.monotone
+    }
+
+    pub(crate) fn adhesive(&self) -> bool {
+        self.facts.adhesive
+    }
+
+    fn load(&self, field: &'static str, load: f64) -> Result<f64, ContactError> {
+        crate::inverse::may_be_asked(field, load, self.facts.adhesive)
     }
 
     /// The integrals that a quantity comes of.
@@ -96,9 +105,9 @@ impl Compiled {
     pub(crate) fn place(&self, at: At) -> Result<Place, ContactError> {
         match at {
             At::Separation(separation) => separation.place(&self.scene),
-            At::Load(load) => self.place_of_load(crate::positive("load", load)?),
+            At::Load(load) => self.place_of_load(self.load("load", load)?),
             At::Pressure(pressure) => {
-                let pressure = crate::positive("pressure", pressure)?;
+                let pressure = self.load("pressure", pressure)?;
                 self.place_of_load(pressure * self.scene.nominal_area)
             }
         }
@@ -142,13 +151,8 @@ impl Compiled {
                 continue;
             }
             let channel = self.channel(base).ok()?;
-            let HeightIntegral::Gaussian(integral) = &channel.total else { return None };
             let mut moments = vec![Moments::NONE; s.len()];
-            let found = match slopes {
-                true => integral.values_and_slopes(&s, &mut moments),
-                false => integral.values(&s, &mut moments),
-            };
-            found.ok()?;
+            channel.total.run(&s, slopes, &mut moments)?;
             known.push(Known { base, moments, factor: channel.units.factor });
         }
         for (column, quantity) in columns.iter_mut().zip(quantities) {
@@ -305,12 +309,12 @@ impl Contact for Compiled {
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
-        let found = self.all_places_of_load(crate::positive("load", load)?)?;
+        let found = self.all_places_of_load(self.load("load", load)?)?;
         Ok(found.into_iter().map(Separation::sigmas).collect())
     }
 
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
-        let place = self.place_of_load(crate::positive("load", load)?)?;
+        let place = self.place_of_load(self.load("load", load)?)?;
         Ok(Separation::sigmas(place.s))
     }
 
@@ -364,7 +368,8 @@ impl Contact for Compiled {
         let behind = |base, at| if signed { value(base, at) } else { None };
         let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), &self.scene), request, cells, shares, behind)
+        let adhesive = self.facts.adhesive;
+        respond((self.model(), &self.scene, adhesive), request, cells, shares, behind)
     }
 }
 

@@ -156,7 +156,8 @@ pub trait Contact: fmt::Debug + Send + Sync {
     /// others (AT as printed rises and falls).
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a load that is not positive, [`ContactError::OutOfReach`]
+    /// [`ContactError::OutOfRange`] for a load that is not positive (adhesive models carry tensions, as
+    /// negative loads, at two separations and more), [`ContactError::OutOfReach`]
     /// for one that the model cannot carry, and [`ContactError::Unsupported`] for a model that
     /// knows no separations.
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
@@ -222,7 +223,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene()), request, cells, shares, |_, _| None)
+        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
     }
 
     /// The error of what this model cannot answer.

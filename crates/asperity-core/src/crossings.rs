@@ -23,7 +23,8 @@ impl Target {
     /// Force over load, less 1, and its derivative.
     fn excess(&self, curve: &mut impl ForceCurve, s: f64) -> Result<Sample, ContactError> {
         let moments = curve.at(s)?;
-        let unit = (moments.ln_scale + (self.factor / self.load).ln()).exp();
+        let ratio = (moments.ln_scale + (self.factor / self.load.abs()).ln()).exp();
+        let unit = ratio.copysign(self.load);
         Ok(Sample { s, value: moments.value * unit - 1.0, slope: -moments.slope * unit })
     }
 
@@ -49,12 +50,15 @@ impl Target {
         let mut right = self.excess(curve, if self.signed { top + hair } else { top - hair })?;
         let mut largest = right;
         while right.s > LOWEST && (found.is_empty() || !first_only) {
-            let step = if right.s > DEEP { STEP } else { right.s.abs() };
-            if right.s <= DEEP && !found.is_empty() {
+            let seen = self.begins.seen(right.s);
+            let (deep, step) = (seen <= DEEP, if seen > DEEP { STEP } else { seen.abs() });
+            // Pressed together the force is above any tension.
+            let pending = self.load < 0.0 && right.value > 0.0;
+            if deep && !found.is_empty() && !pending {
                 break;
             }
             let left = match self.excess(curve, (right.s - step).max(LOWEST)) {
-                Err(ContactError::Integral { .. }) if right.s <= DEEP => break,
+                Err(ContactError::Integral { .. }) if deep => break,
                 other => other?,
             };
             self.between(curve, left, right, &mut found)?;

@@ -146,9 +146,10 @@ pub enum ContactError {
         /// The unit over σ_z.
         ratio: f64,
     },
-    /// No separation that is looked at carries this load.
+    /// No separation that is looked at carries this load, or holds this tension.
     #[error(
-        "load is {load:?} N: a load above 0 and at most {largest:e} N, the largest force found, at {at}, was required"
+        "load is {load:?} N: {} {largest:e} N, the largest force found, at {at}, was required",
+        if *load < 0.0 { "a tension of at most" } else { "a load above 0 and at most" }
     )]
     OutOfReach {
         /// The load asked for \[N\].

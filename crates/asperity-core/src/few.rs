@@ -67,5 +67,6 @@ pub(crate) fn few(
     };
     let behind = |q, at| if signed { Some(one(q, at).ok()?.value()) } else { None };
     let none = |_, _| Ok(vec![]);
-    Ok(Some(respond((model.name(), scene), request, cells, none, behind)))
+    let named = (model.name(), scene, laws.adhesive);
+    Ok(Some(respond(named, request, cells, none, behind)))
 }

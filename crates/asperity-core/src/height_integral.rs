@@ -6,77 +6,100 @@ use asperity_quadrature::{
     Cells, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian, Weight,
 };
 
+use crate::begins::Begins;
 use crate::heights::OtherHeights;
-use crate::{HeightDistribution, Scene};
+use crate::{HeightDistribution, Law, Scene};
 
 /// The integral of one density over one kind of heights, for all s: I(s), and -dI/ds by the
 /// dimensionless s.
 #[derive(Debug)]
-pub(crate) enum HeightIntegral {
+pub(crate) struct HeightIntegral {
+    /// Where the density begins.
+    begins: Begins,
+    over: Over,
+}
+
+/// The same, of s as seen from where the density begins.
+#[derive(Debug)]
+enum Over {
     Gaussian(ShiftedGaussian),
     Exponential(Exponential),
     Other(Other),
 }
 
 impl HeightIntegral {
-    /// Of a density over x = w/`interference_unit` \[m\].
-    pub(crate) fn new(
-        density: Density,
-        interference_unit: f64,
-        scene: &Scene,
-        tolerance: f64,
-    ) -> Self {
+    /// Of a density over the x of a law.
+    pub(crate) fn new(density: Density, law: &Law, scene: &Scene, tolerance: f64) -> Self {
         let height_std = scene.surface.asperity_height_std;
+        let interference_unit = law.interference_unit;
         let scale = interference_unit / height_std;
-        match &scene.heights {
+        let over = match &scene.heights {
             HeightDistribution::Gaussian => {
-                Self::Gaussian(ShiftedGaussian::new(density, scale, tolerance))
+                Over::Gaussian(ShiftedGaussian::new(density, scale, tolerance))
             }
-            HeightDistribution::Exponential => Self::Exponential(Exponential {
+            HeightDistribution::Exponential => Over::Exponential(Exponential {
                 density: density.clone(),
                 scale,
                 below: Followed::new(Overlap::new(density, scale, tolerance)),
                 above: OnceLock::new(),
             }),
-            HeightDistribution::Other(heights) => Self::Other(Other {
+            HeightDistribution::Other(heights) => Over::Other(Other {
                 integral: Followed::new(Overlap::new(density, interference_unit, tolerance)),
                 height_std,
                 heights: heights.clone(),
                 error: heights.heights().error(),
             }),
-        }
+        };
+        Self { begins: Begins(law.begins * scale), over }
     }
 
     /// Nodes of the rule for s; `None` where there are no rules.
     pub(crate) fn nodes(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
-        match self {
-            Self::Gaussian(integral) => integral.nodes(s).map(Some),
+        match &self.over {
+            Over::Gaussian(integral) => integral.nodes(self.begins.seen(s)).map(Some),
             _ => Ok(None),
         }
     }
 
     /// How often the density has been sampled for rules.
     pub(crate) fn samples(&self) -> usize {
-        match self {
-            Self::Gaussian(integral) => integral.evaluations(),
+        match &self.over {
+            Over::Gaussian(integral) => integral.evaluations(),
             _ => 0,
         }
     }
 
     /// I(s) alone; only what is asked is summed where that saves work.
+    #[inline]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
-        match self {
-            Self::Gaussian(integral) => integral.value(s),
+        match &self.over {
+            Over::Gaussian(integral) if !self.begins.elsewhere() => integral.value(s),
             _ => self.answer(s, Asked { slope: false, many: true }),
         }
     }
 
+    /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is to
+    /// be as long: `None` where that saves nothing, or any is refused.
+    pub(crate) fn run(&self, s: &[f64], slopes: bool, out: &mut [Moments]) -> Option<()> {
+        let Over::Gaussian(integral) = &self.over else { return None };
+        if self.begins.elsewhere() {
+            let seen: Vec<f64> = s.iter().map(|s| self.begins.seen(*s)).collect();
+            integral.values_and_slopes(&seen, out).ok()?;
+            out.iter_mut().zip(s).for_each(|(out, s)| *out = self.begins.widened(*s, *out));
+            return Some(());
+        }
+        match slopes {
+            true => integral.values_and_slopes(s, out),
+            false => integral.values(s, out),
+        }
+        .ok()
+    }
+
     /// d²I/ds², where it comes of the nodes.
     pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
-        match self {
-            Self::Gaussian(integral) => Some(integral.curvature(s)),
-            _ => None,
-        }
+        let Over::Gaussian(integral) = &self.over else { return None };
+        let found = integral.curvature(self.begins.seen(s));
+        Some(found.map(|found| self.begins.widened_curvature(s, found)))
     }
 
     /// I(s) and -dI/ds, from what is prepared for many s.
@@ -89,12 +112,17 @@ impl HeightIntegral {
         self.answer(s, Asked { slope, many: false })
     }
 
-    fn answer(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
-        match self {
-            Self::Gaussian(integral) => integral.at(s),
-            Self::Exponential(integral) => integral.at(s, asked),
-            Self::Other(integral) => integral.at(s, asked),
-        }
+    #[inline]
+    fn answer(&self, s: f64, mut asked: Asked) -> Result<Moments, QuadratureError> {
+        // The slope tells what a rounded s does to the value.
+        asked.slope |= self.begins.elsewhere();
+        let seen = self.begins.seen(s);
+        let found = match &self.over {
+            Over::Gaussian(integral) => integral.at(seen),
+            Over::Exponential(integral) => integral.at(seen, asked),
+            Over::Other(integral) => integral.at(seen, asked),
+        };
+        Ok(self.begins.widened(s, found?))
     }
 }
 
@@ -199,7 +227,7 @@ impl Other {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Interface, Law, Power, StandardisedHeights, Surface};
+    use crate::{Interface, Power, StandardisedHeights, Surface};
     use statrs::distribution::Normal;
 
     /// ∫ t g(s + t) dt far below is the mean of z - s.
@@ -208,7 +236,7 @@ mod tests {
         let (interface, surface) = (Interface::new(1.0, 0.3, 1.0), Surface::new(1.0, 1.0, 1.0));
         let mut scene = Scene::new(interface, surface, 1.0);
         scene.heights = heights;
-        let integral = HeightIntegral::new(law.density(), 1.0, &scene, 1e-13);
+        let integral = HeightIntegral::new(law.density(), &law, &scene, 1e-13);
         [integral.at(s).unwrap(), integral.once(s, true).unwrap()]
     }
 

@@ -62,6 +62,10 @@ pub struct Interface {
     /// ρ \[Ω m\]: 2ρ = ρ₁ + ρ₂; the electrical conductance alone needs it.
     #[serde(default)]
     pub electrical_resistivity: Option<f64>,
+    /// w_a = γ₁ + γ₂ - γ₁₂ \[J/m²\], at least 0: the work of adhesion of the two surfaces; DMT and JKR
+    /// alone need it.
+    #[serde(default)]
+    pub work_of_adhesion: Option<f64>,
 }
 
 fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
@@ -142,6 +146,7 @@ impl Body {
             pressure_factor: None,
             thermal_conductivity: None,
             electrical_resistivity: None,
+            work_of_adhesion: None,
         }
     }
 }
@@ -160,6 +165,7 @@ impl Interface {
             pressure_factor: None,
             thermal_conductivity: None,
             electrical_resistivity: None,
+            work_of_adhesion: None,
         }
     }
 
@@ -214,6 +220,10 @@ impl Interface {
         }
         poissons_ratio(self.poissons_ratio)?;
         conducting(self.thermal_conductivity, self.electrical_resistivity)?;
+        if let Some(value) = self.work_of_adhesion.filter(|w| !(*w >= 0.0 && w.is_finite())) {
+            let (field, required) = ("work_of_adhesion", "a finite number, at least 0,");
+            return Err(ContactError::OutOfRange { field, value, required });
+        }
         let (hardness, yield_strength) = hardness_and_yield(self.hardness, self.yield_strength)?;
         let factor = match self.pressure_factor {
             Some(factor) => positive("pressure_factor", factor)?,
@@ -284,12 +294,15 @@ mod tests {
             ("pressure_factor", Interface { pressure_factor: Some(0.0), ..good }),
             ("thermal_conductivity", Interface { thermal_conductivity: Some(-1.0), ..good }),
             ("electrical_resistivity", Interface { electrical_resistivity: Some(0.0), ..good }),
+            ("work_of_adhesion", Interface { work_of_adhesion: Some(-0.05), ..good }),
+            ("work_of_adhesion", Interface { work_of_adhesion: Some(f64::NAN), ..good }),
         ];
         for (field, interface) in bad {
             let message = interface.check().unwrap_err().to_string();
             assert!(message.starts_with(field), "{field}: {message}");
         }
         assert!(Interface { poissons_ratio: 0.5, ..good }.check().is_ok());
+        assert!(Interface { work_of_adhesion: Some(0.0), ..good }.check().is_ok());
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! From a load back to the separations that carry it.
 
-use asperity_quadrature::Moments;
+use asperity_quadrature::{Moments, QuadratureError};
 
-use crate::channel::failed;
+use crate::begins::Begins;
+use crate::channel::{Units, failed};
 use crate::compiled::Compiled;
 use crate::separation::{HIGHEST, LOWEST, Place};
 use crate::{At, ContactError, Quantity};
@@ -17,6 +18,10 @@ pub(crate) trait ForceCurve {
     /// The integral and its slope.
     fn at(&mut self, s: f64) -> Result<Moments, ContactError>;
 
+    /// The same as [`at`](Self::at), but for sizes that are sums over those of the law's parts: these
+    /// fall with s where each part rises with the interference, and their sum does not.
+    fn parts(&mut self, s: f64) -> Result<Moments, ContactError>;
+
     /// Whether what [`at`](Self::at) tells has become better near s, so that it is worth asking
     /// again.
     fn settle(&mut self, _s: f64) -> Result<bool, ContactError> {
@@ -27,7 +32,7 @@ pub(crate) trait ForceCurve {
 /// A load to be carried, and what is known of the force law.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Target {
-    /// \[N\].
+    /// \[N\]; below 0 for a tension.
     pub(crate) load: f64,
     /// What the integral is multiplied with \[N\].
     pub(crate) factor: f64,
@@ -35,14 +40,33 @@ pub(crate) struct Target {
     pub(crate) monotone: bool,
     /// Whether parts of the law are subtracted.
     pub(crate) signed: bool,
+    /// Whether adhesion is what is subtracted.
+    pub(crate) adhesive: bool,
+    /// Where the law begins.
+    pub(crate) begins: Begins,
+}
+
+/// A load, or a pressure, that may be asked for: above 0, or a tension where there is adhesion.
+pub(crate) fn may_be_asked(
+    field: &'static str,
+    value: f64,
+    adhesive: bool,
+) -> Result<f64, ContactError> {
+    let required = "a finite number other than 0 (below it for tensions)";
+    match adhesive {
+        true if value.is_finite() && value != 0.0 => Ok(value),
+        true => Err(ContactError::OutOfRange { field, value, required }),
+        false => crate::positive(field, value),
+    }
 }
 
 impl Compiled {
     fn target(&self, load: f64) -> Result<Target, ContactError> {
         let channel = self.channel(Quantity::Force)?;
         let signed = channel.law.is_signed();
-        let (factor, monotone) = (channel.units.factor, self.monotone());
-        Ok(Target { load, factor, monotone, signed })
+        let (Units { factor, begins, .. }, monotone) = (channel.units, self.monotone());
+        let adhesive = self.adhesive();
+        Ok(Target { load, factor, monotone, signed, adhesive, begins })
     }
 
     /// Where a load is first met on approach.
@@ -64,6 +88,28 @@ impl ForceCurve for OfChannel<'_> {
         let total = &self.0.channel(Quantity::Force)?.total;
         total.at(s).map_err(failed(Quantity::Force, s.into()))
     }
+
+    fn parts(&mut self, s: f64) -> Result<Moments, ContactError> {
+        let parts = self.0.channel(Quantity::Force)?.parts();
+        sum_of(parts.iter().map(|part| part.at(s))).map_err(failed(Quantity::Force, s.into()))
+    }
+}
+
+/// The sum of integrals at one s, whatever their scales.
+pub(crate) fn sum_of(
+    mut parts: impl Iterator<Item = Result<Moments, QuadratureError>>,
+) -> Result<Moments, QuadratureError> {
+    parts.try_fold(Moments::NONE, |sum, part| {
+        let (small, large) = match part? {
+            part if sum.sizes[0] == 0.0 => (sum, part),
+            part if part.ln_scale > sum.ln_scale => (sum, part),
+            part => (part, sum),
+        };
+        Ok(large.plus(
+            (small.ln_scale - large.ln_scale).exp(),
+            &Moments { ln_scale: large.ln_scale, ..small },
+        ))
+    })
 }
 
 /// Which integral is set against the load.
@@ -113,7 +159,7 @@ impl Target {
             Of::Size => moments.sizes,
         };
         if value > 0.0 {
-            let ln = value.ln() + moments.ln_scale + (self.factor / self.load).ln();
+            let ln = value.ln() + moments.ln_scale + (self.factor / self.load.abs()).ln();
             (ln, slope / value)
         } else {
             (f64::NEG_INFINITY, 0.0)
@@ -127,11 +173,16 @@ impl Target {
         curve: &mut impl ForceCurve,
         of: Of,
     ) -> Result<Place, ContactError> {
-        let mut s = self.guess(&curve.at(0.0)?, of);
+        let parts = self.adhesive && of == Of::Size;
+        let look = |curve: &mut _, s| match parts {
+            true => ForceCurve::parts(curve, s),
+            false => ForceCurve::at(curve, s),
+        };
+        let mut s = self.guess(&look(curve, 0.0)?, of);
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut last = f64::INFINITY;
         for _ in 0..MOST {
-            let moments = match curve.at(s) {
+            let moments = match look(curve, s) {
                 // Where the integrals end, so does what can be carried.
                 Err(ContactError::Integral { .. }) if s < DEEP && low < DEEP => {
                     return Err(self.out_of_reach(curve, high.min(DEEP)));
@@ -148,7 +199,7 @@ impl Target {
                 return Err(self.out_of_reach(curve, s));
             }
             if s >= HIGHEST && above > 0.0 {
-                let smallest = self.load * above.exp();
+                let smallest = self.load.abs() * above.exp();
                 return Err(ContactError::TooLight { load: self.load, smallest, at: s.into() });
             }
             let mut next = s + above / fall;

@@ -41,7 +41,7 @@ pub struct Part {
     pub regime: Regime,
     /// Factor in the sum; negative only where a model subtracts a part.
     pub sign: f64,
-    /// Where the part holds, in interference units.
+    /// Where the part holds, in interference units from where the law begins.
     pub range: Range<f64>,
     /// Known kinks strictly inside the range. An undeclared one costs time; the error stays below the
     /// tolerance, but a jump may hide from the bound, which is then too small.
@@ -50,13 +50,17 @@ pub struct Part {
     pub form: Form,
 }
 
-/// How one asperity answers an interference w: q(w) = `value_unit` · Σ sign · part(w/`interference_unit`).
+/// How one asperity answers an interference w: q(w) = `value_unit` · Σ sign · part(x), with
+/// x = w/`interference_unit` - `begins`.
 #[derive(Debug, Clone)]
 pub struct Law {
-    /// The interference of x = 1 \[m\].
+    /// The unit of interferences \[m\].
     pub interference_unit: f64,
     /// What the value 1 stands for: \[N\], \[m²\] or \[N/m\].
     pub value_unit: f64,
+    /// Where x is 0 and the parts count from, in interference units: 0 for most laws, below 0 where
+    /// adhesion holds on to an asperity that is pulled away.
+    pub begins: f64,
     /// The parts; ranges may overlap (a lateral model's do).
     pub parts: Vec<Part>,
 }
@@ -65,7 +69,13 @@ impl Law {
     /// A law without parts, in these units (both positive).
     #[must_use]
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
-        Self { interference_unit, value_unit, parts: vec![] }
+        Self { interference_unit, value_unit, begins: 0.0, parts: vec![] }
+    }
+
+    /// Counts all x from this interference \[in its unit\]: there is nothing below it.
+    #[must_use]
+    pub fn beginning_at(self, begins: f64) -> Self {
+        Self { begins, ..self }
     }
 
     /// Adds an elastic part.
@@ -86,7 +96,17 @@ impl Law {
         self.with(Regime::Plastic, range, form)
     }
 
-    /// 1 for every interference above 0, in units of this length \[m\]: the number of contacts.
+    /// Adds what adhesion takes away from the force of an elastic contact.
+    #[must_use]
+    pub fn less_adhesion(mut self, range: Range<f64>, form: impl Into<Form>) -> Self {
+        self = self.with(Regime::Elastic, range, form);
+        if let Some(part) = self.parts.last_mut() {
+            (part.name, part.sign) = ("adhesion".into(), -1.0);
+        }
+        self
+    }
+
+    /// 1 for every interference, in units of this length \[m\]: the number of contacts.
     #[must_use]
     pub(crate) fn counting(interference_unit: f64) -> Self {
         let one = [Power::new(1.0, 0.0)];
@@ -130,7 +150,7 @@ impl Law {
             Part { sign: 1.0, form, ..part.clone() }
         };
         let parts = self.parts.iter().map(mapped).collect();
-        Some(Self { interference_unit: self.interference_unit, value_unit, parts })
+        Some(Self { value_unit, parts, ..*self })
     }
 
     fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Form>) -> Self {
@@ -144,24 +164,29 @@ impl Law {
         self
     }
 
-    /// Where the formula changes, in interference units, ascending.
+    /// The interferences at which the formula changes, in their unit, ascending; where the law begins
+    /// is none of them.
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
-        self.density().breaks(0.0, f64::INFINITY)
+        let mut kinks = self.density().breaks(0.0, f64::INFINITY);
+        kinks.iter_mut().for_each(|x| *x += self.begins);
+        kinks
     }
 
-    /// The value \[N, m² or N/m\] at interference w \[m\]; 0 for w ≤ 0. At a jump, the value above it.
+    /// The value \[N, m² or N/m\] at interference w \[m\]; 0 up to where the law begins. At a jump, the
+    /// value above it.
     ///
     /// # Errors
     /// What a part's function refuses.
     pub fn value(&self, interference: f64) -> Result<f64, QuadratureError> {
-        if interference <= 0.0 {
+        let x = interference / self.interference_unit - self.begins;
+        if x <= 0.0 {
             return Ok(0.0);
         }
-        Ok(self.value_unit * self.shape(interference / self.interference_unit)?)
+        Ok(self.value_unit * self.shape(x)?)
     }
 
-    /// The value over the value unit at x = w over the interference unit.
+    /// The value over the value unit at x.
     pub(crate) fn shape(&self, x: f64) -> Result<f64, QuadratureError> {
         let mut total = 0.0;
         for part in self.parts.iter().filter(|p| p.range.contains(&x)) {
@@ -177,7 +202,7 @@ impl Law {
         self.parts.iter().any(|part| part.sign < 0.0)
     }
 
-    /// The whole law as a density of x.
+    /// The whole law as a density of x, from where it begins.
     #[must_use]
     pub fn density(&self) -> Density {
         Density { pieces: self.parts.iter().map(Part::piece).collect() }

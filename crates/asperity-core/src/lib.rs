@@ -15,6 +15,7 @@
 //! This crate names no model. SI units everywhere; separations are multiples of σ_z.
 
 mod asperity;
+mod begins;
 mod case;
 mod channel;
 mod check;

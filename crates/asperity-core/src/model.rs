@@ -56,6 +56,8 @@ pub struct Claims {
     pub hertz_limit: Option<f64>,
     /// Contact normals are spread over angles.
     pub angles: bool,
+    /// The surfaces attract each other: forces may be negative, and jump where a contact begins.
+    pub adhesive: bool,
     /// What the model is valid for, in a few words; empty where nothing is said.
     pub valid_for: &'static str,
     /// The interference over w_c up to which the laws are derived or fitted; `None` where nothing is
@@ -69,6 +71,7 @@ impl Default for Claims {
             force_monotone: true,
             hertz_limit: Some(1.0),
             angles: false,
+            adhesive: false,
             valid_for: "",
             holds_to: None,
         }
@@ -92,6 +95,12 @@ impl Claims {
     #[must_use]
     pub fn over_angles() -> Self {
         Self { angles: true, ..Self::default().not_monotone().without_hertz_limit() }
+    }
+
+    /// The surfaces attract each other: no limit, and the force may be negative and fall.
+    #[must_use]
+    pub fn with_adhesion() -> Self {
+        Self { adhesive: true, ..Self::default().not_monotone().without_hertz_limit() }
     }
 
     /// The laws are derived or fitted up to this multiple of w_c.

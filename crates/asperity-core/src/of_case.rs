@@ -8,7 +8,7 @@ use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 use crate::case::Worker;
 use crate::channel::{Laws, Units, failed};
 use crate::height_integral::HeightIntegral;
-use crate::inverse::{ForceCurve, Target};
+use crate::inverse::{ForceCurve, Target, may_be_asked, sum_of};
 use crate::readings::{Integrals, Reading};
 use crate::separation::Place;
 use crate::sweep::Shape;
@@ -99,11 +99,12 @@ impl<'c> OfCase<'c> {
 
     /// Goes to where the case is asked about.
     pub(crate) fn reading(&mut self, at: At) -> Result<Reading<'c>, ContactError> {
+        let load_of = |field, load| may_be_asked(field, load, self.laws.adhesive);
         let place = match at {
             At::Separation(separation) => separation.place(self.scene)?,
-            At::Load(load) => self.place_of_load(crate::positive("load", load)?)?,
+            At::Load(load) => self.place_of_load(load_of("load", load)?)?,
             At::Pressure(pressure) => {
-                let pressure = crate::positive("pressure", pressure)?;
+                let pressure = load_of("pressure", pressure)?;
                 self.place_of_load(pressure * self.scene.nominal_area)?
             }
         };
@@ -113,10 +114,12 @@ impl<'c> OfCase<'c> {
     }
 
     fn place_of_load(&mut self, load: f64) -> Result<Place, ContactError> {
-        let (scene, tolerance, monotone) = (self.scene, self.tolerance, self.laws.monotone);
+        let (scene, tolerance) = (self.scene, self.tolerance);
+        let Laws { monotone, adhesive, .. } = *self.laws;
         let of_law = self.of_law(Quantity::Force)?;
         let signed = of_law.law.is_signed();
-        let target = Target { load, factor: of_law.units.factor, monotone, signed };
+        let Units { factor, begins, .. } = of_law.units;
+        let target = Target { load, factor, monotone, signed, adhesive, begins };
         target.first(&mut OfForce { of_law, scene, tolerance })
     }
 
@@ -142,11 +145,11 @@ impl Integrals for OfCase<'_> {
         let (mut share, mut size) = (0.0, 0.0);
         for part in law.parts.iter().filter(|part| part.regime == regime) {
             let part = if matches!(scene.heights, HeightDistribution::Gaussian) {
-                alone(part, units.scale, s, tolerance.relative()).map(|made| made.at(s))
+                let seen = units.begins.seen(s);
+                alone(part, units.scale, seen, tolerance.relative()).map(|made| made.at(seen))
             } else {
                 let density = Density { pieces: vec![part.piece()] };
-                let unit = law.interference_unit;
-                HeightIntegral::new(density, unit, scene, tolerance.relative()).once(s, false)
+                HeightIntegral::new(density, law, scene, tolerance.relative()).once(s, false)
             };
             let part = part.map_err(failed(Quantity::Force, at))?;
             let one = part.value / total.value * (part.ln_scale - total.ln_scale).exp();
@@ -170,6 +173,18 @@ impl ForceCurve for OfForce<'_, '_> {
         found.map_err(failed(Quantity::Force, s.into()))
     }
 
+    fn parts(&mut self, s: f64) -> Result<Moments, ContactError> {
+        let OfLaw { law, sources, .. } = &*self.of_law;
+        if !sources.is_empty() {
+            return self.at(s);
+        }
+        let parts = law.parts.iter().map(|part| {
+            let alone = Density { pieces: vec![part.piece()] };
+            HeightIntegral::new(alone, law, self.scene, self.tolerance.relative()).once(s, true)
+        });
+        sum_of(parts).map_err(failed(Quantity::Force, s.into()))
+    }
+
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
         let settled = self.of_law.settle(s, self.tolerance);
         settled.map_err(failed(Quantity::Force, s.into()))
@@ -185,11 +200,12 @@ impl OfLaw<'_> {
         scene: &Scene,
         tolerance: Tolerance,
     ) -> Result<Moments, QuadratureError> {
-        let (scale, relative) = (self.units.scale, tolerance.relative());
+        let (Units { scale, begins, .. }, relative) = (self.units, tolerance.relative());
         if self.sources.is_empty() {
-            let unit = self.law.interference_unit;
-            return HeightIntegral::new(self.law.density(), unit, scene, relative).once(s, slope);
+            let integral = HeightIntegral::new(self.law.density(), self.law, scene, relative);
+            return integral.once(s, slope);
         }
+        let (given, s, slope) = (s, begins.seen(s), slope || begins.elsewhere());
         let mut sum = Moments::NONE;
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let (factor, m) = match source {
@@ -204,13 +220,13 @@ impl OfLaw<'_> {
             };
             sum = sum.plus(factor, &m);
         }
-        Ok(sum)
+        Ok(begins.widened(given, sum))
     }
 
     /// Makes integrals anew that were made too far from s for their bounds to hold; tells whether
     /// there were any.
     fn settle(&mut self, s: f64, tolerance: Tolerance) -> Result<bool, QuadratureError> {
-        let mut moved = false;
+        let (mut moved, s) = (false, self.units.begins.seen(s));
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let Source::Alone(made) = source else { continue };
             if !made.as_ref().is_some_and(|made| (made.from() - s).abs() <= SETTLED) {

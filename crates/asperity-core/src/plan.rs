@@ -119,7 +119,7 @@ impl Compiled {
                 let (least, most) = nodes.unwrap_or((n, n));
                 nodes = Some((least.min(n), most.max(n)));
             }
-            farthest = farthest.max(reach(s));
+            farthest = farthest.max(reach(channel.units.begins.seen(s)));
         }
         let method = match self.scene().heights {
             HeightDistribution::Gaussian => Method::Polynomials,

@@ -91,9 +91,9 @@ pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 const TOGETHER: usize = 8192;
 
 /// Puts columns of runs of rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
-/// or share hides, where it may be negative.
+/// or share hides, where it may be negative; `adhesive` says whether adhesion makes it so.
 pub(crate) fn respond(
-    (model, scene): (&str, &Scene),
+    (model, scene, adhesive): (&str, &Scene, bool),
     request: &Request,
     cells: impl Fn(&[At]) -> Vec<Vec<Cell>>,
     shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
@@ -109,7 +109,7 @@ pub(crate) fn respond(
             column.rows.extend(cells);
         }
     }
-    let mut seen = Warnings::default();
+    let mut seen = if adhesive { Warnings::of_adhesion() } else { Warnings::default() };
     for column in &mut columns {
         let quantity = column.quantity;
         for (row, &at) in column.rows.iter().zip(&request.at) {

@@ -10,7 +10,7 @@ use crate::{Asperity, AsperityModel, ContactError, ContactModel, Law, Part, Quan
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Finding {
-    /// The law does not vanish with the interference.
+    /// The law does not vanish with the interference, although adhesion is not claimed.
     NotZeroAtZero {
         /// Which law.
         quantity: Quantity,
@@ -40,6 +40,14 @@ pub enum Finding {
         /// The multiple claimed.
         claimed: f64,
     },
+    /// The law begins where it may not: elsewhere than at no interference although adhesion is not
+    /// claimed, or elsewhere than the law of the force.
+    Begins {
+        /// Which law.
+        quantity: Quantity,
+        /// Where, over the interference unit.
+        at: f64,
+    },
     /// The law has a kink or jump that it does not declare: results stay right, but are slow.
     UndeclaredKink {
         /// Which law.
@@ -65,6 +73,10 @@ impl fmt::Display for Finding {
             Self::NotHertz { found, claimed } => {
                 write!(f, "force: tends to {found} of Hertz' law, {claimed} was claimed")
             }
+            Self::Begins { quantity, at } => write!(
+                f,
+                "{quantity}: begins at x = {at}, 0 or, with adhesion, where the force begins was required"
+            ),
             Self::UndeclaredKink { quantity, part, at } => {
                 write!(f, "{quantity}, {part} part: undeclared kink near x = {at:.6}")
             }
@@ -93,10 +105,17 @@ pub fn check(
         return Err(ContactError::NoLaw { model, quantity });
     };
     let tolerance = Tolerance::new(1e-10)?;
-    let mut findings = vec![];
+    let (mut findings, mut first) = (vec![], None);
+    let adhesive = model.claims().adhesive;
     for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
         let Some(law) = model.law(asperity, quantity, tolerance)? else { continue };
-        if quantity != Quantity::Stiffness {
+        let begins = law.begins * law.interference_unit;
+        let wanted = *first.get_or_insert(if adhesive { begins } else { 0.0 });
+        if begins.total_cmp(&wanted).is_ne() {
+            findings.push(Finding::Begins { quantity, at: law.begins });
+        }
+        // Adhesion makes contacts jump into being.
+        if quantity != Quantity::Stiffness && !adhesive {
             vanishes(quantity, &law, &mut findings);
         }
         for part in &law.parts {
@@ -145,7 +164,8 @@ fn claims(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &
         // A law may be flat; rounding may not count as falling.
         let falls = |pair: &(f64, f64)| shape(law, pair.1) < shape(law, pair.0) * (1.0 - 1e-12);
         let mut points: Vec<f64> = grid().collect();
-        points.extend(law.kinks().iter().flat_map(|k| [k * (1.0 - 1e-9), *k]));
+        let kinks = law.kinks().into_iter().map(|k| k - law.begins);
+        points.extend(kinks.flat_map(|k| [k * (1.0 - 1e-9), k]));
         points.sort_by(f64::total_cmp);
         let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
         findings.extend(pairs.find(falls).map(|(_, at)| Finding::NotMonotone { at }));
@@ -263,6 +283,11 @@ mod tests {
         assert!(soft.contains("tends to 0.5"), "{soft}");
         let offset = findings(|| Law::in_units(1.0, 1.0).elastic(0.0..1e9, [Power::new(1.0, 0.0)]));
         assert!(offset.contains("is left at x = 0"), "{offset}");
+        let early = findings(|| hertz().beginning_at(-1.0));
+        assert!(
+            early.contains("force: begins at x = -1") && early.contains("area: begins"),
+            "{early}"
+        );
         let negative = findings(|| hertz().plastic(1.0..f64::INFINITY, [Power::new(-1.0, 1.0)]));
         assert!(negative.contains("-1") && negative.contains("at least 0"), "{negative}");
     }

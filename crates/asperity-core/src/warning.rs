@@ -24,6 +24,19 @@ pub enum Warning {
         /// The value there, in SI units.
         value: f64,
     },
+    /// A value is negative because the surfaces attract each other.
+    Adhesion {
+        /// The model.
+        model: String,
+        /// The quantity.
+        quantity: Quantity,
+        /// In how many rows.
+        count: usize,
+        /// Where first, as it was asked.
+        at: At,
+        /// The value there, in SI units.
+        value: f64,
+    },
     /// A value is below the smallest number a double can hold, and reads as 0; its logarithm is
     /// not lost.
     Underflow {
@@ -78,6 +91,20 @@ impl fmt::Display for Warning {
                 rows(*count),
                 quantity.unit()
             ),
+            Self::Adhesion { model, quantity, count, at, value } => {
+                let why = match cause_of(*quantity) {
+                    Quantity::Force => "adhesion pulls the surfaces together there",
+                    _ => {
+                        "the pull of adhesion grows on approach there, and a dead load is not held"
+                    }
+                };
+                write!(
+                    f,
+                    "{model}: the {quantity} is negative in {}, first at {at} ({value:.4e} {}): {why}",
+                    rows(*count),
+                    quantity.unit()
+                )
+            }
             Self::Underflow { model, quantity, count, at, ln_value } => write!(
                 f,
                 "{model}: the {quantity} is too small for a double in {}, first at {at}, and reads 0 there: its natural logarithm is {ln_value:.6}",
@@ -107,9 +134,18 @@ fn rows(count: usize) -> String {
 
 /// What is odd about values as they come: each cause once, whatever quantity shows it.
 #[derive(Debug, Clone, Default)]
-pub struct Warnings(Vec<(Option<Quantity>, Warning)>);
+pub struct Warnings {
+    seen: Vec<(Option<Quantity>, Warning)>,
+    adhesive: bool,
+}
 
 impl Warnings {
+    /// Of a model whose surfaces attract each other.
+    #[must_use]
+    pub fn of_adhesion() -> Self {
+        Self { adhesive: true, ..Self::default() }
+    }
+
     /// Looks at one value, or at why there is none. `behind` tells the value whose sign a logarithm
     /// or share hides, where it may be negative.
     pub fn look_at(
@@ -136,7 +172,10 @@ impl Warnings {
         };
         if signed < 0.0 {
             let (model, value) = (name(), signed);
-            let new = Warning::Negative { model, quantity: of, count: 1, at, value };
+            let new = match self.adhesive {
+                true => Warning::Adhesion { model, quantity: of, count: 1, at, value },
+                false => Warning::Negative { model, quantity: of, count: 1, at, value },
+            };
             self.count(quantity, new);
         }
         if value == 0.0 && evaluation.scaled != 0.0 && !quantity.is_absolute() {
@@ -153,26 +192,26 @@ impl Warnings {
     /// Adds what was odd about the rows that follow.
     pub fn append(&mut self, following: impl IntoIterator<Item = Warning>) {
         for mut new in following {
-            match self.0.iter_mut().find(|(_, known)| known.cause() == new.cause()) {
+            match self.seen.iter_mut().find(|(_, known)| known.cause() == new.cause()) {
                 Some((_, known)) => known.add(&mut new),
-                None => self.0.push((None, new)),
+                None => self.seen.push((None, new)),
             }
         }
     }
 
     /// What another quantity has shown is not counted again.
     fn count(&mut self, shown_by: Quantity, mut new: Warning) {
-        match self.0.iter_mut().find(|(_, known)| known.cause() == new.cause()) {
+        match self.seen.iter_mut().find(|(_, known)| known.cause() == new.cause()) {
             Some((by, known)) if *by == Some(shown_by) => known.add(&mut new),
             Some(_) => {}
-            None => self.0.push((Some(shown_by), new)),
+            None => self.seen.push((Some(shown_by), new)),
         }
     }
 
     /// All of it, in the order in which it was seen.
     #[must_use]
     pub fn into_vec(self) -> Vec<Warning> {
-        self.0.into_iter().map(|(_, warning)| warning).collect()
+        self.seen.into_iter().map(|(_, warning)| warning).collect()
     }
 }
 
@@ -181,6 +220,7 @@ impl Warning {
     fn rows(&mut self) -> Option<&mut usize> {
         match self {
             Self::Negative { count, .. }
+            | Self::Adhesion { count, .. }
             | Self::Underflow { count, .. }
             | Self::AreaAboveNominal { count, .. }
             | Self::NoContact { count, .. } => Some(count),
@@ -197,7 +237,9 @@ impl Warning {
     /// What tells it from others.
     fn cause(&self) -> (std::mem::Discriminant<Self>, Option<Quantity>) {
         let quantity = match self {
-            Self::Negative { quantity, .. } | Self::Underflow { quantity, .. } => Some(*quantity),
+            Self::Negative { quantity, .. }
+            | Self::Adhesion { quantity, .. }
+            | Self::Underflow { quantity, .. } => Some(*quantity),
             _ => None,
         };
         (std::mem::discriminant(self), quantity.map(cause_of))

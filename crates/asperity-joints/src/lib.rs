@@ -49,9 +49,17 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+pub mod conductance;
+mod joint;
 mod one;
+mod path;
 mod slip;
+mod table;
 mod unloading;
 
+pub use joint::Joint;
+pub use one::restitution;
+pub use path::{Path, Point};
 pub use slip::PartialSlip;
+pub use table::{JointTable, Memory, Reply};
 pub use unloading::{Unloading, UnloadingLaw};

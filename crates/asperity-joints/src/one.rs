@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, At, ContactError, Form, Law, QuadratureError, Quantity, Sampler,
-    Source, Tolerance,
+    Asperity, AsperityModel, At, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
+    Sampler, Source, Tolerance, positive,
 };
+use asperity_quadrature::gauss_kronrod;
 
 use crate::UnloadingLaw;
 
@@ -23,6 +24,8 @@ pub(crate) enum Asked {
     Released,
     /// 8 ∫₀ᵘ released du - 4 u released \[J\], likewise.
     Loss,
+    /// ∫₀ᵘ force du \[J\]: the work that comes back, all of it for an infinite u.
+    Returned,
 }
 
 /// The loading laws of one asperity, and how it comes back.
@@ -46,6 +49,35 @@ struct Pressed {
 }
 
 impl Loading {
+    /// The laws of a model whose asperities are upright and do not stick.
+    pub(crate) fn new(
+        model: &(impl ContactModel + ?Sized),
+        asperity: Asperity,
+        unloading: UnloadingLaw,
+        tolerance: Tolerance,
+    ) -> Result<Self, ContactError> {
+        let unsupported = |what: &str| ContactError::Unsupported {
+            model: model.name().into(),
+            what: format!("unloading: {what}"),
+        };
+        if model.claims().angles {
+            return Err(unsupported("its contacts lie at all angles"));
+        }
+        if model.claims().adhesive {
+            return Err(unsupported("adhesion has a branch of its own (jkr-separation)"));
+        }
+        let one =
+            model.asperity_model().ok_or_else(|| unsupported("it has no law of an asperity"))?;
+        let law_of = |quantity| {
+            let found = one.law(&asperity, quantity, tolerance)?;
+            found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
+        };
+        let (force, area) = (law_of(Quantity::Force)?, law_of(Quantity::Area)?);
+        let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
+        let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };
+        Ok(Self { force, area, asperity, unloading, critical })
+    }
+
     /// The asperity pressed to w \[m\].
     fn pressed(&self, w: f64) -> Result<Pressed, QuadratureError> {
         let Asperity { equivalent_modulus: e, radius, .. } = self.asperity;
@@ -83,6 +115,10 @@ impl Loading {
             Asked::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
             Asked::Released => force,
             Asked::Loss => force * recovered * loss(y, n),
+            Asked::Returned => {
+                let all = force * recovered / (n + 1.0);
+                if y < 1.0 { -all * ((n + 1.0) * (-y).ln_1p()).exp_m1() } else { all }
+            }
         })
     }
 
@@ -161,15 +197,44 @@ fn loss(y: f64, n: f64) -> f64 {
     sum
 }
 
+/// Quasi-static restitution of one asperity: the speed with which a mass leaves it over the one with
+/// which it came, √(work that unloading gives back/work of loading), pressed to `interference` \[m\].
+/// Waves and rates are left out.
+///
+/// # Errors
+/// Those of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an interference that is
+/// not above 0.
+pub fn restitution(
+    model: &(impl ContactModel + ?Sized),
+    asperity: &Asperity,
+    interference: f64,
+    law: UnloadingLaw,
+    tolerance: Tolerance,
+) -> Result<f64, ContactError> {
+    let w = positive("interference", interference)?;
+    let loading = Loading::new(model, *asperity, law, tolerance)?;
+    let failed = |source| {
+        let (quantity, at) = (Quantity::Force, At::metres(-w));
+        ContactError::Integral { quantity, at, source }
+    };
+    let mut breaks: Vec<f64> = loading.breaks().into_iter().filter(|x| *x < w).collect();
+    breaks.push(w);
+    let force = |x: f64| loading.force.value(x).unwrap_or(f64::NAN);
+    let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST).map_err(failed)?;
+    let back = loading.answer(w, f64::INFINITY, Asked::Returned).map_err(failed)?;
+    Ok((back / spent.value).sqrt())
+}
+
+/// Samples of one integral, at most.
+pub(crate) const MOST: usize = 100_000;
+
 /// What is asked of one asperity after a retreat, as the force of a model of its own.
 #[derive(Debug)]
 pub(crate) struct Retreated<'u> {
     pub(crate) source: &'u Source,
     pub(crate) name: &'u str,
-    /// Of w less the first interference that has not lost contact.
+    /// It begins with the first interference that has not lost contact.
     law: Law,
-    /// That interference \[m\].
-    pub(crate) first: f64,
 }
 
 impl<'u> Retreated<'u> {
@@ -183,10 +248,10 @@ impl<'u> Retreated<'u> {
         let value_unit = match asked {
             Asked::Area => loading.area.value_unit,
             Asked::Stiffness => value_unit / unit,
-            Asked::Loss => value_unit * unit,
+            Asked::Loss | Asked::Returned => value_unit * unit,
             Asked::Force | Asked::Released => value_unit,
         };
-        let whole = matches!(asked, Asked::Released | Asked::Loss);
+        let whole = matches!(asked, Asked::Released | Asked::Loss | Asked::Returned);
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
@@ -201,7 +266,7 @@ impl<'u> Retreated<'u> {
         // Counted from the first contact that is left: it may be far beyond what the heights at the
         // closest approach would be followed to.
         let first = ranges.first().map_or(0.0, |(low, _)| *low);
-        let mut law = Law::in_units(unit, value_unit);
+        let mut law = Law::in_units(unit, value_unit).beginning_at(first / unit);
         for (low, high) in ranges {
             let loading = loading.clone();
             let sample = move |x: &[f64], out: &mut [f64]| {
@@ -213,7 +278,7 @@ impl<'u> Retreated<'u> {
             let sampler: Arc<dyn Sampler> = Arc::new(sample);
             law = law.elastic((low - first) / unit..(high - first) / unit, Form::sampled(sampler));
         }
-        Ok(Self { source, name, law, first })
+        Ok(Self { source, name, law })
     }
 }
 

@@ -2,14 +2,14 @@
 
 use std::fmt;
 use std::str::FromStr;
-use std::sync::Arc;
 
 use asperity_core::{
-    At, ContactError, ContactModel, Datum, Evaluation, Quantity, Request, Scene, Separation,
-    SeparationUnit, Source, Tolerance,
+    At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
+    Tolerance,
 };
 
-use crate::one::{Asked, Loading, Retreated};
+use crate::Joint;
+use crate::one::Asked;
 
 /// How an asperity comes back; equations and sources stand at the head of this crate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -53,12 +53,10 @@ impl FromStr for UnloadingLaw {
 /// A contact that has come to its closest approach, and now goes back.
 #[derive(Debug, Clone)]
 pub struct Unloading {
-    source: Source,
-    name: String,
-    scene: Scene,
+    joint: Joint,
     closest: Separation,
-    loading: Arc<Loading>,
-    tolerance: Tolerance,
+    /// In σ_z from the mean of the asperity heights.
+    place: f64,
 }
 
 impl Unloading {
@@ -66,8 +64,7 @@ impl Unloading {
     /// load, the largest separation that carries it.
     ///
     /// # Errors
-    /// [`ContactError::Unsupported`] for models that have no law of an asperity, or one spread over
-    /// angles; those of the model, and of finding a load.
+    /// Those of [`Joint::new`] and [`Joint::unloading`].
     pub fn new(
         model: &(impl ContactModel + ?Sized),
         scene: &Scene,
@@ -75,35 +72,13 @@ impl Unloading {
         law: UnloadingLaw,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let unsupported = |what: &str| ContactError::Unsupported {
-            model: model.name().into(),
-            what: what.into(),
-        };
-        if model.claims().angles {
-            return Err(unsupported("unloading: its contacts lie at all angles"));
-        }
-        let one = model
-            .asperity_model()
-            .ok_or_else(|| unsupported("unloading: it has no law of an asperity"))?;
-        let asperity = scene.asperity()?;
-        let law_of = |quantity| {
-            let found = one.law(&asperity, quantity, tolerance)?;
-            found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
-        };
-        let (force, area) = (law_of(Quantity::Force)?, law_of(Quantity::Area)?);
-        let asked = Request::new([Quantity::Force]).within(tolerance).at([closest]);
-        let closest = model.compile(scene, &asked)?.separation(closest)?;
-        let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
-        let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };
-        let loading = Loading { force, area, asperity, unloading: law, critical };
-        Ok(Self {
-            source: *model.source(),
-            name: model.name().into(),
-            scene: scene.clone(),
-            closest,
-            loading: Arc::new(loading),
-            tolerance,
-        })
+        Joint::new(model, scene, law, tolerance)?.unloading(closest)
+    }
+
+    pub(crate) fn of_joint(joint: Joint, closest: Separation) -> Result<Self, ContactError> {
+        let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let place = closest.measured_in(sigmas, mean, joint.scene())?.value;
+        Ok(Self { joint, closest, place })
     }
 
     /// The closest approach.
@@ -115,13 +90,13 @@ impl Unloading {
     /// The scene.
     #[must_use]
     pub fn scene(&self) -> &Scene {
-        &self.scene
+        self.joint.scene()
     }
 
     /// How the asperities come back.
     #[must_use]
     pub fn law(&self) -> UnloadingLaw {
-        self.loading.unloading
+        self.joint.law()
     }
 
     /// The force \[N\] after going back by `retreat` \[m\], at least 0.
@@ -139,7 +114,7 @@ impl Unloading {
     pub fn area(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         if self.law() == UnloadingLaw::Etsion {
             let what = "an area in unloading by etsion: its fit of the area is left out".into();
-            return Err(ContactError::Unsupported { model: self.name.clone(), what });
+            return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
         self.of(Asked::Area, retreat)
     }
@@ -161,29 +136,32 @@ impl Unloading {
         self.of(Asked::Released, retreat)
     }
 
+    /// The work \[J\] that going back by `retreat` \[m\] gives back: all that there is for an infinite one.
+    ///
+    /// # Errors
+    /// Those of [`force`](Self::force).
+    pub fn returned(&self, retreat: f64) -> Result<Evaluation, ContactError> {
+        self.of(Asked::Returned, retreat)
+    }
+
     pub(crate) fn of(&self, asked: Asked, retreat: f64) -> Result<Evaluation, ContactError> {
-        if !(retreat >= 0.0 && retreat.is_finite()) {
+        if !(retreat >= 0.0 && (retreat.is_finite() || asked == Asked::Returned)) {
             let required = "a finite number, at least 0,";
             return Err(ContactError::OutOfRange { field: "retreat", value: retreat, required });
         }
-        if retreat == 0.0 && matches!(asked, Asked::Released | Asked::Loss) {
+        if retreat == 0.0 && matches!(asked, Asked::Released | Asked::Loss | Asked::Returned) {
             return Ok(Evaluation::new(0.0, 0.0));
         }
-        let who = (&self.source, &*self.name);
-        let model = Retreated::new(who, &self.loading, asked, retreat)?;
-        let first = model.first / self.scene.surface.asperity_height_std;
-        let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
-        let closest = self.closest.measured_in(sigmas, mean, &self.scene)?.value;
-        let request = Request::new([Quantity::Force]).within(self.tolerance);
-        let answer = model.solve(&self.scene, &request.at([closest + first]))?;
-        let row = answer.columns.into_iter().flat_map(|column| column.rows).next();
-        row.unwrap_or_else(|| {
-            Err(Box::new(ContactError::NotRequested { quantity: Quantity::Force }))
-        })
-        .map_err(|error| *error)
+        let found = self.joint.retreated(asked, retreat, &[self.place])?.into_iter().next();
+        found.ok_or(ContactError::NotRequested { quantity: Quantity::Force })
+    }
+
+    /// The closest approach, in σ_z from the mean of the asperity heights.
+    pub(crate) fn place(&self) -> f64 {
+        self.place
     }
 
     pub(crate) fn name(&self) -> &str {
-        &self.name
+        self.joint.name()
     }
 }

@@ -52,6 +52,7 @@ const NO_ASPERITY: asperity::Asperity = asperity::Asperity {
     hardness: None,
     yield_strength: None,
     pressure_factor: 0.0,
+    work_of_adhesion: None,
     radius: 0.0,
 };
 

@@ -63,7 +63,7 @@ impl AsperityModel for Average<'_> {
             Part { range, kinks, form, ..part.clone() }
         };
         let parts = law.parts.iter().map(average).collect();
-        Ok(Some(Law { interference_unit: unit, value_unit: law.value_unit, parts }))
+        Ok(Some(Law { parts, ..Law::in_units(unit, law.value_unit) }))
     }
 
     fn claims(&self) -> Claims {

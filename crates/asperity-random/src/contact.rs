@@ -45,6 +45,9 @@ impl<M: AsperityModel> ContactModel for RandomAsperities<M> {
             model: self.0.name().into(),
             what: format!("averages over the asperities of a random surface: {what}"),
         };
+        if self.0.claims().adhesive {
+            return Err(unsupported("asperities of many radii: adhesion changes with the radius"));
+        }
         if self.0.claims().angles {
             return Err(unsupported("its contact normals are spread over angles"));
         }

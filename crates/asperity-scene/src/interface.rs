@@ -13,6 +13,23 @@ pub(crate) fn interface(
     document: &Document<'_>,
     keys: &SceneKeys,
 ) -> Result<(Interface, &'static str), SceneError> {
+    let (mut found, section) = of_bodies(document, keys)?;
+    if keys.work_of_adhesion.is_some() {
+        if keys.interface.is_some() {
+            let needed = "the work_of_adhesion of [interface] there, one of the bodies above them";
+            return Err(document.conflict("work_of_adhesion", "interface", needed));
+        }
+        // Of the pair: no body has one of its own.
+        found.work_of_adhesion = keys.work_of_adhesion;
+        found.check().map_err(document.refused(""))?;
+    }
+    Ok((found, section))
+}
+
+fn of_bodies(
+    document: &Document<'_>,
+    keys: &SceneKeys,
+) -> Result<(Interface, &'static str), SceneError> {
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     // Each checked alone, so that the error can say which of the bodies it is.
     let alone = |body, section| Interface::against_rigid(body).map_err(document.refused(section));

@@ -14,6 +14,7 @@ use crate::ModelOptions;
 pub(crate) struct SceneKeys {
     pub(crate) nominal_area: f64,
     pub(crate) rigid_counterface: Option<bool>,
+    pub(crate) work_of_adhesion: Option<f64>,
     pub(crate) interface: Option<Interface>,
     #[serde(default)]
     pub(crate) body: Vec<Body>,

@@ -11,10 +11,11 @@ type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// What a unit measures, as the template names the SI unit; the units, and the power of ten of
 /// each. Spaces and ^ are left out, and µ is u.
-const UNITS: [Units; 5] = [
+const UNITS: [Units; 6] = [
     ("Pa", "210 GPa", &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("N/mm2", 6), ("N/m2", 0)]),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
+    ("J/m^2", "50 mJ/m2", &[("J/m2", 0), ("mJ/m2", -3), ("N/m", 0), ("mN/m", -3)]),
     ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
     (
         "1/m^2",
@@ -142,6 +143,8 @@ mod tests {
             ("0.3 cm^2", "nominal_area", 0.3e-4),
             ("355 N/mm2", "yield_strength", 355e6),
             ("7 m", "asperity_radius", 7.0),
+            ("50 mJ/m^2", "work_of_adhesion", 0.05),
+            ("0.05 N/m", "work_of_adhesion", 0.05),
         ] {
             let found = value(text, key).unwrap_or_else(|| panic!("{text}"));
             assert!(found.total_cmp(&meant).is_eq(), "{text}: {found}");

@@ -8,6 +8,9 @@ mod recommend;
 mod registry;
 mod truth;
 
+pub use asperity_adhesion::{
+    Branch, DerjaguinMullerToporov, JohnsonKendallRoberts, PullOff, pull_off,
+};
 pub use asperity_af::{AbdoFarhang, FlowPressure};
 pub use asperity_at::{AminiTehrani, Reading};
 pub use asperity_bem as bem;

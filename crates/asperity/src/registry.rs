@@ -11,9 +11,10 @@ use serde_json::{Map, Value};
 use strsim::osa_distance;
 
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, ChangEtsionBogy, Claims, Contact, ContactError,
-    ContactModel, EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen,
-    KogutEtsion, Persson, Reading, Request, Scene, Source, Variance, Warning, ZhaoMaiettaChang,
+    AbdoFarhang, AminiTehrani, AsperityModel, Branch, ChangEtsionBogy, Claims, Contact,
+    ContactError, ContactModel, DerjaguinMullerToporov, EtsionKligermanKadin, Gao,
+    GeometricHardness, GreenwoodWilliamson, JacksonGreen, JohnsonKendallRoberts, KogutEtsion,
+    Persson, Reading, Request, Scene, Source, Variance, Warning, ZhaoMaiettaChang,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -123,6 +124,20 @@ impl Model {
         vec![persson(Variance::Full), persson(Variance::Fudge)]
     }
 
+    /// Elastic asperities that stick: they need the scene's work of adhesion, and stand beside the
+    /// others where they are asked for by name.
+    #[must_use]
+    pub fn adhesive() -> Vec<Self> {
+        let jkr = |branch| Self::known(JohnsonKendallRoberts { branch });
+        vec![Self::known(DerjaguinMullerToporov), jkr(Branch::Approach), jkr(Branch::Separation)]
+    }
+
+    /// Every model that has a name here.
+    #[must_use]
+    pub fn named() -> Vec<Self> {
+        [Self::all(), Self::whole_surface(), Self::adhesive()].concat()
+    }
+
     /// All options with their values; `None` for a model of your own.
     #[must_use]
     pub fn options(&self) -> Option<Value> {
@@ -197,7 +212,7 @@ impl FromStr for Model {
 
     /// Reads a model's id, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
-        let models = [Self::all(), Self::whole_surface()].concat();
+        let models = Self::named();
         let wanted = name.trim().to_lowercase();
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
@@ -248,7 +263,7 @@ mod tests {
 
     #[test]
     fn every_id_reads_back_and_is_unique() {
-        let models = [Model::all(), Model::whole_surface()].concat();
+        let models = Model::named();
         let ids: Vec<String> = models.iter().map(ToString::to_string).collect();
         for id in &ids {
             assert_eq!(id.to_uppercase().parse::<Model>().unwrap().id(), id);
@@ -261,7 +276,7 @@ mod tests {
 
     #[test]
     fn every_model_goes_to_its_id_and_options_and_back() {
-        for model in [Model::all(), Model::whole_surface()].concat() {
+        for model in Model::named() {
             let text = serde_json::to_string(&model).unwrap();
             let back: Model = serde_json::from_str(&text).unwrap();
             assert_eq!((back.id(), back.options()), (model.id(), model.options()), "{text}");

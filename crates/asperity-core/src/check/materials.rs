@@ -1,7 +1,7 @@
 //! Whether moduli and hardnesses are those of any material.
 
 use super::finding::{Finding, Severity, short};
-use super::units::{PRESSURES, Unit, ask, slip};
+use super::units::{ENERGIES, PRESSURES, Unit, ask, slip};
 use crate::{Body, Interface};
 
 /// From soft gels to diamond \[Pa\].
@@ -20,6 +20,8 @@ const PLASTIC_RATIO: f64 = 0.02;
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
 /// H/S_y.
 const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
+/// w_a \[J/m²\], from surfaces in a liquid to metals that weld.
+const ADHESION: [f64; 2] = [1e-3, 5.0];
 /// S = 0.454 + 0.41 ν.
 const PRESSURE_FACTOR: [f64; 2] = [0.2, 1.2];
 
@@ -60,6 +62,19 @@ impl Interface {
                 let why = question.into_iter().fold(why, |why, question| why + ": " + &question);
                 found.push(unusual(field, shear, usual, &why));
             }
+        }
+        if let Some(work) = self.work_of_adhesion
+            && work > 0.0
+            && !within(work, ADHESION)
+        {
+            let question = slip(work, ENERGIES, "J/m2", |w| within(w, ADHESION));
+            let why = question.into_iter().fold(
+                "where 0.001 to 5 is usual, 0.05 for most clean surfaces in air".to_string(),
+                |why, question| why + ": " + &question,
+            );
+            let message = format!("work_of_adhesion is {} J/m2, {why}", short(work));
+            let (field, severity) = ("work_of_adhesion", severity(work, ADHESION));
+            found.push(Finding::new("unusual-size", severity, field, work, ADHESION, message));
         }
         if let Some(factor) = self.pressure_factor
             && !within(factor, PRESSURE_FACTOR)

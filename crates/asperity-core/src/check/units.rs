@@ -8,6 +8,8 @@ pub(crate) type Unit = (&'static str, f64);
 
 /// Of moduli and strengths \[Pa\].
 pub(crate) const PRESSURES: &[Unit] = &[("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3)];
+/// Of works of adhesion \[J/m²\].
+pub(crate) const ENERGIES: &[Unit] = &[("mJ/m2", 1e-3)];
 /// Of lengths \[m\].
 pub(crate) const LENGTHS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
 /// Of asperity densities \[1/m²\].

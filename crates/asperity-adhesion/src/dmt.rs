@@ -1,0 +1,51 @@
+//! Derjaguin, Muller & Toporov: Hertz' contact with a constant pull around it.
+
+use std::f64::consts::PI;
+
+use asperity_core::{
+    Asperity, AsperityModel, Claims, ContactError, Law, Power, Provenance, Quantity, Source,
+    Tolerance,
+};
+use serde::{Deserialize, Serialize};
+
+use crate::hertz;
+
+/// The model of Derjaguin, Muller and Toporov.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct DerjaguinMullerToporov;
+
+const SOURCE: Source = Source {
+    id: "dmt",
+    name: "DMT",
+    authors: "Derjaguin, Muller & Toporov",
+    year: 1975,
+    title: "Effect of contact deformations on the adhesion of particles",
+    provenance: Provenance::Seen,
+};
+
+impl AsperityModel for DerjaguinMullerToporov {
+    fn source(&self) -> &Source {
+        &SOURCE
+    }
+
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        let pull = 2.0 * PI * asperity.adhesion(SOURCE.name)? * asperity.radius;
+        let Some(law) = hertz(asperity, quantity) else { return Ok(None) };
+        if quantity == Quantity::Area || pull == 0.0 {
+            return Ok(Some(law));
+        }
+        let constant = [Power::new(pull / law.value_unit, 0.0)];
+        Ok(Some(law.less_adhesion(0.0..f64::INFINITY, constant)))
+    }
+
+    fn claims(&self) -> Claims {
+        Claims::with_adhesion()
+            .valid_for("elastic asperities that stick, Tabor's parameter below about 0.1")
+            .holds_to(1.0)
+    }
+}

@@ -1,0 +1,201 @@
+//! Johnson, Kendall & Roberts: adhesion stretches the contact, and holds it below w = 0.
+
+use std::f64::consts::PI;
+
+use asperity_core::{
+    Asperity, AsperityModel, Claims, ContactError, Form, Law, Provenance, Quantity, Source,
+    Tolerance,
+};
+use serde::{Deserialize, Serialize};
+
+use crate::hertz;
+
+/// Which way the surfaces go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Branch {
+    /// Towards each other for the first time: contacts begin at w = 0.
+    #[default]
+    Approach,
+    /// Away from each other, having been close: contacts last to w = -w_p.
+    Separation,
+}
+
+impl Branch {
+    /// w/w_p where a contact begins.
+    fn begins(self) -> f64 {
+        match self {
+            Self::Approach => 0.0,
+            Self::Separation => -1.0,
+        }
+    }
+
+    /// r there.
+    fn least(self) -> f64 {
+        match self {
+            Self::Approach => 4f64.cbrt(),
+            Self::Separation => 1.0,
+        }
+    }
+
+    /// r at x = w/w_p less where the contact begins: (r⁴ - 4r)/3 = x + that.
+    fn root(self, x: f64) -> f64 {
+        let b = self.least();
+        // With r = b + u: 3x = u (c₁ + u (c₂ + u (c₃ + u))), no term below 0, so that nothing cancels.
+        let c1 = match self {
+            Self::Approach => 12.0,
+            Self::Separation => 0.0,
+        };
+        let (c2, c3, y) = (6.0 * b * b, 4.0 * b, 3.0 * x);
+        // Each term alone would need this: Newton's steps come down from the least of them.
+        let mut u = y.sqrt().sqrt().min((y / c2).sqrt());
+        if c1 > 0.0 {
+            u = u.min(y / c1);
+        }
+        for _ in 0..60 {
+            let value = u * (c1 + u * (c2 + u * (c3 + u)));
+            let slope = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * 4.0));
+            let next = u - (value - y) / slope;
+            // Rounding ends the descent; at x = 0 there is none.
+            if !(next < u && next > 0.0) {
+                break;
+            }
+            u = next;
+        }
+        b + u
+    }
+}
+
+/// The model of Johnson, Kendall and Roberts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct JohnsonKendallRoberts {
+    /// Which way the surfaces go.
+    pub branch: Branch,
+}
+
+const SOURCE: Source = Source {
+    id: "jkr",
+    name: "JKR",
+    authors: "Johnson, Kendall & Roberts",
+    year: 1971,
+    title: "Surface energy and the contact of elastic solids",
+    provenance: Provenance::Seen,
+};
+
+const SEPARATION: Source = Source { id: "jkr-separation", name: "JKR separation", ..SOURCE };
+
+impl JohnsonKendallRoberts {
+    /// A power of r, as a function of x.
+    fn power(self, coefficient: f64, exponent: i32) -> Form {
+        let branch = self.branch;
+        let name = match branch {
+            Branch::Approach => "power of JKR's radius on approach",
+            Branch::Separation => "power of JKR's radius on separation",
+        };
+        Form::function(move |x| coefficient * branch.root(x).powi(exponent))
+            .known_as(name, vec![coefficient, f64::from(exponent)])
+    }
+}
+
+impl AsperityModel for JohnsonKendallRoberts {
+    fn source(&self) -> &Source {
+        match self.branch {
+            Branch::Approach => &SOURCE,
+            Branch::Separation => &SEPARATION,
+        }
+    }
+
+    fn law(
+        &self,
+        asperity: &Asperity,
+        quantity: Quantity,
+        _: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        let work = asperity.adhesion(SOURCE.name)?;
+        if work == 0.0 {
+            return Ok(hertz(asperity, quantity));
+        }
+        let r = asperity.radius;
+        let strain = PI * work / (8.0 * asperity.equivalent_modulus * r);
+        let last = 3.0 * r * (strain * strain).cbrt();
+        let law = |unit| Law::in_units(last, unit).beginning_at(self.branch.begins());
+        let all = 0.0..f64::INFINITY;
+        Ok(Some(match quantity {
+            Quantity::Force => law(PI * work * r)
+                .elastic(all.clone(), self.power(1.0 / 6.0, 6))
+                .less_adhesion(all, self.power(1.0, 3)),
+            Quantity::Area => law(PI * r * last / 3.0).elastic(all, self.power(1.0, 4)),
+            _ => return Ok(None),
+        }))
+    }
+
+    fn claims(&self) -> Claims {
+        Claims::with_adhesion()
+            .valid_for("elastic asperities that stick, Tabor's parameter above about 5")
+            .holds_to(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_core::{Interface, testkit};
+
+    /// The equations as they are printed, of the contact radius.
+    fn printed(asperity: &Asperity, a: f64) -> [f64; 3] {
+        let (e, r) = (asperity.equivalent_modulus, asperity.radius);
+        let work = asperity.work_of_adhesion.unwrap();
+        let w = a * a / r - (2.0 * PI * work * a / e).sqrt();
+        let force = 4.0 * e * a.powi(3) / (3.0 * r) - (8.0 * PI * work * e * a.powi(3)).sqrt();
+        [w, force, PI * a * a]
+    }
+
+    #[test]
+    fn both_branches_are_the_printed_equations() {
+        let mut interface = Interface::elastic(3e6, 0.5);
+        interface.work_of_adhesion = Some(0.08);
+        let asperity = Asperity::new(&interface, 2e-4).unwrap();
+        let least = (PI * 0.08 * 2e-4f64.powi(2) / (8.0 * 3e6)).cbrt();
+        for branch in [Branch::Approach, Branch::Separation] {
+            let model = JohnsonKendallRoberts { branch };
+            assert_eq!(testkit::check(&model, &asperity).unwrap(), []);
+            let law = |q| model.law(&asperity, q, Tolerance::default()).unwrap().unwrap();
+            let (force, area) = (law(Quantity::Force), law(Quantity::Area));
+            // From the least radius of the branch on.
+            let first = least * branch.least().powi(2);
+            for k in 1..60 {
+                let a = first * 1.3f64.powi(k);
+                let [w, f, area_wanted] = printed(&asperity, a);
+                let found = area.value(w).unwrap();
+                assert!((found / area_wanted - 1.0).abs() < 1e-13, "{k}: {found}");
+                // The printed difference cancels as its two terms do.
+                let large = 4.0 * 3e6 * a.powi(3) / (3.0 * 2e-4);
+                assert!((force.value(w).unwrap() - f).abs() < 1e-12 * (large + f.abs()), "{k}");
+            }
+            let [w, f, _] = printed(&asperity, first);
+            let (below, above) = (w - 1e-6 * w.abs() - 1e-15, w + 1e-12 * w.abs() + 1e-21);
+            assert!(force.value(below).unwrap() == 0.0 && area.value(below).unwrap() == 0.0);
+            assert!((force.value(above).unwrap() / f - 1.0).abs() < 1e-5);
+            let jump = [-4.0 / 3.0, -5.0 / 6.0][usize::from(branch == Branch::Separation)];
+            assert!((f / (jump * PI * 0.08 * 2e-4) - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn the_root_is_met_over_all_scales() {
+        for branch in [Branch::Approach, Branch::Separation] {
+            for k in -300..300 {
+                let x = 10f64.powi(k);
+                let (b, r) = (branch.least(), branch.root(x));
+                let u = r - b;
+                let c1 = if branch == Branch::Approach { 12.0 } else { 0.0 };
+                let back = u * (c1 + u * (6.0 * b * b + u * (4.0 * b + u))) / 3.0;
+                // u itself is lost in r where x is small.
+                let lost = 4.0 * f64::EPSILON * b / u.max(f64::MIN_POSITIVE);
+                assert!((back / x - 1.0).abs() < 1e-14 + 2.0 * lost || lost > 1.0, "{k}");
+            }
+            assert!(branch.root(0.0).to_bits() == branch.least().to_bits());
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Laws that begin elsewhere than at w = 0: below it, where adhesion holds on to an asperity that is
+//! pulled away; above it, where the first contacts are gone.
+//!
+//! With x counted from w₀, where the law begins, and s from there too, the integral is the usual one:
+//! ```text
+//! ∫ q(w) g(d + w) dw = ∫₀^∞ q(w₀ + t) g(d + w₀ + t) dt
+//! ```
+
+use asperity_quadrature::{Curvature, Moments};
+
+/// w₀/σ_z.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Begins(pub(crate) f64);
+
+impl Begins {
+    /// Whether separations are not those of the heights' mean.
+    #[inline]
+    pub(crate) fn elsewhere(self) -> bool {
+        self.0 != 0.0
+    }
+
+    /// A separation, seen from where the law begins.
+    #[inline]
+    pub(crate) fn seen(self, s: f64) -> f64 {
+        s + self.0
+    }
+
+    /// What the sum of two numbers is off by, at most.
+    fn rounding(self, s: f64) -> f64 {
+        f64::EPSILON * (self.seen(s).abs() + 2.0 * self.0.abs())
+    }
+
+    /// The integrals at [`seen`](Self::seen), slope included, with what its rounding does to them in
+    /// the bound.
+    #[inline]
+    pub(crate) fn widened(self, s: f64, mut moments: Moments) -> Moments {
+        if self.elsewhere() && moments.sizes[0] > 0.0 {
+            // The slope's own slope is one more power of s.
+            moments.error += self.rounding(s) * (moments.sizes[1] / moments.sizes[0] + 1.0);
+        }
+        moments
+    }
+
+    /// The same of a second derivative, whose own slope is three powers of s to its two.
+    pub(crate) fn widened_curvature(self, s: f64, mut curvature: Curvature) -> Curvature {
+        if self.elsewhere() {
+            curvature.error += self.rounding(s) * (self.seen(s).max(0.0) + 3.0);
+        }
+        curvature
+    }
+}

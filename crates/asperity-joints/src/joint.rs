@@ -1,0 +1,137 @@
+//! A model's contact on a scene, to be closed and opened.
+
+use std::sync::Arc;
+
+use asperity_core::{
+    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Source,
+    Tolerance,
+};
+use asperity_quadrature::gauss_kronrod;
+
+use crate::one::{Asked, Loading, MOST, Retreated};
+use crate::{Unloading, UnloadingLaw};
+
+/// The first closing, and the way back from any closest approach.
+#[derive(Debug, Clone)]
+pub struct Joint {
+    source: Source,
+    name: String,
+    virgin: Arc<dyn Contact>,
+    loading: Arc<Loading>,
+    tolerance: Tolerance,
+}
+
+impl Joint {
+    /// A model's contact on a scene, which comes back as `law` says.
+    ///
+    /// # Errors
+    /// [`ContactError::Unsupported`] for models that have no law of an asperity, one spread over
+    /// angles, or adhesion; those of the model.
+    pub fn new(
+        model: &(impl ContactModel + ?Sized),
+        scene: &Scene,
+        law: UnloadingLaw,
+        tolerance: Tolerance,
+    ) -> Result<Self, ContactError> {
+        let loading = Loading::new(model, scene.asperity()?, law, tolerance)?;
+        let asked = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        Ok(Self {
+            source: *model.source(),
+            name: model.name().into(),
+            virgin: model.compile(scene, &asked)?.into(),
+            loading: Arc::new(loading),
+            tolerance,
+        })
+    }
+
+    /// The curve of first loading, compiled for force and tangent.
+    #[must_use]
+    pub fn virgin(&self) -> &dyn Contact {
+        &*self.virgin
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        self.virgin.scene()
+    }
+
+    /// How the asperities come back.
+    #[must_use]
+    pub fn law(&self) -> UnloadingLaw {
+        self.loading.unloading
+    }
+
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The way back from a closest approach: of a load, the largest separation that carries it.
+    ///
+    /// # Errors
+    /// Those of finding a load.
+    pub fn unloading(&self, closest: At) -> Result<Unloading, ContactError> {
+        Unloading::of_joint(self.clone(), self.virgin.separation(closest)?)
+    }
+
+    /// The work \[J\] of first closing, from no contact to `closest`.
+    ///
+    /// # Errors
+    /// Those of the contact's evaluations, and [`ContactError::Integral`].
+    pub fn spent(&self, closest: At) -> Result<f64, ContactError> {
+        let way = self.unloading(closest)?;
+        let sigma = self.scene().surface.asperity_height_std;
+        // Twice as far each time, until nothing is left.
+        let (mut from, mut step, mut work) = (sigma * way.place(), sigma, 0.0);
+        loop {
+            let panel = self.closing(from + step, from)?;
+            work += panel;
+            (from, step) = (from + step, 2.0 * step);
+            if panel <= 1e-3 * self.tolerance.relative() * work || from > 1e8 * sigma {
+                return Ok(work);
+            }
+        }
+    }
+
+    /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of the
+    /// asperity heights.
+    pub(crate) fn closing(&self, from: f64, to: f64) -> Result<f64, ContactError> {
+        let force = |d: f64| {
+            let found = self.virgin.evaluate(Quantity::Force, At::metres(d));
+            found.map_or(f64::NAN, |force| force.value())
+        };
+        let found = gauss_kronrod(force, &[to, from], self.tolerance.relative(), MOST);
+        let (quantity, at) = (Quantity::Force, At::metres(to));
+        found.map(|found| found.value).map_err(|source| ContactError::Integral {
+            quantity,
+            at,
+            source,
+        })
+    }
+
+    /// The work \[J\] that yielding has taken for good, where the contact has been closed as far as
+    /// `closest` and open again: what is spent less what comes back. A cycle between fixed
+    /// separations loses it once; after that, it retraces.
+    ///
+    /// # Errors
+    /// Those of [`spent`](Self::spent).
+    pub fn dissipated(&self, closest: At) -> Result<f64, ContactError> {
+        let returned = self.unloading(closest)?.returned(f64::INFINITY)?;
+        Ok(self.spent(closest)? - returned.value())
+    }
+
+    /// What is asked after a retreat \[m\] from each of these closest approaches \[σ_z from the mean of
+    /// the asperity heights\].
+    pub(crate) fn retreated(
+        &self,
+        asked: Asked,
+        retreat: f64,
+        closest: &[f64],
+    ) -> Result<Vec<Evaluation>, ContactError> {
+        let model = Retreated::new((&self.source, &self.name), &self.loading, asked, retreat)?;
+        let request = Request::new([Quantity::Force]).within(self.tolerance);
+        let answer = model.solve(self.scene(), &request.at(closest.iter().copied()))?;
+        let rows = answer.columns.into_iter().flat_map(|column| column.rows);
+        rows.map(|row| row.map_err(|error| *error)).collect()
+    }
+}
