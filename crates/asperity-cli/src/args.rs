@@ -6,6 +6,7 @@ use anyhow::{Context, Result};
 use asperity::joints::{Unloading, UnloadingLaw};
 use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 use serde::Deserialize;
@@ -113,7 +114,7 @@ pub struct DrawnArgs {
     #[command(flatten)]
     output: OutputArgs,
     /// Draw the answer as well, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg", value_parser = |name: &str| svg_file(name.into()))]
+    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
     plot: Option<PathBuf>,
 }
 

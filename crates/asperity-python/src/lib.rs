@@ -55,7 +55,7 @@ mod _asperity {
         surface_from_moments, surface_from_plasticity_index, surface_from_std,
     };
     #[pymodule_export]
-    use crate::joints::{PartialSlip, Unloading};
+    use crate::joints::{JointTable, PartialSlip, Unloading};
     #[pymodule_export]
     use crate::numbers::floats;
     #[pymodule_export]

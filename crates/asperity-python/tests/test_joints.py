@@ -172,3 +172,56 @@ def test_a_model_of_ones_own_unloads_too(scene: asperity.Scene) -> None:
         found, _ = integrate.quad(one, 2 * u, 9 * sigma, args=(u,), epsrel=1e-11, limit=200)
         wanted = found * scene.surface.asperity_density * scene.nominal_area
         assert joint.force(u / sigma) == pytest.approx(wanted, rel=1e-8)
+
+
+def test_work_is_the_area_under_the_curves(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    contact = ke.compile(scene, separation_unit="m")
+    joint = ke.unloading(scene, 1e-6, separation_unit="m")
+    spent, _ = integrate.quad(contact.force, 1e-6, 9e-6, epsrel=1e-9, limit=200)
+    given, _ = integrate.quad(joint.force, 0.0, 1e-6, epsrel=1e-9, limit=200)
+    assert joint.returned(1e-6) == pytest.approx(given, rel=1e-7)
+    assert joint.dissipated() == pytest.approx(spent - joint.returned(8e-6), rel=1e-6)
+    elastic = asperity.model("gw").unloading(scene, 1.0)
+    assert abs(elastic.dissipated()) < 1e-8 * elastic.returned(20.0)
+
+
+def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
+    ke, sigma = asperity.model("ke"), scene.surface.asperity_height_std
+    plane = asperity.Scene(
+        scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
+    )
+    table = ke.joint_table(scene, -0.5, 5.0)
+    way = np.array([3.0, 1.5, 1.6, 1.9, 1.7, 1.5, 1.0, 1.1, 1.4, 1.2])
+    force, stiffness = table.history(way)
+    back = [None, None, 1.5, 1.5, 1.5, None, None, 1.0, 1.0, 1.0]
+    for k, (at, closest) in enumerate(zip(way, back, strict=True)):
+        if closest is None:
+            wanted, slope = (float(v) for v in ke.compile(scene).force_and_tangent(at))
+            # Where a new closing begins, the way back ends.
+            assert force[k] == pytest.approx(wanted, rel=1e-6)
+            assert k == 5 or stiffness[k] == pytest.approx(slope / 1.0, rel=1e-6)
+        else:
+            joint = ke.unloading(scene, closest)
+            assert abs(force[k] - joint.force(at - closest)) < 1e-6 * joint.force(0.0)
+            assert stiffness[k] == pytest.approx(joint.stiffness(at - closest), rel=1e-3)
+    metres = ke.joint_table(scene, -0.5 * sigma, 5 * sigma, separation_unit="m")
+    offset = scene.surface.mean_plane_offset / sigma
+    moved = ke.joint_table(plane, -0.5 + offset, 5.0 + offset)
+    for other, given in [(metres, way * sigma), (moved, way + offset)]:
+        np.testing.assert_allclose(other.history(given)[0], force, rtol=1e-6)
+    closest, steps = np.inf, []
+    for at in way:
+        one, _, closest = table.step(at, closest)
+        steps.append(one)
+    np.testing.assert_array_equal(steps, force)
+    assert closest == 1.0 and type(steps[0]) is float
+    again = pickle.loads(pickle.dumps(table))
+    np.testing.assert_array_equal(again.history(way.reshape(2, 5))[1].ravel(), stiffness)
+    assert repr(again) == repr(table) and "by hertz from -0.5 to 5.0" in repr(table)
+    for call in (lambda: table.step(-0.6, 1.0), lambda: table.history([1.0, -0.6])):
+        with pytest.raises(ValueError, match="at least the deepest separation of the table"):
+            call()
+    for ends, said in [((1.0, 0.0), "open, less deepest"), ((0.0, float("nan")), "open")]:
+        with pytest.raises(ValueError, match=said):
+            ke.joint_table(scene, *ends)

@@ -2,7 +2,10 @@
 //! thermal conductance.
 
 use anyhow::Result;
-use asperity::{At, ContactModel, Model, Quantity, Request, Scene, Tolerance, linspace};
+use asperity::joints::conductance::{
+    Correlated, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
+};
+use asperity::{Asperity, At, ContactModel, Model, Quantity, Request, Scene, Tolerance, linspace};
 use rayon::prelude::*;
 
 use super::models::{self, INPUTS, MARKERS, curve};
@@ -11,6 +14,8 @@ use asperity_plot::{Axis, Curve, Figure, Panel};
 
 /// The models with circular contacts.
 const CIRCULAR: [&str; 7] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"];
+/// The place of KE among them.
+const KE: usize = 3;
 const KINDS: [(Quantity, &str, usize, &str); 3] = [
     (Quantity::Tangent, "tangent", 8, "first closing, -dF/dd"),
     (Quantity::UnloadingStiffness, "unloading", 9, "unloading"),
@@ -85,19 +90,37 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
     Ok(figure)
 }
 
-/// Conductance of every model, and over that of KE.
+/// The correlations that people know, with their looks and what the legend calls them.
+const CORRELATIONS: [(&str, usize, &str); 2] =
+    [("cmy", 8, "CMY 1969, plastic"), ("mikic", 7, "Mikic 1974, elastic")];
+
+/// Conductance of every model and of the correlations where they hold, and over that of KE.
 pub fn conductance() -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     scene.interface.thermal_conductivity = Some(CONDUCTIVITY);
-    let all = solved(&scene, &[Quantity::ThermalConductance])?;
-    let mut curves: Vec<(&str, Vec<f64>)> =
-        CIRCULAR.into_iter().zip(all.into_iter().flatten()).collect();
-    curves.iter_mut().flat_map(|(_, column)| column).for_each(|h| *h /= scene.nominal_area);
-    let reference = curves[3].1.clone();
+    let roughness = GapRoughness::of(&scene.surface.moments());
+    let Asperity { equivalent_modulus: modulus, .. } = scene.asperity()?;
+    let hardness = scene.asperity()?.hardness()?;
+    let per_area = |columns: Vec<Vec<f64>>| {
+        columns.into_iter().flatten().map(|h| Some(h / scene.nominal_area)).collect()
+    };
+    let all = solved(&scene, &[Quantity::ThermalConductance])?.into_iter().map(per_area);
+    let mut curves: Vec<(&str, Vec<Option<f64>>)> = CIRCULAR.into_iter().zip(all).collect();
+    let reference = curves[KE].1.clone();
+    let held = |found: Correlated| found.holds.then_some(found.conductance);
+    for (id, ..) in CORRELATIONS {
+        let of = |p: f64| match id {
+            "cmy" => cooper_mikic_yovanovich(CONDUCTIVITY, &roughness, p, hardness),
+            _ => mikic_elastic(CONDUCTIVITY, &roughness, p, modulus),
+        };
+        let found = pressures().into_iter().map(|p| Ok(held(of(p)?)));
+        curves.push((id, found.collect::<Result<_>>()?));
+    }
     let mut table = Table::new(&["curve", X, "conductance_W_per_m2K", "over_ke"]);
     for (id, column) in &curves {
         for ((p, h), ke) in pressures().into_iter().zip(column).zip(&reference) {
-            let numbers = [p, *h, h / ke].map(Field::Number);
+            let Some((h, ke)) = h.zip(*ke) else { continue };
+            let numbers = [p, h, h / ke].map(Field::Number);
             table.push(&[&[Field::Word(id)], &numbers[..]].concat())?;
         }
     }
@@ -106,7 +129,8 @@ pub fn conductance() -> Result<Table> {
 
 /// How [`conductance`] is drawn.
 pub fn conductance_figure(_: &str) -> Result<Figure> {
-    let curves = CIRCULAR.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
+    let mut curves = CIRCULAR.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
+    curves.extend(CORRELATIONS.map(|(key, look, label)| Curve::new(look, key, label)));
     let columns = [
         Axis::new("conductance_W_per_m2K", "conductance h (W/(m² K))").log(),
         Axis::new("over_ke", "conductance over that of KE"),
@@ -117,7 +141,7 @@ pub fn conductance_figure(_: &str) -> Result<Figure> {
         panel
     });
     let caption = format!(
-        "h\u{a0}=\u{a0}2k_s/A_n times the sum of the contact radii, in vacuum and for contacts far from each other (ψ\u{a0}=\u{a0}1). Assumed: k_s\u{a0}=\u{a0}50\u{a0}W/(m\u{a0}K), the harmonic mean of both bodies', and σ_z\u{a0}=\u{a0}1.0\u{a0}µm. {INPUTS}"
+        "h\u{a0}=\u{a0}2k_s/A_n times the sum of the contact radii, in vacuum and for contacts far from each other (ψ\u{a0}=\u{a0}1). The correlations of Cooper, Mikic & Yovanovich (CMY), h\u{a0}=\u{a0}1.25k_s(m/σ)(p/H)^0.95, and of Mikic, h\u{a0}=\u{a0}1.55k_s(m/σ)(√2p/(Em))^0.94, have the σ and m of a Gaussian surface with these asperities, and are drawn where they are near the theories that they fit. Assumed: k_s\u{a0}=\u{a0}50\u{a0}W/(m\u{a0}K), the harmonic mean of both bodies', and σ_z\u{a0}=\u{a0}1.0\u{a0}µm. {INPUTS}"
     );
     let title = "Thermal conductance against pressure";
     let mut figure = Figure::new(title, &[&caption, MARKERS], panels.to_vec());

@@ -24,6 +24,7 @@ from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import (
     Contact,
     ContactWarning,
+    JointTable,
     NotConverged,
     PartialSlip,
     Unloading,
@@ -53,6 +54,7 @@ __all__ = [
     "Curve",
     "Finding",
     "Interface",
+    "JointTable",
     "Model",
     "NotConverged",
     "PartialSlip",

@@ -18,7 +18,7 @@ from asperity._arguments import (
     place,
     quantity_names,
 )
-from asperity._asperity import Contact, ContactWarning, Engine, Unloading, floats
+from asperity._asperity import Contact, ContactWarning, Engine, JointTable, Unloading, floats
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
 from asperity._scene import Floats, Options, Scene
@@ -237,6 +237,35 @@ class Model(Engine):
         for words in _asperity.findings(self, Rows(scene, *where)):
             warnings.warn(words, ContactWarning, stacklevel=2)
         return joint
+
+    def joint_table(
+        self,
+        scene: Scene,
+        deepest: float,
+        open: float,
+        law: str = "hertz",
+        tolerance: float = 1e-6,
+        separation_unit: str = "asperity_height_std",
+    ) -> JointTable:
+        """Closing, opening and closing again, for codes that step in time: tabulated for closest
+        approaches from ``deepest`` to ``open``, beyond which nothing is taken to have yielded.
+
+        Forces on the way back are within ``tolerance`` of the force at the closest approach.
+
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> table = asperity.model("ke").joint_table(scene, -1e-6, 5e-6, separation_unit="m")
+        >>> force, stiffness, closest = table.step(2e-6)          # closing for the first time
+        >>> f"{force:.2f} N, {stiffness:.2e} N/m"
+        '216.94 N, 5.99e+08 N/m'
+        >>> force, stiffness, closest = table.step(2.1e-6, closest)  # and back
+        >>> f"{force:.2f} N, {stiffness:.2e} N/m, from {closest:.1e} m"
+        '138.50 N, 6.94e+08 N/m, from 2.0e-06 m'
+        >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
+        array([216.94, 138.5 , 216.94])
+        """
+        ends = float(deepest), float(open)
+        return JointTable(self, scene, ends, law, tolerance, checked_unit(separation_unit))
 
     def law(
         self, scene: Scene, quantity: str, interference: npt.ArrayLike, rtol: float = 1e-10
