@@ -7,7 +7,7 @@
 //! ```text
 //! fields → scene → rows → answer ┐
 //!          python_model → engine ┴→ contact → ask, advice
-//!                         engine → joints
+//!                         engine → joints, joint_table
 //! scene, topography → bem
 //! ```
 
@@ -20,6 +20,7 @@ mod contact;
 mod engine;
 mod error;
 mod fields;
+mod joint_table;
 mod joints;
 mod long;
 mod numbers;
@@ -55,7 +56,9 @@ mod _asperity {
         surface_from_moments, surface_from_plasticity_index, surface_from_std,
     };
     #[pymodule_export]
-    use crate::joints::{JointTable, PartialSlip, Unloading};
+    use crate::joint_table::JointTable;
+    #[pymodule_export]
+    use crate::joints::{PartialSlip, Unloading};
     #[pymodule_export]
     use crate::numbers::floats;
     #[pymodule_export]

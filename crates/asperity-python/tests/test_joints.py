@@ -85,7 +85,7 @@ def test_loops_hold_the_loss_and_end_where_all_slides(scene: asperity.Scene) -> 
         forth = slip.loop_force(x, amplitude, forth=True)
         return abs(forth - slip.loop_force(x, amplitude))
 
-    area, _ = integrate.quad(width, -amplitude, amplitude, epsrel=1e-7)
+    area, _ = integrate.quad(width, -amplitude, amplitude, epsabs=0.0, epsrel=1e-7)
     assert slip.loss(amplitude) == pytest.approx(area, rel=1e-5)
     curve = asperity.model("ke").solve(scene, load=100.0, quantities="tangential-stiffness")
     stick = float(curve["tangential-stiffness"])
@@ -169,7 +169,9 @@ def test_a_model_of_ones_own_unloads_too(scene: asperity.Scene) -> None:
         return float(0.5 * hertz * density)
 
     for u in (0.0, 0.2 * sigma):
-        found, _ = integrate.quad(one, 2 * u, 9 * sigma, args=(u,), epsrel=1e-11, limit=200)
+        found, _ = integrate.quad(
+            one, 2 * u, 9 * sigma, args=(u,), epsabs=0.0, epsrel=1e-11, limit=200
+        )
         wanted = found * scene.surface.asperity_density * scene.nominal_area
         assert joint.force(u / sigma) == pytest.approx(wanted, rel=1e-8)
 
@@ -178,8 +180,8 @@ def test_work_is_the_area_under_the_curves(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     contact = ke.compile(scene, separation_unit="m")
     joint = ke.unloading(scene, 1e-6, separation_unit="m")
-    spent, _ = integrate.quad(contact.force, 1e-6, 9e-6, epsrel=1e-9, limit=200)
-    given, _ = integrate.quad(joint.force, 0.0, 1e-6, epsrel=1e-9, limit=200)
+    spent, _ = integrate.quad(contact.force, 1e-6, 9e-6, epsabs=0.0, epsrel=1e-9, limit=200)
+    given, _ = integrate.quad(joint.force, 0.0, 1e-6, epsabs=0.0, epsrel=1e-9, limit=200)
     assert joint.returned(1e-6) == pytest.approx(given, rel=1e-7)
     assert joint.dissipated() == pytest.approx(spent - joint.returned(8e-6), rel=1e-6)
     elastic = asperity.model("gw").unloading(scene, 1.0)

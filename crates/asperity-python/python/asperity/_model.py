@@ -260,9 +260,9 @@ class Model(Engine):
         '216.94 N, 5.99e+08 N/m'
         >>> force, stiffness, closest = table.step(2.1e-6, closest)  # and back
         >>> f"{force:.2f} N, {stiffness:.2e} N/m, from {closest:.1e} m"
-        '138.50 N, 6.94e+08 N/m, from 2.0e-06 m'
+        '137.00 N, 6.83e+08 N/m, from 2.0e-06 m'
         >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
-        array([216.94, 138.5 , 216.94])
+        array([216.94, 137.  , 216.94])
         """
         ends = float(deepest), float(open)
         return JointTable(self, scene, ends, law, tolerance, checked_unit(separation_unit))
