@@ -6,6 +6,8 @@ use anyhow::{Context, Result};
 use asperity::joints::{Unloading, UnloadingLaw};
 use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 use serde::Deserialize;
 use serde::de::IntoDeserializer;
@@ -106,6 +108,16 @@ pub struct OutputArgs {
     pub output: Option<PathBuf>,
 }
 
+/// Form and place of the answer, and of its picture.
+#[derive(Debug, Args)]
+pub struct DrawnArgs {
+    #[command(flatten)]
+    output: OutputArgs,
+    /// Draw the answer as well, one panel for each quantity
+    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
+    plot: Option<PathBuf>,
+}
+
 impl Asked {
     /// As a request, with what is asked for unless something is given.
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
@@ -143,6 +155,25 @@ impl OutputArgs {
 
     pub fn write_text(&self, text: &str) -> Result<()> {
         output::write_text(self.output.as_deref(), text)
+    }
+}
+
+impl DrawnArgs {
+    /// Ends the `command` where picture and data would go to the same place.
+    pub fn check(&self, command: &str) {
+        let files = [self.plot.as_deref(), self.output.output.as_deref()];
+        if self.plot.is_some() && files.map(output::is_standard) == [true; 2] {
+            let text = "--plot - leaves no place for the data: name a file with --output";
+            crate::usage_error(command, ErrorKind::ArgumentConflict, text);
+        }
+    }
+
+    /// The table, and its picture if one was asked for.
+    pub fn write(&self, table: &Table, picture: impl FnOnce() -> Result<String>) -> Result<()> {
+        if self.plot.is_some() {
+            output::write_text(self.plot.as_deref(), &picture()?)?;
+        }
+        self.output.write(table)
     }
 }
 

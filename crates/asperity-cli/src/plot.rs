@@ -66,6 +66,26 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     Ok(draw(&figure, &String::from_utf8(csv)?)?)
 }
 
+/// The picture of some columns against one, a panel each where the table has it, of curves that
+/// the first column names.
+pub fn against(
+    table: &Table,
+    x: &Axis,
+    columns: &[(&str, &str)],
+    curves: &[Curve],
+) -> Result<String> {
+    let mut panels = vec![];
+    for (column, label) in columns.iter().filter(|(c, _)| table.head.iter().any(|h| h == c)) {
+        let mut panel = Panel::new(x.clone(), Axis::new(column, label));
+        panel.curve_column.clone_from(&table.head[0]);
+        panel.curves = curves.to_vec();
+        panels.push(panel);
+    }
+    let mut csv = vec![];
+    table.csv(&mut csv)?;
+    Ok(draw(&Figure::new("", &[], panels), &String::from_utf8(csv)?)?)
+}
+
 fn place(table: &Table, name: &str) -> Result<usize> {
     let place = table.head.iter().position(|head| head == name);
     place.with_context(|| format!("the table has no column {name}"))

@@ -1,6 +1,7 @@
 //! Tangential force against shift at a constant separation.
 
 use asperity_core::{ContactError, Evaluation, positive};
+use asperity_quadrature::bracketed_root;
 
 use crate::Unloading;
 use crate::one::Asked;
@@ -61,6 +62,45 @@ impl PartialSlip {
     /// Those of [`force`](Self::force).
     pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
         self.scaled(self.friction / self.retreat_per_shift, Asked::Loss, amplitude)
+    }
+
+    /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1, of
+    /// its limit μ F. Heights without an end leave something sticking at any shift: at 0.99, say,
+    /// everything all but slides.
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`], for a joint without a force too; those of [`force`](Self::force).
+    pub fn shift_at(&self, share: f64) -> Result<f64, ContactError> {
+        if !(share > 0.0 && share < 1.0) {
+            let required = "a number above 0 and below 1";
+            return Err(ContactError::OutOfRange { field: "share", value: share, required });
+        }
+        let whole = self.normal.force(0.0)?.value();
+        let slope = self.normal.stiffness(0.0)?.value() * self.retreat_per_shift;
+        // The force bends down: no earlier than its first slope says.
+        let mut low = share * whole / slope;
+        if !(low > 0.0 && low.is_finite()) {
+            let required = "a force above 0 at the closest approach";
+            return Err(ContactError::OutOfRange { field: "force", value: whole, required });
+        }
+        let wanted = share * self.friction * whole;
+        let missing = |shift: f64| Ok::<_, ContactError>(self.force(shift)?.value() - wanted);
+        let mut high = 2.0 * low;
+        while missing(high)? < 0.0 {
+            (low, high) = (high, 2.0 * high);
+        }
+        let mut failed = None;
+        let root = bracketed_root(
+            |shift| {
+                missing(shift).unwrap_or_else(|error| {
+                    failed = Some(error);
+                    0.0
+                })
+            },
+            low,
+            high,
+        );
+        failed.map_or(Ok(root.unwrap_or(low)), Err)
     }
 
     fn scaled(&self, factor: f64, asked: Asked, shift: f64) -> Result<Evaluation, ContactError> {

@@ -217,6 +217,32 @@ fn slip_and_losses_of_greenwood_and_williamson_have_the_reference_numbers() {
     }
 }
 
+/// For exponential heights Q = μ F (1 - e^(-s/σ)).
+#[test]
+fn a_share_of_sliding_is_reached_where_the_closed_form_reaches_it() {
+    let mut scene = scene("severe");
+    scene.heights = HeightDistribution::Exponential;
+    let sigma = scene.surface.asperity_height_std;
+    let asperity = scene.asperity().unwrap();
+    let moduli = 4.0 * asperity.equivalent_shear_modulus.unwrap() / asperity.equivalent_modulus;
+    for (load, friction) in [(1e-3, 0.2), (10.0, 0.9)] {
+        let (at, law) = (At::Load(load), UnloadingLaw::Hertz);
+        let joint = Unloading::new(&GreenwoodWilliamson, &scene, at, law, tight()).unwrap();
+        let slip = PartialSlip::new(&joint, friction).unwrap();
+        for share in [1e-3_f64, 0.5, 0.99, 1.0 - 1e-9] {
+            let wanted = -sigma * (-share).ln_1p() * friction / moduli;
+            // Near the limit, the share leaves the shift to fewer digits.
+            let within = 1e-11 / (1.0 - share);
+            let error = (slip.shift_at(share).unwrap() / wanted - 1.0).abs();
+            assert!(error < within, "{share}: {error:.1e}");
+        }
+        for share in [0.0, 1.0, -0.5, f64::NAN] {
+            let refused = slip.shift_at(share).unwrap_err().to_string();
+            assert!(refused.starts_with("share is "), "{refused}");
+        }
+    }
+}
+
 #[test]
 fn what_cannot_be_told_is_refused_by_name() {
     let (scene, at, law) = (scene("mild"), At::from(1.0), UnloadingLaw::Etsion);

@@ -1,16 +1,21 @@
 """A contact law in a small dynamics simulation: a mass dropped on a rough surface.
 
-The contact is compiled once; every step calls ``force_and_tangent`` with the gap in metres. The
-step is implicit (trapezoidal rule with Newton's method on the tangent), because rough contacts
-stiffen a hundredfold within a micrometre.
+The joint is tabulated once; every step calls it with the gap in metres. The step is implicit
+(trapezoidal rule with Newton's method on the stiffness), because rough contacts stiffen a
+hundredfold within a micrometre.
 
->>> history = simulate(milliseconds=4.0)
->>> len(history)
-4001
->>> 2 <= landings(history) <= 8
+Asperities that have yielded do not give back what closing them took. The state that remembers it is
+one number, the closest approach so far: below it the joint closes for the first time, above it it
+opens, or closes again on the same curve. So the first landing loses energy, and those after it,
+which do not come as far, lose none.
+
+>>> history = simulate(milliseconds=6.0)
+>>> len(history), landings(history) >= 2
+(6001, True)
+>>> first, second = rebounds(history)[:2]
+>>> abs(first / quasi_static(history) - 1) < 0.02           # from the work of the joint alone
 True
->>> energies = [energy(state) for state in history]
->>> max(abs(e / energies[0] - 1) for e in energies) < 2e-3  # an elastic-plastic fit, loading only
+>>> 0.6 < first < 0.8 and abs(second - 1) < 0.02
 True
 """
 
@@ -19,57 +24,64 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
+from math import inf, sqrt
 
 import asperity
-import numpy as np
 
 MASS = 0.1  # kg
 GRAVITY = 9.81  # m/s^2
 STEP = 1e-6  # s
+DROP = 2e-5  # m, the gap at which the mass is let go
+FREE = 5e-6  # m, a gap without a force to speak of
 
 
 @dataclass(frozen=True)
 class State:
-    """Time [s], gap [m] and velocity of the gap [m/s]."""
+    """Time [s], gap [m], velocity of the gap [m/s] and the closest approach so far [m]."""
 
     time: float
     gap: float
     velocity: float
+    closest: float = inf
 
 
 @cache
-def contact() -> asperity.Contact:
-    """Steel on steel, ground: KE on one square centimetre."""
+def scene() -> asperity.Scene:
+    """Steel on steel, ground: one square centimetre."""
     steel = asperity.Body(210e9, 0.3, hardness=2e9)
-    scene = asperity.Scene(
+    return asperity.Scene(
         interface=asperity.Interface.between(steel, steel),
         surface=asperity.Surface(2e-4, 2e8, 1e-6),
         nominal_area=1e-4,
     )
-    return asperity.model("ke").compile(scene, separation_unit="m")
+
+
+@cache
+def joint() -> asperity.JointTable:
+    """KE, and back as Hertzian contacts."""
+    return asperity.model("ke").joint_table(scene(), 1e-6, FREE, separation_unit="m")
 
 
 def step(state: State) -> State:
     """One step of the trapezoidal rule."""
-    law = contact()
-    before, _ = law.force_and_tangent(state.gap)
+    before, _, closest = joint().step(state.gap, state.closest)
     gap = state.gap + STEP * state.velocity
     for _ in range(20):
-        force, tangent = law.force_and_tangent(gap)
+        force, stiffness, _ = joint().step(gap, closest)
         mean = 0.5 * (before + force) / MASS - GRAVITY
         residual = gap - state.gap - STEP * (state.velocity + 0.5 * STEP * mean)
-        change = residual / (1.0 + 0.25 * STEP**2 * tangent / MASS)
+        change = residual / (1.0 + 0.25 * STEP**2 * stiffness / MASS)
         gap -= change
-        if abs(change) < 1e-18:
+        if abs(change) < 1e-16:
             break
-    force, _ = law.force_and_tangent(gap)
+    force, _, closest = joint().step(gap, closest)
     velocity = state.velocity + STEP * (0.5 * (before + force) / MASS - GRAVITY)
-    return State(state.time + STEP, gap, velocity)
+    return State(state.time + STEP, gap, velocity, closest)
 
 
-def simulate(milliseconds: float, gap: float = 8e-6) -> list[State]:
-    """A mass let go at a gap."""
-    states = [State(0.0, gap, 0.0)]
+def simulate(milliseconds: float) -> list[State]:
+    """A mass let go above the surface."""
+    states = [State(0.0, DROP, 0.0)]
     for _ in range(round(milliseconds * 1e-3 / STEP)):
         states.append(step(states[-1]))
     return states
@@ -77,17 +89,23 @@ def simulate(milliseconds: float, gap: float = 8e-6) -> list[State]:
 
 def landings(history: list[State]) -> int:
     """How often the velocity turns from down to up."""
-    pairs = pairwise(history)
-    return sum(one.velocity < 0.0 <= two.velocity for one, two in pairs)
+    return sum(one.velocity < 0.0 <= two.velocity for one, two in pairwise(history))
 
 
-def energy(state: State) -> float:
-    """Kinetic, of weight, and stored in the contact [J]."""
-    far = 8e-6
-    gaps = np.linspace(state.gap, far, 2001) if state.gap < far else np.array([far, far])
-    force = contact().force(gaps)
-    stored = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(gaps)))
-    return 0.5 * MASS * state.velocity**2 + MASS * GRAVITY * state.gap + stored
+def rebounds(history: list[State]) -> list[float]:
+    """Coefficient of restitution of every landing: the speeds of leaving and of coming."""
+    pairs = list(pairwise(history))
+    falling = [abs(two.velocity) for one, two in pairs if one.gap > FREE >= two.gap]
+    rising = [abs(two.velocity) for one, two in pairs if one.gap <= FREE < two.gap]
+    return [up / down for down, up in zip(falling, rising, strict=False)]
+
+
+def quasi_static(history: list[State]) -> float:
+    """The first coefficient from the work that the joint takes and gives back, and the weight's."""
+    turn = next(two for one, two in pairwise(history) if one.velocity < 0.0 <= two.velocity)
+    back = asperity.model("ke").unloading(scene(), turn.closest, separation_unit="m")
+    given, weight = back.returned(FREE - turn.gap), MASS * GRAVITY * (FREE - turn.gap)
+    return sqrt((given - weight) / (given + back.dissipated() - weight))
 
 
 if __name__ == "__main__":
@@ -98,6 +116,7 @@ if __name__ == "__main__":
     seconds = time.perf_counter() - begun
     lowest = min(state.gap for state in history)
     print(f"{landings(history)} landings in 20 ms, lowest gap {lowest * 1e6:.3f} um")
+    print("restitution", ", ".join(f"{e:.3f}" for e in rebounds(history)))
     print(
         f"{len(history) - 1} steps in {seconds:.2f} s, {seconds / (len(history) - 1) * 1e6:.1f} us each"
     )

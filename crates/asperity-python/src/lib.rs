@@ -7,6 +7,7 @@
 //! ```text
 //! fields → scene → rows → answer ┐
 //!          python_model → engine ┴→ contact → ask, advice
+//!                         engine → joints, joint_table
 //! scene, topography → bem
 //! ```
 
@@ -19,6 +20,8 @@ mod contact;
 mod engine;
 mod error;
 mod fields;
+mod joint_table;
+mod joints;
 mod long;
 mod numbers;
 mod objects;
@@ -52,6 +55,10 @@ mod _asperity {
         checked_body, checked_interface, checked_surface, critical_of, interface_of, roughness_of,
         surface_from_moments, surface_from_plasticity_index, surface_from_std,
     };
+    #[pymodule_export]
+    use crate::joint_table::JointTable;
+    #[pymodule_export]
+    use crate::joints::{PartialSlip, Unloading};
     #[pymodule_export]
     use crate::numbers::floats;
     #[pymodule_export]

@@ -1,6 +1,6 @@
 //! Contact tables for finite-element codes.
 
-use asperity::{ContactTable, SeparationUnit, TableFormat, Tolerance};
+use asperity::{ConductanceAgainst, ContactTable, SeparationUnit, TableFormat, Tolerance};
 use pyo3::prelude::*;
 
 use crate::engine::Engine;
@@ -25,7 +25,19 @@ fn format_of(name: &str) -> PyResult<TableFormat> {
     })
 }
 
-/// A table between two places, with nodes added until an error is met, if one is given.
+fn against_of(name: &str) -> PyResult<ConductanceAgainst> {
+    match name {
+        "pressure" => Ok(ConductanceAgainst::Pressure),
+        "clearance" => Ok(ConductanceAgainst::Clearance),
+        other => {
+            let needed = "\"pressure\" or \"clearance\" was required";
+            Err(value_error(format!("conductance is {other:?}: {needed}")))
+        }
+    }
+}
+
+/// A table between two places, with nodes added until an error is met, if one is given; what its
+/// conductance is against and a coefficient of friction are added to its text.
 #[pyfunction]
 pub(crate) fn contact_table(
     py: Python<'_>,
@@ -34,6 +46,7 @@ pub(crate) fn contact_table(
     ends: (Axis, f64, f64),
     spacing: (usize, Option<f64>, f64),
     form: &str,
+    beside: (Option<String>, Option<f64>),
 ) -> PyResult<Table> {
     let (model, format, file) = (engine.on(&scene.0)?, format_of(form)?, &scene.0);
     let (from, contact) = (file.separation_from, &file.scene);
@@ -48,7 +61,17 @@ pub(crate) fn contact_table(
     });
     let table = table.map_err(value_error)?;
     let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), model_name(&model));
-    let text = table.text(format, contact, from, &title).map_err(value_error)?;
+    let mut text = table.text(format, contact, from, &title).map_err(value_error)?;
+    let (conductance, friction) = beside;
+    if let Some(against) = conductance {
+        let (against, place) = (against_of(&against)?, (&model as _, contact, from));
+        let added = table.conductance_text(format, against, place, tolerance);
+        text += &added.map_err(value_error)?;
+    }
+    if let Some(friction) = friction {
+        let added = table.friction_text(format, friction, (&model, contact), tolerance);
+        text += &added.map_err(value_error)?;
+    }
     let clearance = |node: &asperity::ContactNode| {
         let separation = asperity::Separation::sigmas(node.separation);
         Ok(separation.measured_in(SeparationUnit::Metres, from, contact).map_err(refused)?.value)

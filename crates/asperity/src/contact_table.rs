@@ -5,13 +5,13 @@ use std::cmp::Ordering;
 use crate::cubic;
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit,
-    Tolerance, linspace,
+    TableFormat, Tolerance, linspace,
 };
 
 /// More nodes than this are not added to meet an error.
 const MOST_NODES: usize = 100_000;
 /// Points at which each interval is compared with the model.
-const PROBES: usize = 7;
+pub(crate) const PROBES: usize = 7;
 
 /// What a finite-element code makes of the space between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,6 +67,16 @@ pub enum TableError {
         most: usize,
         /// What takes no more.
         format: &'static str,
+    },
+    /// A format that has no such thing.
+    #[error("format is {}: one with {what} was required, {known}", format.name())]
+    NoSuchTable {
+        /// The format.
+        format: TableFormat,
+        /// What it lacks.
+        what: &'static str,
+        /// Formats that have it.
+        known: &'static str,
     },
     /// The range is empty.
     #[error("range is {first} to {last}: a first separation below the last was required")]

@@ -20,6 +20,17 @@ pub enum TableFormat {
 }
 
 impl TableFormat {
+    /// The name of the form, in lower case.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Abaqus => "abaqus",
+            Self::Calculix => "calculix",
+            Self::Ansys => "ansys",
+        }
+    }
+
     /// How a code reads between the nodes: tables are to be made so.
     #[must_use]
     pub fn interpolation(self) -> Interpolation {
@@ -55,19 +66,19 @@ impl ContactTable {
 }
 
 /// A table, and what its comments say of it.
-struct Head<'h> {
-    title: &'h str,
-    table: &'h ContactTable,
-    scene: &'h Scene,
+pub(crate) struct Head<'h> {
+    pub(crate) title: &'h str,
+    pub(crate) table: &'h ContactTable,
+    pub(crate) scene: &'h Scene,
     /// The plane that clearances are measured from.
-    from: Datum,
+    pub(crate) from: Datum,
 }
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
 impl Head<'_> {
     /// A separation of the table in metres, from the scene's own plane.
-    fn metres(&self, sigmas: f64) -> Result<f64> {
+    pub(crate) fn metres(&self, sigmas: f64) -> Result<f64> {
         let separation = Separation::sigmas(sigmas);
         Ok(separation.measured_in(SeparationUnit::Metres, self.from, self.scene)?.value)
     }
@@ -87,7 +98,7 @@ impl Head<'_> {
 }
 
 /// The shortest digits that give the same number back.
-fn exact(x: f64) -> String {
+pub(crate) fn exact(x: f64) -> String {
     let text = format!("{x:?}");
     let short = text.strip_suffix(".0").unwrap_or(&text);
     if short == "-0" { "0".into() } else { short.into() }
@@ -136,11 +147,17 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
     Ok(text)
 }
 
+/// Points of a curve that ccx has room for (`materialdata_sp.f`).
+const CURVE: usize = 200;
+
 /// The same for CalculiX, which reads no more than 20 characters of a number.
 fn calculix(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, .. } = head;
     let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
     let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
+    if lines.len() > CURVE {
+        return Err(TableError::TooMany { nodes, most: CURVE - 1, format: "CalculiX" });
+    }
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in Pa and m
 ** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} m

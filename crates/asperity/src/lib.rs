@@ -2,6 +2,7 @@
 
 mod contact_table;
 mod cubic;
+mod fe_interaction;
 mod fe_tables;
 mod recommend;
 mod registry;
@@ -27,6 +28,7 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, Variance};
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
+pub use fe_interaction::ConductanceAgainst;
 pub use fe_tables::TableFormat;
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;

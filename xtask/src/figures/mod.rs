@@ -1,11 +1,14 @@
 //! The list of figures: for each a table of numbers, and how it is drawn.
 
 mod angles;
+mod joints;
 mod laws;
 pub(crate) mod models;
 mod paper;
 mod readings;
 mod shares;
+mod slip;
+mod unloading;
 
 use anyhow::Result;
 use asperity::Quantity::{Area, Force, Stiffness};
@@ -24,7 +27,7 @@ pub struct FigureSpec {
 }
 
 /// All figures: the paper's, then those beyond it.
-pub const FIGURES: [FigureSpec; 11] = [
+pub const FIGURES: [FigureSpec; 15] = [
     FigureSpec {
         name: "fig04-force-roughness",
         table: || paper::roughness(Force),
@@ -68,4 +71,16 @@ pub const FIGURES: [FigureSpec; 11] = [
     FigureSpec { name: "angle-density", table: angles::table, style: angles::style },
     FigureSpec { name: "at-regime-shares", table: shares::table, style: shares::style },
     FigureSpec { name: "at-readings", table: readings::table, style: readings::style },
+    FigureSpec { name: "unloading-models", table: unloading::table, style: unloading::style },
+    FigureSpec { name: "slip-loops", table: slip::table, style: slip::style },
+    FigureSpec {
+        name: "stiffness-kinds",
+        table: joints::stiffness,
+        style: joints::stiffness_figure,
+    },
+    FigureSpec {
+        name: "conductance-models",
+        table: joints::conductance,
+        style: joints::conductance_figure,
+    },
 ];

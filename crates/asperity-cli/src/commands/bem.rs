@@ -24,7 +24,7 @@ use crate::table::{Cell, Table};
     after_help = "The scene names a scan: [surface] file = \"scan.txt\". It stands for the whole nominal
 area; it is levelled and filtered as the scene says. The material is the scene's,
 and flows where the pressure reaches its hardness.
-Columns: load_n, pressure_pa, area_fraction (corrected for the staircase edges of
+Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
 pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
 planes), patches, iterations, residual; with --refine the same on half the grid.
 An interrupted list (Ctrl-C) keeps the loads that are done.
@@ -216,8 +216,8 @@ fn table(rows: &[Option<Row>], half: Option<&[Option<Row>]>, nominal_area: f64) 
 }
 
 const COLUMNS: [&str; 9] = [
-    "load_n",
-    "pressure_pa",
+    "load_N",
+    "pressure_Pa",
     "area_fraction",
     "area_fraction_pixels",
     "plastic_fraction",

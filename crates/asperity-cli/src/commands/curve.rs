@@ -1,17 +1,13 @@
 //! `asperity curve`: quantities against separation or load.
 
-use std::path::PathBuf;
-
 use anyhow::Result;
 use asperity::{Quantity, linspace};
 use clap::Args;
-use clap::builder::{PathBufValueParser, TypedValueParser};
-use clap::error::ErrorKind;
 
-use crate::args::{Asked, OutputArgs, svg_file};
+use crate::args::{Asked, DrawnArgs};
 use crate::ask::Question;
+use crate::plot;
 use crate::scene::LoadedScene;
-use crate::{output, plot};
 
 /// What is asked for unless something is given.
 pub const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
@@ -41,30 +37,19 @@ pub struct Curve {
     #[arg(long)]
     errors: bool,
     #[command(flatten)]
-    output: OutputArgs,
-    /// Draw the curves against what is given, one panel for each quantity
-    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
-    plot: Option<PathBuf>,
+    output: DrawnArgs,
 }
 
 impl Curve {
     pub fn run(self) -> Result<()> {
-        let drawn = self.plot.as_deref();
-        let both = [drawn, self.output.output.as_deref()].map(output::is_standard);
-        if drawn.is_some() && both == [true; 2] {
-            let text = "--plot - leaves no place for the data: name a file with --output";
-            crate::usage_error("curve", ErrorKind::ArgumentConflict, text);
-        }
+        self.output.check("curve");
         let scene = LoadedScene::load(&self.asked.scene)?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
         question.unasked = self.asked.is_nowhere();
         let table = question.table(&models, self.errors)?;
-        if drawn.is_some() {
-            let svg = plot::svg(&table, &question.request, scene.file.separation_from)?;
-            output::write_text(drawn, &svg)?;
-        }
-        self.output.write(&table)
+        self.output
+            .write(&table, || plot::svg(&table, &question.request, scene.file.separation_from))
     }
 }

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactTable, SeparationUnit, TableFormat, Tolerance};
+use asperity::{
+    At, ConductanceAgainst, ContactModel, ContactTable, SeparationUnit, TableFormat, Tolerance,
+};
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
@@ -22,11 +24,15 @@ overclosure, which the codes join by straight lines; ansys holds the real
 constants of a nonlinear spring (COMBIN39) that carries the nominal area.
 All state the interpolation error, measured between the nodes; --max-error adds
 nodes until it is met. The N nodes of A:B:N are at equal distances of clearance.
+--conductance adds *GAP CONDUCTANCE at the same nodes, --friction adds *FRICTION
+that begins with the stiffness in stick at the largest pressure: for models with
+circular contacts, on scenes that name conductivities and shear moduli (bodies do).
 
 Examples:
   asperity export scene.toml --model ke --as csv --separation 0:4:41
   asperity export scene.toml --model ke --as csv --pressure 1e4:1e7 --max-error 1e-3
   asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 1e-3 --output ke.inp
+  asperity export scene.toml --model ke --as calculix --load 1:1e4 --max-error 0.01 --friction 0.2
   asperity export scene.toml --model ke --as ansys --load 100:1e4 --max-error 0.05"
 )]
 pub struct Export {
@@ -49,6 +55,12 @@ pub struct Export {
     /// Add nodes until no interpolated pressure is off by more than this, relatively
     #[arg(long, value_name = "X", value_parser = positive_number)]
     max_error: Option<f64>,
+    /// For abaqus and calculix: add the thermal conductance, against pressure or (abaqus) clearance
+    #[arg(long, value_name = "AGAINST")]
+    conductance: Option<Against>,
+    /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
+    #[arg(long, value_name = "MU", value_parser = positive_number)]
+    friction: Option<f64>,
     /// Write to a file in place of the standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -67,6 +79,12 @@ struct Ends {
     /// From one pressure on the nominal area to another, in Pa
     #[arg(long, value_name = "A:B[:N]", value_parser = range)]
     pressure: Option<Span>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Against {
+    Pressure,
+    Clearance,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -117,7 +135,21 @@ impl Export {
         drop(working);
         let table = table.with_context(|| format!("{}: {id}", scene.name))?;
         let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
-        let text = table.text(format, contact, scene.file.separation_from, &title)?;
+        let from = scene.file.separation_from;
+        let mut text = table.text(format, contact, from, &title)?;
+        if let Some(against) = self.conductance {
+            let against = match against {
+                Against::Pressure => ConductanceAgainst::Pressure,
+                Against::Clearance => ConductanceAgainst::Clearance,
+            };
+            let place = (&model as &dyn ContactModel, contact, from);
+            let added = table.conductance_text(format, against, place, tolerance);
+            text += &added.with_context(|| format!("{}: {id}", scene.name))?;
+        }
+        if let Some(friction) = self.friction {
+            let added = table.friction_text(format, friction, (&model, contact), tolerance);
+            text += &added.with_context(|| format!("{}: {id}", scene.name))?;
+        }
         if table.pressure_error > 0.1 {
             let percent = (100.0 * table.pressure_error).round();
             say(

@@ -3,13 +3,19 @@
 use anyhow::{Context, Result};
 use asperity::joints::{PartialSlip, UnloadingLaw};
 use asperity::linspace;
+use asperity_plot::{Axis, Curve};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
-use crate::args::{Closed, OutputArgs};
+use crate::args::{Closed, DrawnArgs};
+use crate::number::rounded;
 use crate::numbers::positive_number;
 use crate::output::say;
+use crate::plot;
 use crate::table::{Cell, Table};
+
+/// The share of μ F beyond which everything all but slides.
+const SLIDING: f64 = 0.99;
 
 /// Tangential force against shift: from virgin, and in a steady cycle
 #[derive(Debug, Args)]
@@ -17,14 +23,16 @@ use crate::table::{Cell, Table};
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "The separation stays what it is. Columns: model, shift_m, force_N at a first shift
 (blank below 0), back_N and forth_N in a steady cycle between -amplitude and
-+amplitude (Masing). The energy lost in a cycle is said beside the data.
++amplitude (Masing). Beside the data it is said how much energy a cycle loses, and
+from which shift on everything slides: where 99 % of mu F is reached.
 Partial slip of every asperity (Cattaneo, Mindlin), which answers as elastically as in
 unloading by --law: exact for gw; for models that yield, at constant normal load on each.
 Needs equivalent_shear_modulus, or the bodies. Models of upright asperities only.
 
 Examples:
   asperity slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7
-  asperity slip scene.toml --model ke --friction 0.3 --closest 2 --amplitude 1e-6 --points 11 --format table"
+  asperity slip scene.toml --model ke --friction 0.3 --closest 2 --amplitude 1e-6 --points 11 --format table
+  asperity slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 2e-7 --output loop.csv --plot loop.svg"
 )]
 pub struct Slip {
     #[command(flatten)]
@@ -43,11 +51,12 @@ pub struct Slip {
     #[arg(value_parser = RangedU64ValueParser::<usize>::new().range(2..=100_000))]
     points: usize,
     #[command(flatten)]
-    output: OutputArgs,
+    output: DrawnArgs,
 }
 
 impl Slip {
     pub fn run(self) -> Result<()> {
+        self.output.check("slip");
         let (scene, id, joint) = self.closed.joint(self.law)?;
         let named = || format!("{}: {id}", scene.name);
         let slip = PartialSlip::new(&joint, self.friction).with_context(named)?;
@@ -62,6 +71,30 @@ impl Slip {
         }
         let loss = slip.loss(self.amplitude).with_context(named)?.value();
         say("note", &format!("{id}: a cycle of this amplitude loses {loss:e} J"));
-        self.output.write(&table)
+        let sliding = slip.shift_at(SLIDING).with_context(named)?;
+        let limit = self.friction * joint.force(0.0)?.value();
+        let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
+        let text = format!(
+            "{id}: everything slides from a shift of {sliding} m on, where {percent} % of mu F = {limit} N is reached"
+        );
+        say("note", &text);
+        self.output.write(&table, || picture(&table))
     }
+}
+
+/// The first shift, and the loop all the way round.
+fn picture(table: &Table) -> Result<String> {
+    let mut long = Table::new(&["curve", "shift_m", "force_N"]);
+    // From the columns of the table: forth from the left, and back from the right.
+    let forth = table.rows.iter().map(|row| ("loop", &row[1], &row[4]));
+    let back = table.rows.iter().rev().map(|row| ("loop", &row[1], &row[3]));
+    let first = table.rows.iter().map(|row| ("first", &row[1], &row[2]));
+    for (curve, shift, force) in first.chain(forth).chain(back) {
+        if *force != Cell::Number(None) {
+            long.rows.push(vec![curve.into(), shift.clone(), force.clone()]);
+        }
+    }
+    let x = Axis::new("shift_m", "shift (nm)").times(1e9);
+    let curves = [Curve::new(0, "first", "first shift"), Curve::new(2, "loop", "steady cycle")];
+    plot::against(&long, &x, &[("force_N", "tangential force (N)")], &curves)
 }

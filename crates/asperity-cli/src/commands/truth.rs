@@ -121,14 +121,14 @@ fn nearest(found: &[Truth]) -> String {
 
 fn table(found: &[Truth], area: f64) -> Table {
     let mut table = Table::new(&[
-        "load_n",
-        "pressure_pa",
+        "load_N",
+        "pressure_Pa",
         "model",
         "area_fraction",
         "area_deviation",
         "mean_gap_m",
         "mean_gap_deviation_over_sq",
-        "stiffness_n_per_m",
+        "stiffness_N_per_m",
         "stiffness_deviation",
     ]);
     for truth in found {

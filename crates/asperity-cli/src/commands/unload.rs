@@ -3,10 +3,12 @@
 use anyhow::{Context, Result};
 use asperity::joints::UnloadingLaw;
 use asperity::{Evaluation, SeparationUnit};
+use asperity_plot::{Axis, Curve};
 use clap::Args;
 
-use crate::args::{Closed, OutputArgs};
+use crate::args::{Closed, DrawnArgs};
 use crate::numbers::Numbers;
+use crate::plot;
 use crate::table::{Cell, Table};
 
 /// Force, area and stiffness as a joint opens again
@@ -23,7 +25,8 @@ upright asperities with circular contacts only.
 
 Examples:
   asperity unload scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
-  asperity unload scene.toml --model zmc --law etsion --load 100 --retreat 0:1e-7:11 --retreat-unit m"
+  asperity unload scene.toml --model zmc --law etsion --load 100 --retreat 0:1e-7:11 --retreat-unit m
+  asperity unload scene.toml --model ke --pressure 5e6 --retreat 0:2:81 --output back.csv --plot back.svg"
 )]
 pub struct Unload {
     #[command(flatten)]
@@ -39,11 +42,12 @@ pub struct Unload {
     #[arg(default_value = "sigma")]
     unit: SeparationUnit,
     #[command(flatten)]
-    output: OutputArgs,
+    output: DrawnArgs,
 }
 
 impl Unload {
     pub fn run(self) -> Result<()> {
+        self.output.check("unload");
         let (scene, id, joint) = self.closed.joint(self.law)?;
         let sigma = scene.file.scene.surface.asperity_height_std;
         let head = [
@@ -81,6 +85,15 @@ impl Unload {
             row.push(of(joint.stiffness(metres))?);
             table.rows.push(row);
         }
-        self.output.write(&table)
+        self.output.write(&table, || {
+            let x = Axis::new("retreat_m", "retreat (µm)").times(1e6);
+            let columns = [
+                ("force_N", "force (N)"),
+                ("area_m2", "area (m²)"),
+                ("stiffness_N_per_m", "stiffness (N/m)"),
+            ];
+            let curves = [Curve::new(0, &id, &format!("{id}, back by {}", self.law))];
+            plot::against(&table, &x, &columns[..], &curves)
+        })
     }
 }

@@ -49,12 +49,12 @@ fn rows_are_those_of_the_library() {
             ("patches", of(&|s| s.patches.len() as f64)),
             ("iterations", of(&|s| s.iterations as f64)),
             ("residual", of(&|s| s.residual)),
-            ("pressure_pa", vec![1e7, 2e9, 1e8]),
+            ("pressure_Pa", vec![1e7, 2e9, 1e8]),
         ];
         for (name, required) in required {
             assert_eq!(column(&data, name), required, "{words}: {name}");
         }
-        let loads = column(&data, "load_n");
+        let loads = column(&data, "load_N");
         for (load, required) in loads.iter().zip([300.0, 6e4, 3e3]) {
             assert!((load / required - 1.0).abs() < 1e-14, "{load}");
         }

@@ -1,8 +1,8 @@
 //! `export`: the tables say how good they are, and are.
 
-use asperity::{ContactModel, Model, Quantity, Request};
+use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, cells, column};
+use crate::bench::{Bench, NEGATIVE, cells, column, conducting};
 
 /// Pressures of the model itself at clearances in metres.
 fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
@@ -147,4 +147,80 @@ fn other_solvers_read_the_same_lines_in_their_own_words() {
     let refused = of("ansys", "--max-error 1e-3");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
     assert!(refused.words.contains("at most 18 were required, as COMBIN39"), "{}", refused.words);
+}
+
+/// The lines of numbers after a keyword.
+fn block(text: &str, keyword: &str) -> Vec<Vec<f64>> {
+    let after = text.lines().skip_while(|line| !line.starts_with(keyword)).skip(1);
+    let rows = after.take_while(|line| !line.starts_with('*'));
+    rows.map(|line| line.split(", ").map(|word| word.parse().unwrap()).collect()).collect()
+}
+
+#[test]
+fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
+    let bench = Bench::new();
+    bench.write("scene.toml", &conducting());
+    let scene = bench.scene("scene.toml").scene;
+    let of = |quantity, at: At| {
+        let request = Request::new([quantity]).at([at]);
+        let answer = "ke".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
+        answer.values(quantity).unwrap()[0] / scene.nominal_area
+    };
+    let same = |found: f64, wanted: f64| assert!((found / wanted - 1.0).abs() < 1e-8, "{found}");
+    let export = "export scene.toml --model ke --pressure 1e5:1e7 --max-error 0.02";
+    for (form, keyword) in
+        [("abaqus", "*GAP CONDUCTANCE, PRESSURE"), ("calculix", "*GAP CONDUCTANCE")]
+    {
+        let words = format!("{export} --as {form} --conductance pressure --friction 0.2");
+        let text = bench.data(&words);
+        let pairs = block(&text, keyword);
+        assert_eq!(pairs.len(), block(&text, "*SURFACE BEHAVIOR").len());
+        assert_eq!(pairs[0][..2], [0.0, 0.0]);
+        assert!(pairs.is_sorted_by(|a, b| a[0] < b[0] && a[1] < b[1]));
+        for pair in &pairs[1..] {
+            same(pair[0], of(Quantity::ThermalConductance, At::Pressure(pair[1])));
+            assert_eq!(pair.len(), if form == "calculix" { 3 } else { 2 });
+        }
+        // Between the nodes, too, it is as good as it says.
+        let stated = stated_error(text.split_once("thermal").unwrap().1, "relative error ");
+        let halfway = |pair: &[Vec<f64>]| {
+            let [h, p] = [0, 1].map(|k| 0.5 * (pair[0][k] + pair[1][k]));
+            (h / of(Quantity::ThermalConductance, At::Pressure(p)) - 1.0).abs()
+        };
+        let worst = pairs[1..].windows(2).map(halfway).fold(0.0, f64::max);
+        assert!(worst < 1.05 * stated && worst > 0.5 * stated, "{worst} {stated}");
+
+        let stick = of(Quantity::TangentialStiffness, At::Pressure(1e7));
+        let friction = block(&text, "*FRICTION");
+        if form == "calculix" {
+            same(friction[0][1], stick);
+        } else {
+            let slip = text.split_once("*FRICTION, ELASTIC SLIP=").unwrap().1;
+            same(0.2 * 1e7 / slip.lines().next().unwrap().parse::<f64>().unwrap(), stick);
+        }
+        same(friction[0][0], 0.2);
+    }
+    let text = bench.data(&format!("{export} --as abaqus --conductance clearance"));
+    let pairs = block(&text, "*GAP CONDUCTANCE");
+    assert!(
+        pairs.is_sorted_by(|a, b| a[0] > b[0] && a[1] < b[1]) && pairs.last().unwrap()[0] == 0.0
+    );
+    for pair in &pairs[..pairs.len() - 1] {
+        same(pair[0], of(Quantity::ThermalConductance, At::metres(pair[1])));
+    }
+    for (words, said) in [
+        (
+            "--as calculix --conductance clearance",
+            "format is calculix: one with conductance against",
+        ),
+        ("--as csv --conductance pressure", "format is csv: one with conductance was required"),
+        ("--as ansys --friction 0.2", "format is ansys: one with friction was required"),
+        ("--as calculix --max-error 1e-6", "at most 199 were required, as CalculiX takes no more"),
+    ] {
+        let run = bench.run(&format!(
+            "{} {words}",
+            export.replace("--max-error 0.02", "").replace("1e7", "1e7:9")
+        ));
+        assert!(run.code == Some(1) && run.words.contains(said), "{words}: {}", run.words);
+    }
 }

@@ -62,6 +62,27 @@ fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
     }
     let loss = format!("loses {:e} J", slip.loss(1e-7).unwrap().value());
     assert!(run.words.contains(&loss), "{}", run.words);
+    assert!(run.words.contains("99 % of mu F = 100 N is reached"), "{}", run.words);
+    let (_, sliding) = run.words.split_once("from a shift of ").unwrap();
+    let sliding: f64 = sliding.split(' ').next().unwrap().parse().unwrap();
+    assert!((slip.force(sliding).unwrap().value() / 99.0 - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn pictures_show_what_is_printed() {
+    let bench = Bench::new();
+    for (words, points) in [
+        ("unload scene.toml --model ke --load 100 --retreat 0:2:41", 3),
+        ("unload scene.toml --model ke --law etsion --load 100 --retreat 0:2:41", 2),
+        ("slip scene.toml --model ke --friction 0.2 --load 100 --amplitude 1e-7", 1),
+    ] {
+        let data = bench.data(words);
+        assert_eq!(bench.data(&format!("{words} --plot joint.svg")), data);
+        let svg = bench.read("joint.svg");
+        assert_eq!(svg.matches("rotate(-90").count(), points, "a panel has one upright label");
+        let run = bench.run(&format!("{words} --plot -"));
+        assert!(run.code == Some(2) && run.words.contains("leaves no place"), "{}", run.words);
+    }
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn models_stand_beside_boundary_elements() {
     let curve = "curve scan.toml --pressure 1e8,1e9 --model ke --format csv";
     let curve = bench.data(&format!("{curve} --quantity area-fraction,tangent"));
     for (name, other) in
-        [("area_fraction", "area_fraction"), ("stiffness_n_per_m", "tangent_N_per_m")]
+        [("area_fraction", "area_fraction"), ("stiffness_N_per_m", "tangent_N_per_m")]
     {
         let all = column(&run.out, name);
         assert_eq!([all[2], all[5]][..], column(&curve, other), "{name}");

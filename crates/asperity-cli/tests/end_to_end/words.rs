@@ -68,10 +68,13 @@ fn the_list_of_models_has_every_source() {
     let ids: Vec<&str> =
         json.as_array().unwrap().iter().map(|row| row["model"].as_str().unwrap()).collect();
     let of_asperities = "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap";
-    assert_eq!(ids.join(" "), format!("{of_asperities} persson persson-fudge"));
+    assert_eq!(
+        ids.join(" "),
+        format!("{of_asperities} persson persson-fudge dmt jkr jkr-separation")
+    );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
     let table = bench.data("models");
-    assert_eq!(table.lines().count(), 15);
+    assert_eq!(table.lines().count(), 18);
     assert!(table.lines().next().unwrap().contains("valid_for"), "{table}");
     assert!(table.contains("fitted to finite elements up to 110 w_c"), "{table}");
     for row in json.as_array().unwrap() {

@@ -21,9 +21,17 @@ True
 from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
-from asperity._asperity import Contact, ContactWarning, NotConverged, template
-from asperity._check import Check, Finding
+from asperity._asperity import (
+    Contact,
+    ContactWarning,
+    JointTable,
+    NotConverged,
+    PartialSlip,
+    Unloading,
+    template,
+)
 from asperity._bem import BemContacts, TruthRow, bem, truth
+from asperity._check import Check, Finding
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
@@ -46,8 +54,10 @@ __all__ = [
     "Curve",
     "Finding",
     "Interface",
+    "JointTable",
     "Model",
     "NotConverged",
+    "PartialSlip",
     "Plan",
     "PlanStep",
     "Recommendation",
@@ -58,9 +68,10 @@ __all__ = [
     "Surface",
     "SweepResult",
     "Topography",
-    "export",
     "TruthRow",
+    "Unloading",
     "bem",
+    "export",
     "model",
     "models",
     "plan",

@@ -47,12 +47,14 @@ def checked_unit(separation_unit: str) -> str:
     return separation_unit
 
 
-def place(separation: Any, load: Any, pressure: Any, separation_unit: str) -> tuple[str, Any]:
+def place(
+    separation: Any, load: Any, pressure: Any, separation_unit: str, name: str = "separation"
+) -> tuple[str, Any]:
     """What was given of the three, and what its numbers stand for."""
     given = {checked_unit(separation_unit): separation, "load": load, "pressure": pressure}
     found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
     if len(found) != 1:
-        raise TypeError("exactly one of separation, load and pressure was required")
+        raise TypeError(f"exactly one of {name}, load and pressure was required")
     return found[0]
 
 

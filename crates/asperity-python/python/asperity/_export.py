@@ -46,19 +46,26 @@ def export(
     max_error: float | None = None,
     separation_unit: str = "asperity_height_std",
     rtol: float = 1e-10,
+    conductance: str | None = None,
+    friction: float | None = None,
 ) -> ContactTable:
     """Pressure against clearance for a finite-element code, from one separation, load [N] or
     pressure [Pa] to another: with ``nodes`` at equal distances of clearance, or with as many as
     keep the pressure between them within a relative ``max_error``.
 
     The format is "csv" (for cubics), "abaqus", "calculix" (both for straight lines) or "ansys" (a
-    nonlinear spring that stands for the nominal area).
+    nonlinear spring that stands for the nominal area). To the text of "abaqus" and "calculix",
+    ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
+    ``friction`` a coefficient of friction with the stiffness in stick at the largest pressure.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
     >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), max_error=0.01)
     >>> "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR" in table.text
     True
+    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), nodes=9, friction=0.2)
+    >>> table.text.splitlines()[-2:]
+    ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
     """
     places: Mapping[str, tuple[float, float] | None] = {
         checked_unit(separation_unit): separation,
@@ -73,7 +80,8 @@ def export(
     (axis, (first, last)), count = given[0], 2 if nodes is None else nodes
     ends = axis, float(first), float(last)
     spacing = count, max_error, rtol
-    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, format)
+    beside = conductance, None if friction is None else float(friction)
+    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, format, beside)
     clearance, pressures, tangent, pressure_error, tangent_error, text = found
     columns = np.array(clearance), np.array(pressures), np.array(tangent)
     return ContactTable(*columns, pressure_error, tangent_error, text)

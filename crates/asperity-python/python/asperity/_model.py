@@ -18,7 +18,7 @@ from asperity._arguments import (
     place,
     quantity_names,
 )
-from asperity._asperity import Contact, ContactWarning, Engine, floats
+from asperity._asperity import Contact, ContactWarning, Engine, JointTable, Unloading, floats
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
 from asperity._scene import Floats, Options, Scene
@@ -187,6 +187,86 @@ class Model(Engine):
         names = quantity_names(quantities)
         return Contact(self, scene, names, rtol, checked_unit(separation_unit))
 
+    def unloading(
+        self,
+        scene: Scene,
+        closest: float | None = None,
+        law: str = "hertz",
+        rtol: float = 1e-10,
+        separation_unit: str = "asperity_height_std",
+        *,
+        load: float | None = None,
+        pressure: float | None = None,
+    ) -> Unloading:
+        """A joint that was closed for the first time, and opens again or is sheared.
+
+        Models of upright asperities with circular contacts only.
+
+        Parameters
+        ----------
+        scene : Scene
+            What is in contact.
+        closest : float
+            The closest approach, from the plane that the scene chose, in ``separation_unit``, which
+            is the unit of retreats, too.
+        law : "hertz", "brake" or "etsion"
+            How the asperities come back: as a Hertzian contact of the force and area at the closest
+            approach; Brake 2015, whose area jumps at the start; Etsion, Kligerman & Kadin 2005,
+            without an area.
+        rtol : float
+            Relative tolerance of the integrals, from 1e-15 to 0.1.
+        load, pressure : float, optional
+            The largest load [N], or pressure on the nominal area [Pa], in the place of ``closest``.
+
+        Examples
+        --------
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> joint = asperity.model("ke").unloading(scene, load=100.0, separation_unit="m")
+        >>> joint.force([0.0, 0.1e-6, 0.5e-6]).round(2)
+        array([100.  ,  61.51,   3.21])
+        >>> slip = joint.slip(friction=0.3)
+        >>> f"{slip.force(1e-8):.2f} N of 30 N; all slides from {slip.shift_at(0.99):.1e} m on"
+        '3.54 N of 30 N; all slides from 2.2e-07 m on'
+        >>> f"{slip.loss(5e-8):.1e} J lost in a cycle"
+        '2.3e-07 J lost in a cycle'
+        """
+        axis, number = place(closest, load, pressure, separation_unit, "closest")
+        where = axis, float(number)
+        joint = Unloading(self, scene, where, law, rtol, checked_unit(separation_unit))
+        for words in _asperity.findings(self, Rows(scene, *where)):
+            warnings.warn(words, ContactWarning, stacklevel=2)
+        return joint
+
+    def joint_table(
+        self,
+        scene: Scene,
+        deepest: float,
+        open: float,
+        law: str = "hertz",
+        tolerance: float = 1e-6,
+        separation_unit: str = "asperity_height_std",
+    ) -> JointTable:
+        """Closing, opening and closing again, for codes that step in time: tabulated for closest
+        approaches from ``deepest`` to ``open``, beyond which nothing is taken to have yielded.
+
+        Forces on the way back are within ``tolerance`` of the force at the closest approach.
+
+        >>> import asperity
+        >>> scene = asperity.Scene.parse(asperity.template())
+        >>> table = asperity.model("ke").joint_table(scene, -1e-6, 5e-6, separation_unit="m")
+        >>> force, stiffness, closest = table.step(2e-6)          # closing for the first time
+        >>> f"{force:.2f} N, {stiffness:.2e} N/m"
+        '216.94 N, 5.99e+08 N/m'
+        >>> force, stiffness, closest = table.step(2.1e-6, closest)  # and back
+        >>> f"{force:.2f} N, {stiffness:.2e} N/m, from {closest:.1e} m"
+        '137.00 N, 6.83e+08 N/m, from 2.0e-06 m'
+        >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
+        array([216.94, 137.  , 216.94])
+        """
+        ends = float(deepest), float(open)
+        return JointTable(self, scene, ends, law, tolerance, checked_unit(separation_unit))
+
     def law(
         self, scene: Scene, quantity: str, interference: npt.ArrayLike, rtol: float = 1e-10
     ) -> Floats:
@@ -213,7 +293,9 @@ class Model(Engine):
     def __repr__(self) -> str:
         source = self._origin
         given = "".join(f", {name}={value!r}" for name, value in self._options.items())
-        whose = f"{source['authors']} ({source['year']})" if source["authors"] else "written in Python"
+        whose = (
+            f"{source['authors']} ({source['year']})" if source["authors"] else "written in Python"
+        )
         return f"<asperity.Model {self.id!r}{given}: {whose}>"
 
 

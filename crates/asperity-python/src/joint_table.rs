@@ -1,0 +1,138 @@
+//! `JointTable`: closing, opening and closing again, for codes that step in time.
+
+use asperity::joints;
+use asperity::{Datum, Separation, SeparationUnit, Tolerance};
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use crate::engine::Engine;
+use crate::error::{value_error, warn};
+use crate::joints::SIGMAS;
+use crate::numbers::floats;
+use crate::places::Axis;
+use crate::scene::SceneFile;
+
+/// Numbers in the shape of others.
+type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
+
+/// Force and stiffness of a joint step by step: closing for the first time, opening, and closing
+/// again on the same way, in some tens of nanoseconds.
+///
+/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane. All
+/// that a joint remembers is its closest approach: infinity for one that is new.
+#[pyclass(frozen, module = "asperity")]
+pub(crate) struct JointTable {
+    model: Py<Engine>,
+    /// The scene.
+    #[pyo3(get)]
+    scene: Py<PyAny>,
+    /// How the asperities come back: "hertz", "brake" or "etsion".
+    #[pyo3(get)]
+    law: String,
+    /// The closest approaches that are tabulated: the smallest, and the largest that yielding matters for.
+    #[pyo3(get)]
+    ends: (f64, f64),
+    /// Largest error of a force on a way back, over the force at its closest approach.
+    #[pyo3(get)]
+    tolerance: f64,
+    /// The unit of its separations: "asperity_height_std" or "m".
+    #[pyo3(get)]
+    separation_unit: String,
+    /// Metres of that unit, and where the scene's plane lies above the mean of the asperity heights.
+    metres: f64,
+    plane: f64,
+    table: joints::JointTable,
+}
+
+#[pymethods]
+impl JointTable {
+    /// Of a `Model` on a `Scene`.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        model: Py<Engine>,
+        scene: Bound<'_, PyAny>,
+        ends: (f64, f64),
+        law: &str,
+        tolerance: f64,
+        separation_unit: Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
+        let parsed = law.parse().map_err(|what| value_error(format!("law is {what}")))?;
+        let unit: Axis = separation_unit.extract()?;
+        let raise = |error| model.get().raise(py, error);
+        let sigma = file.scene.surface.asperity_height_std;
+        let metres = if unit == SIGMAS { sigma } else { 1.0 };
+        let here =
+            Separation { value: 0.0, unit: SeparationUnit::Metres, from: file.separation_from };
+        let mean = here.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
+        let plane = mean.map_err(raise)?.value;
+        for end in [ends.0, ends.1] {
+            unit.slip(end, sigma).map_or(Ok(()), |slip| warn(py, &slip, 1))?;
+        }
+        let named = model.get().on(&file)?;
+        let range = (metres * ends.0 + plane, metres * ends.1 + plane);
+        let table = py.detach(|| {
+            joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?
+                .table(range, tolerance)
+        });
+        let (table, law) = (table.map_err(raise)?, law.to_string());
+        let (scene, separation_unit) = (scene.unbind(), separation_unit.extract()?);
+        Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
+    }
+
+    /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint that had
+    /// come as close as ``closest``: the next step's ``closest`` is what comes back.
+    #[pyo3(signature = (separation, closest=f64::INFINITY))]
+    fn step(&self, py: Python<'_>, separation: f64, closest: f64) -> PyResult<(f64, f64, f64)> {
+        let reply = self.table.at(self.mean(separation), self.mean(closest));
+        let reply = reply.map_err(|error| self.model.get().raise(py, error))?;
+        Ok((reply.force, reply.stiffness, closest.min(separation)))
+    }
+
+    /// Force [N] and stiffness [N/m] of a new joint that passes through separations, one after
+    /// another.
+    fn history<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<(Column<'py>, Column<'py>)> {
+        let py = separation.py();
+        let numbers = floats(separation, "separation")?.readonly();
+        let given = numbers.as_slice()?;
+        let (mut force, mut stiffness) = (vec![], vec![]);
+        let passed = py.detach(|| {
+            let mut contact = self.table.new_contact();
+            given.iter().try_for_each(|separation| {
+                let reply = contact.step(self.mean(*separation))?;
+                force.push(reply.force);
+                stiffness.push(reply.stiffness);
+                Ok(())
+            })
+        });
+        passed.map_err(|error| self.model.get().raise(py, error))?;
+        let shaped = |column| PyArray1::from_vec(py, column).reshape(numbers.shape());
+        Ok((shaped(force)?, shaped(stiffness)?))
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let Self { model, scene, ends, law, tolerance, separation_unit, .. } = slf.get();
+        let arguments = (model, scene, ends, law, tolerance, separation_unit);
+        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let name = self.model.bind(py).getattr("name")?;
+        let Self { law, ends: (deepest, open), tolerance, separation_unit, .. } = self;
+        Ok(format!(
+            "<asperity.JointTable of {name} by {law} from {deepest:?} to {open:?} {separation_unit} to {tolerance:e}; {}>",
+            self.scene.bind(py).repr()?
+        ))
+    }
+}
+
+impl JointTable {
+    /// A separation in metres from the mean of the asperity heights.
+    fn mean(&self, separation: f64) -> f64 {
+        self.metres * separation + self.plane
+    }
+}

@@ -1,0 +1,229 @@
+"""A joint that was closed, as it opens again and as it is sheared."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from typing import Any, TypeAlias
+
+import asperity
+import numpy as np
+import numpy.typing as npt
+import pytest
+from scipy import integrate
+
+Floats: TypeAlias = npt.NDArray[np.float64]
+
+
+def test_floats_give_floats_and_arrays_their_shape(scene: asperity.Scene) -> None:
+    joint = asperity.model("ke").unloading(scene, 1.0)
+    retreats = np.linspace(0.0, 0.5, 6).reshape(2, 3)
+    slip = joint.slip(0.3)
+    shifts = 1e-7 * retreats
+    calls: list[tuple[Any, Floats]] = [
+        (joint.force, retreats),
+        (joint.area, retreats),
+        (joint.stiffness, retreats),
+        (slip.force, shifts),
+        (slip.loss, shifts),
+        (lambda x: slip.loop_force(x, 1e-7), shifts),
+    ]
+    for call, given in calls:
+        found = call(given)
+        assert found.shape == (2, 3) and found.flags.c_contiguous
+        assert type(call(float(given[1, 2]))) is float and call(given[1, 2]) == found[1, 2]
+        assert call([]).shape == (0,)
+
+
+def test_units_and_places_mean_the_same(scene: asperity.Scene) -> None:
+    ke, sigma = asperity.model("ke"), scene.surface.asperity_height_std
+    plane = asperity.Scene(
+        scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
+    )
+    first = ke.unloading(scene, load=100.0)
+    metres = ke.unloading(scene, first.closest * sigma, separation_unit="m")
+    pressure = ke.unloading(plane, pressure=100.0 / scene.nominal_area)
+    offset = scene.surface.mean_plane_offset / sigma
+    assert pressure.closest == pytest.approx(first.closest + offset, rel=1e-9)
+    assert metres.closest == pytest.approx(first.closest * sigma, rel=1e-12)
+    for one, retreat in [(first, 0.2), (metres, 0.2 * sigma), (pressure, 0.2)]:
+        assert one.force(0.0) == pytest.approx(100.0, rel=1e-8)
+        assert one.force(retreat) == pytest.approx(first.force(0.2), rel=1e-8)
+        assert one.scene in (scene, plane) and one.rtol == 1e-10
+
+
+def test_stiffness_is_the_slope_and_begins_as_the_quantity_of_that_name(
+    scene: asperity.Scene,
+) -> None:
+    for name in ("gw", "zmc", "ke", "jg"):
+        joint = asperity.model(name).unloading(scene, load=500.0, separation_unit="m")
+        wanted = asperity.model(name).solve(scene, load=500.0, quantities="unloading-stiffness")
+        assert joint.stiffness(0.0) == pytest.approx(float(wanted["unloading-stiffness"]), rel=1e-8)
+        u, h = 3e-7, 1e-10
+        slope = (joint.force(u - h) - joint.force(u + h)) / (2 * h)
+        assert joint.stiffness(u) == pytest.approx(slope, rel=1e-5)
+
+
+def test_elastic_asperities_go_back_as_they_came(scene: asperity.Scene) -> None:
+    gw, closest, retreats = asperity.model("gw"), 1.5, np.linspace(0, 3, 31)
+    closing = gw.solve(scene, closest + retreats, quantities=["force", "area"])
+    for law in ("hertz", "brake", "etsion"):
+        joint = gw.unloading(scene, closest, law)
+        assert joint.law == law
+        np.testing.assert_allclose(joint.force(retreats), closing.force, rtol=1e-9)
+        if law != "etsion":
+            np.testing.assert_allclose(joint.area(retreats), closing.area, rtol=1e-9)
+
+
+def test_loops_hold_the_loss_and_end_where_all_slides(scene: asperity.Scene) -> None:
+    slip = asperity.model("ke").unloading(scene, load=100.0, law="brake").slip(friction=0.3)
+    amplitude = slip.shift_at(0.9)
+    assert slip.force(amplitude) == pytest.approx(0.9 * 30.0, rel=1e-8)
+    assert slip.shift_at() > amplitude and slip.force(1e-5) == pytest.approx(30.0, rel=1e-9)
+
+    def width(x: float) -> float:
+        forth = slip.loop_force(x, amplitude, forth=True)
+        return abs(forth - slip.loop_force(x, amplitude))
+
+    area, _ = integrate.quad(width, -amplitude, amplitude, epsabs=0.0, epsrel=1e-7)
+    assert slip.loss(amplitude) == pytest.approx(area, rel=1e-5)
+    curve = asperity.model("ke").solve(scene, load=100.0, quantities="tangential-stiffness")
+    stick = float(curve["tangential-stiffness"])
+    hertz = asperity.model("ke").unloading(scene, load=100.0).slip(friction=0.3)
+    # The next term is of the order of the square root of the shift over the first contacts.
+    assert hertz.force(1e-13) / 1e-13 == pytest.approx(stick, rel=1e-4)
+
+
+def test_they_can_be_pickled_and_say_what_they_are(scene: asperity.Scene) -> None:
+    joint = asperity.model("jg").unloading(scene, pressure=1e6, law="brake", separation_unit="m")
+    slip = joint.slip(0.25)
+    again = pickle.loads(pickle.dumps(slip))
+    assert again.force(1e-8) == slip.force(1e-8) and again.friction == 0.25
+    assert again.unloading.force(1e-8) == joint.force(1e-8)
+    assert repr(joint).startswith("<asperity.Unloading of JG by brake from 2.")
+    assert repr(again) == repr(slip) and "friction 0.25" in repr(slip)
+
+
+def test_refusals_name_what_was_wrong(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    joint = ke.unloading(scene, 1.0, "etsion")
+    refusals: list[tuple[Any, str]] = [
+        (lambda: ke.unloading(scene, 1.0, "mindlin"), 'law is "mindlin" is none of hertz'),
+        (lambda: asperity.model("gao").unloading(scene, 1.0), "Gao cannot give unloading"),
+        (lambda: joint.area(0.1), "KE cannot give an area in unloading by etsion"),
+        (lambda: joint.force([0.1, -0.1]), "retreat is -"),
+        (lambda: joint.slip(0.0), "friction is 0.0"),
+        (lambda: joint.slip(0.2).shift_at(1.0), "share is 1.0"),
+        (lambda: joint.slip(0.2).loop_force(2e-7, 1e-7), "shift is 2e-7"),
+        (lambda: ke.unloading(scene, 1.0, separation_unit="mm"), "separation_unit is 'mm'"),
+        (lambda: joint.force(np.ma.masked_greater([0.0, 1.0], 0.5)), "retreat is a masked array"),
+    ]
+    for call, said in refusals:
+        with pytest.raises(ValueError, match=said):
+            call()
+    for more in (None, 1.0):
+        with pytest.raises(TypeError, match="exactly one of closest, load and pressure"):
+            ke.unloading(scene, more, load=more)
+
+
+def test_slips_of_the_unit_and_odd_places_are_objected_to(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    with pytest.warns(
+        asperity.ContactWarning, match="separation is 2e-6 .* is it in metres"
+    ) as seen:
+        ke.unloading(scene, 2e-6)
+    with pytest.warns(asperity.ContactWarning, match="retreat is 1e-7 .* is it in metres") as more:
+        ke.unloading(scene, 1.0).force([0.0, 1e-7])
+    with pytest.warns(asperity.ContactWarning, match="yielding_share is") as most:
+        asperity.model("gw").unloading(scene, load=1e3)
+    assert {warning.filename for warning in [*seen, *more, *most]} == {__file__}
+
+
+class Halved:
+    """A model of one's own: half of Hertz' force."""
+
+    force_monotone = True
+
+    def __init__(self, asperity: asperity.Asperity) -> None:
+        self.stiffness_scale = 4 / 3 * asperity.equivalent_modulus * asperity.radius**0.5
+        self.radius = asperity.radius
+
+    def force(self, w: Floats) -> Floats:
+        half: Floats = 0.5 * self.stiffness_scale * w**1.5
+        return half
+
+    def area(self, w: Floats) -> Floats:
+        return np.pi * self.radius * w
+
+
+def test_a_model_of_ones_own_unloads_too(scene: asperity.Scene) -> None:
+    joint = asperity.model(Halved).unloading(scene, 1.0)
+    # Half the force at the same radius recovers half the way: F/2 (1 - 2u/w)^1.5.
+    law = scene.asperity
+    sigma = scene.surface.asperity_height_std
+
+    def one(w: float, u: float) -> float:
+        left = max(w - 2 * u, 0.0)
+        hertz = 4 / 3 * law.equivalent_modulus * law.radius**0.5 * left**1.5
+        density = math.exp(-0.5 * (1 + w / sigma) ** 2) / math.sqrt(2 * math.pi) / sigma
+        return float(0.5 * hertz * density)
+
+    for u in (0.0, 0.2 * sigma):
+        found, _ = integrate.quad(
+            one, 2 * u, 9 * sigma, args=(u,), epsabs=0.0, epsrel=1e-11, limit=200
+        )
+        wanted = found * scene.surface.asperity_density * scene.nominal_area
+        assert joint.force(u / sigma) == pytest.approx(wanted, rel=1e-8)
+
+
+def test_work_is_the_area_under_the_curves(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    contact = ke.compile(scene, separation_unit="m")
+    joint = ke.unloading(scene, 1e-6, separation_unit="m")
+    spent, _ = integrate.quad(contact.force, 1e-6, 9e-6, epsabs=0.0, epsrel=1e-9, limit=200)
+    given, _ = integrate.quad(joint.force, 0.0, 1e-6, epsabs=0.0, epsrel=1e-9, limit=200)
+    assert joint.returned(1e-6) == pytest.approx(given, rel=1e-7)
+    assert joint.dissipated() == pytest.approx(spent - joint.returned(8e-6), rel=1e-6)
+    elastic = asperity.model("gw").unloading(scene, 1.0)
+    assert abs(elastic.dissipated()) < 1e-8 * elastic.returned(20.0)
+
+
+def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
+    ke, sigma = asperity.model("ke"), scene.surface.asperity_height_std
+    plane = asperity.Scene(
+        scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
+    )
+    table = ke.joint_table(scene, -0.5, 5.0)
+    way = np.array([3.0, 1.5, 1.6, 1.9, 1.7, 1.5, 1.0, 1.1, 1.4, 1.2])
+    force, stiffness = table.history(way)
+    back = [None, None, 1.5, 1.5, 1.5, None, None, 1.0, 1.0, 1.0]
+    for k, (at, closest) in enumerate(zip(way, back, strict=True)):
+        if closest is None:
+            wanted, slope = (float(v) for v in ke.compile(scene).force_and_tangent(at))
+            # Where a new closing begins, the way back ends.
+            assert force[k] == pytest.approx(wanted, rel=1e-6)
+            assert k == 5 or stiffness[k] == pytest.approx(slope / 1.0, rel=1e-6)
+        else:
+            joint = ke.unloading(scene, closest)
+            assert abs(force[k] - joint.force(at - closest)) < 1e-6 * joint.force(0.0)
+            assert stiffness[k] == pytest.approx(joint.stiffness(at - closest), rel=1e-3)
+    metres = ke.joint_table(scene, -0.5 * sigma, 5 * sigma, separation_unit="m")
+    offset = scene.surface.mean_plane_offset / sigma
+    moved = ke.joint_table(plane, -0.5 + offset, 5.0 + offset)
+    for other, given in [(metres, way * sigma), (moved, way + offset)]:
+        np.testing.assert_allclose(other.history(given)[0], force, rtol=1e-6)
+    closest, steps = np.inf, []
+    for at in way:
+        one, _, closest = table.step(at, closest)
+        steps.append(one)
+    np.testing.assert_array_equal(steps, force)
+    assert closest == 1.0 and type(steps[0]) is float
+    again = pickle.loads(pickle.dumps(table))
+    np.testing.assert_array_equal(again.history(way.reshape(2, 5))[1].ravel(), stiffness)
+    assert repr(again) == repr(table) and "by hertz from -0.5 to 5.0" in repr(table)
+    for call in (lambda: table.step(-0.6, 1.0), lambda: table.history([1.0, -0.6])):
+        with pytest.raises(ValueError, match="at least the deepest separation of the table"):
+            call()
+    for ends, said in [((1.0, 0.0), "open, less deepest"), ((0.0, float("nan")), "open")]:
+        with pytest.raises(ValueError, match=said):
+            ke.joint_table(scene, *ends)

@@ -1,0 +1,168 @@
+//! What stands beside a contact table in the words of a finite-element code: thermal conductance,
+//! and friction that begins elastically.
+//!
+//! The forms are those of public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017;
+//! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and CalculiX'
+//! sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). No code was run on them here.
+
+use crate::contact_table::PROBES;
+use crate::fe_tables::{Head, exact};
+use crate::{
+    ContactError, ContactModel, ContactTable, Datum, Quantity, Request, Scene, TableError,
+    TableFormat, Tolerance,
+};
+
+/// What a conductance is a function of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ConductanceAgainst {
+    /// The contact pressure.
+    Pressure,
+    /// The clearance, where the code knows such a table.
+    Clearance,
+}
+
+type Result<T, E = TableError> = std::result::Result<T, E>;
+
+impl ContactTable {
+    /// Thermal conductance per nominal area \[W/(m² K)\] at the nodes of this table of a model on a
+    /// scene, as `*GAP CONDUCTANCE`, for straight lines. It begins with 0 where the pressure does.
+    ///
+    /// # Errors
+    /// [`TableError::NoSuchTable`] for formats other than Abaqus and CalculiX, and for clearances
+    /// in CalculiX; those of [`Quantity::ThermalConductance`].
+    pub fn conductance_text(
+        &self,
+        format: TableFormat,
+        against: ConductanceAgainst,
+        (model, scene, from): (&dyn ContactModel, &Scene, Datum),
+        tolerance: Tolerance,
+    ) -> Result<String> {
+        let (calculix, by_pressure) = match (format, against) {
+            (TableFormat::Abaqus, _) => (false, against == ConductanceAgainst::Pressure),
+            (TableFormat::Calculix, ConductanceAgainst::Pressure) => (true, true),
+            (TableFormat::Calculix, _) => {
+                let (what, known) = ("conductance against clearance", "abaqus");
+                return Err(TableError::NoSuchTable { format, what, known });
+            }
+            _ => {
+                let (what, known) = ("conductance", "abaqus or calculix");
+                return Err(TableError::NoSuchTable { format, what, known });
+            }
+        };
+        let asked = [Quantity::Force, Quantity::ThermalConductance];
+        let contact = model.compile(scene, &Request::new(asked).within(tolerance))?;
+        let of = |separation| -> Result<[f64; 2], ContactError> {
+            let per_area =
+                |quantity| Ok(contact.evaluate(quantity, separation)?.value() / scene.nominal_area);
+            Ok([per_area(asked[0])?, per_area(asked[1])?])
+        };
+        let head = Head { title: "", table: self, scene, from };
+        let mut pairs = vec![];
+        for node in &self.nodes {
+            pairs.push((node.separation, of(node.separation)?));
+        }
+        let mut error = 0.0_f64;
+        for pair in pairs.windows(2) {
+            let [(s0, [p0, h0]), (s1, [p1, h1])] = [pair[0], pair[1]];
+            for k in 1..=PROBES {
+                let t = k as f64 / (PROBES + 1) as f64;
+                let [p, h] = of(s0 + t * (s1 - s0))?;
+                let t = if by_pressure { (p - p0) / (p1 - p0) } else { t };
+                error = error.max(((h0 + t * (h1 - h0)) / h - 1.0).abs());
+            }
+        }
+        let (nodes, named) = (pairs.len(), if by_pressure { "pressure" } else { "clearance" });
+        let mut text = format!(
+            "** thermal conductance against {named}, in W/(m2 K) and {}, of contacts in vacuum that are
+** far from each other; straight lines between {nodes} nodes: largest relative error {error:.3e}
+",
+            if by_pressure { "Pa" } else { "m" }
+        );
+        text += match (calculix, by_pressure) {
+            (true, _) => "** constant beyond the last pair; heat flows where ccx makes contact elements, as the
+** *SURFACE BEHAVIOR before it says; the third number is a temperature, and of no effect
+*GAP CONDUCTANCE
+",
+            (_, true) => "** not verified: what Abaqus does beyond the last pair, and at clearances that carry pressure
+*GAP CONDUCTANCE, PRESSURE
+",
+            _ => "** clearances as in the overclosures above, with the other sign; beyond the last there is none;
+** not verified: what Abaqus does at clearances below 0
+*GAP CONDUCTANCE
+",
+        };
+        let mut lines = vec![];
+        for (separation, [pressure, conductance]) in pairs {
+            let place = if by_pressure { pressure } else { head.metres(separation)? };
+            lines.push((place, conductance));
+        }
+        let end = match (by_pressure, self.cut_off()) {
+            (false, Some(separation)) => head.metres(separation)?,
+            _ => 0.0,
+        };
+        lines.push((end, 0.0));
+        if by_pressure {
+            lines.reverse();
+        }
+        for (place, conductance) in lines {
+            text += &if calculix {
+                format!("{conductance:.9e}, {place:.9e}, 273.\n")
+            } else {
+                format!("{}, {}\n", exact(conductance), exact(place))
+            };
+        }
+        Ok(text)
+    }
+
+    /// Coulomb's friction with the model's tangential stiffness in stick, as `*FRICTION`: in Abaqus
+    /// as an elastic slip, in CalculiX as a stick slope, both at the largest pressure of the table.
+    ///
+    /// # Errors
+    /// [`TableError::NoSuchTable`] for formats other than Abaqus and CalculiX;
+    /// [`ContactError::OutOfRange`] unless μ > 0; those of [`Quantity::TangentialStiffness`].
+    pub fn friction_text(
+        &self,
+        format: TableFormat,
+        friction: f64,
+        (model, scene): (&dyn ContactModel, &Scene),
+        tolerance: Tolerance,
+    ) -> Result<String> {
+        if !matches!(format, TableFormat::Abaqus | TableFormat::Calculix) {
+            let (what, known) = ("friction", "abaqus or calculix");
+            return Err(TableError::NoSuchTable { format, what, known });
+        }
+        crate::positive("friction", friction)?;
+        let ends = [self.nodes.first(), self.nodes.last()].into_iter().flatten();
+        let stiffness = Quantity::TangentialStiffness;
+        let contact = model.compile(scene, &Request::new([stiffness]).within(tolerance))?;
+        let mut found = vec![];
+        for node in ends {
+            let slope = contact.evaluate(stiffness, node.separation)?.value() / scene.nominal_area;
+            found.push((node.pressure, slope, friction * node.pressure / slope));
+        }
+        let [(pressure, slope, slip), (light, light_slope, light_slip)] = found[..] else {
+            return Err(TableError::Range { first: f64::NAN, last: f64::NAN });
+        };
+        let from = format!(
+            "** friction with the stiffness in stick at {pressure:.3e} Pa, {slope:.3e} Pa/m; the asperities' own
+** curve bends from the beginning on, up to the same limit\n"
+        );
+        Ok(match format {
+            TableFormat::Abaqus => format!(
+                "{from}** Abaqus/Standard takes the stiffness as mu p over the elastic slip, which is {slip:.3e} m there
+** and {light_slip:.3e} m at {light:.3e} Pa; for Abaqus/Explicit, in its place (one stiffness for all pressures):
+** *FRICTION, SHEAR TRACTION SLOPE={slope:.9e}
+*FRICTION, ELASTIC SLIP={slip:.9e}
+{}
+",
+                exact(friction)
+            ),
+            _ => format!(
+                "{from}** ccx has one stick slope for all pressures; at {light:.3e} Pa it would be {light_slope:.3e} Pa/m
+*FRICTION
+{friction:.9e}, {slope:.9e}
+"
+            ),
+        })
+    }
+}
