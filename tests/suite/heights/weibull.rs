@@ -84,7 +84,7 @@ fn heights_stretch_with_the_standard_deviation() {
     // The laws do not know σ_z: the compiled scene can be moved.
     let anew = compiled(&model, &second, &ASKED, 1e-10);
     let moved = compiled(&model, &first, &ASKED, 1e-10).on(&second).unwrap();
-    let mut sweep = Sweep::new(&*model, &ASKED, tolerance);
+    let sweep = Sweep::new(&*model, &ASKED, tolerance);
     for d in [-1.0, 1.0, 2.5] {
         let swept = sweep.evaluate(&Case::new(second.clone(), d)).unwrap();
         let few = Request::new(ASKED).at([At::sigmas(d)]).within(tolerance);
