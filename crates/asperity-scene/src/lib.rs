@@ -22,6 +22,7 @@ pub use check::Measured;
 pub use error::{Place, SceneError};
 pub use heights::write_heights;
 pub use options::{ModelOptions, OptionValue};
+pub use quantity::quantity;
 pub use scan::height_map;
 pub use scene_file::{LeftOut, SceneFile, load, parse};
 pub use template::template;

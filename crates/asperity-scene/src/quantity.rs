@@ -11,10 +11,11 @@ type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// What a unit measures, as the template names the SI unit; the units, and the power of ten of
 /// each. Spaces and ^ are left out, and µ is u.
-const UNITS: [Units; 6] = [
+const UNITS: [Units; 7] = [
     ("Pa", "210 GPa", &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("N/mm2", 6), ("N/m2", 0)]),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
+    ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
     ("J/m^2", "50 mJ/m2", &[("J/m2", 0), ("mJ/m2", -3), ("N/m", 0), ("mN/m", -3)]),
     ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
     (
@@ -74,7 +75,14 @@ fn collect(
                 if let Some(units) = units_of(bare, &name) {
                     let dot = if section.is_empty() { "" } else { "." };
                     let path = format!("{section}{dot}{name}");
-                    found.push((value.span(), read(given, units, path)?));
+                    let value_of = read(given, units).ok_or_else(|| {
+                        let ((si, example, _), known) = (units, list(units.2));
+                        let needed = format!(
+                            "a number in {si} without quotes, or one with a unit as \"{example}\" ({known}),"
+                        );
+                        NoQuantity { path, found: given.to_string(), needed }
+                    })?;
+                    found.push((value.span(), value_of));
                 }
             }
             _ => {}
@@ -90,25 +98,45 @@ fn units_of(section: &str, name: &str) -> Option<Units> {
     UNITS.into_iter().find(|(known, ..)| *known == si)
 }
 
-fn read(given: &str, (si, example, units): Units, path: String) -> Result<f64, NoQuantity> {
+/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m or 1/m^2), plain or with another unit
+/// of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
+///
+/// ```
+/// assert_eq!(asperity_scene::quantity("2.5 kN", "N").unwrap(), 2500.0);
+/// let error = asperity_scene::quantity("2.5 mm", "N").unwrap_err();
+/// assert_eq!(error, "\"2.5 mm\" is no number in N, or one with a unit as 2kN (N, kN, MN, mN, uN)");
+/// ```
+///
+/// # Errors
+/// A sentence that names what was given and what can be.
+pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
+    if let Ok(value) = text.trim().parse() {
+        return Ok(value);
+    }
+    let units = UNITS.into_iter().find(|(known, ..)| *known == si);
+    units.and_then(|units| read(text, units)).ok_or_else(|| {
+        let (_, example, names) = units.unwrap_or((si, "", &[]));
+        let (example, names) = (example.replace(' ', ""), list(names));
+        format!("{text:?} is no number in {si}, or one with a unit as {example} ({names})")
+    })
+}
+
+fn list(units: &[(&str, i32)]) -> String {
+    units.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ")
+}
+
+/// A number with one of the units.
+fn read(given: &str, (_, _, units): Units) -> Option<f64> {
     let text: String = given.chars().filter(|c| !c.is_whitespace() && *c != '^').collect();
     let text = text.replace(['\u{b5}', '\u{3bc}'], "u");
     let of = |unit: &str, power| scaled(text.strip_suffix(unit)?, power);
-    let parsed = units.iter().find_map(|(unit, power)| {
+    units.iter().find_map(|(unit, power)| {
         // 1/mm2 may be written /mm2 or mm-2.
         let inverse = || {
             let length = unit.strip_prefix("1/")?.strip_suffix('2')?;
             of(&format!("/{length}2"), *power).or_else(|| of(&format!("{length}-2"), *power))
         };
         of(unit, *power).or_else(inverse)
-    });
-    parsed.ok_or_else(|| {
-        let known: Vec<&str> = units.iter().map(|(unit, _)| *unit).collect();
-        let known = known.join(", ");
-        let needed = format!(
-            "a number in {si} without quotes, or one with a unit as \"{example}\" ({known}),"
-        );
-        NoQuantity { path, found: given.into(), needed }
     })
 }
 
@@ -127,7 +155,7 @@ mod tests {
 
     fn value(text: &str, key: &str) -> Option<f64> {
         let units = units_of("", key).unwrap();
-        read(text, units, key.into()).ok()
+        read(text, units)
     }
 
     #[test]
