@@ -74,7 +74,7 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
     let mut kinds = Panel::new(pressure_axis(), y);
     kinds.title = "three stiffnesses of KE".into();
     kinds.curves = KINDS.map(|(_, key, look, label)| Curve::new(look, key, label)).to_vec();
-    let y = Axis::new("ratio", "unloading over first closing").range(0.8, 3.8);
+    let y = Axis::new("ratio", "unloading over first closing").range(0.8, 4.0);
     let mut ratio = Panel::new(pressure_axis(), y);
     ratio.title = "how far two of them differ".into();
     ratio.curves = CIRCULAR.iter().map(|id| curve(id)).collect::<Result<_>>()?;
