@@ -13,7 +13,7 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::numbers::{Numbers, number, positive_number, positive_numbers};
+use crate::numbers::{Numbers, load, loads, number, pressure, pressures};
 use crate::output::{self, once};
 use crate::scene::LoadedScene;
 use crate::table::{Format, Table};
@@ -35,12 +35,12 @@ pub struct Asked {
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separations", conflicts_with = "given")]
     unit: SeparationUnit,
-    /// Loads in N, written as separations are
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    /// Loads in N, or with a unit as 2kN, written as separations are
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads)]
     #[arg(action = ArgAction::Append, group = "given")]
     loads: Vec<Numbers>,
-    /// Loads as pressures on the nominal area, in Pa
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    /// Loads as pressures on the nominal area, in Pa, or with a unit as 5MPa
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures)]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
     /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
@@ -74,10 +74,10 @@ struct Place {
     #[arg(long, value_name = "D", value_parser = number)]
     closest: Option<f64>,
     /// The largest load, in N
-    #[arg(long, value_name = "P", value_parser = positive_number)]
+    #[arg(long, value_name = "P", value_parser = load)]
     load: Option<f64>,
     /// The largest load as a pressure on the nominal area, in Pa
-    #[arg(long, value_name = "P", value_parser = positive_number)]
+    #[arg(long, value_name = "P", value_parser = pressure)]
     pressure: Option<f64>,
 }
 

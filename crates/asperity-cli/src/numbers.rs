@@ -24,10 +24,16 @@ impl FromStr for Numbers {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        Self::read(text, number)
+    }
+}
+
+impl Numbers {
+    fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         if !text.contains(':') {
             return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
         }
-        let Span { first, last, count, log } = text.parse()?;
+        let Span { first, last, count, log } = Span::read(text, number)?;
         let count = count.ok_or("A:B:N was expected: how many numbers from A to B?")?;
         if !log {
             return Ok(Self(linspace(first, last, count)));
@@ -44,6 +50,12 @@ impl FromStr for Span {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        Self::read(text, number)
+    }
+}
+
+impl Span {
+    fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         let parts: Vec<&str> = text.split(':').collect();
         let [first, last, ref others @ ..] = parts[..] else {
             return Err("A:B or A:B:N was expected".into());
@@ -73,9 +85,44 @@ impl FromStr for Span {
 
 /// Numbers that are all above 0.
 pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
-    let numbers: Numbers = text.parse()?;
-    numbers.0.iter().copied().try_for_each(|value| positive(value).map(drop))?;
-    Ok(numbers)
+    Numbers::read(text, positive_number)
+}
+
+/// Forces above 0, in N or with their unit.
+pub fn loads(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, load)
+}
+
+/// Pressures above 0, in Pa or with their unit.
+pub fn pressures(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, pressure)
+}
+
+/// Lengths above 0, in m or with their unit.
+pub fn lengths(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, length)
+}
+
+/// A force above 0, in N or with its unit.
+pub fn load(text: &str) -> Result<f64, String> {
+    with_unit(text, "N")
+}
+
+/// A pressure above 0, in Pa or with its unit.
+pub fn pressure(text: &str) -> Result<f64, String> {
+    with_unit(text, "Pa")
+}
+
+/// A length above 0, in m or with its unit.
+pub fn length(text: &str) -> Result<f64, String> {
+    with_unit(text, "m")
+}
+
+fn with_unit(text: &str, si: &str) -> Result<f64, String> {
+    match asperity_scene::quantity(text, si)? {
+        value if value.is_finite() => positive(value),
+        _ => Err(format!("{text} is not finite: a finite number was expected")),
+    }
 }
 
 /// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
@@ -123,6 +170,9 @@ mod tests {
         assert_eq!((log[0], log[2]), (0.1, 7.0));
         assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
         assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
+        assert_eq!(loads("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
+        assert_eq!(pressures("5 MPa,1e5").unwrap().0, [5e6, 1e5]);
+        assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
         let span = range("0:4").unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range("-1:4:9").unwrap().count, Some(9));
@@ -157,6 +207,7 @@ mod tests {
         ] {
             assert!(numbers(bad).is_err(), "{bad}");
         }
+        assert!(loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err());
         assert!(positive_numbers("1,0").is_err() && positive_number("-1").is_err());
         assert!(range("1:3:4:log").is_err());
     }

@@ -12,7 +12,7 @@ use clap::{ArgAction, Args, ValueEnum};
 use crate::args::{OutputArgs, svg_file};
 use crate::contact_map;
 use crate::interrupt;
-use crate::numbers::{Numbers, positive_numbers};
+use crate::numbers::{Numbers, lengths, loads, pressures};
 use crate::output::{self, say};
 use crate::pressed::{Row, Run};
 use crate::scene::LoadedScene;
@@ -62,15 +62,15 @@ pub struct BemCommand {
 pub struct Places {
     /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
     /// v,v,...
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures)]
     #[arg(action = ArgAction::Append)]
     pressures: Vec<Numbers>,
     /// Loads on the nominal area, in N
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads)]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
     /// Mean gaps, in m
-    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = lengths)]
     #[arg(action = ArgAction::Append)]
     gaps: Vec<Numbers>,
 }

@@ -7,7 +7,7 @@ use asperity::{At, Check as Looked, SeparationUnit, Severity};
 use clap::Args;
 
 use crate::args::{OutputArgs, model_id, separation_unit};
-use crate::numbers::{number, positive_number};
+use crate::numbers::{load, number, pressure};
 use crate::output::{self, say};
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Format, Table};
@@ -34,10 +34,10 @@ pub struct Check {
     #[arg(long, value_name = "M", value_parser = model_id)]
     model: Option<String>,
     /// A load in N
-    #[arg(long, value_name = "N", value_parser = positive_number, group = "place")]
+    #[arg(long, value_name = "N", value_parser = load, group = "place")]
     load: Option<f64>,
     /// A load as pressure on the nominal area, in Pa
-    #[arg(long, value_name = "PA", value_parser = positive_number, group = "place")]
+    #[arg(long, value_name = "PA", value_parser = pressure, group = "place")]
     pressure: Option<f64>,
     /// A separation
     #[arg(long, value_name = "D", value_parser = number, group = "place")]

@@ -9,7 +9,7 @@ use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
 use crate::args::{model_id, svg_file};
-use crate::numbers::{Numbers, positive_number, positive_numbers};
+use crate::numbers::{Numbers, lengths, load, pressure};
 use crate::output::{self, say};
 use crate::scene::{LoadedScene, NamedModel};
 use crate::table::{Cell, Table};
@@ -19,18 +19,18 @@ use crate::table::{Cell, Table};
 pub struct Scales {
     /// Show the asperities, and the answer of a scene, against the shortest wave that is kept: N
     /// cut-offs from A to B, in m
-    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = lengths)]
     #[arg(conflicts_with_all = ["smooth", "scene", "heights"])]
     scales: Option<Numbers>,
     /// With --scales: a scene whose materials, area and options answer with each surface
     #[arg(long, value_name = "SCENE", requires = "scales", requires = "place")]
     with: Option<PathBuf>,
     /// With --with: the load in N
-    #[arg(long, value_name = "N", value_parser = positive_number, group = "place")]
+    #[arg(long, value_name = "N", value_parser = load, group = "place")]
     #[arg(requires = "with")]
     load: Option<f64>,
     /// With --with: the pressure on the nominal area in Pa
-    #[arg(long, value_name = "PA", value_parser = positive_number, group = "place")]
+    #[arg(long, value_name = "PA", value_parser = pressure, group = "place")]
     #[arg(requires = "with")]
     pressure: Option<f64>,
     /// With --with: the model [default: ke; gw where there is no hardness]

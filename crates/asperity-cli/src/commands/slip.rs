@@ -9,7 +9,7 @@ use clap::builder::RangedU64ValueParser;
 
 use crate::args::{Closed, DrawnArgs};
 use crate::number::rounded;
-use crate::numbers::positive_number;
+use crate::numbers::{length, positive_number};
 use crate::output::say;
 use crate::plot;
 use crate::table::{Cell, Table};
@@ -44,7 +44,7 @@ pub struct Slip {
     #[arg(long, value_name = "MU", value_parser = positive_number)]
     friction: f64,
     /// Largest shift, in m
-    #[arg(long, value_name = "M", value_parser = positive_number)]
+    #[arg(long, value_name = "M", value_parser = length)]
     amplitude: f64,
     /// Shifts from -amplitude to +amplitude
     #[arg(long, value_name = "N", default_value = "101")]

@@ -12,7 +12,7 @@ use clap::error::ErrorKind;
 
 use crate::args::OutputArgs;
 use crate::commands::scales::Scales;
-use crate::numbers::{number, positive_number, positive_numbers};
+use crate::numbers::{length, number, positive_numbers};
 use crate::output::{self, once, progress, say};
 use crate::table::{Cell, Format, Table};
 
@@ -51,10 +51,10 @@ pub struct Surface {
     #[arg(long, value_name = "NAME", default_value = "plane")]
     level: Level,
     /// Keep the roughness below this wavelength, in m (Gaussian filter, ISO 16610)
-    #[arg(long, value_name = "CUTOFF", value_parser = positive_number)]
+    #[arg(long, value_name = "CUTOFF", value_parser = length)]
     filter: Option<f64>,
     /// Take waves shorter than this away, noise above all, in m (Gaussian filter)
-    #[arg(long, value_name = "CUTOFF", value_parser = positive_number)]
+    #[arg(long, value_name = "CUTOFF", value_parser = length)]
     smooth: Option<f64>,
     /// The surface goes on periodically beyond its edges
     #[arg(long)]

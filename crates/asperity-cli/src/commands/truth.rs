@@ -10,7 +10,7 @@ use clap::{ArgAction, Args};
 use crate::args::{OutputArgs, model_id};
 use crate::commands::bem::Way;
 use crate::interrupt;
-use crate::numbers::{Numbers, positive_numbers};
+use crate::numbers::{Numbers, loads, pressures};
 use crate::output::{once, progress, say};
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Table};
@@ -47,11 +47,11 @@ pub struct TruthCommand {
 struct Loads {
     /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
     /// v,v,...
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures)]
     #[arg(action = ArgAction::Append)]
     pressures: Vec<Numbers>,
     /// Loads on the nominal area, in N
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = positive_numbers)]
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads)]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
 }
