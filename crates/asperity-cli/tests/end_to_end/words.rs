@@ -68,7 +68,10 @@ fn the_list_of_models_has_every_source() {
     let ids: Vec<&str> =
         json.as_array().unwrap().iter().map(|row| row["model"].as_str().unwrap()).collect();
     let of_asperities = "gw ceb zmc ke etsion jg jg-cosine af gao at at-additive at-overlap";
-    assert_eq!(ids.join(" "), format!("{of_asperities} persson persson-fudge"));
+    assert_eq!(
+        ids.join(" "),
+        format!("{of_asperities} persson persson-fudge dmt jkr jkr-separation")
+    );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
     let table = bench.data("models");
     assert_eq!(table.lines().count(), 15);
