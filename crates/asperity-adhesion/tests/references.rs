@@ -248,3 +248,23 @@ fn works_in_another_unit_are_asked_about_and_tabors_parameter_is_told() {
         (Some(0.0), None)
     );
 }
+
+#[test]
+fn far_from_the_mean_the_bound_knows_how_a_separation_rounds() {
+    // w_p is 4e5 σ_z: one unit in the last place of s moves the count by 3e-10.
+    let mut scene = scene(1e4);
+    scene.surface.asperity_height_std = 1e-11;
+    let asked = Request::new([Quantity::Contacts]).within(Tolerance::new(1e-13).unwrap());
+    let contact = SEPARATION.compile(&scene, &asked).unwrap();
+    let half = |s: f64| contact.evaluate(Quantity::Contacts, s).unwrap();
+    let (mut low, mut high) = (0.0, 1e7);
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if half(middle).value() > 500.0 { low = middle } else { high = middle }
+    }
+    assert!(low > 1e5, "{low}");
+    let (one, next) = (half(low + 5.0), half((low + 5.0).next_up()));
+    let moved = (one.value() / next.value() - 1.0).abs();
+    let known = one.relative_error() + next.relative_error();
+    assert!(moved > 1e-11 && moved < known && known < 100.0 * moved, "{moved:e} {known:e}");
+}

@@ -206,7 +206,7 @@ mod tests {
         assert!((of.mean_slope / both.mean_slope - 1.0).abs() < 1e-14);
         // Air between: k_g 0.026 W/(m K), Y 3 µm, M 0.37 µm.
         let gap = gap_conductance(0.026, 3e-6, 0.37e-6).unwrap();
-        assert!((gap / 7715.133_531_157_27 - 1.0).abs() < 1e-12, "{gap}");
+        assert!((gap / 7_715.133_531_157_27 - 1.0).abs() < 1e-12, "{gap}");
     }
 
     #[test]

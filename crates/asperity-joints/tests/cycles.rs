@@ -1,6 +1,7 @@
 //! Histories, works and tables of joints, against sums over steps, finite elements and the way back
 //! itself.
 #![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
+#![allow(clippy::float_cmp, reason = "what a contact remembers is the very number it was given")]
 
 use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{
