@@ -13,7 +13,9 @@
 //! M(u) = ∫∫ q(u + μ k_m; 1/k) D dk dk_m
 //! ```
 //! is one law again, under heights that are Gaussian with the standard deviation σ_c: it is
-//! tabulated when first needed, and a value costs then what one of GW costs.
+//! tabulated when first needed, and a value costs then what one of GW costs. What does not depend
+//! on the law is tabulated once in a process, so that the first law takes a second and each other
+//! some hundredths.
 //!
 //! # Valid for
 //! Upright asperities: models whose contact normals are spread over angles are refused. Heights
@@ -46,6 +48,7 @@
 
 mod average;
 mod contact;
+mod kernel;
 mod population;
 #[cfg(test)]
 mod tests;
