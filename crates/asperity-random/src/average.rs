@@ -22,6 +22,7 @@ const STILL: f64 = 1e-10;
 #[derive(Debug)]
 pub(crate) struct Average<'m> {
     pub(crate) model: &'m dyn AsperityModel,
+    pub(crate) name: &'m str,
     pub(crate) population: Population,
 }
 
@@ -31,7 +32,7 @@ impl AsperityModel for Average<'_> {
     }
 
     fn name(&self) -> &str {
-        self.model.name()
+        self.name
     }
 
     /// Of interferences counted from [`Population::begin`] below u = 0.

@@ -40,7 +40,7 @@
 //! let far = Separation::metres(3e-6).from_surface_mean();
 //! let asked = Request::new([Quantity::Area]).at([far]);
 //! let one = GreenwoodWilliamson.solve(&scene, &asked)?.values(Quantity::Area)?[0];
-//! let all = RandomAsperities(GreenwoodWilliamson).solve(&scene, &asked)?.values(Quantity::Area)?[0];
+//! let all = RandomAsperities::new(GreenwoodWilliamson).solve(&scene, &asked)?.values(Quantity::Area)?[0];
 //! // High asperities are sharper than the mean, so that less of them touches.
 //! assert!(all < one && all > 0.2 * one);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -53,4 +53,4 @@ mod population;
 #[cfg(test)]
 mod tests;
 
-pub use contact::{FARTHEST, RandomAsperities};
+pub use contact::{FARTHEST, RandomAsperities, SUFFIX};

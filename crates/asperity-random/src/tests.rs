@@ -26,7 +26,7 @@ fn models(id: &str) -> (Box<dyn AsperityModel>, Box<dyn ContactModel>) {
     fn both(
         model: impl AsperityModel + Copy + 'static,
     ) -> (Box<dyn AsperityModel>, Box<dyn ContactModel>) {
-        (Box::new(model), Box::new(RandomAsperities(model)))
+        (Box::new(model), Box::new(RandomAsperities::new(model)))
     }
     match id {
         "gw" => both(GreenwoodWilliamson),
@@ -134,7 +134,7 @@ fn every_reference_value_is_met_within_the_bound() {
 
 #[test]
 fn limits_of_the_bandwidth_and_what_is_refused() {
-    let gw = RandomAsperities(GreenwoodWilliamson);
+    let gw = RandomAsperities::new(GreenwoodWilliamson);
     let asked = Request::new([Quantity::Force, Quantity::Contacts]);
     let interface = Interface::elastic(116e9, 0.31);
     let scene = |bandwidth: f64| {
@@ -174,7 +174,8 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     let there = contact.separation(At::Load(1.0)).unwrap();
     let force = contact.evaluate(Quantity::Force, there).unwrap().value();
     assert!((force - 1.0).abs() < 1e-9, "{force}");
-    let refused = RandomAsperities(AminiTehrani::default()).compile(&usual, &asked).unwrap_err();
+    let refused =
+        RandomAsperities::new(AminiTehrani::default()).compile(&usual, &asked).unwrap_err();
     assert!(refused.to_string().contains("spread over angles"), "{refused}");
     let mut exponential = usual;
     exponential.heights = HeightDistribution::Exponential;

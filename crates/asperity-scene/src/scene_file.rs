@@ -82,7 +82,14 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
     keys.options.check(document, "options.")?;
     let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { options, surface: keys, nominal_area, body: bodies, .. } = keys;
+    let SceneKeys { mut options, surface: keys, nominal_area, body: bodies, .. } = keys;
+    if let Some(asperities) = keys.asperities {
+        if document.has("options.asperities") {
+            let needed = "the asperities of the surface, once,";
+            return Err(document.conflict("surface.asperities", "options.asperities", needed));
+        }
+        options.asperities = asperities;
+    }
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
     let table = match &keys.heights {
@@ -151,7 +158,8 @@ impl SceneFile {
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         if id.trim().eq_ignore_ascii_case("bem") {
-            return Ok(Model::new(self.bem(Boundary::Periodic, false)?));
+            let bem = Model::new(self.bem(Boundary::Periodic, false)?);
+            return Ok(self.options.on_surface(bem));
         }
         self.options.model(id)
     }

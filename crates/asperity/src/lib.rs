@@ -22,6 +22,7 @@ pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_joints as joints;
 pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, Variance};
+pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
 pub use fe_tables::TableFormat;

@@ -129,7 +129,7 @@ fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
     let law = |model: &dyn crate::AsperityModel| {
         model.law(&scene.asperity().ok()?, Quantity::Force, request.tolerance).ok()?
     };
-    model.asperity_model().and_then(law).map_or(0, |law| law.parts.len())
+    model.equal().asperity_model().and_then(law).map_or(0, |law| law.parts.len())
 }
 
 impl fmt::Display for Recommendation {

@@ -13,7 +13,8 @@ use strsim::osa_distance;
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, ChangEtsionBogy, Claims, Contact, ContactError,
     ContactModel, EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen,
-    KogutEtsion, Persson, Reading, Request, Scene, Source, Variance, Warning, ZhaoMaiettaChang,
+    KogutEtsion, Persson, RandomAsperities, Reading, Request, Scene, Source, Variance, Warning,
+    ZhaoMaiettaChang,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -37,10 +38,12 @@ pub struct Model {
     model: Arc<dyn ContactModel>,
     /// Its options, for a model of this project.
     known: Option<Arc<dyn Configurable>>,
+    /// The model of equal asperities, for one of random ones.
+    equal: Option<Arc<Model>>,
 }
 
 /// A model with options that can be written and read.
-trait Configurable: ContactModel {
+trait Configurable: fmt::Debug + Send + Sync {
     /// All options, with their values.
     fn options(&self) -> Value;
     /// The same model with these options in place of its own.
@@ -74,6 +77,20 @@ impl<M: ContactModel + Serialize + DeserializeOwned + 'static> Configurable for 
     }
 }
 
+/// Options of the laws on a random surface.
+#[derive(Debug)]
+struct Random(Arc<Model>);
+
+impl Configurable for Random {
+    fn options(&self) -> Value {
+        self.0.options().unwrap_or_default()
+    }
+
+    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error> {
+        self.0.with_options(options).map(|model| model.random()).map_err(serde_json::Error::custom)
+    }
+}
+
 fn unknown_option(id: &str, name: &str, known: &[&str]) -> serde_json::Error {
     let listed = if known.is_empty() { "it has none".into() } else { known.join(", ") };
     serde_json::Error::custom(format!("{id} has no option {name:?}: {listed}"))
@@ -83,14 +100,38 @@ impl Model {
     /// Wraps a model of your own.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static) -> Self {
-        Self { model: Arc::new(model), known: None }
+        Self { model: Arc::new(model), known: None, equal: None }
     }
 
     /// Wraps a model whose options can be written and read.
     #[must_use]
     pub fn known(model: impl ContactModel + Serialize + DeserializeOwned + 'static) -> Self {
         let model = Arc::new(model);
-        Self { known: Some(model.clone()), model }
+        Self { known: Some(model.clone()), model, equal: None }
+    }
+
+    /// The same laws on the asperities of a random surface, whose heights and radii are spread
+    /// together: `ke` becomes `ke-random`. See [`RandomAsperities`], which tells what it refuses.
+    ///
+    /// ```
+    /// use asperity::{ContactModel, Model};
+    ///
+    /// let ke: Model = "ke".parse()?;
+    /// assert_eq!((ke.random().id(), ke.random().name()), ("ke-random", "KE random"));
+    /// # Ok::<(), asperity::ContactError>(())
+    /// ```
+    #[must_use]
+    pub fn random(&self) -> Self {
+        let equal = Arc::new(self.equal().clone());
+        let known = equal.known.is_some().then(|| Arc::new(Random(equal.clone())) as Arc<_>);
+        let model = Arc::new(RandomAsperities::new((*equal).clone()));
+        Self { model, known, equal: Some(equal) }
+    }
+
+    /// The same laws on asperities of one radius.
+    #[must_use]
+    pub fn equal(&self) -> &Self {
+        self.equal.as_deref().unwrap_or(self)
     }
 
     /// Every model of asperities of this project with its default options, in the order of their
@@ -113,6 +154,14 @@ impl Model {
             Self::known(reading(Reading::Additive)),
             Self::known(reading(Reading::Overlap)),
         ]
+    }
+
+    /// Those of [`all`](Self::all) that a random surface allows, [on one](Self::random): they are
+    /// known by their names.
+    #[must_use]
+    pub fn all_random() -> Vec<Self> {
+        let upright = Self::all().into_iter().filter(|model| !model.claims().angles);
+        upright.map(|model| model.random()).collect()
     }
 
     /// Theories of the whole surface, which answer at loads and know no separations: they stand
@@ -197,7 +246,7 @@ impl FromStr for Model {
 
     /// Reads a model's id, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
-        let models = [Self::all(), Self::whole_surface()].concat();
+        let models = [Self::all(), Self::all_random(), Self::whole_surface()].concat();
         let wanted = name.trim().to_lowercase();
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
@@ -248,7 +297,7 @@ mod tests {
 
     #[test]
     fn every_id_reads_back_and_is_unique() {
-        let models = [Model::all(), Model::whole_surface()].concat();
+        let models = [Model::all(), Model::all_random(), Model::whole_surface()].concat();
         let ids: Vec<String> = models.iter().map(ToString::to_string).collect();
         for id in &ids {
             assert_eq!(id.to_uppercase().parse::<Model>().unwrap().id(), id);
@@ -261,7 +310,7 @@ mod tests {
 
     #[test]
     fn every_model_goes_to_its_id_and_options_and_back() {
-        for model in [Model::all(), Model::whole_surface()].concat() {
+        for model in [Model::all(), Model::all_random(), Model::whole_surface()].concat() {
             let text = serde_json::to_string(&model).unwrap();
             let back: Model = serde_json::from_str(&text).unwrap();
             assert_eq!((back.id(), back.options()), (model.id(), model.options()), "{text}");
