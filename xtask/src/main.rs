@@ -32,7 +32,14 @@ enum Task {
     },
     /// Solve random surfaces by boundary elements and write every model beside them, in some ten
     /// minutes: crates/asperity/data/truth.csv, figures/truth-*
-    Truth,
+    Truth {
+        /// Solve the small case alone, which tests solve again: tests/reference/truth_small.csv
+        #[arg(long)]
+        small: bool,
+        /// Solve nothing: draw what is committed anew
+        #[arg(long, conflicts_with = "small")]
+        draw: bool,
+    },
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -41,8 +48,12 @@ fn main() -> Result<()> {
     match Task::parse() {
         Task::Figures { check, names } => figures(check, &names),
         Task::Report { quick: false, .. } if cfg!(debug_assertions) => again_with_optimisation(),
-        Task::Truth => {
-            print(truth::write(&figures_folder())?);
+        Task::Truth { small, draw } => {
+            print(match (small, draw) {
+                (true, _) => truth::write_small()?,
+                (_, true) => truth::draw(&figures_folder())?,
+                _ => truth::write(&figures_folder())?,
+            });
             Ok(())
         }
         Task::Report { quick, out } => {

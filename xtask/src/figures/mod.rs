@@ -8,9 +8,11 @@ mod readings;
 mod shares;
 
 use anyhow::Result;
+use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
 
 use crate::table::Table;
+use crate::truth::{self, Shown};
 use asperity_plot::Figure;
 
 /// One figure.
@@ -24,7 +26,7 @@ pub struct FigureSpec {
 }
 
 /// All figures: the paper's, then those beyond it.
-pub const FIGURES: [FigureSpec; 11] = [
+pub const FIGURES: [FigureSpec; 13] = [
     FigureSpec {
         name: "fig04-force-roughness",
         table: || paper::roughness(Force),
@@ -68,4 +70,14 @@ pub const FIGURES: [FigureSpec; 11] = [
     FigureSpec { name: "angle-density", table: angles::table, style: angles::style },
     FigureSpec { name: "at-regime-shares", table: shares::table, style: shares::style },
     FigureSpec { name: "at-readings", table: readings::table, style: readings::style },
+    FigureSpec {
+        name: "truth-area",
+        table: || truth::table(Evidence::CSV, Shown::Area),
+        style: |csv| truth::style(csv, Shown::Area),
+    },
+    FigureSpec {
+        name: "truth-stiffness",
+        table: || truth::table(Evidence::CSV, Shown::Stiffness),
+        style: |csv| truth::style(csv, Shown::Stiffness),
+    },
 ];

@@ -5,6 +5,8 @@
 //! reads; the figures and the table of the README are drawn from that text and from nothing else.
 
 pub mod cases;
+mod markdown;
+mod picture;
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -14,8 +16,10 @@ use asperity::{ContactState, Model, Truth, truth};
 use indicatif::{ProgressBar, ProgressStyle};
 
 pub use cases::{FULL, SMALL, Scope};
+pub use markdown::table as markdown;
+pub use picture::{Shown, style, table};
 
-use crate::files::save;
+use crate::files::{figures_folder, save};
 use crate::table::{Field, Table};
 use cases::{GRADIENT, MODULUS};
 
@@ -48,8 +52,37 @@ pub fn write(figures: &Path) -> Result<Vec<PathBuf>> {
     let path = evidence_file();
     let folder = path.parent().context("a folder")?;
     let text = solve(&FULL)?;
-    let _ = figures;
-    save(folder, [("truth.csv".to_owned(), text)])
+    let mut paths = save(folder, [("truth.csv".to_owned(), text)])?;
+    paths.extend(draw(figures)?);
+    Ok(paths)
+}
+
+/// Solves the small case for the tests; returns its path.
+///
+/// # Errors
+/// Those of [`write`].
+pub fn write_small() -> Result<Vec<PathBuf>> {
+    let folder = figures_folder().with_file_name("tests").join("reference");
+    save(&folder, [("truth_small.csv".to_owned(), solve(&SMALL)?)])
+}
+
+/// Draws what is committed anew, without solving anything.
+///
+/// # Errors
+/// Evidence that is missing or none.
+pub fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
+    let path = evidence_file();
+    let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+    let mut drawn = vec![("truth.md".to_owned(), markdown(&text)?)];
+    for shown in Shown::ALL {
+        let csv = table(&text, shown)?.into_text();
+        let svg = asperity_plot::draw(&style(&csv, shown)?, &csv)?;
+        drawn.extend([
+            (format!("{}.csv", shown.name()), csv),
+            (format!("{}.svg", shown.name()), svg),
+        ]);
+    }
+    save(figures, drawn)
 }
 
 /// Every model that stands beside boundary elements.

@@ -28,8 +28,7 @@ fn scenes() -> impl Iterator<Item = &'static str> {
 }
 
 /// Every row of three models on every surface. The program behind the file leaves the sharpest
-/// asperities out, which touch first where height and curvature go together: some 1e-8 of the narrow
-/// surface's. `asperity-random` adds them, and has all rows to 1e-11.
+/// asperities out, some 1e-9 of all and more of those that touch first. `asperity-random` adds them, and has all rows to 1e-11.
 #[test]
 fn reference_rows_are_met_through_the_scene_file() {
     let mut count = 0;
@@ -49,7 +48,9 @@ fn reference_rows_are_met_through_the_scene_file() {
                 let at = file.separation(height, asperity::SeparationUnit::Metres);
                 let found = contact.evaluate(fields[3].parse().unwrap(), at).unwrap().value();
                 let error = found / fields[4].parse::<f64>().unwrap() - 1.0;
-                assert!(error.abs() < 1e-6, "{row}: {error:e}");
+                // The higher the place, the sharper what touches there.
+                let allowed = 1e-8 * 10f64.powf(0.8 * fields[2].parse::<f64>().unwrap().max(0.0));
+                assert!(error.abs() < allowed, "{row}: {error:e}");
                 count += 1;
             }
         }
