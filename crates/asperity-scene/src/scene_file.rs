@@ -15,7 +15,7 @@ use crate::heights::{compared, read_heights};
 use crate::interface::interface;
 use crate::keys::{HeightsKey, SceneKeys};
 use crate::surface::surface;
-use crate::{Measured, ModelOptions, Place, SceneError};
+use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
 /// All that a scene file says.
 #[derive(Debug, Clone)]
@@ -176,6 +176,21 @@ impl SceneFile {
             }
         }
         (allowed, left_out)
+    }
+
+    /// What can stand beside boundary elements on the scene's scan: the models that the scene allows,
+    /// and those of random asperities and of the whole surface, whatever it says of its asperities.
+    #[must_use]
+    pub fn models_beside_bem(&self) -> Vec<Model> {
+        let (mut models, _) = self.models();
+        let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
+        let request = Request::new([Quantity::Area]);
+        for other in [Model::all_random(), Model::whole_surface()].concat() {
+            let new = !models.iter().any(|model| model.id() == other.id());
+            let model = plain.model(other.id()).ok().filter(|_| new);
+            models.extend(model.filter(|model| model.compile(&self.scene, &request).is_ok()));
+        }
+        models
     }
 
     /// A separation as the users of this scene count it.

@@ -109,10 +109,11 @@ pub fn solve(scope: &Scope) -> Result<String> {
             let pressures: Vec<f64> = scope.loads.iter().map(|x| x * MODULUS * GRADIENT).collect();
             let mut seeds: Vec<Vec<Truth>> = vec![];
             for seed in 1..=scope.seeds {
-                bar.set_message(format!(
-                    "alpha {:.1}, psi {index}, seed {seed}",
-                    moments.bandwidth()
-                ));
+                let case = format!("alpha {:.1}, psi {index}, seed {seed}", moments.bandwidth());
+                if bar.is_hidden() {
+                    eprintln!("{} of {count}: {case}", bar.position() + 1);
+                }
+                bar.set_message(case);
                 // They answer alike on every seed.
                 let asked = if seed == 1 { &models[..] } else { &[] };
                 let bem = cases::bem(scope, surface, seed)?;
