@@ -12,3 +12,17 @@ fn a_small_case_is_found_again() {
     assert!(agree(&found, known, 1e-4), "{found}");
     assert_eq!(known.lines().count(), 1 + 2 * (5 + 23));
 }
+
+/// The README shows some rows of the table, as they are.
+#[test]
+fn the_readme_shows_what_was_found() {
+    let table = include_str!("../../figures/truth.md");
+    let readme = include_str!("../../README.md");
+    let (_, shown) = readme.split_once("| area, % off |").unwrap();
+    let rows: Vec<&str> = shown.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
+    assert!(rows.len() >= 12, "{rows:?}");
+    let (areas, _) = table.split_once("| stiffness").unwrap();
+    for row in rows {
+        assert!(areas.contains(row), "{row}");
+    }
+}

@@ -118,7 +118,7 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         let x = Axis::new("p_over_Eg", "p/(E g)").log();
         let (label, range) = match shown {
             Shown::Area => ("area/BEM", (0.5, 1.75)),
-            Shown::Stiffness => ("stiffness/BEM", (0.0, 3.0)),
+            Shown::Stiffness => ("stiffness/BEM", (0.0, 1.6)),
         };
         let mut panel = Panel::new(x, Axis::new("model_over_bem", label).range(range.0, range.1));
         panel.title = case.into();
@@ -138,12 +138,11 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         Shown::Area => ("Real area of the models over that of boundary elements", "Real area"),
         Shown::Stiffness => (
             "Stiffness of the models over that of boundary elements",
-            "Stiffness -dp/d(mean gap), by differences of 5 % in p for boundary elements; Persson has none here. What leaves the frame is off by more than a factor of 3. It",
+            "Stiffness -dp/d(mean gap) (of boundary elements from pressures 5 % to either side; Persson's is not known here)",
         ),
     };
     let how = format!(
-        "{what} over its mean on 4 surfaces with the same moments (grey: the span of the 4), against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 512 × 512 pixels, shortest wave 8 pixels, longest {}, Hurst exponent 0.8, seeds 1 to 4.",
-        "1/14, 1/4, 1/2 of the side"
+        "{what} over the mean of 4 surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 512 × 512 pixels, shortest wave 8 pixels, longest 1/14, 1/4 and 1/2 of the side, Hurst exponent 0.8, seeds 1 to 4. AT as printed leaves the frame where its force falls as it is pressed."
     );
     let caveats = "One surface at p/(E g) = 10⁻³ has few contact patches: the span is wide there. The hardness of boundary elements caps the pressure at H: a contact starts to flow where Hertz' peak pressure is H, in the models where it is S·H = 0.577 H, so the same ψ yields a little later. It is the truth for a constant mean pressure H, not for elastic-plastic finite elements. The models see the surface through m₀, m₂ and m₄ alone. JG cosine and the other readings of AT are in crates/asperity/data/truth.csv, with the other random asperities.";
     let mut figure = Figure::new(title, &[&how, caveats, MARKERS], panels);
