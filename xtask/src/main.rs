@@ -36,9 +36,9 @@ enum Task {
         /// Solve the small case alone, which tests solve again: tests/reference/truth_small.csv
         #[arg(long)]
         small: bool,
-        /// Solve nothing: draw what is committed anew
+        /// Ask the models anew beside the boundary elements that are committed, and draw
         #[arg(long, conflicts_with = "small")]
-        draw: bool,
+        models: bool,
     },
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
@@ -48,10 +48,10 @@ fn main() -> Result<()> {
     match Task::parse() {
         Task::Figures { check, names } => figures(check, &names),
         Task::Report { quick: false, .. } if cfg!(debug_assertions) => again_with_optimisation(),
-        Task::Truth { small, draw } => {
-            print(match (small, draw) {
+        Task::Truth { small, models } => {
+            print(match (small, models) {
                 (true, _) => truth::write_small()?,
-                (_, true) => truth::draw(&figures_folder())?,
+                (_, true) => truth::ask_again(&figures_folder())?,
                 _ => truth::write(&figures_folder())?,
             });
             Ok(())

@@ -9,7 +9,7 @@ use asperity_core::{
 };
 use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
 
-use crate::kernel::{Kernel, last};
+use crate::kernel::Kernel;
 use crate::population::{BEGIN, FIRST, Population};
 
 /// Of the tables, relative to the law's envelope: rounding would be fitted below.
@@ -55,7 +55,6 @@ impl AsperityModel for Average<'_> {
         let average = |part: &Part| {
             let mut breaks = vec![part.range.start, part.range.end];
             breaks.extend(&part.kinks);
-            breaks.iter_mut().for_each(|x| *x /= scale);
             breaks.sort_by(f64::total_cmp);
             let form = part.form.clone();
             let integral = Integral { form, scale, breaks, power };
@@ -111,7 +110,7 @@ struct Integral {
     form: Form,
     /// v over the interference unit of the form.
     scale: f64,
-    /// Ends and kinks in y.
+    /// Ends and kinks, in interference units.
     breaks: Vec<f64>,
     /// n.
     power: i32,
@@ -121,19 +120,22 @@ impl Integral {
     /// x M(u)/envelope(u), u = x - `BEGIN`.
     fn enveloped(&self, x: f64) -> Estimate {
         let u = x - BEGIN;
-        let (last, kernel) = (last(u), Kernel::shared(u, self.power));
+        let kernel = Kernel::shared(u, self.power);
         let rules = TanhSinh::shared();
         let mut total = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
-        for pair in self.breaks.windows(2).filter(|pair| pair[0] < last) {
+        for pair in self.breaks.windows(2) {
+            let first = pair[0] / self.scale;
+            let last = kernel.last(first).min(pair[1] / self.scale);
             // In √y, as y is near κ u: most of the law is at small y where u is large.
-            let (low, high) = (pair[0].sqrt(), pair[1].min(last).sqrt());
-            let least = STILL * high * high;
+            let (low, high) = (first.sqrt(), last.sqrt());
+            let still = STILL * last;
             let found = rules.integrate_beside(low, high, 1e-14, total.value.abs(), |p| {
-                let y = p.x * p.x;
+                let beyond = p.left * (p.left + 2.0 * low);
+                let (x, y) = (pair[0] + beyond * self.scale, first + beyond);
                 let mut value = [0.0];
-                let sampled = self.form.sample(&[y * self.scale], &mut value);
+                let sampled = self.form.sample(&[x], &mut value);
                 // Powers and closed forms refuse nothing; what did would not be a number here.
-                sampled.map_or(f64::NAN, |()| 2.0 * p.x * value[0] * kernel.value(y.max(least)))
+                sampled.map_or(f64::NAN, |()| 2.0 * p.x * value[0] * kernel.value(y.max(still)))
             });
             total.value += found.value;
             total.error += found.error;

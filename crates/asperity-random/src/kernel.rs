@@ -43,17 +43,17 @@ impl Kernel {
         known.entry((u.to_bits(), power)).or_insert_with(new).clone()
     }
 
+    /// The y beyond which there is nothing to be found for those above `first`.
+    pub(crate) fn last(&self, first: f64) -> f64 {
+        let farthest = highest(self.u, first) + BEYOND;
+        farthest * (self.u + farthest / SQRT_2)
+    }
+
     /// Not a number where y is outside 1e-37 to 1e37.
     pub(crate) fn value(&self, y: f64) -> f64 {
         let highest = highest(self.u, y);
         self.table.value(y).map_or(f64::NAN, |flat| flat / y * (-0.25 * highest * highest).exp())
     }
-}
-
-/// The y beyond which there is nothing.
-pub(crate) fn last(u: f64) -> f64 {
-    let farthest = (-SQRT_2 * u).max(0.0) + BEYOND;
-    farthest * (u + farthest / SQRT_2)
 }
 
 /// κ*, without cancellation.

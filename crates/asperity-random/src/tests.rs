@@ -182,3 +182,26 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     let refused = gw.compile(&exponential, &asked).unwrap_err().to_string();
     assert!(refused.contains("heights must be Gaussian"), "{refused}");
 }
+
+#[test]
+fn every_law_is_averaged_however_deep_its_parts_begin() {
+    let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 7.5e4 };
+    let mut scene =
+        Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::from_moments(&moments).unwrap(), 1e-8);
+    let usual = scene.plasticity_index().unwrap();
+    let at = above(1e-6);
+    let asked = Request::new([Quantity::Force]);
+    let elastic = RandomAsperities::new(GreenwoodWilliamson).compile(&scene, &asked).unwrap();
+    let elastic = elastic.evaluate(Quantity::Force, at).unwrap().value();
+    for index in [0.05, 0.4, 1.0, 1.05, 30.0] {
+        scene.interface.hardness = Some(1e9 * usual / index);
+        for id in ["ceb", "zmc", "ke", "etsion", "jg", "af"] {
+            let contact = models(id).1.compile(&scene, &asked).unwrap();
+            let found = contact.evaluate(Quantity::Force, at);
+            let ratio = found.unwrap_or_else(|e| panic!("{id} {index}: {e}")).value() / elastic;
+            // What never yields is elastic, what always does is softer.
+            let wanted = if index < 0.1 { 1.0 - 1e-4..1.0 + 1e-4 } else { 0.0..1.5 };
+            assert!(wanted.contains(&ratio), "{id} {index}: {ratio}");
+        }
+    }
+}
