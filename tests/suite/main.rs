@@ -21,4 +21,5 @@ mod report;
 mod scenes;
 mod sweeps;
 mod tangents;
+mod truth;
 mod work;

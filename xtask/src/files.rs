@@ -4,12 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use asperity::Evidence;
 use asperity_plot::draw;
 use rayon::prelude::*;
 
 use crate::figures::{FIGURES, FigureSpec};
 use crate::report;
 use crate::table::{GUARD, agree};
+use crate::truth;
 
 /// The workspace's `figures` folder.
 #[must_use]
@@ -46,6 +48,7 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
         all.extend(report::pictures(folder)?);
+        all.push(("truth.md".to_owned(), truth::markdown(Evidence::CSV)?));
     }
     Ok(all)
 }

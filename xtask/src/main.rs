@@ -1,4 +1,4 @@
-//! `cargo xtask figures [--check]` and `cargo xtask report [--quick] [--out DIR]`.
+//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]` and `cargo xtask truth`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -7,6 +7,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
 use xtask::files::{self, figures_folder};
 use xtask::report::{self, Scope, throughput};
+use xtask::truth;
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -29,6 +30,16 @@ enum Task {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
+    /// Solve random surfaces by boundary elements and write every model beside them, in some ten
+    /// minutes: crates/asperity/data/truth.csv, figures/truth-*
+    Truth {
+        /// Solve the small case alone, which tests solve again: tests/reference/truth_small.csv
+        #[arg(long)]
+        small: bool,
+        /// Ask the models anew beside the boundary elements that are committed, and draw
+        #[arg(long, conflicts_with = "small")]
+        models: bool,
+    },
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -37,6 +48,14 @@ fn main() -> Result<()> {
     match Task::parse() {
         Task::Figures { check, names } => figures(check, &names),
         Task::Report { quick: false, .. } if cfg!(debug_assertions) => again_with_optimisation(),
+        Task::Truth { small, models } => {
+            print(match (small, models) {
+                (true, _) => truth::write_small()?,
+                (_, true) => truth::ask_again(&figures_folder())?,
+                _ => truth::write(&figures_folder())?,
+            });
+            Ok(())
+        }
         Task::Report { quick, out } => {
             let scope = if quick { Scope::Quick } else { Scope::Full };
             let quickly = figures_folder().with_file_name("target").join("report");

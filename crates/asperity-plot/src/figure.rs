@@ -15,8 +15,8 @@ pub struct Figure {
     pub caption: Vec<String>,
     /// The panels, labelled (a), (b), ... when there are more than one.
     pub panels: Vec<Panel>,
-    /// Panels beside each other instead of one above the other.
-    pub side_by_side: bool,
+    /// Panels beside each other; fewer than two for one above the other.
+    pub columns: usize,
     /// Where curves are named.
     pub legend: Legend,
 }

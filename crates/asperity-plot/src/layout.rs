@@ -52,16 +52,19 @@ fn frames(figure: &Figure, plots: &[Plot], head: f64, tail: f64) -> (Vec<Rect>, 
     let (left, right) = (largest(|plot| plot.left()), largest(|plot| plot.right()));
     let (above, below) = (largest(|plot| plot.above()), largest(|plot| plot.below()));
     let mut frames = vec![];
-    let each = (WIDTH - EDGE) / plots.len().max(1) as f64;
+    let columns = figure.columns.clamp(1, plots.len().max(1));
+    let each = (WIDTH - EDGE) / columns as f64;
     let width = each - left - right;
     // Many panels find no room beside each other.
-    if figure.side_by_side && width > 100.0 {
+    if columns > 1 && width > 100.0 {
         let height = (1.1 * width).min(293.0);
+        let row = above + height + below;
         for index in 0..plots.len() {
-            let from = 0.5 * EDGE + index as f64 * each + left;
-            frames.push(Rect::sized(from, head + above, width, height));
+            let from = 0.5 * EDGE + (index % columns) as f64 * each + left;
+            let top = head + (index / columns) as f64 * row + above;
+            frames.push(Rect::sized(from, top, width, height));
         }
-        return (frames, head + above + height + below);
+        return (frames, head + plots.len().div_ceil(columns) as f64 * row);
     }
     let height = match plots {
         [_] => (HEIGHT - head - tail - above - below).max(least_height(figure)),

@@ -163,8 +163,8 @@ mod tests {
         let mut figure = figure(&["a", "b"], false);
         figure.title = "a < b & c".into();
         figure.panels = vec![figure.panels[0].clone(); 3];
-        for side_by_side in [false, true] {
-            figure.side_by_side = side_by_side;
+        for columns in [0, 2, 3, 7] {
+            figure.columns = columns;
             let svg = draw(&figure, CSV).unwrap();
             for label in [">(a)<", ">(b)<", ">(c)<", "a &lt; b &amp; c"] {
                 assert!(svg.contains(label), "{label}");

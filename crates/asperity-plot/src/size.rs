@@ -21,14 +21,16 @@ pub(crate) const EDGE: f64 = 12.0;
 
 /// How many labels fit along the two axes of a panel.
 pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
-    let across =
-        if figure.side_by_side { WIDTH / figure.panels.len() as f64 - 75.0 } else { WIDTH };
+    let across = match figure.columns.min(figure.panels.len()) {
+        0 | 1 => WIDTH,
+        columns => WIDTH / columns as f64 - 75.0,
+    };
     ((across / 60.0) as usize + 1, (least_height(figure) / 40.0) as usize + 1)
 }
 
 /// A length that the frames of a figure are at least high.
 pub(crate) fn least_height(figure: &Figure) -> f64 {
-    match (figure.panels.len(), figure.side_by_side) {
+    match (figure.panels.len(), figure.columns > 1) {
         (0 | 1, _) => 350.0,
         (2, false) => 273.0,
         (_, false) => 213.0,

@@ -33,10 +33,11 @@ pub(crate) fn plan<'py>(
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// One model against the reference: its id, deviations by quantity, or why there are none.
-type Row = (String, Vec<(String, f64)>, Option<String>);
+/// One model against the reference: its id, deviations by quantity, or why there are none; and how far
+/// it was from boundary elements.
+type Row<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
 
-/// A text, the simplest model's id, and every model against the reference.
+/// A text, the simplest model's id, what the evidence says, and every model against the reference.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
@@ -45,7 +46,7 @@ pub(crate) fn recommend<'py>(
     names: Vec<String>,
     within: f64,
     rtol: f64,
-) -> PyResult<(String, String, Vec<Row>)> {
+) -> PyResult<(String, String, String, Vec<Row<'py>>)> {
     let rows = rows.view()?;
     let (model, (scene, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
     let among = rows.files[0].options.models();
@@ -54,11 +55,12 @@ pub(crate) fn recommend<'py>(
     let row = |comparison: &Comparison| {
         let id = comparison.model.id().to_string();
         let named = |(quantity, deviation): &(Quantity, f64)| (quantity.to_string(), *deviation);
-        match &comparison.deviations {
-            Ok(all) => (id, all.iter().map(named).collect(), None),
-            Err(refusal) => (id, vec![], Some(refusal.to_string())),
-        }
+        let off = comparison.off.map(|off| object(py, &off)).transpose()?;
+        Ok(match &comparison.deviations {
+            Ok(all) => (id, all.iter().map(named).collect(), None, off),
+            Err(refusal) => (id, vec![], Some(refusal.to_string()), off),
+        })
     };
-    let rows = advice.comparisons.iter().map(row).collect();
-    Ok((advice.to_string(), advice.simplest.id().into(), rows))
+    let rows = advice.comparisons.iter().map(row).collect::<PyResult<_>>()?;
+    Ok((advice.to_string(), advice.simplest.id().into(), advice.told(), rows))
 }

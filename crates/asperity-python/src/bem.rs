@@ -168,7 +168,7 @@ pub(crate) fn truth(
     let (bem, _) = Scan::Scene(file).bem(boundary, elastic)?;
     say_seam(py, &bem)?;
     let models: Vec<Model> = match models {
-        None => scene.models().0,
+        None => scene.models_beside_bem(),
         Some(ids) => {
             let all = ids.iter().map(|id| scene.model(id));
             all.collect::<Result<_, _>>().map_err(value_error)?

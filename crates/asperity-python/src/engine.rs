@@ -99,7 +99,7 @@ impl Engine {
     fn with(&self, options: ModelOptions) -> PyResult<Model> {
         match &self.0 {
             Kind::Named { id, .. } => self.options(options)?.model(id).map_err(value_error),
-            Kind::Python { model, .. } => Ok(model.clone()),
+            Kind::Python { model, .. } => Ok(options.on_surface(model.clone())),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The law of one asperity, averaged over curvatures, part by part.
 
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity_core::{
@@ -9,17 +9,20 @@ use asperity_core::{
 };
 use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
 
-use crate::population::{BEGIN, Population};
+use crate::kernel::Kernel;
+use crate::population::{BEGIN, FIRST, Population};
 
 /// Of the tables, relative to the law's envelope: rounding would be fitted below.
 const TOLERANCE: f64 = 2e-13;
-/// Mean curvatures are at most this much above the smallest that touch, in √(m₄/3): exp(-16²/4).
-const BEYOND: f64 = 16.0;
+/// Share of a range of y, next to 0, on which G may stand still: it changes there by less than
+/// √y, and carries as little.
+const STILL: f64 = 1e-10;
 
 /// A model of one asperity, averaged over the curvatures of a population.
 #[derive(Debug)]
 pub(crate) struct Average<'m> {
     pub(crate) model: &'m dyn AsperityModel,
+    pub(crate) name: &'m str,
     pub(crate) population: Population,
 }
 
@@ -29,7 +32,7 @@ impl AsperityModel for Average<'_> {
     }
 
     fn name(&self) -> &str {
-        self.model.name()
+        self.name
     }
 
     /// Of interferences counted from [`Population::begin`] below u = 0.
@@ -52,14 +55,12 @@ impl AsperityModel for Average<'_> {
         let average = |part: &Part| {
             let mut breaks = vec![part.range.start, part.range.end];
             breaks.extend(&part.kinks);
-            breaks.iter_mut().for_each(|x| *x /= scale);
             breaks.sort_by(f64::total_cmp);
             let form = part.form.clone();
             let integral = Integral { form, scale, breaks, power };
-            let table =
-                Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[BEGIN], TOLERANCE);
+            let table = Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
             let form = Form::sampled(Arc::new(Averaged(table)));
-            let (range, kinks) = (0.0..f64::INFINITY, vec![BEGIN]);
+            let (range, kinks) = (FIRST..f64::INFINITY, vec![BEGIN]);
             Part { range, kinks, form, ..part.clone() }
         };
         let parts = law.parts.iter().map(average).collect();
@@ -75,9 +76,13 @@ impl AsperityModel for Average<'_> {
     }
 }
 
-/// How the average runs as a function of u: what is tabulated beside it is flat.
+/// How the average runs as a function of u, smoothly: as exp(-u²/2) below 0 and as u^(3/2) above.
 fn envelope(u: f64) -> f64 {
-    if u < 0.0 { (-0.5 * u * u).exp() } else { (1.0 + u) * (1.0 + u).sqrt() }
+    let root = (u * u + 4.0).sqrt();
+    // above - below = u, and their product is 1.
+    let above = if u < 0.0 { 2.0 / (root - u) } else { 0.5 * (root + u) };
+    let below = 1.0 / above;
+    above * above.sqrt() * (-0.5 * below * below).exp()
 }
 
 /// A table of x M/envelope, x = u + `BEGIN`.
@@ -98,14 +103,14 @@ impl Sampler for Averaged {
 
 /// With κ = k/√(m₄/3) and y = κ w/v, in which the law has its kinks wherever w has them,
 /// ```text
-/// M(u) = √(3/(2π)) ∫ f(v y) dy ∫₀^κ* κ^(2-n) exp(κ²/2 - (3/2)(y/κ - u)²) dκ
+/// M(u) = √(3/(2π)) ∫ f(v y) G(u, y) dy
 /// ```
-/// for q = κ^(-n) f(κ w), u in units of v; κ* is where k_m = k.
+/// for q = κ^(-n) f(κ w), u in units of v; G is the [`Kernel`].
 struct Integral {
     form: Form,
     /// v over the interference unit of the form.
     scale: f64,
-    /// Ends and kinks in y.
+    /// Ends and kinks, in interference units.
     breaks: Vec<f64>,
     /// n.
     power: i32,
@@ -115,19 +120,22 @@ impl Integral {
     /// x M(u)/envelope(u), u = x - `BEGIN`.
     fn enveloped(&self, x: f64) -> Estimate {
         let u = x - BEGIN;
-        let farthest = farthest_mean(u);
-        let last = farthest * (u + farthest / SQRT_2);
+        let kernel = Kernel::shared(u, self.power);
         let rules = TanhSinh::shared();
         let mut total = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
-        for pair in self.breaks.windows(2).filter(|pair| pair[0] < last) {
+        for pair in self.breaks.windows(2) {
+            let first = pair[0] / self.scale;
+            let last = kernel.last(first).min(pair[1] / self.scale);
             // In √y, as y is near κ u: most of the law is at small y where u is large.
-            let (low, high) = (pair[0].sqrt(), pair[1].min(last).sqrt());
+            let (low, high) = (first.sqrt(), last.sqrt());
+            let still = STILL * last;
             let found = rules.integrate_beside(low, high, 1e-14, total.value.abs(), |p| {
-                let y = p.x * p.x;
+                let beyond = p.left * (p.left + 2.0 * low);
+                let (x, y) = (pair[0] + beyond * self.scale, first + beyond);
                 let mut value = [0.0];
-                let sampled = self.form.sample(&[y * self.scale], &mut value);
+                let sampled = self.form.sample(&[x], &mut value);
                 // Powers and closed forms refuse nothing; what did would not be a number here.
-                sampled.map_or(f64::NAN, |()| 2.0 * p.x * value[0] * self.curvatures(u, y))
+                sampled.map_or(f64::NAN, |()| 2.0 * p.x * value[0] * kernel.value(y.max(still)))
             });
             total.value += found.value;
             total.error += found.error;
@@ -136,36 +144,13 @@ impl Integral {
         let factor = (1.5 / PI).sqrt() * x / envelope(u);
         Estimate { value: factor * total.value, error: factor * total.error, ..total }
     }
-
-    /// The integral over κ.
-    fn curvatures(&self, u: f64, y: f64) -> f64 {
-        let root = (u * u + 2.0 * SQRT_2 * y).sqrt();
-        // κ² /√2 + u κ = y, without cancellation.
-        let highest = if u < 0.0 { (root - u) / SQRT_2 } else { 2.0 * y / (u + root) };
-        // From there down to where exp(-(3/4) k_m²) leaves nothing, again without cancellation:
-        // k_m = √2 (y/κ - u) is small beside y/κ where u is large.
-        let farthest = farthest_mean(u);
-        let width = highest * (farthest - highest) / (SQRT_2 * u + farthest);
-        if width <= 0.0 {
-            return 0.0;
-        }
-        let integrand = |down: f64| {
-            let k = highest - down;
-            let mean = highest / SQRT_2 + y * down / (k * highest);
-            k.powi(2 - self.power) * (0.5 * k * k - 1.5 * mean * mean).exp()
-        };
-        TanhSinh::shared().integrate(0.0, width, 1e-13, |p| integrand(p.x)).value
-    }
-}
-
-/// The largest k_m/√(m₄/3) that is looked at.
-fn farthest_mean(u: f64) -> f64 {
-    (-SQRT_2 * u).max(0.0) + BEYOND
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::SQRT_2;
+
     use asperity_core::Power;
     use asperity_quadrature::gauss_kronrod;
 

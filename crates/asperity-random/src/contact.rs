@@ -1,9 +1,10 @@
 //! A model of one asperity on a random surface, as a contact model.
 
+use std::sync::Arc;
+
 use asperity_core::{
-    AsperityModel, At, Claims, Contact, ContactError, ContactModel, Datum, Evaluation,
-    HeightDistribution, Quantity, Request, Scene, Separation, SeparationUnit, Share, Source,
-    Warning,
+    At, Claims, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution,
+    Quantity, Request, Scene, Separation, SeparationUnit, Share, Source, Warning,
 };
 
 use crate::average::Average;
@@ -11,54 +12,72 @@ use crate::population::Population;
 
 /// The largest separation from the surface's mean plane, in √m₀.
 pub const FARTHEST: f64 = 6.0;
+/// What ids end with.
+pub const SUFFIX: &str = "-random";
 
 /// A model of upright asperities whose heights and radii are those of an isotropic Gaussian surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RandomAsperities<M>(
-    /// The law of one asperity.
-    pub M,
-);
+///
+/// It is no [`AsperityModel`](asperity_core::AsperityModel): a law of one radius is not what is averaged over heights.
+#[derive(Debug, Clone)]
+pub struct RandomAsperities {
+    model: Arc<dyn ContactModel>,
+    id: String,
+    name: String,
+}
 
-impl<M: AsperityModel> ContactModel for RandomAsperities<M> {
+impl RandomAsperities {
+    /// The laws of this model: `ke` becomes `ke-random`.
+    #[must_use]
+    pub fn new(model: impl ContactModel + 'static) -> Self {
+        let (id, name) = (format!("{}{SUFFIX}", model.id()), format!("{} random", model.name()));
+        Self { model: Arc::new(model), id, name }
+    }
+
+    fn refused(&self, reason: &str) -> ContactError {
+        let what = format!("averages over the asperities of a random surface: {reason}");
+        ContactError::Unsupported { model: self.model.name().into(), what }
+    }
+}
+
+impl ContactModel for RandomAsperities {
     fn source(&self) -> &Source {
-        self.0.source()
+        self.model.source()
     }
 
     fn id(&self) -> &str {
-        self.0.id()
+        &self.id
     }
 
     fn name(&self) -> &str {
-        self.0.name()
+        &self.name
     }
 
     fn claims(&self) -> Claims {
-        self.0.claims()
+        self.model.claims()
     }
 
     fn notes(&self) -> Vec<Warning> {
-        self.0.notes()
+        self.model.notes()
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        let unsupported = |what: &str| ContactError::Unsupported {
-            model: self.0.name().into(),
-            what: format!("averages over the asperities of a random surface: {what}"),
+        let Some(model) = self.model.asperity_model() else {
+            return Err(self.refused("it has no law of one asperity"));
         };
-        if self.0.claims().adhesive {
-            return Err(unsupported("asperities of many radii: adhesion changes with the radius"));
+        if model.claims().adhesive {
+            return Err(self.refused("adhesion changes with the radius"));
         }
-        if self.0.claims().angles {
-            return Err(unsupported("its contact normals are spread over angles"));
+        if model.claims().angles {
+            return Err(self.refused("its contact normals are spread over angles"));
         }
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
-            return Err(unsupported("heights must be Gaussian"));
+            return Err(self.refused("heights must be Gaussian"));
         }
         let population = Population::new(scene)?;
         // Loads are the same; separations are moved one by one.
         let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));
         let asked = Request::new(request.quantities.clone()).within(request.tolerance).at(loads);
-        let average = Average { model: &self.0, population };
+        let average = Average { model, name: &self.name, population };
         let averaged = average.compile(&population.scene(scene), &asked)?;
         Ok(Box::new(OnScene { averaged, scene: scene.clone(), population }))
     }

@@ -13,7 +13,9 @@
 //! M(u) = ∫∫ q(u + μ k_m; 1/k) D dk dk_m
 //! ```
 //! is one law again, under heights that are Gaussian with the standard deviation σ_c: it is
-//! tabulated when first needed, and a value costs then what one of GW costs.
+//! tabulated when first needed, and a value costs then what one of GW costs. What does not depend
+//! on the law is tabulated once in a process, so that the first law takes a second and each other
+//! some hundredths.
 //!
 //! # Valid for
 //! Upright asperities: models whose contact normals are spread over angles are refused. Heights
@@ -38,7 +40,7 @@
 //! let far = Separation::metres(3e-6).from_surface_mean();
 //! let asked = Request::new([Quantity::Area]).at([far]);
 //! let one = GreenwoodWilliamson.solve(&scene, &asked)?.values(Quantity::Area)?[0];
-//! let all = RandomAsperities(GreenwoodWilliamson).solve(&scene, &asked)?.values(Quantity::Area)?[0];
+//! let all = RandomAsperities::new(GreenwoodWilliamson).solve(&scene, &asked)?.values(Quantity::Area)?[0];
 //! // High asperities are sharper than the mean, so that less of them touches.
 //! assert!(all < one && all > 0.2 * one);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -46,8 +48,9 @@
 
 mod average;
 mod contact;
+mod kernel;
 mod population;
 #[cfg(test)]
 mod tests;
 
-pub use contact::{FARTHEST, RandomAsperities};
+pub use contact::{FARTHEST, RandomAsperities, SUFFIX};

@@ -2,10 +2,12 @@
 
 use asperity_core::{ContactError, HeightDistribution, Scene, Surface};
 
-/// How far below 0 the averaged law begins, in standard deviations of μ k_m. At a separation of
+/// How far below u = 0 interferences are counted from, in standard deviations of μ k_m.
+pub(crate) const BEGIN: f64 = 11.5;
+/// Where, counted so, the averaged law begins: in the first cell of its tables. At a separation of
 /// [`FARTHEST`](crate::FARTHEST) √m₀ = 6 √m₀ and a correlation ρ of height and curvature, contacts
-/// come from 6ρ ± 8√(1-ρ²), at most 10.
-pub(crate) const BEGIN: f64 = 10.5;
+/// come from 6ρ ± 8√(1-ρ²), at most 10 below u = 0.
+pub(crate) const FIRST: f64 = 1.0;
 
 /// What the summits of a scene's surface are like.
 #[derive(Debug, Clone, Copy)]

@@ -6,7 +6,7 @@ use asperity::{Body, Datum, Interface};
 use asperity_topography::{Estimator, LengthUnit, Level};
 use serde::Deserialize;
 
-use crate::ModelOptions;
+use crate::{Asperities, ModelOptions};
 
 /// The top of the file and its sections.
 #[derive(Debug, Deserialize)]
@@ -51,6 +51,7 @@ pub(crate) struct SurfaceKeys {
     pub(crate) max_missing: Option<f64>,
     pub(crate) separation_from: Datum,
     pub(crate) heights: HeightsKey,
+    pub(crate) asperities: Option<Asperities>,
 }
 
 /// `pixel_size`: of square pixels, or along a row and along a column.

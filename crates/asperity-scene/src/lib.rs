@@ -21,7 +21,7 @@ mod write;
 pub use check::Measured;
 pub use error::{Place, SceneError};
 pub use heights::write_heights;
-pub use options::{ModelOptions, OptionValue};
+pub use options::{Asperities, ModelOptions, OptionValue};
 pub use quantity::quantity;
 pub use scan::height_map;
 pub use scene_file::{LeftOut, SceneFile, load, parse};

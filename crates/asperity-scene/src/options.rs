@@ -48,6 +48,22 @@ pub struct ModelOptions {
     pub jg_hardness: GeometricHardness,
     /// The pressure under AF's embedded plastic asperity.
     pub af_flow_pressure: FlowPressure,
+    /// Whether ids stand for their models on a random surface (`ke-random` stands for itself); a scene
+    /// file may say it of its surface.
+    pub asperities: Asperities,
+}
+
+/// How radii are spread.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Asperities {
+    /// All asperities have one radius.
+    #[default]
+    Equal,
+    /// Heights and radii are spread together, as on an isotropic Gaussian surface with the moments
+    /// that the asperities have or come of: see [`Model::random`].
+    Random,
 }
 
 /// How `angle_density` is spelled.
@@ -175,7 +191,7 @@ impl ModelOptions {
         let known: Model = id
             .parse()
             .map_err(|source| SceneError::Contact { at: Place::field("model").into(), source })?;
-        Ok(match known.id() {
+        let model = match known.equal().id() {
             "jg" => jg(self.jg_hardness),
             "jg-cosine" => jg(GeometricHardness::Cosine),
             "af" => Model::known(AbdoFarhang { flow_pressure: self.af_flow_pressure }),
@@ -183,8 +199,19 @@ impl ModelOptions {
             "at" => at(self.at_reading),
             "at-additive" => at(Reading::Additive),
             "at-overlap" => at(Reading::Overlap),
-            _ => known,
-        })
+            _ => known.equal().clone(),
+        };
+        let named_so = known.equal().id() != known.id();
+        Ok(if named_so { model.random() } else { self.on_surface(model) })
+    }
+
+    /// The model on asperities as these options have them.
+    #[must_use]
+    pub fn on_surface(&self, model: Model) -> Model {
+        match self.asperities {
+            Asperities::Equal => model,
+            Asperities::Random => model.random(),
+        }
     }
 
     /// Every model with these options, each once: where `jg_hardness` or `at_reading` make `jg` or

@@ -15,7 +15,7 @@ use crate::heights::{compared, read_heights};
 use crate::interface::interface;
 use crate::keys::{HeightsKey, SceneKeys};
 use crate::surface::surface;
-use crate::{Measured, ModelOptions, Place, SceneError};
+use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
 /// All that a scene file says.
 #[derive(Debug, Clone)]
@@ -82,7 +82,14 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
     keys.options.check(document, "options.")?;
     let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { options, surface: keys, nominal_area, body: bodies, .. } = keys;
+    let SceneKeys { mut options, surface: keys, nominal_area, body: bodies, .. } = keys;
+    if let Some(asperities) = keys.asperities {
+        if document.has("options.asperities") {
+            let needed = "the asperities of the surface, once,";
+            return Err(document.conflict("surface.asperities", "options.asperities", needed));
+        }
+        options.asperities = asperities;
+    }
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
     let table = match &keys.heights {
@@ -159,7 +166,8 @@ impl SceneFile {
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         if id.trim().eq_ignore_ascii_case("bem") {
-            return Ok(Model::new(self.bem(Boundary::Periodic, false)?));
+            let bem = Model::new(self.bem(Boundary::Periodic, false)?);
+            return Ok(self.options.on_surface(bem));
         }
         self.options.model(id)
     }
@@ -176,6 +184,21 @@ impl SceneFile {
             }
         }
         (allowed, left_out)
+    }
+
+    /// What can stand beside boundary elements on the scene's scan: the models that the scene allows,
+    /// and those of random asperities and of the whole surface, whatever it says of its asperities.
+    #[must_use]
+    pub fn models_beside_bem(&self) -> Vec<Model> {
+        let (mut models, _) = self.models();
+        let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
+        let request = Request::new([Quantity::Area]);
+        for other in [Model::all_random(), Model::whole_surface()].concat() {
+            let new = !models.iter().any(|model| model.id() == other.id());
+            let model = plain.model(other.id()).ok().filter(|_| new);
+            models.extend(model.filter(|model| model.compile(&self.scene, &request).is_ok()));
+        }
+        models
     }
 
     /// A separation as the users of this scene count it.

@@ -31,7 +31,7 @@ fn separations() -> Vec<f64> {
 
 fn evaluations(c: &mut Criterion) -> Outcome<()> {
     let separations = separations();
-    for id in ["gw", "ke", "jg", "gao", "at"] {
+    for id in ["gw", "gw-random", "ke", "ke-random", "jg", "gao", "at"] {
         for quantity in [Quantity::Force, Quantity::Tangent] {
             let compiled = id.parse::<Model>()?.compile(&scene()?, &request(quantity)?)?;
             let mut k = 0;

@@ -2,6 +2,7 @@
 
 mod contact_table;
 mod cubic;
+mod evidence;
 mod fe_interaction;
 mod fe_tables;
 mod recommend;
@@ -26,8 +27,10 @@ pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_joints as joints;
 pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, Variance};
+pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
+pub use evidence::{Deviation, Evidence, EvidenceCase, EvidenceRow, Nearest};
 pub use fe_interaction::ConductanceAgainst;
 pub use fe_tables::TableFormat;
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};

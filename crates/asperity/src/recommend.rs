@@ -1,10 +1,13 @@
-//! Which model does a scene need?
+//! Which model does a scene need? What it takes to be near another, and what boundary elements say.
 
 use std::fmt;
 
 use serde::Serialize;
 
-use crate::{ContactError, ContactModel, Evaluation, Model, Quantity, Request, Scene};
+use crate::{
+    At, ContactError, ContactModel, Deviation, Evaluation, Evidence, Model, Nearest, Quantity,
+    Request, Scene,
+};
 
 /// How far one model is from the reference.
 #[derive(Debug, Clone, Serialize)]
@@ -17,6 +20,9 @@ pub struct Comparison {
     pub deviations: Result<Vec<(Quantity, f64)>, ContactError>,
     /// Parts of the model's laws, a measure of its complexity.
     pub regimes: usize,
+    /// How far the model was from boundary elements in the cases nearest to the scene, where there
+    /// are any: the largest over the separations and loads.
+    pub off: Option<Deviation>,
 }
 
 impl Comparison {
@@ -42,6 +48,9 @@ pub struct Recommendation {
     /// Every model, the simplest first: no angles before angles, then fewest parts of the force
     /// law, then the order of [`Model::all`], which is that of their years.
     pub comparisons: Vec<Comparison>,
+    /// Where boundary elements were nearest to the scene, for each separation or load that has such
+    /// a case; or why none has one.
+    pub evidence: Result<Vec<Nearest<'static>>, ContactError>,
 }
 
 /// Compares all models with `reference` at the request's separations, and names the simplest that
@@ -90,6 +99,7 @@ pub fn recommend_among(
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
     }
     let wanted = answers(reference, scene, request)?;
+    let evidence = evidence(scene, request, reference);
     let mut comparisons: Vec<Comparison> = models
         .into_iter()
         .map(|model| {
@@ -98,13 +108,74 @@ pub fn recommend_among(
                 columns.map(|(q, (a, b))| (*q, largest_deviation(*q, a, b))).collect()
             });
             let regimes = regimes(&model, scene, request);
-            Comparison { model, deviations, regimes }
+            let near = evidence.iter().flatten().filter_map(|near| near.deviation(model.id()));
+            let off = near.reduce(Deviation::worse);
+            Comparison { model, deviations, regimes, off }
         })
         .collect();
     comparisons.sort_by_key(|c| (c.model.claims().angles, c.regimes));
     let near = comparisons.iter().find(|c| c.largest() <= within);
     let simplest = near.map_or_else(|| reference.clone(), |c| c.model.clone());
-    Ok(Recommendation { reference: reference.clone(), within, simplest, comparisons })
+    Ok(Recommendation { reference: reference.clone(), within, simplest, comparisons, evidence })
+}
+
+/// At separations, the pressure is the reference's.
+fn evidence(
+    scene: &Scene,
+    request: &Request,
+    reference: &Model,
+) -> Result<Vec<Nearest<'static>>, ContactError> {
+    let pressed = Request::new([Quantity::Pressure]).within(request.tolerance);
+    let contact = reference.compile(scene, &pressed.at(request.at.iter().copied()))?;
+    let near = |at: &At| {
+        let pressure = at.pressure(scene).map_or_else(
+            || Ok(contact.evaluate(Quantity::Pressure, *at)?.value()),
+            Ok::<_, ContactError>,
+        )?;
+        Evidence::committed().nearest(scene, pressure)
+    };
+    let (mut found, mut refused) = (vec![], None);
+    for near in request.at.iter().map(near) {
+        match near {
+            Ok(near) => found.push(near),
+            Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    match refused {
+        Some(refused) if found.is_empty() => Err(refused),
+        _ => Ok(found),
+    }
+}
+
+impl Recommendation {
+    /// What the evidence says, in a sentence or two: where it is from, and which of all models were
+    /// nearest to boundary elements in area there.
+    #[must_use]
+    pub fn told(&self) -> String {
+        let found = match &self.evidence {
+            Ok(found) => found,
+            Err(reason) => return format!("no evidence here: {reason}"),
+        };
+        let Some(far) = found.iter().max_by(|a, b| a.away.total_cmp(&b.away)) else {
+            return "no evidence here".into();
+        };
+        let mut ranked: Vec<(f64, &str)> = vec![];
+        for (id, _) in &far.case.models {
+            let off = found.iter().map(|near| near.deviation(id).and_then(|off| off.area));
+            let largest = off.map(|off| off.map_or(f64::INFINITY, f64::abs)).fold(0.0, f64::max);
+            ranked.push((largest, id));
+        }
+        ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let nearest: Vec<String> = ranked
+            .iter()
+            .take(3)
+            .map(|(off, id)| format!("{id} (at most {:.0} % off)", 100.0 * off))
+            .collect();
+        let (nearest, count) = (nearest.join(", "), found.len());
+        format!(
+            "boundary elements on surfaces like this one, at {count} of the places, the farthest at {far}: nearest in area were {nearest}"
+        )
+    }
 }
 
 /// The values of one quantity.
@@ -129,7 +200,7 @@ fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
     let law = |model: &dyn crate::AsperityModel| {
         model.law(&scene.asperity().ok()?, Quantity::Force, request.tolerance).ok()?
     };
-    model.asperity_model().and_then(law).map_or(0, |law| law.parts.len())
+    model.equal().asperity_model().and_then(law).map_or(0, |law| law.parts.len())
 }
 
 impl fmt::Display for Recommendation {
@@ -141,12 +212,17 @@ impl fmt::Display for Recommendation {
             100.0 * self.within,
             self.reference.name()
         )?;
-        for Comparison { model, deviations, .. } in &self.comparisons {
+        writeln!(f, "{}", self.told())?;
+        for Comparison { model, deviations, off, .. } in &self.comparisons {
             write!(f, "  {:12}", model.name())?;
             match deviations {
                 Ok(all) => {
                     for (quantity, deviation) in all {
                         write!(f, " {quantity} {:.3} %", 100.0 * deviation)?;
+                    }
+                    if let Some((area, spread)) = off.and_then(|o| o.area.zip(o.area_spread)) {
+                        let [area, spread] = [area, spread].map(|x| 100.0 * x);
+                        write!(f, ", area off boundary elements {area:+.0} +- {spread:.0} %")?;
                     }
                     writeln!(f)?;
                 }
@@ -182,8 +258,30 @@ mod tests {
 
     #[test]
     fn what_a_model_lacks_is_said_beside_it() {
-        let text = advice(6.0, 0.05).to_string();
+        let rough = advice(6.0, 0.05);
+        let text = rough.to_string();
         assert!(text.contains("Gao          equivalent_shear_modulus is missing"), "{text}");
         assert!(text.contains("KE           force 0.000 % area 0.000 %"), "{text}");
+        // β = 0.04 is α = 4; at d = 0 half of the surface would touch.
+        assert!(text.contains("boundary elements on surfaces like this one"), "{text}");
+        let off = rough.comparisons.iter().find(|c| c.model.id() == "ke").unwrap().off.unwrap();
+        assert!(off.area.is_some_and(|off| off.abs() < 1.0) && off.stiffness.is_some(), "{off:?}");
+        let smooth = advice(0.3, 0.05);
+        assert!(smooth.told().contains("elastic"), "{}", smooth.told());
+        // Models that yield were not asked where nothing does.
+        let ke = smooth.comparisons.iter().find(|c| c.model.id() == "ke").unwrap();
+        assert!(ke.off.is_none());
+    }
+
+    #[test]
+    fn outside_of_what_was_solved_that_is_said() {
+        let interface = Interface::new(116e9, 0.31, 1.12e9);
+        let surface = Surface::from_plasticity_index(30.0, 0.04, 1e-6, &interface).unwrap();
+        let scene = Scene::new(interface, surface, 3e-5);
+        let request = Request::new([Quantity::Area]).at_loads([100.0]);
+        let advice = recommend(&scene, &request, &"ke".parse().unwrap(), 0.1).unwrap();
+        let told = advice.told();
+        assert!(told.starts_with("no evidence here: plasticity_index is 29.99"), "{told}");
+        assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_none()));
     }
 }

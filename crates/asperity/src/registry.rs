@@ -14,7 +14,8 @@ use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, Branch, ChangEtsionBogy, Claims, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, EtsionKligermanKadin, Gao,
     GeometricHardness, GreenwoodWilliamson, JacksonGreen, JohnsonKendallRoberts, KogutEtsion,
-    Persson, Reading, Request, Scene, Source, Variance, Warning, ZhaoMaiettaChang,
+    Persson, RandomAsperities, Reading, Request, Scene, Source, Variance, Warning,
+    ZhaoMaiettaChang,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -38,10 +39,12 @@ pub struct Model {
     model: Arc<dyn ContactModel>,
     /// Its options, for a model of this project.
     known: Option<Arc<dyn Configurable>>,
+    /// The model of equal asperities, for one of random ones.
+    equal: Option<Arc<Model>>,
 }
 
 /// A model with options that can be written and read.
-trait Configurable: ContactModel {
+trait Configurable: fmt::Debug + Send + Sync {
     /// All options, with their values.
     fn options(&self) -> Value;
     /// The same model with these options in place of its own.
@@ -75,6 +78,20 @@ impl<M: ContactModel + Serialize + DeserializeOwned + 'static> Configurable for 
     }
 }
 
+/// Options of the laws on a random surface.
+#[derive(Debug)]
+struct Random(Arc<Model>);
+
+impl Configurable for Random {
+    fn options(&self) -> Value {
+        self.0.options().unwrap_or_default()
+    }
+
+    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error> {
+        self.0.with_options(options).map(|model| model.random()).map_err(serde_json::Error::custom)
+    }
+}
+
 fn unknown_option(id: &str, name: &str, known: &[&str]) -> serde_json::Error {
     let listed = if known.is_empty() { "it has none".into() } else { known.join(", ") };
     serde_json::Error::custom(format!("{id} has no option {name:?}: {listed}"))
@@ -84,14 +101,38 @@ impl Model {
     /// Wraps a model of your own.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static) -> Self {
-        Self { model: Arc::new(model), known: None }
+        Self { model: Arc::new(model), known: None, equal: None }
     }
 
     /// Wraps a model whose options can be written and read.
     #[must_use]
     pub fn known(model: impl ContactModel + Serialize + DeserializeOwned + 'static) -> Self {
         let model = Arc::new(model);
-        Self { known: Some(model.clone()), model }
+        Self { known: Some(model.clone()), model, equal: None }
+    }
+
+    /// The same laws on the asperities of a random surface, whose heights and radii are spread
+    /// together: `ke` becomes `ke-random`. See [`RandomAsperities`], which tells what it refuses.
+    ///
+    /// ```
+    /// use asperity::{ContactModel, Model};
+    ///
+    /// let ke: Model = "ke".parse()?;
+    /// assert_eq!((ke.random().id(), ke.random().name()), ("ke-random", "KE random"));
+    /// # Ok::<(), asperity::ContactError>(())
+    /// ```
+    #[must_use]
+    pub fn random(&self) -> Self {
+        let equal = Arc::new(self.equal().clone());
+        let known = equal.known.is_some().then(|| Arc::new(Random(equal.clone())) as Arc<_>);
+        let model = Arc::new(RandomAsperities::new((*equal).clone()));
+        Self { model, known, equal: Some(equal) }
+    }
+
+    /// The same laws on asperities of one radius.
+    #[must_use]
+    pub fn equal(&self) -> &Self {
+        self.equal.as_deref().unwrap_or(self)
     }
 
     /// Every model of asperities of this project with its default options, in the order of their
@@ -116,6 +157,14 @@ impl Model {
         ]
     }
 
+    /// Those of [`all`](Self::all) that a random surface allows, [on one](Self::random): they are
+    /// known by their names.
+    #[must_use]
+    pub fn all_random() -> Vec<Self> {
+        let upright = Self::all().into_iter().filter(|model| !model.claims().angles);
+        upright.map(|model| model.random()).collect()
+    }
+
     /// Theories of the whole surface, which answer at loads and know no separations: they stand
     /// beside the others where they are asked for by name.
     #[must_use]
@@ -135,7 +184,7 @@ impl Model {
     /// Every model that has a name here.
     #[must_use]
     pub fn named() -> Vec<Self> {
-        [Self::all(), Self::whole_surface(), Self::adhesive()].concat()
+        [Self::all(), Self::all_random(), Self::whole_surface(), Self::adhesive()].concat()
     }
 
     /// All options with their values; `None` for a model of your own.

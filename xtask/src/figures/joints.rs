@@ -86,7 +86,7 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
     );
     let title = "Which stiffness? First closing, unloading and shear";
     let mut figure = Figure::new(title, &[&caption, MARKERS], vec![kinds, ratio]);
-    figure.side_by_side = true;
+    figure.columns = 2;
     Ok(figure)
 }
 
@@ -145,6 +145,6 @@ pub fn conductance_figure(_: &str) -> Result<Figure> {
     );
     let title = "Thermal conductance against pressure";
     let mut figure = Figure::new(title, &[&caption, MARKERS], panels.to_vec());
-    figure.side_by_side = true;
+    figure.columns = 2;
     Ok(figure)
 }

@@ -11,9 +11,11 @@ mod slip;
 mod unloading;
 
 use anyhow::Result;
+use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
 
 use crate::table::Table;
+use crate::truth::{self, Shown};
 use asperity_plot::Figure;
 
 /// One figure.
@@ -27,7 +29,7 @@ pub struct FigureSpec {
 }
 
 /// All figures: the paper's, then those beyond it.
-pub const FIGURES: [FigureSpec; 15] = [
+pub const FIGURES: [FigureSpec; 17] = [
     FigureSpec {
         name: "fig04-force-roughness",
         table: || paper::roughness(Force),
@@ -82,5 +84,15 @@ pub const FIGURES: [FigureSpec; 15] = [
         name: "conductance-models",
         table: joints::conductance,
         style: joints::conductance_figure,
+    },
+    FigureSpec {
+        name: "truth-area",
+        table: || truth::table(Evidence::CSV, Shown::Area),
+        style: |csv| truth::style(csv, Shown::Area),
+    },
+    FigureSpec {
+        name: "truth-stiffness",
+        table: || truth::table(Evidence::CSV, Shown::Stiffness),
+        style: |csv| truth::style(csv, Shown::Stiffness),
     },
 ];

@@ -92,7 +92,7 @@ fn panels(quantity: Quantity, curves: &[Curve]) -> Vec<Panel> {
 
 fn figure(title: &str, quantity: Quantity, curves: &[Curve], caption: &[&str]) -> Figure {
     let mut figure = Figure::new(title, caption, panels(quantity, curves));
-    figure.side_by_side = true;
+    figure.columns = 2;
     figure
 }
 

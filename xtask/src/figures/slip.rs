@@ -86,6 +86,6 @@ pub fn style(_: &str) -> Result<Figure> {
     );
     let title = "Partial slip: loops and their loss";
     let mut figure = Figure::new(title, &[&caption, MARKERS], vec![loops, losses]);
-    figure.side_by_side = true;
+    figure.columns = 2;
     Ok(figure)
 }

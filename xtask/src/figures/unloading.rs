@@ -75,6 +75,6 @@ pub fn style(_: &str) -> Result<Figure> {
     );
     let title = "Opening again: three laws of unloading";
     let mut figure = Figure::new(title, &[&caption, MARKERS], panels.to_vec());
-    figure.side_by_side = true;
+    figure.columns = 2;
     Ok(figure)
 }

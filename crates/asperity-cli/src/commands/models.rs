@@ -13,6 +13,8 @@ use crate::table::{Format, Table};
     after_help = "The interference of an asperity at which it begins to yield is w_c (w_c' with
 another constant in jg), R is its radius. csv and json hold the titles of the
 papers, how well the text of the equations is known, and notes as well.
+Those from gw to af are known with -random behind the id as well: on asperities of
+a random surface, whose heights and radii are spread together.
 
 Examples:
   asperity models

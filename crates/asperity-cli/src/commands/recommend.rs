@@ -1,4 +1,5 @@
-//! `asperity recommend`: the simplest model that will do.
+//! `asperity recommend`: the simplest model that will do, and how far models were from boundary
+//! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, linspace, recommend_among};
@@ -11,13 +12,18 @@ use crate::output::{progress, say};
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Table};
 
-/// The simplest model that stays near a reference model
+/// Models beside a reference, and what boundary elements say of them on surfaces like this one
 #[derive(Debug, Args)]
 #[command(
     after_help = "Simple is, in this order: upright asperities before asperities at all angles; a
 force law of few parts before one of many; an older model before a newer one.
 The models are listed so. Deviations are the largest over the separations or
 loads, relative to the reference (differences, for logarithms and shares).
+Near the reference is not near the truth: columns .._off_bem hold how far a model
+was from boundary elements in the nearest case that was solved (random surfaces of
+alpha 3, 7, 29, elastic and psi 1, 2, 4, p/(E g) from 1e-3 to 0.2), the farthest of
+the places; .._spread is what one such surface differs from the next. Blank, with a
+note, where no case is near. `asperity truth` solves the scene's own scan.
 Unless something is given: force and area (at loads, the area) at separations of
 0:4:401 in sigma.
 
@@ -56,7 +62,8 @@ impl Recommend {
 
         let mut table = Table::new(&["model", "asperities", "parts"]);
         table.head.extend(request.quantities.iter().map(|q| named(*q, "deviation")));
-        table.head.push("verdict".into());
+        table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
+        table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
         for found in &advice.comparisons {
             let at_angles = found.model.claims().angles;
             let asperities = if at_angles { "at angles" } else { "upright" };
@@ -69,10 +76,13 @@ impl Recommend {
             row.extend(deviations.into_iter().map(Cell::Number));
             row.push(match &found.deviations {
                 Err(error) => error.to_string().as_str().into(),
-                Ok(_) if found.model.id() == advice.simplest.id() => "recommended".into(),
+                Ok(_) if found.model.id() == advice.simplest.id() => "simplest".into(),
                 Ok(_) if found.largest() <= advice.within => "near enough".into(),
                 Ok(_) => "too far".into(),
             });
+            let off = found.off.unwrap_or_default();
+            let off = [off.area, off.area_spread, off.stiffness, off.stiffness_spread];
+            row.extend(off.map(Cell::Number));
             table.rows.push(row);
         }
         let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };
@@ -88,6 +98,7 @@ impl Recommend {
         };
         let order = "simplest first: upright asperities before all angles, few parts of the force law before many, old before new";
         say("note", &format!("{chosen}; {order}"));
+        say("note", &advice.told());
         self.output.write(&table)
     }
 }

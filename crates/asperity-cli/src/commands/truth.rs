@@ -31,7 +31,7 @@ pub struct TruthCommand {
     /// Scene file that names a scan
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Models, all that the scene allows by default; `asperity models` lists them
+    /// Models; all that the scene allows by default, random asperities and Persson beside them
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     #[command(flatten)]
@@ -60,8 +60,11 @@ impl TruthCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.scene)?;
         let bem = self.way.bem(&scene)?;
-        let models = scene.models(&self.models, &[])?;
-        let models: Vec<_> = models.into_iter().map(|(_, model)| model).collect();
+        let named = scene.models(&self.models, &[])?.into_iter().map(|(_, model)| model);
+        let models = match self.models.is_empty() {
+            true => scene.file.models_beside_bem(),
+            false => named.collect(),
+        };
         let area = scene.file.scene.nominal_area;
         let numbers =
             |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();

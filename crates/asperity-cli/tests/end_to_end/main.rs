@@ -8,6 +8,7 @@ mod export;
 mod files;
 mod help;
 mod joints;
+mod random;
 mod readme;
 mod solve;
 mod surface;

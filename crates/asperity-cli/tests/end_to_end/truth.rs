@@ -35,6 +35,16 @@ fn models_stand_beside_boundary_elements() {
 }
 
 #[test]
+fn random_asperities_and_the_whole_surface_stand_beside_them_unasked() {
+    let bench = bench();
+    let run = bench.run("truth scan.toml --pressure 1e9 --format csv");
+    let ids = cells(&run.out, "model");
+    for id in ["bem", "ke", "ke-random", "jg-random", "persson-fudge"] {
+        assert_eq!(ids.iter().filter(|known| **known == id).count(), 1, "{id}: {ids:?}");
+    }
+}
+
+#[test]
 fn what_cannot_be_told_is_named() {
     let bench = bench();
     bench.write("none.toml", NO_SHEAR);

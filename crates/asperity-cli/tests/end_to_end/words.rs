@@ -27,11 +27,11 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     let data = bench.data("recommend scene.toml --format csv --reference gao --within 1e-3");
     let (head, rows) = csv(&data);
     assert_eq!(
-        head,
-        ["model", "asperities", "parts", "force_deviation", "area_deviation", "verdict"]
+        head[..6],
+        ["model", "asperities", "parts", "force_deviation", "area_deviation", "simplest"]
     );
     let gao = rows.iter().find(|row| row[0] == "gao").unwrap();
-    assert_eq!(gao[3..], ["0", "0", "recommended"]);
+    assert_eq!(gao[3..6], ["0", "0", "simplest"]);
     assert!(column(&data, "force_deviation")[0] > 1.0);
 }
 
@@ -48,16 +48,40 @@ fn the_order_of_the_recommendation_is_the_one_that_is_printed() {
         let simplicity =
             |row: &Vec<&str>| (row[1] == "at angles", row[2].parse::<usize>().unwrap());
         assert!(rows.is_sorted_by_key(simplicity), "{data}");
-        // The recommended model is the first that is near enough.
+        // The simplest model is the first that is near enough.
         let most: f64 = within.parse().unwrap();
         let near =
             |row: &&Vec<&str>| row[3..5].iter().all(|cell| cell.parse::<f64>().unwrap() <= most);
         let first = rows.iter().find(near).unwrap();
-        let recommended: Vec<_> = rows.iter().filter(|row| row[5] == "recommended").collect();
-        assert_eq!(recommended, [first], "{data}");
+        let simplest: Vec<_> = rows.iter().filter(|row| row[5] == "simplest").collect();
+        assert_eq!(simplest, [first], "{data}");
     }
     let some = bench.data("recommend scene.toml --model zmc,jg,ke --load 10 --format csv");
     assert_eq!(cells(&some, "model"), ["jg", "zmc", "ke"]);
+}
+
+#[test]
+fn the_recommendation_comes_with_evidence_or_says_that_there_is_none() {
+    let bench = Bench::new();
+    let words = "recommend scene.toml --model gw,ke,persson-fudge --quantity area --format csv";
+    let run = bench.run(&format!("{words} --load 20000"));
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert!(
+        run.words.contains("note: boundary elements on surfaces like this one"),
+        "{}",
+        run.words
+    );
+    assert!(run.words.contains("psi 4, p/(E g)"), "{}", run.words);
+    let (head, rows) = csv(&run.out);
+    let columns =
+        ["area_off_bem", "area_off_bem_spread", "stiffness_off_bem", "stiffness_off_bem_spread"];
+    assert_eq!(head[head.len() - 4..], columns);
+    let off = column(&run.out, "area_off_bem");
+    assert!(off.iter().all(|off| off.abs() < 3.0) && rows.len() == 3, "{}", run.out);
+    let run = bench.run(&format!("{words} --load 1"));
+    let said = "note: no evidence here: p/(E g) is";
+    assert!(run.words.contains(said) && run.code == Some(0), "{}", run.words);
+    assert!(cells(&run.out, "area_off_bem").iter().all(|cell| cell.is_empty()), "{}", run.out);
 }
 
 #[test]

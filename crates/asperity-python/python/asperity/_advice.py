@@ -54,6 +54,11 @@ class Recommendation:
     deviations: dict[str, dict[str, float]]
     #: Why a model could not answer, by model.
     refused: dict[str, str]
+    #: What boundary elements on surfaces like this one say, or that there is no evidence here.
+    evidence: str
+    #: How far models were from boundary elements there, relatively, and by how much one surface
+    #: differs from the next: area, area_spread, stiffness, stiffness_spread, by model.
+    off: dict[str, dict[str, float | None]]
     text: str = field(repr=False)
 
     def __str__(self) -> str:
@@ -115,7 +120,8 @@ def recommend(
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
 ) -> Recommendation:
-    """The simplest model that stays within a relative deviation of the reference.
+    """Models beside a reference, the simplest that stays within a relative deviation of it, and how far
+    each was from boundary elements on surfaces like this one.
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
@@ -126,12 +132,14 @@ def recommend(
     """
     rows = Rows(scene, *place(separation, load, pressure, separation_unit))
     against, names = _model(reference), quantity_names(quantities)
-    text, simplest, found = _asperity.recommend(against, rows, names, within, rtol)
+    text, simplest, evidence, found = _asperity.recommend(against, rows, names, within, rtol)
     return Recommendation(
         simplest=simplest,
         reference=against.id,
         within=within,
-        deviations={model: dict(far) for model, far, refusal in found if refusal is None},
-        refused={model: refusal for model, _, refusal in found if refusal is not None},
+        deviations={model: dict(far) for model, far, refusal, _ in found if refusal is None},
+        refused={model: refusal for model, _, refusal, _ in found if refusal is not None},
+        evidence=evidence,
+        off={model: off for model, _, _, off in found if off is not None},
         text=text.rstrip("\n"),
     )

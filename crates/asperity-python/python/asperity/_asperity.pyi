@@ -292,7 +292,12 @@ def plan(
 ) -> tuple[str, _Fields]: ...
 def recommend(
     reference: Engine, rows: _Rows, names: Sequence[str], within: _Float, rtol: _Float
-) -> tuple[str, str, list[tuple[str, list[tuple[str, float]], str | None]]]: ...
+) -> tuple[
+    str,
+    str,
+    str,
+    list[tuple[str, list[tuple[str, float]], str | None, dict[str, float | None] | None]],
+]: ...
 def bem(
     scan: object,
     given: str,

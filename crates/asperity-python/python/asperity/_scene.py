@@ -257,7 +257,9 @@ class Scene(_Given):
         How far the mean of the asperity heights lies above the mean plane [m], where it was
         measured; when not given, that of the table of heights, or of an isotropic Gaussian surface.
     options : dict, optional
-        Options of the models, as in the section [options] of a scene file.
+        Options of the models, as in the section [options] of a scene file; and
+        ``{"asperities": "random"}``: "ke" stands for "ke-random" then, whose heights and radii are
+        spread together as on an isotropic Gaussian surface with these moments.
 
     Examples
     --------

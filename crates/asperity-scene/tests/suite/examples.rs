@@ -25,8 +25,13 @@ fn every_example_is_solved_by_every_model_it_allows() {
         let file = load(&path).unwrap();
         assert!(file.warnings.is_empty(), "{:?}", file.warnings);
         let (models, left_out) = file.models();
-        let rubber = path.ends_with("elastomer-on-glass.toml");
-        assert_eq!((models.len(), left_out.len()), if rubber { (1, 11) } else { (12, 0) });
+        let counts = match path.file_name().and_then(|name| name.to_str()) {
+            Some("elastomer-on-glass.toml") => (1, 11),
+            // Models over angles have no asperities of a random surface.
+            Some("ground-steel.toml") => (8, 4),
+            _ => (12, 0),
+        };
+        assert_eq!((models.len(), left_out.len()), counts);
         let beta = file.scene.surface.roughness_parameter();
         assert!((0.03..0.06).contains(&beta), "{}: beta_z = {beta}", path.display());
         for model in models {

@@ -5,6 +5,7 @@ mod examples;
 mod hostile;
 mod measured;
 mod options;
+mod random_asperities;
 mod scene_files;
 mod tabulated_heights;
 mod written;

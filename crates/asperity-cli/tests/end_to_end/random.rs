@@ -1,0 +1,58 @@
+//! Asperities of a random surface, by the scene and by name, in every command that takes a model.
+
+use crate::bench::{Bench, cells, column};
+
+/// The template on a surface given by its moments.
+fn bench() -> Bench {
+    let bench = Bench::new();
+    let template = asperity_scene::template();
+    let equal =
+        template.replace("\nasperity_radius = 2e-4 ", "\nm0 = 1.6e-13\nm2 = 2.5e-3\nm4 = 3e8\n# ");
+    let equal =
+        equal.replace("\nasperity_density", "\n# ").replace("\nasperity_height_std", "\n# ");
+    bench.write("equal.toml", &equal);
+    bench.write("random.toml", &equal.replace("= \"equal\"", "= \"random\""));
+    bench
+}
+
+#[test]
+fn a_word_in_the_scene_is_enough() {
+    let bench = bench();
+    let curve = |scene: &str, models: &str| {
+        let words = "--pressure 1e7,1e8 --quantity area --format csv";
+        bench.data(&format!("curve {scene}.toml --model {models} {words}"))
+    };
+    let [random, named] = [curve("random", "gw,ke"), curve("equal", "gw-random,ke-random")];
+    assert_eq!(column(&random, "area_m2"), column(&named, "area_m2"));
+    assert_ne!(column(&random, "area_m2"), column(&curve("equal", "gw,ke"), "area_m2"));
+    let all = bench.run("solve random.toml --load 100 --format csv");
+    let ids = "gw-random ceb-random zmc-random ke-random etsion-random jg-random jg-cosine-random af-random";
+    assert_eq!(cells(&all.out, "model").join(" "), ids);
+    let said =
+        "left out: gao-random: Gao cannot give averages over the asperities of a random surface";
+    assert!(all.words.contains(said), "{}", all.words);
+    let compared = bench.data("compare random.toml --model ke,ke-random --format csv --load 100");
+    assert_eq!(column(&compared, "area_deviation"), [0.0, 0.0]);
+    let checked = bench.data("check random.toml --model ke --load 100 --format csv");
+    assert!(checked.contains("real area of contact, by KE random"), "{checked}");
+    let words = "recommend random.toml --model gw,ke --load 10000 --quantity area --format csv";
+    let advice = bench.data(words);
+    assert_eq!(column(&advice, "parts"), [1.0, 4.0], "{advice}");
+    assert!(column(&advice, "area_off_bem").iter().all(|off| off.abs() < 0.5), "{advice}");
+}
+
+#[test]
+fn what_has_no_such_asperities_is_refused_by_name() {
+    let bench = bench();
+    for (words, said) in [
+        ("--model gao", "normals are spread over angles"),
+        ("--model persson", "Persson cannot give averages over the asperities of a random surface"),
+        ("--model bem", "surface.file is missing"),
+    ] {
+        let run = bench.run(&format!("curve random.toml --load 10 --quantity area {words}"));
+        assert_ne!(run.code, Some(0), "{words}");
+        assert!(run.words.contains(said), "{words}: {}", run.words);
+    }
+    let run = bench.run("curve equal.toml --model ke-randm");
+    assert!(run.words.contains("did you mean \"ke-random\""), "{}", run.words);
+}

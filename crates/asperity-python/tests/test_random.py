@@ -1,0 +1,46 @@
+"""Asperities of a random surface, by the scene and by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import asperity
+import numpy as np
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "asperity-scene" / "examples"
+PRESSURES = [1e7, 1e8, 1e9]
+
+
+def area(scene: asperity.Scene, model: str) -> np.ndarray:
+    return asperity.model(model).solve(scene, pressure=PRESSURES, quantities=["area"]).area
+
+
+def test_the_scene_the_option_and_the_name_are_the_same() -> None:
+    scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
+    assert scene.options == {"asperities": "random"}
+    assert scene.models()[0] == "gw-random"
+    given = scene.interface, scene.surface, scene.nominal_area
+    equal, random = asperity.Scene(*given), asperity.Scene(*given, options=scene.options)
+    for model in ["gw", "ke", "jg"]:
+        found = area(scene, model)
+        np.testing.assert_array_equal(found, area(random, model))
+        np.testing.assert_array_equal(found, area(equal, f"{model}-random"))
+        assert np.all(found != area(equal, model))
+    assert asperity.Scene.parse(scene.to_toml()).options == scene.options
+
+
+def test_models_without_such_asperities_say_why() -> None:
+    scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
+    for model in ["gao", "persson"]:
+        with pytest.raises(ValueError, match="asperities of a random surface"):
+            area(scene, model)
+
+
+def test_advice_comes_with_evidence() -> None:
+    scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
+    advice = asperity.recommend(scene, pressure=[1e8, 1e9], quantities=["area"])
+    assert "boundary elements" in advice.evidence
+    assert abs(advice.off["ke-random"]["area"]) < 0.5
+    light = asperity.recommend(scene, pressure=1e4, quantities=["area"])
+    assert light.evidence.startswith("no evidence here") and light.off == {}

@@ -1,0 +1,108 @@
+//! What the average over curvatures is made of, whatever the law: tabulated once for all.
+//!
+//! With κ = k/√(m₄/3) and y = κ w/v,
+//! ```text
+//! G(u, y) = ∫₀^κ* κ^(2-n) exp(κ²/2 - (3/2)(y/κ - u)²) dκ
+//! ```
+//! where κ* is where k_m = k: κ*²/√2 + u κ* = y.
+
+use std::collections::HashMap;
+use std::f64::consts::SQRT_2;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use asperity_quadrature::{Estimate, Tabulated, TanhSinh};
+
+/// Mean curvatures are at most this much above the smallest there are, in √(m₄/3): exp(-16²/4).
+const BEYOND: f64 = 16.0;
+/// Of the tables: a tenth of that of the laws that are made of them.
+const TOLERANCE: f64 = 2e-14;
+/// Tables that are kept: laws are tabulated at the same u, some hundreds of them.
+const KEPT: usize = 4096;
+
+/// G at one u, as a function of y.
+pub(crate) struct Kernel {
+    u: f64,
+    /// y G exp(κ*²/4), which is flat beside y.
+    table: Tabulated,
+}
+
+impl Kernel {
+    /// Of this u and n, made when first asked for.
+    pub(crate) fn shared(u: f64, power: i32) -> Arc<Self> {
+        type Known = Mutex<HashMap<(u64, i32), Arc<Kernel>>>;
+        static KNOWN: OnceLock<Known> = OnceLock::new();
+        let mut known =
+            KNOWN.get_or_init(Known::default).lock().unwrap_or_else(PoisonError::into_inner);
+        if known.len() >= KEPT {
+            known.clear();
+        }
+        let new = || {
+            let table = Tabulated::new(Arc::new(move |y| flat(u, y, power)), &[], TOLERANCE);
+            Arc::new(Self { u, table })
+        };
+        known.entry((u.to_bits(), power)).or_insert_with(new).clone()
+    }
+
+    /// The y beyond which there is nothing to be found for those above `first`.
+    pub(crate) fn last(&self, first: f64) -> f64 {
+        let farthest = highest(self.u, first) + BEYOND;
+        farthest * (self.u + farthest / SQRT_2)
+    }
+
+    /// Not a number where y is outside 1e-37 to 1e37.
+    pub(crate) fn value(&self, y: f64) -> f64 {
+        let highest = highest(self.u, y);
+        self.table.value(y).map_or(f64::NAN, |flat| flat / y * (-0.25 * highest * highest).exp())
+    }
+}
+
+/// κ*, without cancellation.
+fn highest(u: f64, y: f64) -> f64 {
+    let root = (u * u + 2.0 * SQRT_2 * y).sqrt();
+    if u < 0.0 { (root - u) / SQRT_2 } else { 2.0 * y / (u + root) }
+}
+
+fn flat(u: f64, y: f64, power: i32) -> Estimate {
+    let highest = highest(u, y);
+    // Down to where k_m = √2 (y/κ - u) is larger by `BEYOND`.
+    let lowest = y / (u + (highest + BEYOND) / SQRT_2);
+    let width = highest * BEYOND / (SQRT_2 * u + highest + BEYOND);
+    // The exponent is -κ*²/4 at κ*; it is less by this below, without cancellation.
+    let integrand = |down: f64, up: f64| {
+        let k = lowest + up;
+        let more = y * down / (k * highest);
+        let less = down * (highest - 0.5 * down) + 1.5 * more * (SQRT_2 * highest + more);
+        k.powi(2 - power) * (-less).exp()
+    };
+    let found = TanhSinh::shared().integrate(0.0, width, 1e-15, |p| integrand(p.left, p.right));
+    Estimate { value: y * found.value, error: y * found.error, ..found }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_quadrature::gauss_kronrod;
+
+    #[test]
+    fn tables_are_the_integrals_themselves() {
+        for power in [0, 2] {
+            for u in [-9.0f64, -2.0, -1e-3, 0.0, 0.4, 7.0, 60.0] {
+                let kernel = Kernel::shared(u, power);
+                for y in [1e-14f64, 1e-5, 0.03, 0.8, 5.0, 40.0] {
+                    let end = highest(u, y);
+                    let integrand = |share: f64| {
+                        let k = end * share;
+                        let away = y / k - u;
+                        end * k.powi(2 - power) * (0.5 * k * k - 1.5 * away * away).exp()
+                    };
+                    let breaks = [0.0, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 0.9, 1.0];
+                    let direct = gauss_kronrod(integrand, &breaks, 1e-13, 100_000).unwrap().value;
+                    let found = kernel.value(y);
+                    // y/κ - u cancels in the definition.
+                    let allowed = 1e-12 + 4e-16 * u * u;
+                    assert!((found - direct).abs() <= allowed * direct, "{power} {u} {y}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The figures: models over boundary elements against the load, a panel for each case.
+
+use std::collections::BTreeMap;
+
+use anyhow::Result;
+use asperity::Evidence;
+use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
+
+use crate::figures::models::{self, MARKERS, PAPER};
+use crate::table::{Field, Table};
+
+/// What is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// The real area.
+    Area,
+    /// -dp/d(gap).
+    Stiffness,
+}
+
+impl Shown {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Area, Self::Stiffness];
+
+    /// Name of the files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Area => "truth-area",
+            Self::Stiffness => "truth-stiffness",
+        }
+    }
+
+    /// The column of the evidence.
+    pub(super) fn of(self, state: &asperity::EvidenceRow) -> Option<f64> {
+        match self {
+            Self::Area => state.area_fraction,
+            Self::Stiffness => state.stiffness,
+        }
+    }
+
+    pub(super) fn span(self, state: &asperity::EvidenceRow) -> Option<[f64; 2]> {
+        match self {
+            Self::Area => state.area_span,
+            Self::Stiffness => state.stiffness_span,
+        }
+    }
+}
+
+/// Those drawn beside the paper's nine, with their looks.
+const BESIDE: [(&str, &str, usize); 5] = [
+    ("gw-random", "GW random", 9),
+    ("ke-random", "KE random", 10),
+    ("jg-random", "JG random", 11),
+    ("persson", "Persson", 12),
+    ("persson-fudge", "Persson fudge", 13),
+];
+/// Edges of the band.
+const BAND: [&str; 2] = ["seeds-low", "seeds-high"];
+
+/// A case in words.
+pub(super) fn case(alpha: f64, index: f64) -> String {
+    let material = if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
+    format!("α = {alpha:.1}; {material}")
+}
+
+/// The numbers of a figure, from the text of the evidence.
+///
+/// # Errors
+/// A text that is no evidence.
+pub fn table(text: &str, shown: Shown) -> Result<Table> {
+    let mut table = Table::new(&["case", "curve", "p_over_Eg", "model_over_bem"]);
+    for found in Evidence::parse(text)?.cases() {
+        let case = case(found.alpha, found.plasticity_index);
+        let Some(truth) = shown.of(&found.bem) else { continue };
+        let mut push = |curve: &str, value: f64| {
+            let numbers = [found.load, value].map(Field::Number);
+            table.push(&[&[Field::Word(&case), Field::Word(curve)], &numbers[..]].concat())
+        };
+        for (edge, value) in BAND.iter().zip(shown.span(&found.bem).unwrap_or([truth; 2])) {
+            push(edge, value / truth)?;
+        }
+        let drawn = |id: &str| PAPER.contains(&id) || BESIDE.iter().any(|(known, ..)| *known == id);
+        // Where asperities yield, two elastic theories are enough.
+        let left_out =
+            |id: &str| found.plasticity_index > 0.0 && ["gw-random", "persson"].contains(&id);
+        for (id, state) in found.models.iter().filter(|(id, _)| drawn(id) && !left_out(id)) {
+            if let Some(value) = shown.of(state) {
+                push(id, value / truth)?;
+            }
+        }
+    }
+    Ok(table)
+}
+
+/// How it is drawn.
+///
+/// # Errors
+/// A csv that is not this figure's.
+pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
+    let mut cases: Vec<&str> = vec![];
+    let mut curves: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for line in csv.lines().skip(1) {
+        let mut fields = line.split(',');
+        let (Some(case), Some(curve)) = (fields.next(), fields.next()) else { continue };
+        if !cases.contains(&case) {
+            cases.push(case);
+        }
+        let known = curves.entry(case).or_default();
+        if !known.contains(&curve) && !BAND.contains(&curve) {
+            known.push(curve);
+        }
+    }
+    // Down the columns the hardness falls, along the rows the surface gets broader.
+    let rows = cases.len() / 3;
+    let panel = |k: usize| -> Result<Panel> {
+        let case = cases[k % 3 * rows + k / 3];
+        let x = Axis::new("p_over_Eg", "p/(E g)").log();
+        let (label, range) = match shown {
+            Shown::Area => ("area/BEM", (0.5, 1.75)),
+            Shown::Stiffness => ("stiffness/BEM", (0.0, 1.6)),
+        };
+        let mut panel = Panel::new(x, Axis::new("model_over_bem", label).range(range.0, range.1));
+        panel.title = case.into();
+        panel.only = Some(("case".into(), case.into()));
+        let curve = |id: &&str| match BESIDE.iter().find(|(known, ..)| known == id) {
+            Some((_, label, look)) => Ok(Curve::new(*look, id, label)),
+            None => models::curve(id),
+        };
+        panel.curves = curves[case].iter().map(curve).collect::<Result<_>>()?;
+        let [lower, upper] = BAND.map(Into::into);
+        panel.between = vec![Between { lower, upper, look: 9 }];
+        panel.horizontals = vec![Mark::new(1.0, "")];
+        Ok(panel)
+    };
+    let panels = (0..3 * rows).map(panel).collect::<Result<_>>()?;
+    let (title, what) = match shown {
+        Shown::Area => ("Real area of the models over that of boundary elements", "Real area"),
+        Shown::Stiffness => (
+            "Stiffness of the models over that of boundary elements",
+            "Stiffness -dp/d(mean gap) (of boundary elements from pressures 5 % to either side; Persson's is not known here)",
+        ),
+    };
+    let how = format!(
+        "{what} over the mean of 4 surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 512 × 512 pixels, shortest wave 8 pixels, longest 1/14, 1/4 and 1/2 of the side, Hurst exponent 0.8, seeds 1 to 4. AT as printed leaves the frame where its force falls as it is pressed."
+    );
+    let caveats = "One surface at p/(E g) = 10⁻³ has few contact patches: the span is wide there. The hardness of boundary elements caps the pressure at H: a contact starts to flow where Hertz' peak pressure is H, in the models where it is S·H = 0.577 H, so the same ψ yields a little later. It is the truth for a constant mean pressure H, not for elastic-plastic finite elements. The models see the surface through m₀, m₂ and m₄ alone. JG cosine and the other readings of AT are in crates/asperity/data/truth.csv, with the other random asperities.";
+    let mut figure = Figure::new(title, &[&how, caveats, MARKERS], panels);
+    figure.columns = 3;
+    Ok(figure)
+}
