@@ -37,12 +37,13 @@ fields!(Interface, asperity::Interface::new(1.0, 0.0, 1.0),
     equivalent_modulus: f64, poissons_ratio: f64, hardness: Option<f64>,
     yield_strength: Option<f64>, equivalent_shear_modulus: Option<f64>,
     pressure_factor: Option<f64>, thermal_conductivity: Option<f64>,
-    electrical_resistivity: Option<f64>);
+    electrical_resistivity: Option<f64>, work_of_adhesion: Option<f64>);
 fields!(Surface, asperity::Surface::new(1.0, 1.0, 1.0),
     asperity_radius: f64, asperity_density: f64, asperity_height_std: f64);
 fields!(Asperity, NO_ASPERITY,
     equivalent_modulus: f64, equivalent_shear_modulus: Option<f64>, poissons_ratio: f64,
-    hardness: Option<f64>, yield_strength: Option<f64>, pressure_factor: f64, radius: f64);
+    hardness: Option<f64>, yield_strength: Option<f64>, pressure_factor: f64, radius: f64,
+    work_of_adhesion: Option<f64>);
 
 /// To be filled.
 const NO_ASPERITY: asperity::Asperity = asperity::Asperity {

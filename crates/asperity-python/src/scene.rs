@@ -233,7 +233,7 @@ pub(crate) enum Input {
 }
 
 /// By the names of a scene file.
-const INPUTS: [(&str, Input); 14] = [
+const INPUTS: [(&str, Input); 15] = [
     ("equivalent_modulus", Input::Field(|s, v| s.interface.equivalent_modulus = v)),
     (
         "equivalent_shear_modulus",
@@ -245,6 +245,7 @@ const INPUTS: [(&str, Input); 14] = [
     ("pressure_factor", Input::Field(|s, v| s.interface.pressure_factor = Some(v))),
     ("thermal_conductivity", Input::Field(|s, v| s.interface.thermal_conductivity = Some(v))),
     ("electrical_resistivity", Input::Field(|s, v| s.interface.electrical_resistivity = Some(v))),
+    ("work_of_adhesion", Input::Field(|s, v| s.interface.work_of_adhesion = Some(v))),
     ("asperity_radius", Input::Field(|s, v| s.surface.asperity_radius = v)),
     ("asperity_density", Input::Field(|s, v| s.surface.asperity_density = v)),
     ("asperity_height_std", Input::Field(|s, v| s.surface.asperity_height_std = v)),

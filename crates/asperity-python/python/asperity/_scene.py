@@ -103,6 +103,8 @@ class Interface(_Given):
         k [W/(m K)]: 2/k = 1/k1 + 1/k2; "thermal-conductance" needs it.
     electrical_resistivity : float, optional
         rho [ohm m]: 2 rho = rho1 + rho2; "electrical-conductance" needs it.
+    work_of_adhesion : float, optional
+        w_a [J/m^2], at least 0: the models dmt and jkr need it.
 
     Examples
     --------
@@ -121,18 +123,23 @@ class Interface(_Given):
     pressure_factor: float | None = None
     thermal_conductivity: float | None = None
     electrical_resistivity: float | None = None
+    work_of_adhesion: float | None = None
 
     _checked = _asperity.checked_interface
 
     @staticmethod
-    def between(first: Body, second: Body) -> Interface:
+    def between(
+        first: Body, second: Body, *, work_of_adhesion: float | None = None
+    ) -> Interface:
         """Two deformable bodies; hardness and Poisson's ratio are those of the softer one."""
-        return Interface(**_asperity.interface_of(first, second))
+        found = _asperity.interface_of(first, second)
+        return Interface(**(found | {"work_of_adhesion": work_of_adhesion}))
 
     @staticmethod
-    def against_rigid(body: Body) -> Interface:
+    def against_rigid(body: Body, *, work_of_adhesion: float | None = None) -> Interface:
         """A deformable body on a rigid one."""
-        return Interface(**_asperity.interface_of(body, None))
+        found = _asperity.interface_of(body, None)
+        return Interface(**(found | {"work_of_adhesion": work_of_adhesion}))
 
 
 @dataclass(frozen=True, repr=False)
@@ -221,6 +228,8 @@ class Asperity:
     pressure_factor: float
     #: Radius [m].
     radius: float
+    #: Work of adhesion [J/m^2], where it was given.
+    work_of_adhesion: float | None = None
 
     @property
     def critical_interference(self) -> float:
@@ -313,9 +322,10 @@ class Scene(_Given):
 
     def replace(self, **numbers: float) -> Scene:
         """The same scene with other numbers, by the names of a scene file: equivalent_modulus,
-        equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor, thermal_conductivity, electrical_resistivity,
-        asperity_radius, asperity_density, asperity_height_std, nominal_area; or plasticity_index
-        and roughness_parameter in the place of radius and density."""
+        equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor,
+        thermal_conductivity, electrical_resistivity, work_of_adhesion, asperity_radius,
+        asperity_density, asperity_height_std, nominal_area; or plasticity_index and
+        roughness_parameter in the place of radius and density."""
         return Scene._of(self._file.replace(numbers))
 
     def vary(self, **columns: npt.ArrayLike) -> Scenes:

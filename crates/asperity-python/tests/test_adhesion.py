@@ -1,0 +1,47 @@
+"""Adhesion and skewed heights from Python: what the library makes of them."""
+
+import asperity
+import numpy as np
+import pytest
+
+RUBBER = asperity.Body(1e6, 0.5)
+SURFACE = asperity.Surface(1e-4, 1e9, 1e-6)
+
+
+def scene(work: float | None, **others: object) -> asperity.Scene:
+    interface = asperity.Interface.against_rigid(RUBBER, work_of_adhesion=work)
+    return asperity.Scene(interface, SURFACE, 1e-4, **others)
+
+
+def test_adhesive_models_pull_and_go_over_into_greenwood_and_williamson() -> None:
+    d = np.array([0.5, 1.5, 2.5])
+    gw = asperity.model("gw").solve(scene(0.05), d).force
+    for model in ("dmt", "jkr"):
+        without = asperity.model(model).solve(scene(0.0), d).force
+        np.testing.assert_allclose(without, gw, rtol=1e-9)
+        with pytest.warns(asperity.ContactWarning, match="negative"):
+            assert asperity.model(model).solve(scene(0.05), d).force[2] < 0.0
+
+
+def test_a_work_of_adhesion_is_asked_for_by_name_and_is_read_back() -> None:
+    with pytest.raises(ValueError, match="work_of_adhesion"):
+        asperity.model("jkr").solve(scene(None), 1.0)
+    with pytest.raises(ValueError, match="work_of_adhesion"):
+        scene(-1.0)
+    given = scene(0.05)
+    assert asperity.Scene.parse(given.to_toml()) == given
+    assert given.replace(work_of_adhesion=0.02).interface.work_of_adhesion == 0.02
+
+
+def test_a_skewness_of_two_is_exponential_and_follows_the_deviation() -> None:
+    d = np.array([-0.5, 1.0, 3.0])
+    skewed = scene(None, heights={"skewness": 2.0})
+    gw = asperity.model("gw")
+    wanted = gw.solve(scene(None, heights="exponential"), d + 1.0).force
+    np.testing.assert_allclose(gw.solve(skewed, d).force, wanted, rtol=1e-9)
+    twice = gw.solve(skewed.replace(asperity_height_std=2e-6), d).force
+    np.testing.assert_allclose(twice, 2.0**1.5 * wanted, rtol=1e-9)
+    assert asperity.Scene.parse(skewed.to_toml()) == skewed
+    for wrong in ({"skewness": 9.0}, {"kurtosis": 3.0}):
+        with pytest.raises(ValueError, match="skewness"):
+            scene(None, heights=wrong)
