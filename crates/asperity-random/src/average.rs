@@ -1,6 +1,6 @@
 //! The law of one asperity, averaged over curvatures, part by part.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
 use asperity_core::{
@@ -9,7 +9,7 @@ use asperity_core::{
 };
 use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
 
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
 
 /// Of the tables, relative to the law's envelope: rounding would be fitted below.
@@ -57,9 +57,11 @@ impl AsperityModel for Average<'_> {
             breaks.extend(&part.kinks);
             breaks.sort_by(f64::total_cmp);
             let form = part.form.clone();
-            let integral = Integral { form, scale, breaks, power };
+            // Of those that come of interferences above this, most come of those near it.
+            let deep = (part.range.start / scale).max(SQRT_2);
+            let integral = Integral { form, scale, breaks, power, deep };
             let table = Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
-            let form = Form::sampled(Arc::new(Averaged(table)));
+            let form = Form::sampled(Arc::new(Averaged { table, deep }));
             let (range, kinks) = (FIRST..f64::INFINITY, vec![BEGIN]);
             Part { range, kinks, form, ..part.clone() }
         };
@@ -76,28 +78,29 @@ impl AsperityModel for Average<'_> {
     }
 }
 
-/// How the average runs as a function of u, smoothly: as exp(-u²/2) below 0 and as u^(3/2) above.
-fn envelope(u: f64) -> f64 {
-    let root = (u * u + 4.0).sqrt();
-    // above - below = u, and their product is 1.
-    let above = if u < 0.0 { 2.0 / (root - u) } else { 0.5 * (root + u) };
-    let below = 1.0 / above;
-    above * above.sqrt() * (-0.5 * below * below).exp()
+/// How the average runs as a function of u, smoothly: for y = √2, as exp(-u²/2) below 0 and as
+/// u^(3/2) above; for more, as exp(-κ*²/4).
+fn envelope(u: f64, deep: f64) -> f64 {
+    let above = SQRT_2 / highest(u, SQRT_2);
+    above * above.sqrt() * (-0.25 * highest(u, deep).powi(2)).exp()
 }
 
 /// A table of x M/envelope, x = u + `BEGIN`.
-struct Averaged(Tabulated);
+struct Averaged {
+    table: Tabulated,
+    deep: f64,
+}
 
 impl Sampler for Averaged {
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
         for (out, &x) in out.iter_mut().zip(x) {
-            *out = self.0.value(x)? / x * envelope(x - BEGIN);
+            *out = self.table.value(x)? / x * envelope(x - BEGIN, self.deep);
         }
         Ok(())
     }
 
     fn relative_error(&self, x: &[f64]) -> f64 {
-        self.0.relative_error(x)
+        self.table.relative_error(x)
     }
 }
 
@@ -114,6 +117,8 @@ struct Integral {
     breaks: Vec<f64>,
     /// n.
     power: i32,
+    /// The y that the envelope is of.
+    deep: f64,
 }
 
 impl Integral {
@@ -135,13 +140,17 @@ impl Integral {
                 let mut value = [0.0];
                 let sampled = self.form.sample(&[x], &mut value);
                 // Powers and closed forms refuse nothing; what did would not be a number here.
-                sampled.map_or(f64::NAN, |()| 2.0 * p.x * value[0] * kernel.value(y.max(still)))
+                sampled.map_or(f64::NAN, |()| {
+                    2.0 * p.x * value[0] * kernel.value(y.max(still), y.max(still) - self.deep)
+                })
             });
             total.value += found.value;
             total.error += found.error;
             total.evaluations += found.evaluations;
         }
-        let factor = (1.5 / PI).sqrt() * x / envelope(u);
+        // What is left of the envelope.
+        let above = SQRT_2 / highest(u, SQRT_2);
+        let factor = (1.5 / PI).sqrt() * x / (above * above.sqrt());
         Estimate { value: factor * total.value, error: factor * total.error, ..total }
     }
 }
@@ -149,18 +158,16 @@ impl Integral {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::SQRT_2;
-
     use asperity_core::Power;
     use asperity_quadrature::gauss_kronrod;
 
     fn integral(exponent: f64, power: i32) -> Integral {
         let (form, breaks) = ([Power::new(1.0, exponent)].into(), vec![0.0, f64::INFINITY]);
-        Integral { form, scale: 1.0, breaks, power }
+        Integral { form, scale: 1.0, breaks, power, deep: SQRT_2 }
     }
 
     fn value(integral: &Integral, u: f64) -> f64 {
-        integral.enveloped(u + BEGIN).value / (u + BEGIN) * envelope(u)
+        integral.enveloped(u + BEGIN).value / (u + BEGIN) * envelope(u, SQRT_2)
     }
 
     #[test]
