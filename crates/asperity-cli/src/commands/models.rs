@@ -31,7 +31,7 @@ impl Models {
         // The last ones are too wide to be looked at.
         let shown = if self.output.format == Format::Table { 5 } else { all.len() };
         let mut table = Table::new(&all[..shown]);
-        for model in Model::named() {
+        for model in [Model::all(), Model::whole_surface(), Model::adhesive()].concat() {
             let (source, claims) = (model.source(), model.claims());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: String = model.notes().iter().map(ToString::to_string).collect();

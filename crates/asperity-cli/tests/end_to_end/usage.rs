@@ -27,7 +27,7 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --separation 1:4:5:lgo", "only log may follow"),
         ("curve scene.toml --separation 0:4:5:log", "begin above 0"),
         ("curve scene.toml --load 0:100:5", "0 is not above 0"),
-        ("curve scene.toml --load 10N", "\"10N\" is not a number"),
+        ("curve scene.toml --load 10mm", "\"10mm\" is no number in N"),
         ("curve scene.toml --load 1:10", "how many numbers from A to B"),
         ("curve scene.toml --load 5 --separation 2", "cannot be used with"),
         ("curve scene.toml --pressure 5 --load 2", "cannot be used with"),

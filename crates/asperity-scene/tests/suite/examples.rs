@@ -20,7 +20,7 @@ fn every_example_is_solved_by_every_model_it_allows() {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let paths: Vec<PathBuf> =
         std::fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path()).collect();
-    assert_eq!(paths.len(), 5);
+    assert_eq!(paths.len(), 6);
     for path in paths {
         let file = load(&path).unwrap();
         assert!(file.warnings.is_empty(), "{:?}", file.warnings);
