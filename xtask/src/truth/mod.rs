@@ -149,9 +149,9 @@ impl Asked {
 /// A text that is no evidence of these surfaces.
 pub fn asked_anew(text: &str, scope: &Scope) -> Result<String> {
     let mut table = Table::new(&COLUMNS);
-    let mut last: Option<([f64; 2], Asked)> = None;
+    let mut last: Option<(String, Asked)> = None;
     for case in Evidence::parse(text)?.cases() {
-        let key = [case.alpha, case.plasticity_index];
+        let key = picture::case(case.alpha, case.plasticity_index);
         let asked = match last.take() {
             Some((known, asked)) if known == key => asked,
             _ => {
