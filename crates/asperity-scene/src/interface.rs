@@ -60,7 +60,7 @@ fn of_bodies(
         }
         (None, more, _) => {
             let needed = "two tables [[body]], or one with rigid_counterface = true";
-            let found = format_args!("a list of {}", more.len());
+            let found = format!("a list of {}", more.len());
             Err(SceneError::value(document.place("body"), found, needed))
         }
     }

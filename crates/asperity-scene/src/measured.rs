@@ -76,7 +76,7 @@ pub(crate) fn measured(
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
-            let found = format_args!("a list of {}", files.len());
+            let found = format!("a list of {}", files.len());
             return Err(SceneError::value(document.place("surface.files"), found, needed));
         }
         (file, None) => {

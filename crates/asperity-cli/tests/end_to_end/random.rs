@@ -10,6 +10,7 @@ fn bench() -> Bench {
         template.replace("\nasperity_radius = 2e-4 ", "\nm0 = 1.6e-13\nm2 = 2.5e-3\nm4 = 3e8\n# ");
     let equal =
         equal.replace("\nasperity_density", "\n# ").replace("\nasperity_height_std", "\n# ");
+    let equal = equal.replace("hardness = 2e9", "hardness = 7e9");
     bench.write("equal.toml", &equal);
     bench.write("random.toml", &equal.replace("= \"equal\"", "= \"random\""));
     bench

@@ -70,7 +70,7 @@ impl Table {
                 continue;
             }
             match &mut rows {
-                Some(rows) if line.starts_with(b"#") => {}
+                Some(_) if line.starts_with(b"#") => {}
                 Some(rows) => rows.add(number, line)?,
                 None if is_row(line) => {
                     let mut first = Rows::of(line, bytes.len());
