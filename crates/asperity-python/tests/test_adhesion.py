@@ -8,9 +8,9 @@ RUBBER = asperity.Body(1e6, 0.5)
 SURFACE = asperity.Surface(1e-4, 1e9, 1e-6)
 
 
-def scene(work: float | None, **others: object) -> asperity.Scene:
+def scene(work: float | None, heights: str | dict[str, float] = "gaussian") -> asperity.Scene:
     interface = asperity.Interface.against_rigid(RUBBER, work_of_adhesion=work)
-    return asperity.Scene(interface, SURFACE, 1e-4, **others)
+    return asperity.Scene(interface, SURFACE, 1e-4, heights)
 
 
 def test_adhesive_models_pull_and_go_over_into_greenwood_and_williamson() -> None:
