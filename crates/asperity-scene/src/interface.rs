@@ -60,8 +60,11 @@ fn of_bodies(
         }
         (None, more, _) => {
             let needed = "two tables [[body]], or one with rigid_counterface = true";
-            let found = format!("a list of {}", more.len());
-            Err(SceneError::value(document.place("body"), found, needed))
+            Err(SceneError::value(
+                document.place("body"),
+                format_args!("a list of {}", more.len()),
+                needed,
+            ))
         }
     }
 }

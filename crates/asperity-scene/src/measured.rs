@@ -76,8 +76,11 @@ pub(crate) fn measured(
         }
         (_, Some(files)) => {
             let needed = "a list of two paths, of the two surfaces in contact";
-            let found = format!("a list of {}", files.len());
-            return Err(SceneError::value(document.place("surface.files"), found, needed));
+            return Err(SceneError::value(
+                document.place("surface.files"),
+                format_args!("a list of {}", files.len()),
+                needed,
+            ));
         }
         (file, None) => {
             let at = "surface.file";
