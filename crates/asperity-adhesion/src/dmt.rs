@@ -45,6 +45,7 @@ impl AsperityModel for DerjaguinMullerToporov {
 
     fn claims(&self) -> Claims {
         Claims::with_adhesion()
+            .for_tabor(0.0, 0.1)
             .valid_for("elastic asperities that stick, Tabor's parameter below about 0.1")
             .holds_to(1.0)
     }

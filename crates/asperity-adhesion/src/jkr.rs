@@ -132,6 +132,7 @@ impl AsperityModel for JohnsonKendallRoberts {
 
     fn claims(&self) -> Claims {
         Claims::with_adhesion()
+            .for_tabor(5.0, f64::INFINITY)
             .valid_for("elastic asperities that stick, Tabor's parameter above about 5")
             .holds_to(1.0)
     }

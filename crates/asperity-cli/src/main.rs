@@ -27,7 +27,7 @@ use commands::{
     unload,
 };
 
-/// Rough surfaces in contact: force, real area and stiffness by nine published models
+/// Rough surfaces in contact: force, real area and stiffness by published models, beside boundary elements
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, arg_required_else_help = true)]
 #[command(after_help = "Examples:

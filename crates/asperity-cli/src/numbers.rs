@@ -46,14 +46,6 @@ impl Numbers {
     }
 }
 
-impl FromStr for Span {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        Self::read(text, number)
-    }
-}
-
 impl Span {
     fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         let parts: Vec<&str> = text.split(':').collect();
@@ -127,7 +119,21 @@ fn with_unit(text: &str, si: &str) -> Result<f64, String> {
 
 /// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
 pub fn range(text: &str) -> Result<Span, String> {
-    match text.parse()? {
+    even(text, number)
+}
+
+/// The same of forces above 0, in N or with their unit.
+pub fn range_of_loads(text: &str) -> Result<Span, String> {
+    even(text, load)
+}
+
+/// The same of pressures above 0, in Pa or with their unit.
+pub fn range_of_pressures(text: &str) -> Result<Span, String> {
+    even(text, pressure)
+}
+
+fn even(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Span, String> {
+    match Span::read(text, number)? {
         Span { log: true, .. } => Err("A:B or A:B:N was expected, without log".into()),
         span => Ok(span),
     }
@@ -175,6 +181,8 @@ mod tests {
         assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
         let span = range("0:4").unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
+        assert_eq!(range_of_loads("10:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
+        assert!(range_of_pressures("0:1MPa").is_err() && range_of_loads("1:2kN:3:log").is_err());
         assert_eq!(range("-1:4:9").unwrap().count, Some(9));
     }
 

@@ -21,7 +21,8 @@ const SHAPES: [f64; 2] = [1.0 / 64.0, 1.0];
 /// One number for what wear and machining do to a Gaussian surface: peaks worn off (skewness
 /// below 0) or sharp ones left (above 0; at 2 they are exponential). Published for asymmetric
 /// heights of asperities \[recalled\]; other densities of the same skewness differ in the tails,
-/// which are what touches. The skewness is that of the asperities, not the Ssk of the surface,
+/// which are what touches. Bounds are those of the density with [`shape`](Self::shape), whose skewness
+/// is the one asked for to 1e-12. The skewness is that of the asperities, not the Ssk of the surface,
 /// which has valleys too.
 ///
 /// ```
@@ -64,8 +65,11 @@ impl WeibullHeights {
         }
         let [mut from, mut to] = SHAPES;
         // The skewness rises with 1/k.
-        while to - from > 1e-13 {
+        loop {
             let middle = 0.5 * (from + to);
+            if middle <= from || middle >= to {
+                break;
+            }
             let below = Standard::new(middle).skewness() < skewness;
             if below { from = middle } else { to = middle }
         }
@@ -148,10 +152,13 @@ impl Heights for Standard {
     }
 
     fn ln_density(&self, zeta: f64) -> f64 {
-        if zeta < self.support().0 {
+        let above = zeta - self.support().0;
+        if above < 0.0 {
             return f64::NEG_INFINITY;
         }
-        let ln = (self.spread * zeta).ln_1p();
+        // Next to the lowest asperity the distance from it counts, to the last digit.
+        let near = self.spread * zeta < -0.5;
+        let ln = if near { (self.spread * above).ln() } else { (self.spread * zeta).ln_1p() };
         let factor = (self.spread * self.shape).ln() + self.ln_scale;
         let power = if self.shape > 1.0 { (self.shape - 1.0) * ln } else { 0.0 };
         factor + power - (self.shape * ln + self.ln_scale).exp()

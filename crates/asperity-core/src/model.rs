@@ -58,6 +58,8 @@ pub struct Claims {
     pub angles: bool,
     /// The surfaces attract each other: forces may be negative, and jump where a contact begins.
     pub adhesive: bool,
+    /// The range of Tabor's parameter for which adhesive laws are derived.
+    pub tabor: Option<[f64; 2]>,
     /// What the model is valid for, in a few words; empty where nothing is said.
     pub valid_for: &'static str,
     /// The interference over w_c up to which the laws are derived or fitted; `None` where nothing is
@@ -85,6 +87,7 @@ impl Default for Claims {
             hertz_limit: Some(1.0),
             angles: false,
             adhesive: false,
+            tabor: None,
             valid_for: "",
             holds_to: None,
             misses: None,
@@ -115,6 +118,12 @@ impl Claims {
     #[must_use]
     pub fn with_adhesion() -> Self {
         Self { adhesive: true, ..Self::default().not_monotone().without_hertz_limit() }
+    }
+
+    /// The adhesive laws hold where Tabor's parameter is from `least` to `most`.
+    #[must_use]
+    pub fn for_tabor(self, least: f64, most: f64) -> Self {
+        Self { tabor: Some([least, most]), ..self }
     }
 
     /// The laws are derived or fitted up to this multiple of w_c.

@@ -68,6 +68,15 @@ impl Scene {
         self.surface.asperity_density * self.nominal_area
     }
 
+    /// θ = E σ_z^1.5/(w_a √R), Fuller & Tabor's adhesion parameter: above about 10, roughness hides
+    /// adhesion. `None` without a work of adhesion above 0. \[recalled\]
+    #[must_use]
+    pub fn adhesion_parameter(&self) -> Option<f64> {
+        let Surface { asperity_radius: radius, asperity_height_std: sigma, .. } = self.surface;
+        let work = self.interface.work_of_adhesion.filter(|work| *work > 0.0)?;
+        Some(self.interface.equivalent_modulus * sigma / work * (sigma / radius).sqrt())
+    }
+
     /// ψ = √(σ_z/w_c), the plasticity index.
     ///
     /// # Errors

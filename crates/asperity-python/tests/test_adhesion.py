@@ -13,14 +13,22 @@ def scene(work: float | None, heights: str | dict[str, float] = "gaussian") -> a
     return asperity.Scene(interface, SURFACE, 1e-4, heights)
 
 
+@pytest.mark.filterwarnings("ignore:tabor_parameter is")
 def test_adhesive_models_pull_and_go_over_into_greenwood_and_williamson() -> None:
     d = np.array([0.5, 1.5, 2.5])
-    gw = asperity.model("gw").solve(scene(0.05), d).force
+    gw = asperity.model("gw").solve(scene(None), d).force
     for model in ("dmt", "jkr"):
         without = asperity.model(model).solve(scene(0.0), d).force
         np.testing.assert_allclose(without, gw, rtol=1e-9)
         with pytest.warns(asperity.ContactWarning, match="negative"):
             assert asperity.model(model).solve(scene(0.05), d).force[2] < 0.0
+
+
+def test_what_leaves_adhesion_out_says_so() -> None:
+    with pytest.warns(asperity.ContactWarning, match="GW leaves the work_of_adhesion out"):
+        asperity.model("gw").solve(scene(0.05), 1.0)
+    with pytest.warns(asperity.ContactWarning, match="DMT holds from 0 to 0.1: jkr is nearer"):
+        asperity.model("dmt").solve(scene(0.05), -3.0)
 
 
 def test_a_work_of_adhesion_is_asked_for_by_name_and_is_read_back() -> None:

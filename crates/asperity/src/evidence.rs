@@ -21,13 +21,13 @@ const ELASTIC: f64 = 1.0 / BEYOND;
 /// use asperity::{Evidence, Interface, ProfileMoments, Scene, Surface};
 ///
 /// let surface = Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4: 3e8 })?;
-/// let scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
+/// let mut scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
 /// let near = Evidence::committed().nearest(&scene, 2e8)?;
 /// let off = near.deviation("ke").and_then(|found| found.area);
 /// assert!(near.away < 2.0 && off.is_some_and(|off| off.abs() < 0.5), "{near:?}");
 /// // Nothing is known of a surface with so many scales.
-/// let broad = Surface::from_moments(&ProfileMoments { m0: 1e-11, m2: 2.5e-3, m4: 1e9 })?;
-/// let refused = Evidence::committed().nearest(&Scene { surface: broad, ..scene }, 2e8);
+/// scene.surface = Surface::from_moments(&ProfileMoments { m0: 1e-11, m2: 2.5e-3, m4: 1e9 })?;
+/// let refused = Evidence::committed().nearest(&scene, 2e8);
 /// assert!(refused.unwrap_err().to_string().contains("alpha"));
 /// # Ok::<(), asperity::ContactError>(())
 /// ```
@@ -196,10 +196,14 @@ impl Evidence {
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] naming what of the scene has no evidence, and the range that has;
-    /// [`ContactError::Unsupported`] for heights that are not Gaussian; what is wrong with the scene.
+    /// [`ContactError::Unsupported`] for heights that are not Gaussian and surfaces that stick; what is wrong with the scene.
     pub fn nearest(&self, scene: &Scene, pressure: f64) -> Result<Nearest<'_>, ContactError> {
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
             let what = "heights that are not Gaussian: no such surfaces were solved".into();
+            return Err(ContactError::Unsupported { model: "evidence".into(), what });
+        }
+        if scene.adhesion_parameter().is_some_and(|theta| theta < 10.0) {
+            let what = "surfaces that stick: none was solved with adhesion".into();
             return Err(ContactError::Unsupported { model: "evidence".into(), what });
         }
         let asperity = scene.asperity()?;

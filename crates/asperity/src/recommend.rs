@@ -169,7 +169,10 @@ impl Recommendation {
         let nearest: Vec<String> = ranked
             .iter()
             .take(3)
-            .map(|(off, id)| format!("{id} (at most {:.0} % off)", 100.0 * off))
+            .map(|(off, id)| match (100.0 * off).round() {
+                percent if percent < 1.0 => format!("{id} (less than 1 % off)"),
+                percent => format!("{id} (at most {percent:.0} % off)"),
+            })
             .collect();
         let (nearest, count) = (nearest.join(", "), found.len());
         format!(

@@ -10,7 +10,7 @@ use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
 use crate::args::{model_id, separation_unit};
-use crate::numbers::{Span, positive_number, range};
+use crate::numbers::{Span, positive_number, range, range_of_loads, range_of_pressures};
 use crate::output::{self, progress, say};
 use crate::scene::LoadedScene;
 
@@ -73,11 +73,11 @@ struct Ends {
     /// From one separation to another, in N nodes
     #[arg(long, value_name = "A:B[:N]", value_parser = range)]
     separation: Option<Span>,
-    /// From one load to another, in N
-    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
+    /// From one load to another, in N, or with a unit as 2kN
+    #[arg(long, value_name = "A:B[:N]", value_parser = range_of_loads)]
     load: Option<Span>,
-    /// From one pressure on the nominal area to another, in Pa
-    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
+    /// From one pressure on the nominal area to another, in Pa, or with a unit as 5MPa
+    #[arg(long, value_name = "A:B[:N]", value_parser = range_of_pressures)]
     pressure: Option<Span>,
 }
 

@@ -43,7 +43,7 @@ pub struct Slip {
     /// Coefficient of friction
     #[arg(long, value_name = "MU", value_parser = positive_number)]
     friction: f64,
-    /// Largest shift, in m
+    /// Largest shift, in m, or with a unit as 100nm
     #[arg(long, value_name = "M", value_parser = length)]
     amplitude: f64,
     /// Shifts from -amplitude to +amplitude

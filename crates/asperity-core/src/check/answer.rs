@@ -17,6 +17,8 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 const FEW: f64 = 30.0;
 /// w/R beyond which an asperity is no longer a cap that is pressed a little.
 const DEEP: [f64; 2] = [0.3, 1.0];
+/// θ above which roughness hides adhesion.
+const HIDDEN: f64 = 10.0;
 /// Fewer of the contacts than this carry no per cent of a load.
 const NEGLIGIBLE: f64 = 1e-6;
 /// p/H of the models that go on rising where contacts are plastic (JG, AF) is still below this.
@@ -119,6 +121,7 @@ impl Check {
         check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.say("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction));
+        check.extend(sticks(model, scene));
         if place.is_some() {
             check.say("contacts", contacts, "", "asperities that touch");
         }
@@ -193,6 +196,29 @@ fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool 
     let depth = DEEP[0] * surface.asperity_radius / surface.asperity_height_std;
     let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
+}
+
+/// Adhesion that a scene has and a model does not know, or knows beyond what it is derived for.
+fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
+    let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
+    let name = model.name();
+    let Some([least, most]) = model.claims().tabor else {
+        let message = format!(
+            "adhesion_parameter is {}: at less than {HIDDEN} surfaces stick, and {name} leaves the work_of_adhesion out: ask dmt or jkr",
+            short(theta)
+        );
+        let (field, usual) = ("adhesion_parameter", [HIDDEN, f64::INFINITY]);
+        return Some(Finding::new("sticks", Severity::Warning, field, theta, usual, message));
+    };
+    let tabor = scene.asperity().ok()?.tabor_parameter()?;
+    let other = if tabor > most { "jkr" } else { "dmt" };
+    let message = format!(
+        "tabor_parameter is {}: {name} holds from {least} to {most}: {other} is nearer",
+        short(tabor)
+    );
+    let (field, usual) = ("tabor_parameter", [least, most]);
+    let finding = Finding::new("tabor", Severity::Warning, field, tabor, usual, message);
+    (!(least..=most).contains(&tabor)).then_some(finding)
 }
 
 /// A load that asperities carry which yield, by a model that knows no yielding.

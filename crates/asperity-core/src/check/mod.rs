@@ -122,11 +122,10 @@ impl Scene {
             }
         }
         if let (Some(work), Some(tabor)) = (asperity.work_of_adhesion, asperity.tabor_parameter()) {
-            let stiff = asperity.equivalent_modulus * sigma / work * (sigma / r).sqrt();
             check.say("work_of_adhesion", work, "J/m2", "w_a");
             let meaning = "(R w_a^2/(E^2 z0^3))^(1/3), z0 = 0.3 nm: dmt below 0.1, jkr above 5";
             check.say("tabor_parameter", tabor, "", meaning);
-            if stiff.is_finite() {
+            if let Some(stiff) = self.adhesion_parameter() {
                 let meaning =
                     "theta = E sigma_z^1.5/(w_a sqrt(R)): above 10 roughness hides adhesion";
                 check.say("adhesion_parameter", stiff, "", meaning);
