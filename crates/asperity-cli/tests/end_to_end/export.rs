@@ -84,10 +84,14 @@ fn a_table_may_be_between_loads_or_pressures() {
     let metres = column(&of("--separation 0:2e-6:5 --separation-unit m"), "clearance_m");
     assert_eq!((metres[0], metres.len()), (0.0, 5));
     assert!((metres[4] / 2e-6 - 1.0).abs() < 1e-14);
-    for (words, said) in [("1:1e30:9", "ke: load is 1e30 N"), ("-1:5:9", "ke: load is -1.0")] {
-        let run = bench.run(&format!("export scene.toml --model ke --as csv --load {words}"));
-        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{words}");
-        assert!(run.words.contains(&format!("scene.toml: {said}")), "{}", run.words);
+    assert_eq!(of("--load 1N:0.1kN:9"), table);
+    for (words, code, said) in [
+        ("1:1e30:9", 1, "scene.toml: ke: load is 1e30 N"),
+        ("-1:5:9", 2, "-1 is not above 0, which was expected"),
+    ] {
+        let run = bench.run(&format!("export scene.toml --model ke --as csv --load={words}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{words}");
+        assert!(run.words.contains(said), "{}", run.words);
     }
 }
 
