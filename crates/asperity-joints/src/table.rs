@@ -17,6 +17,8 @@ const TERMS: usize = 8;
 const STRIP: f64 = 0.5;
 /// A strip or cell is halved no more often than this.
 const DEEPEST: u32 = 14;
+/// Retreats shorter than this part of σ_z leave no contact behind.
+const NEGLIGIBLE: f64 = 1e-6;
 
 /// A joint, tabulated for many steps.
 #[derive(Debug, Clone)]
@@ -107,11 +109,13 @@ impl Joint {
         while !nothing(&values(at(last)?), &start) {
             last *= 1.5;
         }
-        while nothing(&values(at(0.5 * last)?), &start) {
+        // Where nothing touches, nothing is left at any retreat.
+        while last > NEGLIGIBLE * sigma && nothing(&values(at(0.5 * last)?), &start) {
             last *= 0.5;
         }
         // The smallest force of a strip is what its errors are held against.
-        let aim = 0.3 * tolerance * start.iter().fold(whole, |m: f64, f| m.min(*f));
+        let smallest = start.iter().filter(|force| **force > 0.0);
+        let aim = 0.3 * tolerance * smallest.fold(whole, |m: f64, f| m.min(*f));
         let mut cells = vec![];
         let mut pending = vec![(0.0, last, 0)];
         while let Some((low, high, halved)) = pending.pop() {

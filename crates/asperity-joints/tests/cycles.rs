@@ -5,7 +5,8 @@
 
 use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{
-    At, ContactModel, HeightDistribution, Interface, Quantity, Scene, Surface, Tolerance,
+    At, ContactModel, HeightDistribution, Interface, Quantity, Scene, Surface, TabulatedHeights,
+    Tolerance,
 };
 use asperity_etsion::EtsionKligermanKadin;
 use asperity_gw::GreenwoodWilliamson;
@@ -136,6 +137,18 @@ fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
     }
     let refused = restitution(&EtsionKligermanKadin, &asperity, -1.0, UnloadingLaw::Hertz, tight());
     assert!(refused.unwrap_err().to_string().starts_with("interference is -1.0"));
+}
+
+#[test]
+fn tables_end_where_nothing_touches() {
+    // Heights that end 2 σ_z above their mean: beyond, no retreat is the last contact.
+    let mut scene = scene(2.0);
+    let points = [(-2.0 * SIGMA, 0.25 / SIGMA), (2.0 * SIGMA, 0.25 / SIGMA)];
+    scene.heights = HeightDistribution::other(TabulatedHeights::new("flat", &points).unwrap());
+    let tolerance = Tolerance::new(1e-8).unwrap();
+    let joint = Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
+    let table = joint.table((2.5 * SIGMA, 4.0 * SIGMA), 1e-4).unwrap();
+    assert_eq!(table.at(3.5 * SIGMA, 3.0 * SIGMA).unwrap().force, 0.0);
 }
 
 #[test]

@@ -64,7 +64,7 @@ pub fn write(figures: &Path) -> Result<Vec<PathBuf>> {
 /// Solves the small case for the tests; returns its path.
 ///
 /// # Errors
-/// Those of [`write`].
+/// Those of [`write()`].
 pub fn write_small() -> Result<Vec<PathBuf>> {
     let folder = figures_folder().with_file_name("tests").join("reference");
     save(&folder, [("truth_small.csv".to_owned(), solve(&SMALL)?)])
