@@ -3,9 +3,7 @@
 
 use std::f64::consts::{LN_10, PI};
 
-use asperity::{
-    At, Case, HeightDistribution, Request, Surface, Sweep, Tolerance, WeibullHeights,
-};
+use asperity::{At, Case, HeightDistribution, Request, Surface, Sweep, Tolerance, WeibullHeights};
 
 use super::{ASKED, densities::scene};
 use crate::scenes::{compiled, model};
