@@ -103,7 +103,9 @@ pub(crate) fn separations<'py>(
         if one.is_some() || all { each(range) } else { largest(range) }
     };
     let (mut values, mut counts, mut failed) = (vec![], vec![], vec![]);
-    stretches(py, &*pool(None)?, rows.len(), TOGETHER, run, |found| {
+    // All separations of a load take long: Ctrl-C is heard between fewer.
+    let together = if all { TOGETHER / 8 } else { TOGETHER };
+    stretches(py, &*pool(None)?, rows.len(), together, run, |found| {
         for (row, found) in found {
             counts.push(found.as_ref().map_or(0, Vec::len) as i64);
             match found {

@@ -67,10 +67,10 @@ def interrupted_after(seconds: float, call: Any) -> float:
 @pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
 @pytest.mark.parametrize("what", ["one scene", "many scenes", "angles", "loads", "crossings"])
 def test_ctrl_c_is_heard_soon(what: str, scene: asperity.Scene) -> None:
-    # Below the lowest asperity each value is integrated anew: minutes, if nobody stops it.
+    # Seconds to minutes, if nobody stops it.
     exponential = asperity.Scene(scene.interface, scene.surface, 1e-4, heights="exponential")
     deep = np.linspace(-4, -1, 10_000_000)
-    drawn = scene.vary(hardness=np.linspace(1e9, 3e9, 30_000))
+    drawn = scene.vary(hardness=np.linspace(1e9, 3e9, 3_000))
     ke, at = asperity.model("ke"), asperity.model("at")
     calls = {
         "one scene": lambda: ke.solve(exponential, deep),

@@ -3,7 +3,9 @@
 
 use std::f64::consts::{LN_10, PI};
 
-use asperity::{At, Case, HeightDistribution, Request, Surface, Sweep, Tolerance, WeibullHeights};
+use asperity::{
+    At, Case, HeightDistribution, Quantity, Request, Surface, Sweep, Tolerance, WeibullHeights,
+};
 
 use super::{ASKED, densities::scene};
 use crate::scenes::{compiled, model};
@@ -73,6 +75,22 @@ fn force_area_and_tangent_are_those_of_mpmath() {
         }
     }
     assert_eq!(count, 90);
+}
+
+#[test]
+fn the_lowest_asperities_are_counted_whatever_the_slope_there() {
+    // Below all of them, everything is in contact: π R η A_n σ_z (m - d), for any density.
+    let gw = model("gw");
+    for step in 0..=120 {
+        let skewness = -1.0 + 0.025 * f64::from(step);
+        let scene = scene(skewed(skewness.min(2.0)));
+        let contact = compiled(&gw, &scene, &[Quantity::Area], 1e-10);
+        let Surface { asperity_radius: radius, asperity_height_std: sigma, .. } = scene.surface;
+        let found = contact.evaluate(Quantity::Area, -50.0).unwrap();
+        let wanted = PI * radius * scene.asperities() * sigma * 50.0;
+        let error = (found.value() / wanted - 1.0).abs();
+        assert!(error <= found.relative_error(), "{skewness}: {error:e} {found:?}");
+    }
 }
 
 #[test]

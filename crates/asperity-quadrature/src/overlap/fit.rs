@@ -250,8 +250,11 @@ impl<'s> Fitter<'s> {
             if doubt * most.exp() > HIDDEN {
                 return Err(self.source.fault(WeightFault::Pole { at: fit.low }));
             }
+            // The error is that of the series, where there is one: a line may be far worse.
             let ends = [fit.samples[0].exp(), fit.samples[NODES - 1].exp()];
-            self.panels.push(Panel::new(fit.low, fit.high, Shape::Linear(ends), fit.error));
+            let one = fit.error < 1.0;
+            let shape = if one { Shape::Series(fit.series) } else { Shape::Linear(ends) };
+            self.panels.push(Panel::new(fit.low, fit.high, shape, fit.error));
             self.kinks.push(0.5 * (fit.low + fit.high));
             return Ok(());
         }
