@@ -88,6 +88,12 @@ impl WeibullHeights {
     pub fn shape(&self) -> f64 {
         self.standard.shape
     }
+
+    /// ln φ(ζ); -∞ below the lowest asperity.
+    #[must_use]
+    pub fn ln_density(&self, zeta: f64) -> f64 {
+        self.standard.ln_density(zeta)
+    }
 }
 
 impl TryFrom<Skewness> for WeibullHeights {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Source,
-    Tolerance,
+    At, Contact, ContactError, ContactModel, Evaluation, HeightDistribution, Quantity, Request,
+    Scene, Source, Tolerance,
 };
 use asperity_quadrature::gauss_kronrod;
 
@@ -132,9 +132,33 @@ impl Joint {
         closest: &[f64],
     ) -> Result<Vec<Evaluation>, ContactError> {
         let model = Retreated::new((&self.source, &self.name), &self.loading, asked, retreat)?;
+        let scene = self.scene();
+        let lost = |place: f64| {
+            nothing_above(scene, place + model.first / scene.surface.asperity_height_std)
+        };
+        let touching = closest.iter().copied().filter(|place| !lost(*place));
         let request = Request::new([Quantity::Force]).within(self.tolerance);
-        let answer = model.solve(self.scene(), &request.at(closest.iter().copied()))?;
-        let rows = answer.columns.into_iter().flat_map(|column| column.rows);
-        rows.map(|row| row.map_err(|error| *error)).collect()
+        let answer = model.solve(scene, &request.at(touching))?;
+        let mut rows = answer.columns.into_iter().flat_map(|column| column.rows);
+        let next = |place: &f64| {
+            if lost(*place) {
+                return Ok(Evaluation::new(0.0, 0.0));
+            }
+            let missing = ContactError::NotRequested { quantity: Quantity::Force };
+            rows.next().unwrap_or_else(|| Err(missing.into())).map_err(|error| *error)
+        };
+        closest.iter().map(next).collect()
+    }
+}
+
+/// Whether no double holds how many asperities are higher than this \[σ_z\]: Weibull's density may end
+/// so steeply that places there have no digits for its logarithm.
+fn nothing_above(scene: &Scene, place: f64) -> bool {
+    const LN_NOTHING: f64 = -1e4;
+    match &scene.heights {
+        HeightDistribution::Weibull(heights) => {
+            place > 0.0 && heights.ln_density(place) < LN_NOTHING
+        }
+        _ => false,
     }
 }

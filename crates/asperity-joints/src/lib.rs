@@ -59,6 +59,7 @@
 
 pub mod conductance;
 mod joint;
+mod left;
 mod one;
 mod path;
 mod slip;

@@ -10,6 +10,7 @@ use asperity_core::{
 use asperity_quadrature::gauss_kronrod;
 
 use crate::UnloadingLaw;
+use crate::left::Left;
 
 /// What is asked of the asperity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,13 +102,20 @@ impl Loading {
         })
     }
 
-    fn answer(&self, w: f64, u: f64, asked: Asked) -> Result<f64, QuadratureError> {
+    /// `left` is 1 - u/δ, where that is known better than from δ.
+    fn answer(
+        &self,
+        w: f64,
+        u: f64,
+        left: Option<f64>,
+        asked: Asked,
+    ) -> Result<f64, QuadratureError> {
         let Pressed { force, area, recovered, exponent: n } = self.pressed(w)?;
         if force == 0.0 {
             return Ok(0.0);
         }
         let y = u / recovered;
-        let left = (1.0 - y).max(0.0);
+        let left = left.unwrap_or(1.0 - y).max(0.0);
         Ok(match asked {
             Asked::Force => force * left.powf(n),
             Asked::Area => area * left,
@@ -135,6 +143,11 @@ impl Loading {
         breaks.dedup_by(|a, b| (*a - *b).abs() <= 1e-14 * a.abs());
         breaks.push(f64::INFINITY);
         breaks
+    }
+
+    /// What is left of contacts from `low` on, where that has just lasted to u.
+    fn left_from(&self, ends: [f64; 2], u: f64) -> Result<Option<Left>, QuadratureError> {
+        Left::new(ends, u, |w| Ok(self.pressed(w)?.recovered))
     }
 
     /// From which w between two breaks on the contact lasts to u, if it does: δ grows with w.
@@ -221,7 +234,7 @@ pub fn restitution(
     breaks.push(w);
     let force = |x: f64| loading.force.value(x).unwrap_or(f64::NAN);
     let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST).map_err(failed)?;
-    let back = loading.answer(w, f64::INFINITY, Asked::Returned).map_err(failed)?;
+    let back = loading.answer(w, f64::INFINITY, None, Asked::Returned).map_err(failed)?;
     Ok((back / spent.value).sqrt())
 }
 
@@ -233,6 +246,8 @@ pub(crate) const MOST: usize = 100_000;
 pub(crate) struct Retreated<'u> {
     pub(crate) source: &'u Source,
     pub(crate) name: &'u str,
+    /// The first interference \[m\] that counts.
+    pub(crate) first: f64,
     /// It begins with the first interference that has not lost contact.
     law: Law,
 }
@@ -251,13 +266,15 @@ impl<'u> Retreated<'u> {
             Asked::Loss | Asked::Returned => value_unit * unit,
             Asked::Force | Asked::Released => value_unit,
         };
+        let failed = |source| {
+            let (quantity, at) = (Quantity::Force, At::metres(u));
+            ContactError::Integral { quantity, at, source }
+        };
         let whole = matches!(asked, Asked::Released | Asked::Loss | Asked::Returned);
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let start = loading.lasts_from([low, high], u).map_err(|source| {
-                ContactError::Integral { quantity: Quantity::Force, at: At::metres(u), source }
-            })?;
+            let start = loading.lasts_from([low, high], u).map_err(failed)?;
             // What has lost contact has released all there was.
             ranges.push((low, if whole { start.unwrap_or(high) } else { low }));
             ranges.extend(start.map(|start| (start, high)));
@@ -268,17 +285,23 @@ impl<'u> Retreated<'u> {
         let first = ranges.first().map_or(0.0, |(low, _)| *low);
         let mut law = Law::in_units(unit, value_unit).beginning_at(first / unit);
         for (low, high) in ranges {
+            // Where the first contact that lasts is at a kink, it lasts longer than just so.
+            let near = match u > 0.0 && low <= first && !whole {
+                true => loading.left_from([low, high], u).map_err(failed)?,
+                false => None,
+            };
             let loading = loading.clone();
             let sample = move |x: &[f64], out: &mut [f64]| {
                 for (out, x) in out.iter_mut().zip(x) {
-                    *out = loading.answer(first + x * unit, u, asked)? / value_unit;
+                    let left = near.as_ref().and_then(|near| near.at(x * unit));
+                    *out = loading.answer(first + x * unit, u, left, asked)? / value_unit;
                 }
                 Ok(())
             };
             let sampler: Arc<dyn Sampler> = Arc::new(sample);
             law = law.elastic((low - first) / unit..(high - first) / unit, Form::sampled(sampler));
         }
-        Ok(Self { source, name, law })
+        Ok(Self { source, name, first, law })
     }
 }
 

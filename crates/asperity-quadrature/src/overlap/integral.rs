@@ -13,6 +13,9 @@ const ROUNDING: f64 = 1e-14;
 const ATTAINABLE: f64 = 1e-13;
 /// Where a density that begins at 0 is looked at for its first value.
 const NEXT_TO_ZERO: f64 = 1e-30;
+/// Rounding of a large logarithm of the weight, and of the places it is sampled at, in units of its
+/// last place: far out it grows with some power of the distance.
+pub(crate) const LN_ROUNDING: f64 = 100.0;
 /// Logarithms of weights as far from 0 as this need a scale.
 pub(crate) const SCALED: f64 = 200.0;
 
@@ -160,6 +163,12 @@ impl Overlap {
         let own = self.density.relative_error(&run.looked_at);
         found.inputs = [0, 1].map(|_| 4.0 * shift * steepness + ROUNDING + own);
         found.inputs[1] += relative(1, places);
+        // What is as small as exp(-1e6) has no more digits: no sum mends that.
+        for (error, input) in found.errors.iter_mut().zip(&mut found.inputs) {
+            let part = run.noise.min(*error);
+            *error -= part;
+            *input += part;
+        }
         Ok(found)
     }
 

@@ -1,7 +1,7 @@
 //! One integral: groups far from the kinks of the density first, then strips, refined together.
 
 use super::fit::FAINT;
-use super::integral::Overlap;
+use super::integral::{LN_ROUNDING, Overlap};
 use super::lobatto::{NODES, dot, lobatto};
 use super::slope::{DERIVED, Slopes};
 use super::strip::{Strip, View};
@@ -43,6 +43,8 @@ pub(crate) struct Run<'a> {
     /// Some of the x the density was sampled at, where its error depends on them.
     pub(crate) looked_at: Vec<f64>,
     approximate: bool,
+    /// What rounding leaves unknown of the weight, relatively, where its logarithm is large.
+    pub(crate) noise: f64,
     pub(super) strips: Vec<Strip<'a>>,
 }
 
@@ -54,6 +56,7 @@ impl<'a> Run<'a> {
         start: f64,
     ) -> Self {
         let approximate = overlap.density.relative_error(&[]) > 0.0;
+        let noise = LN_ROUNDING * f64::EPSILON * view.ln_scale.abs();
         Self {
             overlap,
             weight,
@@ -66,6 +69,7 @@ impl<'a> Run<'a> {
             evaluations: 0,
             looked_at: vec![],
             approximate,
+            noise,
             strips: vec![],
         }
     }
@@ -233,7 +237,10 @@ impl<'a> Run<'a> {
         let mut strips = std::mem::take(&mut self.strips);
         let count = strips.len().max(1) as f64;
         while let Some(strip) = strips.pop() {
-            let allowed = [0, 1].map(|n| (aim / count).max(1e-17) * self.sizes[n]);
+            let allowed = [0, 1].map(|n| {
+                let share = (aim / count).max(1e-17) * self.sizes[n];
+                share.max(self.noise * strip.sizes[n])
+            });
             let resolved = strip.errors[0] <= allowed[0]
                 && (!slope || strip.errors[1] <= allowed[1] || strip.errors[1] <= strip.floor);
             let given_up =

@@ -1,0 +1,105 @@
+//! What is left of a contact next to the interference at which it is lost, without cancellation.
+
+use asperity_core::QuadratureError;
+
+/// Samples of the exponent.
+const NODES: usize = 12;
+/// How far it is followed, in ln w,
+const SPAN: f64 = 0.25;
+/// or so many times an eighth of that, where a kink below is near.
+const SHORTER: i32 = 5;
+/// Rounding of δ, in units of its last place.
+const ROUNDED: f64 = 8.0;
+/// δ is met at the first contact that lasts but for rounding, unless it jumps there.
+const MET: f64 = 1e-12;
+
+/// 1 - u/δ(w) for w beyond the one with δ = u.
+///
+/// δ/u = (w/first)^p with p next to constant: as 1 - (w/first)⁻ᵖ nothing cancels, where 1 - u/δ keeps
+/// no digit next to 0. Far in the tail of the heights that is where all of the force comes from.
+#[derive(Debug, Clone)]
+pub(crate) struct Left {
+    first: f64,
+    span: f64,
+    /// p at the nodes.
+    exponents: [f64; NODES],
+}
+
+impl Left {
+    /// From `first`, where δ grows to u, on to `high` at most; none where δ jumps beyond u, or is no
+    /// smooth function there.
+    pub(crate) fn new(
+        [first, high]: [f64; 2],
+        u: f64,
+        recovered: impl Fn(f64) -> Result<f64, QuadratureError>,
+    ) -> Result<Option<Self>, QuadratureError> {
+        if (recovered(first)? / u - 1.0).abs() > MET {
+            return Ok(None);
+        }
+        let ln = |s: f64| Ok::<_, QuadratureError>((recovered(first * s.exp())? / u).ln());
+        for shorter in 0..SHORTER {
+            let span = (high / first).ln().min(SPAN) / 8f64.powi(shorter);
+            let mut left = Self { first, span, exponents: [0.0; NODES] };
+            for (exponent, node) in left.exponents.iter_mut().zip(nodes()) {
+                *exponent = ln(span * node)? / (span * node);
+            }
+            let mut off: f64 = 0.0;
+            for v in [0.2, 0.4, 0.6, 0.8, 0.97] {
+                let s = span * v;
+                off = off.max((ln(s)? - s * left.exponent(v)).abs());
+            }
+            if off <= ROUNDED * f64::EPSILON {
+                return Ok(Some(left));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Of an asperity pressed by so much \[m\] more than the first that lasts, unless that is far.
+    pub(crate) fn at(&self, beyond: f64) -> Option<f64> {
+        let s = (beyond / self.first).ln_1p();
+        (s <= self.span).then(|| -(-s * self.exponent(s / self.span)).exp_m1())
+    }
+
+    /// The barycentric formula.
+    fn exponent(&self, v: f64) -> f64 {
+        let (mut above, mut below) = (0.0, 0.0);
+        for (k, (node, exponent)) in nodes().zip(self.exponents).enumerate() {
+            if v.total_cmp(&node).is_eq() {
+                return exponent;
+            }
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let weight = sign * (node * (1.0 - node)).sqrt() / (v - node);
+            above += weight * exponent;
+            below += weight;
+        }
+        above / below
+    }
+}
+
+/// Chebyshev's points of 0..1: none is 0.
+fn nodes() -> impl Iterator<Item = f64> {
+    let angle = |k: usize| std::f64::consts::PI * (2 * k + 1) as f64 / (2 * NODES) as f64;
+    (0..NODES).map(move |k| 0.5 * (1.0 + angle(k).cos()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Left;
+
+    #[test]
+    fn a_difference_next_to_nothing_keeps_its_digits() {
+        // δ = √w + w/10 from w = 2 on: δ - u in closed form.
+        let delta = |w: f64| w.sqrt() + 0.1 * w;
+        let u = delta(2.0);
+        let left = Left::new([2.0, f64::INFINITY], u, |w| Ok(delta(w))).unwrap().unwrap();
+        for beyond in [1e-18, 1e-12, 1e-6, 1e-3, 0.1, 0.5] {
+            let grown = beyond / ((2.0_f64 + beyond).sqrt() + 2f64.sqrt()) + 0.1 * beyond;
+            let (found, wanted) = (left.at(beyond).unwrap(), grown / (u + grown));
+            assert!((found / wanted - 1.0).abs() < 3e-13, "{beyond}: {found} {wanted}");
+        }
+        assert!(left.at(1.0).is_none(), "too far");
+        let jumps = Left::new([2.0, 3.0], 0.9 * u, |w| Ok(delta(w))).unwrap();
+        assert!(jumps.is_none());
+    }
+}
