@@ -99,8 +99,8 @@ impl Unloading {
         self.joint.law()
     }
 
-    /// The force \[N\] after going back by `retreat` \[m\], at least 0.  0 where no
-    /// double holds how many contacts are left.
+    /// The force \[N\] after going back by `retreat` \[m\], at least 0; 0
+    /// where no double holds how many contacts are left.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`], [`ContactError::Integral`].
