@@ -1,6 +1,7 @@
 //! One binary for all tests that need more than one crate.
 #![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
 
+mod arrays;
 mod check;
 mod contact_radii;
 mod figures;

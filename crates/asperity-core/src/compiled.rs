@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use asperity_quadrature::{Curvature, Moments};
 
+use crate::arrays;
 use crate::channel::{Channel, Laws, bases, failed};
 use crate::contact_radii;
 use crate::readings::{Integrals, Reading};
@@ -93,7 +94,7 @@ impl Compiled {
     }
 
     #[inline]
-    fn check_requested(&self, quantity: Quantity) -> Result<(), ContactError> {
+    pub(crate) fn check_requested(&self, quantity: Quantity) -> Result<(), ContactError> {
         match self.facts.quantities.contains(&quantity) {
             true => Ok(()),
             false => Err(ContactError::NotRequested { quantity }),
@@ -306,6 +307,16 @@ impl Contact for Compiled {
         let reading = self.reading(place, at);
         let force = reading.of(Quantity::Force, &mut once)?;
         Ok((force, reading.of(Quantity::Tangent, &mut once)?))
+    }
+
+    fn fill(
+        &self,
+        quantities: &[Quantity],
+        separations: &[f64],
+        columns: &mut [&mut [f64]],
+    ) -> Result<f64, ContactError> {
+        arrays::check(quantities, separations, columns)?;
+        self.filled(quantities, separations, columns)
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {

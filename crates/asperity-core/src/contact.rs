@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::arrays;
 use crate::compiled::Compiled;
 use crate::few::few;
 use crate::response::{Cell, Response, respond};
@@ -149,6 +150,24 @@ pub trait Contact: fmt::Debug + Send + Sync {
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let of = |quantity| self.evaluate_at(quantity, at);
         Ok((of(Quantity::Force)?, of(Quantity::Tangent)?))
+    }
+
+    /// Plain values of many separations \[σ_z from the mean of the asperity heights\], a column for
+    /// each quantity, and the largest [bound](Evaluation::bound) of all: for inner loops over arrays.
+    /// There are no warnings, and what no double holds reads 0.
+    ///
+    /// # Errors
+    /// Those of [`evaluate_at`](Self::evaluate_at), of the first row that is refused; what the columns
+    /// hold then is not to be used. [`ContactError::OutOfRange`] for columns of another number or
+    /// length.
+    fn fill(
+        &self,
+        quantities: &[Quantity],
+        separations: &[f64],
+        columns: &mut [&mut [f64]],
+    ) -> Result<f64, ContactError> {
+        arrays::check(quantities, separations, columns)?;
+        arrays::one_by_one(self, quantities, separations, columns)
     }
 
     /// All separations at which the force is `load` \[N\], ascending, over σ_z from the mean of
@@ -318,6 +337,15 @@ impl Contact for Box<dyn Contact> {
 
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         (**self).force_and_tangent_at(at)
+    }
+
+    fn fill(
+        &self,
+        quantities: &[Quantity],
+        separations: &[f64],
+        columns: &mut [&mut [f64]],
+    ) -> Result<f64, ContactError> {
+        (**self).fill(quantities, separations, columns)
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {

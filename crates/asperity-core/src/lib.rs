@@ -14,6 +14,7 @@
 //!
 //! This crate names no model. SI units everywhere; separations are multiples of σ_z.
 
+mod arrays;
 mod asperity;
 mod begins;
 mod case;

@@ -1,0 +1,129 @@
+//! Values of many separations in plain arrays: a few nanoseconds each, and nothing kept beside them.
+
+use asperity_quadrature::{Moments, unscale};
+
+use crate::compiled::Compiled;
+use crate::{At, Contact, ContactError, Quantity};
+
+/// Rows whose integrals are taken together: they stay in the fastest memory.
+const TOGETHER: usize = 128;
+/// Beyond this, exp(-s²/2) is no normal number, and what it is multiplied with may make it one.
+const FAR: f64 = 37.0;
+/// Below this, slopes are looked at one by one.
+const DEEP: f64 = -8.0;
+
+/// What a quantity is read from.
+struct Read {
+    base: Quantity,
+    slope: bool,
+    factor: f64,
+}
+
+/// The way that any contact has: one row after the other.
+pub(crate) fn one_by_one(
+    contact: &(impl Contact + ?Sized),
+    quantities: &[Quantity],
+    separations: &[f64],
+    columns: &mut [&mut [f64]],
+) -> Result<f64, ContactError> {
+    let mut bound = 0.0_f64;
+    for (quantity, column) in quantities.iter().zip(columns) {
+        for (s, value) in separations.iter().zip(column.iter_mut()) {
+            let found = contact.evaluate_at(*quantity, At::from(*s))?;
+            *value = found.value();
+            bound = bound.max(found.bound(*quantity));
+        }
+    }
+    Ok(bound)
+}
+
+/// Whether the columns are as many as the quantities, and as long as the separations.
+pub(crate) fn check(
+    quantities: &[Quantity],
+    separations: &[f64],
+    columns: &[&mut [f64]],
+) -> Result<(), ContactError> {
+    let wrong = |field, value: usize, required| {
+        Err(ContactError::OutOfRange { field, value: value as f64, required })
+    };
+    if columns.len() != quantities.len() {
+        return wrong("the number of columns", columns.len(), "one for each quantity,");
+    }
+    match columns.iter().find(|column| column.len() != separations.len()) {
+        Some(column) => wrong("the length of a column", column.len(), "that of the separations,"),
+        None => Ok(()),
+    }
+}
+
+impl Compiled {
+    /// [`Contact::fill`] where all quantities are integrals times a number.
+    pub(crate) fn filled(
+        &self,
+        quantities: &[Quantity],
+        separations: &[f64],
+        columns: &mut [&mut [f64]],
+    ) -> Result<f64, ContactError> {
+        let reads: Option<Vec<Read>> = quantities.iter().map(|q| self.read(*q)).collect();
+        let Some(reads) = reads else {
+            return one_by_one(self, quantities, separations, columns);
+        };
+        let slopes = reads.iter().any(|read| read.slope);
+        let mut bound = 0.0_f64;
+        let (mut moments, mut scales) = ([Moments::NONE; TOGETHER], [0.0; TOGETHER]);
+        for (k, s) in separations.chunks(TOGETHER).enumerate() {
+            let (moments, scales) = (&mut moments[..s.len()], &mut scales[..s.len()]);
+            scales.fill(1.0);
+            unscale(s, scales);
+            let (mut base, mut known) = (None, false);
+            for (j, (read, column)) in reads.iter().zip(columns.iter_mut()).enumerate() {
+                let out = &mut column[TOGETHER * k..][..s.len()];
+                if base != Some(read.base) {
+                    base = Some(read.base);
+                    known = self.channel(read.base)?.total.run(s, slopes, moments).is_some();
+                }
+                let filled = known.then(|| read.fill(s, moments, scales, out)).flatten();
+                bound = bound.max(match filled {
+                    Some(bound) => bound,
+                    None => one_by_one(self, &quantities[j..=j], s, &mut [out])?,
+                });
+            }
+        }
+        Ok(bound)
+    }
+
+    fn read(&self, quantity: Quantity) -> Option<Read> {
+        let height_std = self.scene().surface.asperity_height_std;
+        let nominal_area = self.scene().nominal_area;
+        let own = matches!(self.bases(Quantity::Stiffness), [Quantity::Stiffness]);
+        let (base, slope, factor) = match quantity {
+            Quantity::Force | Quantity::Area | Quantity::Contacts => (quantity, false, 1.0),
+            Quantity::Stiffness if own => (quantity, false, 1.0),
+            Quantity::Stiffness | Quantity::Tangent => (Quantity::Force, true, height_std),
+            Quantity::Pressure => (Quantity::Force, false, nominal_area),
+            Quantity::AreaFraction => (Quantity::Area, false, nominal_area),
+            _ => return None,
+        };
+        self.check_requested(quantity).ok()?;
+        let unit = self.channel(base).ok()?.units.factor;
+        Some(Read { base, slope, factor: unit / factor })
+    }
+}
+
+impl Read {
+    /// The values, and the largest bound; none where one of them is to be looked at by itself.
+    fn fill(&self, s: &[f64], moments: &[Moments], scales: &[f64], out: &mut [f64]) -> Option<f64> {
+        let n = usize::from(self.slope);
+        let (mut plain, mut error, mut deepest, mut farthest) = (true, 0.0_f64, 0.0_f64, 0.0_f64);
+        for (k, of) in moments.iter().enumerate() {
+            let value = if self.slope { of.slope } else { of.value };
+            let size = of.sizes[n];
+            out[k] = value * self.factor * scales[k];
+            plain &= out[k].abs() >= f64::MIN_POSITIVE && out[k].abs() < f64::INFINITY;
+            error = error.max(if value >= size { of.error } else { of.error * size / value.abs() });
+            deepest = deepest.min(s[k]);
+            farthest = farthest.max(s[k]);
+        }
+        let plain = plain && farthest < FAR && !(self.slope && deepest < DEEP);
+        plain.then_some(error + (0.25 * farthest * farthest + 3.0) * f64::EPSILON)
+    }
+}

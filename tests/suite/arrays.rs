@@ -1,0 +1,82 @@
+//! Plain arrays of values: those of one at a time, to the last digits, whatever the model and place.
+
+use asperity::{
+    Contact, ContactError, HeightDistribution, Model, Quantity, Request, Tolerance, WeibullHeights,
+};
+
+use crate::scenes::{named, with_index};
+
+const ASKED: [Quantity; 7] = [
+    Quantity::Force,
+    Quantity::Tangent,
+    Quantity::Area,
+    Quantity::Contacts,
+    Quantity::Pressure,
+    Quantity::AreaFraction,
+    Quantity::MeanPressure,
+];
+
+fn filled(contact: &dyn Contact, s: &[f64]) -> Result<(Vec<Vec<f64>>, f64), ContactError> {
+    let mut columns = vec![vec![f64::NAN; s.len()]; ASKED.len()];
+    let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+    let bound = contact.fill(&ASKED, s, &mut out)?;
+    Ok((columns, bound))
+}
+
+#[test]
+fn arrays_hold_what_one_at_a_time_is_answered() {
+    // Two chunks and a bit, scrambled; far out and deep within too.
+    let near: Vec<f64> = (0..300).map(|k| -1.0 + 7.0 * f64::from(k * 619 % 300) / 300.0).collect();
+    let far: Vec<f64> = (0..40).map(|k| -40.0 + 2.03 * f64::from(k)).collect();
+    let skewed = HeightDistribution::Weibull(WeibullHeights::new(-0.4).unwrap());
+    for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential, skewed] {
+        for id in ["gw", "ke", "jg", "at"] {
+            let model: Model = id.parse().unwrap();
+            let mut scene = with_index(2.0);
+            scene.heights = heights.clone();
+            let request = Request::new(ASKED).within(Tolerance::new(1e-10).unwrap());
+            let contact = model.compile(&scene, &request).unwrap();
+            for s in [&near, &far] {
+                let Ok((columns, bound)) = filled(&*contact, s) else {
+                    // Then one of them is refused by itself, too.
+                    let refused = |q| s.iter().any(|s| contact.evaluate(q, *s).is_err());
+                    assert!(ASKED.into_iter().any(refused), "{}", model.id());
+                    continue;
+                };
+                let mut largest = 0.0_f64;
+                for (quantity, column) in ASKED.into_iter().zip(&columns) {
+                    for (s, value) in s.iter().zip(column) {
+                        let wanted = contact.evaluate(quantity, *s).unwrap();
+                        largest = largest.max(wanted.bound(quantity));
+                        let off = (value - wanted.value()).abs();
+                        let allowed = (2.0 + 0.5 * s * s) * f64::EPSILON * wanted.value().abs();
+                        let what = format!("{} {quantity} {s}", model.id());
+                        assert!(off <= allowed.max(5e-324), "{what}: {value} {wanted:?}");
+                    }
+                }
+                assert!(bound >= 0.999 * largest, "{}: {bound:e} {largest:e}", model.id());
+            }
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_filled_is_named() {
+    let scene = named("at-paper");
+    let request = Request::new([Quantity::Force]);
+    let contact = "ke".parse::<Model>().unwrap().compile(&scene, &request).unwrap();
+    let fill = |quantities: &[Quantity], s: &[f64], lengths: &[usize]| {
+        let mut columns: Vec<Vec<f64>> = lengths.iter().map(|n| vec![0.0; *n]).collect();
+        let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        contact.fill(quantities, s, &mut out).unwrap_err().to_string()
+    };
+    let force = Quantity::Force;
+    for (found, wanted) in [
+        (fill(&[force], &[1.0], &[]), "the number of columns is 0"),
+        (fill(&[force], &[1.0], &[2]), "the length of a column is 2"),
+        (fill(&[force], &[1.0, f64::NAN], &[2]), "NaN"),
+        (fill(&[Quantity::Area], &[1.0], &[1]), "area"),
+    ] {
+        assert!(found.contains(wanted), "{found}");
+    }
+}
