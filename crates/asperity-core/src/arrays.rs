@@ -1,6 +1,6 @@
 //! Values of many separations in plain arrays: a few nanoseconds each, and nothing kept beside them.
 
-use asperity_quadrature::{Moments, unscale};
+use asperity_quadrature::Moments;
 
 use crate::compiled::Compiled;
 use crate::{At, Contact, ContactError, Quantity};
@@ -17,6 +17,8 @@ struct Read {
     base: Quantity,
     slope: bool,
     factor: f64,
+    /// What it is divided by.
+    per: f64,
 }
 
 /// The way that any contact has: one row after the other.
@@ -72,8 +74,7 @@ impl Compiled {
         let (mut moments, mut scales) = ([Moments::NONE; TOGETHER], [0.0; TOGETHER]);
         for (k, s) in separations.chunks(TOGETHER).enumerate() {
             let (moments, scales) = (&mut moments[..s.len()], &mut scales[..s.len()]);
-            scales.fill(1.0);
-            unscale(s, scales);
+            scales.iter_mut().zip(s).for_each(|(scale, s)| *scale = scale_at(*s));
             let (mut base, mut known) = (None, false);
             for (j, (read, column)) in reads.iter().zip(columns.iter_mut()).enumerate() {
                 let out = &mut column[TOGETHER * k..][..s.len()];
@@ -95,7 +96,7 @@ impl Compiled {
         let height_std = self.scene().surface.asperity_height_std;
         let nominal_area = self.scene().nominal_area;
         let own = matches!(self.bases(Quantity::Stiffness), [Quantity::Stiffness]);
-        let (base, slope, factor) = match quantity {
+        let (base, slope, per) = match quantity {
             Quantity::Force | Quantity::Area | Quantity::Contacts => (quantity, false, 1.0),
             Quantity::Stiffness if own => (quantity, false, 1.0),
             Quantity::Stiffness | Quantity::Tangent => (Quantity::Force, true, height_std),
@@ -104,9 +105,14 @@ impl Compiled {
             _ => return None,
         };
         self.check_requested(quantity).ok()?;
-        let unit = self.channel(base).ok()?.units.factor;
-        Some(Read { base, slope, factor: unit / factor })
+        let factor = self.channel(base).ok()?.units.factor;
+        Some(Read { base, slope, factor, per })
     }
+}
+
+/// exp(-max(s, 0)²/2).
+fn scale_at(s: f64) -> f64 {
+    if s > 0.0 { (-0.5 * s * s).exp() } else { 1.0 }
 }
 
 impl Read {
@@ -117,7 +123,13 @@ impl Read {
         for (k, of) in moments.iter().enumerate() {
             let value = if self.slope { of.slope } else { of.value };
             let size = of.sizes[n];
-            out[k] = value * self.factor * scales[k];
+            // In the order in which one value is made: the same digits.
+            let scaled = if self.slope {
+                value / self.per * self.factor
+            } else {
+                value * self.factor / self.per
+            };
+            out[k] = scaled * scales[k];
             plain &= out[k].abs() >= f64::MIN_POSITIVE && out[k].abs() < f64::INFINITY;
             error = error.max(if value >= size { of.error } else { of.error * size / value.abs() });
             deepest = deepest.min(s[k]);

@@ -5,8 +5,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Evaluation, Model, Quantity, Request, Response, Scene,
-    Sweep, Warnings,
+    At, Case, ContactError, ContactModel, Datum, Evaluation, Model, Quantity, Request, Response,
+    Scene, SeparationUnit, Sweep, Warnings,
 };
 use pyo3::prelude::*;
 
@@ -19,13 +19,25 @@ use crate::rows::View;
 pub(crate) const TOGETHER: usize = 16;
 /// The same for rows on one scene, most of which take no time.
 const ON_ONE: usize = 256;
+/// Fewer values are as quick one by one.
+const FEW: usize = 16;
 
 /// What is asked of every value.
-#[derive(Clone, Copy)]
-pub(crate) struct Aspect(fn(&Evaluation, Quantity) -> f64);
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Aspect {
+    Value,
+    Ln,
+    Error,
+}
 
 impl Aspect {
-    pub(crate) const VALUE: Self = Self(|evaluation, _| evaluation.value());
+    fn of(self, evaluation: &Evaluation, quantity: Quantity) -> f64 {
+        match self {
+            Self::Value => evaluation.value(),
+            Self::Ln => evaluation.ln_value(),
+            Self::Error => evaluation.bound(quantity),
+        }
+    }
 }
 
 impl<'py> FromPyObject<'_, 'py> for Aspect {
@@ -33,9 +45,9 @@ impl<'py> FromPyObject<'_, 'py> for Aspect {
 
     fn extract(name: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         match name.extract()? {
-            "value" => Ok(Self::VALUE),
-            "ln" => Ok(Self(|evaluation, _| evaluation.ln_value())),
-            "error" => Ok(Self(|evaluation, quantity| evaluation.bound(quantity))),
+            "value" => Ok(Self::Value),
+            "ln" => Ok(Self::Ln),
+            "error" => Ok(Self::Error),
             other => Err(value_error(format!("{other:?} is no aspect of a value"))),
         }
     }
@@ -93,7 +105,7 @@ impl Found {
         let &Here { row, at, scene, model } = here;
         self.warnings.look_at(model, quantity, value.as_ref(), at, scene, |_| None);
         match value {
-            Ok(value) => self.values.push(aspect.0(&value, quantity)),
+            Ok(value) => self.values.push(aspect.of(&value, quantity)),
             Err(error) => {
                 self.values.push(f64::NAN);
                 if self.failures.last().is_none_or(|(last, _)| *last != row) {
@@ -161,6 +173,9 @@ impl Question<'_> {
             let request = self.request.clone().at(range.map(|row| self.rows.at(row)));
             return self.found(first, contact.respond(&request));
         }
+        if let Some(values) = self.plain(contact, range.clone()) {
+            return Found { values, ..Found::default() };
+        }
         // Value by value: a response holds much that nobody asks for.
         let mut found = Found::default();
         for row in range {
@@ -179,6 +194,36 @@ impl Question<'_> {
         found
     }
 
+    /// Many values of which there is nothing to be said.
+    fn plain(&self, contact: &dyn asperity::Contact, range: Range<usize>) -> Option<Vec<f64>> {
+        let quantities = &self.request.quantities[..];
+        if self.aspect != Aspect::Value || range.len() < FEW {
+            return None;
+        }
+        let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let place = |row| match self.rows.at(row) {
+            At::Separation(place) => {
+                Some(place.measured_in(sigmas, mean, contact.scene()).ok()?.value)
+            }
+            _ => None,
+        };
+        let places: Vec<f64> = range.map(place).collect::<Option<_>>()?;
+        let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
+        let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        contact.fill(quantities, &places, &mut out).ok()?;
+        let usual = |(quantity, column): (&Quantity, &Vec<f64>)| {
+            let most = match quantity {
+                Quantity::Area => contact.scene().nominal_area,
+                Quantity::AreaFraction => 1.0,
+                _ => f64::INFINITY,
+            };
+            column.iter().all(|value| *value > 0.0 && *value <= most)
+        };
+        let usual = quantities.iter().zip(&columns).all(usual);
+        let rows = (0..places.len()).flat_map(|row| columns.iter().map(move |column| column[row]));
+        usual.then(|| rows.collect())
+    }
+
     /// Of a response to rows from `first` on.
     fn found(&self, first: usize, response: Response) -> Found {
         let count = response.columns.len();
@@ -188,7 +233,7 @@ impl Question<'_> {
             for (k, row) in column.rows.into_iter().enumerate() {
                 match row {
                     Ok(value) => {
-                        found.values[k * count + j] = self.aspect.0(&value, column.quantity)
+                        found.values[k * count + j] = self.aspect.of(&value, column.quantity)
                     }
                     Err(error) => found.failures.push((first + k, *error)),
                 }

@@ -187,7 +187,7 @@ impl Contact {
         rows.slip().map_or(Ok(()), |slip| warn(py, &slip, 0))?;
         let request = Request::new(quantities).within(self.request.tolerance);
         let source = Source::Ready(self.now());
-        let question = Question { rows: &rows, source, request, aspect: Aspect::VALUE };
+        let question = Question { rows: &rows, source, request, aspect: Aspect::Value };
         let answer = question.answer(py, None, true, |error| self.raise(py, error))?;
         if let Some((_, error)) = answer.failures.into_iter().next() {
             return Err(error);

@@ -46,6 +46,22 @@ fn evaluations(c: &mut Criterion) -> Outcome<()> {
     Ok(())
 }
 
+/// 1024 values into plain arrays.
+fn arrays(c: &mut Criterion) -> Outcome<()> {
+    let separations = separations();
+    let pair = [Quantity::Force, Quantity::Tangent];
+    for (name, asked) in [("force", &pair[..1]), ("force and tangent", &pair)] {
+        let request = Request::new(asked.iter().copied()).within(Tolerance::new(1e-10)?);
+        let compiled = "ke".parse::<Model>()?.compile(&scene()?, &request)?;
+        let mut columns = vec![vec![0.0; separations.len()]; asked.len()];
+        let mut columns: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+        c.bench_function(&format!("array of 1024/ke/{name}"), |b| {
+            b.iter(|| compiled.fill(asked, black_box(&separations), &mut columns));
+        });
+    }
+    Ok(())
+}
+
 /// KE's force by adaptive Gauss-Kronrod at 1e-10, split at the kinks and scaled against underflow.
 fn classical(c: &mut Criterion) -> Outcome<()> {
     let separations = separations();
@@ -148,7 +164,7 @@ fn tables(c: &mut Criterion) -> Outcome<()> {
 }
 
 fn all(c: &mut Criterion) {
-    for group in [evaluations, classical, whole_answers, sweeps, tables] {
+    for group in [evaluations, arrays, classical, whole_answers, sweeps, tables] {
         if let Err(error) = group(c) {
             eprintln!("error: {error}");
         }
