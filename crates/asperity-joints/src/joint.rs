@@ -11,6 +11,9 @@ use asperity_quadrature::gauss_kronrod;
 use crate::one::{Asked, Loading, MOST, Retreated};
 use crate::{Unloading, UnloadingLaw};
 
+/// No force is looked at beyond this separation \[σ_z\].
+const FARTHEST: f64 = 1e8;
+
 /// The first closing, and the way back from any closest approach.
 #[derive(Debug, Clone)]
 pub struct Joint {
@@ -77,7 +80,8 @@ impl Joint {
     /// The work \[J\] of first closing, from no contact to `closest`.
     ///
     /// # Errors
-    /// Those of the contact's evaluations, and [`ContactError::Integral`].
+    /// Those of the contact's evaluations, [`ContactError::Integral`], and [`ContactError::OutOfRange`]
+    /// under heights with a tail so heavy that work is left beyond 1e8 σ_z.
     pub fn spent(&self, closest: At) -> Result<f64, ContactError> {
         let way = self.unloading(closest)?;
         let sigma = self.scene().surface.asperity_height_std;
@@ -87,8 +91,13 @@ impl Joint {
             let panel = self.closing(from + step, from)?;
             work += panel;
             (from, step) = (from + step, 2.0 * step);
-            if panel <= 1e-3 * self.tolerance.relative() * work || from > 1e8 * sigma {
+            if panel <= 1e-3 * self.tolerance.relative() * work {
                 return Ok(work);
+            }
+            if from > FARTHEST * sigma {
+                let field = "share of the work beyond 1e8 asperity_height_std";
+                let required = "next to none, as heights with a lighter tail leave it,";
+                return Err(ContactError::OutOfRange { field, value: panel / work, required });
             }
         }
     }
@@ -96,17 +105,22 @@ impl Joint {
     /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of the
     /// asperity heights.
     pub(crate) fn closing(&self, from: f64, to: f64) -> Result<f64, ContactError> {
-        let force = |d: f64| {
-            let found = self.virgin.evaluate(Quantity::Force, At::metres(d));
-            found.map_or(f64::NAN, |force| force.value())
+        let mut failed = None;
+        let force = |d: f64| match self.virgin.evaluate(Quantity::Force, At::metres(d)) {
+            Ok(force) => force.value(),
+            Err(error) => {
+                failed.get_or_insert(error);
+                f64::NAN
+            }
         };
         let found = gauss_kronrod(force, &[to, from], self.tolerance.relative(), MOST);
-        let (quantity, at) = (Quantity::Force, At::metres(to));
-        found.map(|found| found.value).map_err(|source| ContactError::Integral {
-            quantity,
-            at,
-            source,
-        })
+        match failed {
+            Some(error) => Err(error),
+            None => found.map(|work| work.value).map_err(|source| {
+                let (quantity, at) = (Quantity::Force, At::metres(to));
+                ContactError::Integral { quantity, at, source }
+            }),
+        }
     }
 
     /// The work \[J\] that yielding has taken for good, where the contact has been closed as far as

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, At, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
+    Asperity, AsperityModel, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
     Sampler, Source, Tolerance, positive,
 };
 use asperity_quadrature::gauss_kronrod;
@@ -213,16 +213,27 @@ pub fn restitution(
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
     let loading = Loading::new(model, *asperity, law, tolerance)?;
-    let failed = |source| {
-        let (quantity, at) = (Quantity::Force, At::metres(-w));
-        ContactError::Integral { quantity, at, source }
-    };
+    let failed = |source: QuadratureError| refused(model.name(), "pressed to", w, &source);
     let mut breaks: Vec<f64> = loading.breaks().into_iter().filter(|x| *x < w).collect();
     breaks.push(w);
-    let force = |x: f64| loading.force.value(x).unwrap_or(f64::NAN);
-    let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST).map_err(failed)?;
+    let mut unsampled = None;
+    let force = |x: f64| {
+        loading.force.value(x).unwrap_or_else(|error| {
+            unsampled.get_or_insert(error);
+            f64::NAN
+        })
+    };
+    let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST);
+    let spent = unsampled.map_or(spent, Err).map_err(failed)?;
     let back = loading.answer(w, f64::INFINITY, Asked::Returned).map_err(failed)?;
     Ok((back / spent.value).sqrt())
+}
+
+/// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no place
+/// of the rough surface.
+fn refused(model: &str, place: &str, length: f64, source: &QuadratureError) -> ContactError {
+    let reason = format!("one asperity, {place} {length:e} m: {source}");
+    ContactError::Refused { model: model.into(), reason }
 }
 
 /// Samples of one integral, at most.
@@ -255,9 +266,8 @@ impl<'u> Retreated<'u> {
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let start = loading.lasts_from([low, high], u).map_err(|source| {
-                ContactError::Integral { quantity: Quantity::Force, at: At::metres(u), source }
-            })?;
+            let start = loading.lasts_from([low, high], u);
+            let start = start.map_err(|source| refused(name, "after a retreat of", u, &source))?;
             // What has lost contact has released all there was.
             ranges.push((low, if whole { start.unwrap_or(high) } else { low }));
             ranges.extend(start.map(|start| (start, high)));

@@ -6,6 +6,9 @@ use asperity_quadrature::bracketed_root;
 use crate::Unloading;
 use crate::one::Asked;
 
+/// No shift that releases more than this \[σ_z\] is looked for.
+const FARTHEST: f64 = 1e8;
+
 /// A closed joint that is sheared, from virgin or in cycles.
 #[derive(Debug, Clone)]
 pub struct PartialSlip {
@@ -35,7 +38,7 @@ impl PartialSlip {
     /// # Errors
     /// Those of [`Unloading::force`].
     pub fn force(&self, shift: f64) -> Result<Evaluation, ContactError> {
-        self.scaled(self.friction, Asked::Released, shift)
+        self.scaled(self.friction, Asked::Released, ("shift", shift))
     }
 
     /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\] between
@@ -61,7 +64,8 @@ impl PartialSlip {
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
-        self.scaled(self.friction / self.retreat_per_shift, Asked::Loss, amplitude)
+        let factor = self.friction / self.retreat_per_shift;
+        self.scaled(factor, Asked::Loss, ("amplitude", amplitude))
     }
 
     /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1, of
@@ -77,36 +81,48 @@ impl PartialSlip {
         }
         let whole = self.normal.force(0.0)?.value();
         let slope = self.normal.stiffness(0.0)?.value() * self.retreat_per_shift;
-        // The force bends down: no earlier than its first slope says.
-        let mut low = share * whole / slope;
+        // The force bends down: no earlier than its first slope says, rounding aside.
+        let mut low = 0.5 * share * whole / slope;
         if !(low > 0.0 && low.is_finite()) {
             let required = "a force above 0 at the closest approach";
             return Err(ContactError::OutOfRange { field: "force", value: whole, required });
         }
         let wanted = share * self.friction * whole;
         let missing = |shift: f64| Ok::<_, ContactError>(self.force(shift)?.value() - wanted);
-        let mut high = 2.0 * low;
+        // So near to 1 the integrals do not tell the share from all.
+        let none = ContactError::OutOfRange {
+            field: "share",
+            value: share,
+            required: "a share that is reached within 1e8 asperity_height_std of retreat, as one farther from 1 is,",
+        };
+        let farthest = FARTHEST * self.normal.scene().surface.asperity_height_std;
+        let mut high = 4.0 * low;
         while missing(high)? < 0.0 {
             (low, high) = (high, 2.0 * high);
+            if high * self.retreat_per_shift > farthest {
+                return Err(none);
+            }
         }
         let mut failed = None;
-        let root = bracketed_root(
-            |shift| {
-                missing(shift).unwrap_or_else(|error| {
-                    failed = Some(error);
-                    0.0
-                })
-            },
-            low,
-            high,
-        );
-        failed.map_or(Ok(root.unwrap_or(low)), Err)
+        let off = |shift| {
+            missing(shift).unwrap_or_else(|error| {
+                failed = Some(error);
+                f64::NAN
+            })
+        };
+        let root = bracketed_root(off, low, high);
+        failed.map_or(root.ok_or(none), Err)
     }
 
-    fn scaled(&self, factor: f64, asked: Asked, shift: f64) -> Result<Evaluation, ContactError> {
+    fn scaled(
+        &self,
+        factor: f64,
+        asked: Asked,
+        (field, shift): (&'static str, f64),
+    ) -> Result<Evaluation, ContactError> {
         if !(shift >= 0.0 && shift.is_finite()) {
             let required = "a finite number, at least 0,";
-            return Err(ContactError::OutOfRange { field: "shift", value: shift, required });
+            return Err(ContactError::OutOfRange { field, value: shift, required });
         }
         let mut found = self.normal.of(asked, self.retreat_per_shift * shift)?;
         found.scaled *= factor;

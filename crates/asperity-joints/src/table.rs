@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::{At, ContactError, positive};
+use asperity_core::{At, ContactError, QuadratureError, Quantity, positive};
 
 use crate::Joint;
 use crate::one::Asked;
@@ -17,6 +17,10 @@ const TERMS: usize = 8;
 const STRIP: f64 = 0.5;
 /// A strip or cell is halved no more often than this.
 const DEEPEST: u32 = 14;
+/// No joint is tabulated over more than this \[σ_z\]: metres and multiples were mixed up.
+const WIDEST: f64 = 1000.0;
+/// Where contact is left after as long a retreat as this \[σ_z\], it never ends.
+const FARTHEST: f64 = 1e8;
 /// Retreats shorter than this part of σ_z leave no contact behind.
 const NEGLIGIBLE: f64 = 1e-6;
 
@@ -69,7 +73,10 @@ impl Joint {
     /// `open` answer as if nothing had ever yielded.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] naming a number that is none of these; those of the evaluations.
+    /// [`ContactError::OutOfRange`] naming a number that is none of these, and ends more than 1000 σ_z
+    /// apart; [`ContactError::Integral`] with the error that was reached, where the tolerance cannot be
+    /// met (one near that of the joint itself, jumps of the law under heights with an end); those of
+    /// the evaluations.
     pub fn table(
         &self,
         (deepest, open): (f64, f64),
@@ -78,6 +85,11 @@ impl Joint {
         let tolerance = positive("tolerance", tolerance)?;
         let width = positive("open, less deepest,", open - deepest)?;
         let sigma = self.scene().surface.asperity_height_std;
+        if width > WIDEST * sigma {
+            let (field, required) =
+                ("open, less deepest,", "at most 1000 asperity_height_std, in m,");
+            return Err(ContactError::OutOfRange { field, value: width, required });
+        }
         let count = (width / (STRIP * sigma)).ceil().max(1.0) as usize;
         let mut strips = vec![];
         for k in 0..count {
@@ -108,6 +120,14 @@ impl Joint {
         let mut last = sigma;
         while !nothing(&values(at(last)?), &start) {
             last *= 1.5;
+            if last > FARTHEST * sigma {
+                let required = "one that the force falls below within 1e8 asperity_height_std";
+                return Err(ContactError::OutOfRange {
+                    field: "tolerance",
+                    value: tolerance,
+                    required,
+                });
+            }
         }
         // Where nothing touches, nothing is left at any retreat.
         while last > NEGLIGIBLE * sigma && nothing(&values(at(0.5 * last)?), &start) {
@@ -125,12 +145,26 @@ impl Joint {
             }
             let terms = transformed(&samples);
             let [by_closest, by_retreat] = tails(&terms);
-            if by_closest > aim && depth < DEEPEST {
+            // As a part of the smallest force at a closest approach.
+            let too_deep = |tail: f64| {
+                let (asked, reached) = (tolerance, tolerance * tail / aim);
+                let evaluations = TERMS * TERMS;
+                let source = QuadratureError::NotConverged { reached, asked, evaluations };
+                let (quantity, at) = (Quantity::Force, At::metres(0.5 * (from + to)));
+                Err(ContactError::Integral { quantity, at, source })
+            };
+            if by_closest > aim {
+                if depth == DEEPEST {
+                    return too_deep(by_closest);
+                }
                 let middle = 0.5 * (from + to);
                 self.strips((from, middle), tolerance, depth + 1, strips)?;
                 return self.strips((middle, to), tolerance, depth + 1, strips);
             }
-            if by_retreat > aim && halved < DEEPEST {
+            if by_retreat > aim {
+                if halved == DEEPEST {
+                    return too_deep(by_retreat);
+                }
                 let middle = 0.5 * (low + high);
                 pending.extend([(middle, high, halved + 1), (low, middle, halved + 1)]);
             } else {
@@ -193,7 +227,8 @@ impl JointTable {
     /// infinite for a new one: the next step's `closest` stands in the reply.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a separation below the deepest of the table, or none.
+    /// [`ContactError::OutOfRange`] for a separation or a closest approach below the deepest of the
+    /// table, or none.
     #[inline]
     pub fn at(&self, separation: f64, closest: f64) -> Result<Reply, ContactError> {
         if separation < closest || closest >= self.open {
@@ -201,14 +236,14 @@ impl JointTable {
                 self.joint.virgin().force_and_tangent(At::sigmas(separation * self.per_metre))?;
             let closest = separation.min(closest);
             if closest < self.strips.first().map_or(closest, |strip| strip.from) {
-                return Err(out_of_range(separation));
+                return Err(out_of_range(separation, closest));
             }
             return Ok(Reply { force: force.value(), stiffness: tangent.value(), closest });
         }
         let after = self.strips.partition_point(|strip| strip.from <= closest);
         let strip = after.checked_sub(1).map(|k| &self.strips[k]);
-        let strip =
-            strip.filter(|_| separation >= closest).ok_or_else(|| out_of_range(separation))?;
+        let strip = strip.filter(|_| separation >= closest);
+        let strip = strip.ok_or_else(|| out_of_range(separation, closest))?;
         let retreat = separation - closest;
         let cell = strip.cells.partition_point(|cell| cell.to <= retreat);
         let (force, stiffness) = match strip.cells.get(cell) {
@@ -219,9 +254,12 @@ impl JointTable {
     }
 }
 
-fn out_of_range(value: f64) -> ContactError {
+/// Names the separation where it is the new closest approach, and else what came as that.
+fn out_of_range(separation: f64, closest: f64) -> ContactError {
     let required = "a number, at least the deepest separation of the table,";
-    ContactError::OutOfRange { field: "separation", value, required }
+    let is_step = separation.is_nan() || separation <= closest;
+    let (field, value) = if is_step { ("separation", separation) } else { ("closest", closest) };
+    ContactError::OutOfRange { field, value, required }
 }
 
 impl Cell {

@@ -46,7 +46,8 @@ impl FromStr for UnloadingLaw {
     fn from_str(name: &str) -> Result<Self, String> {
         let wanted = name.trim().to_lowercase();
         let found = Self::ALL.into_iter().find(|law| law.to_string() == wanted);
-        found.ok_or_else(|| format!("{name:?} is none of hertz, brake, etsion"))
+        let known = Self::ALL.map(|law| law.to_string()).join(", ");
+        found.ok_or_else(|| format!("{name:?} is none of {known}"))
     }
 }
 
