@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Source,
-    Tolerance,
+    At, Contact, ContactError, ContactModel, Datum, Evaluation, Quantity, Request, Scene,
+    Separation, SeparationUnit, Source, Tolerance,
 };
 use asperity_quadrature::gauss_kronrod;
 
@@ -135,6 +135,45 @@ impl Joint {
     pub fn dissipated(&self, closest: At) -> Result<f64, ContactError> {
         let returned = self.unloading(closest)?.returned(f64::INFINITY)?;
         Ok(self.spent(closest)? - returned.value())
+    }
+
+    /// The loss factor of closing as far as `closest` for the first time and opening again: what is
+    /// [dissipated](Self::dissipated) over 2π times what was [spent](Self::spent).
+    ///
+    /// # Errors
+    /// Those of [`spent`](Self::spent).
+    pub fn loss_factor(&self, closest: At) -> Result<f64, ContactError> {
+        Ok(self.dissipated(closest)? / (2.0 * std::f64::consts::PI * self.spent(closest)?))
+    }
+
+    /// Where a history turns, as separations \[m\] from the mean of the asperity heights for
+    /// [`path`](Self::path): loads beyond the largest so far are met on the virgin curve, smaller ones
+    /// on the way back from the closest approach.
+    ///
+    /// # Errors
+    /// Those of finding a load; [`ContactError::OutOfRange`] for a load that is not above 0.
+    pub fn turning_points(&self, turns: &[At]) -> Result<Vec<f64>, ContactError> {
+        let (metres, mean) = (SeparationUnit::Metres, Datum::AsperityMean);
+        let place = |separation: Separation| {
+            Ok::<_, ContactError>(separation.measured_in(metres, mean, self.scene())?.value)
+        };
+        let (mut closest, mut found) = (f64::INFINITY, vec![]);
+        for turn in turns {
+            let at = match (*turn, turn.load(self.scene())) {
+                (At::Separation(separation), _) => place(separation)?,
+                (_, Some(load)) if closest.is_finite() => {
+                    let way = self.unloading(At::metres(closest))?;
+                    match load < way.force(0.0)?.value() {
+                        true => closest + way.retreat_to(load)?,
+                        false => place(self.virgin.separation(*turn)?)?,
+                    }
+                }
+                _ => place(self.virgin.separation(*turn)?)?,
+            };
+            closest = closest.min(at);
+            found.push(at);
+        }
+        Ok(found)
     }
 
     /// What is asked after a retreat \[m\] from each of these closest approaches \[σ_z from the mean of

@@ -61,6 +61,7 @@ pub mod conductance;
 mod joint;
 mod one;
 mod path;
+mod root;
 mod slip;
 mod table;
 mod unloading;

@@ -24,6 +24,8 @@ pub(crate) enum Asked {
     Released,
     /// 8 ∫₀ᵘ released du - 4 u released \[J\], likewise.
     Loss,
+    /// 1 where the contact has lasted.
+    Contacts,
     /// ∫₀ᵘ force du \[J\]: the work that comes back, all of it for an infinite u.
     Returned,
 }
@@ -58,16 +60,19 @@ impl Loading {
     ) -> Result<Self, ContactError> {
         let unsupported = |what: &str| ContactError::Unsupported {
             model: model.name().into(),
-            what: format!("unloading: {what}"),
+            what: format!("unloading and partial slip: {what}"),
         };
         if model.claims().angles {
             return Err(unsupported("its contacts lie at all angles"));
         }
         if model.claims().adhesive {
-            return Err(unsupported("adhesion has a branch of its own (jkr-separation)"));
+            return Err(unsupported(
+                "contacts that stick come back on a curve of their own (for jkr the model jkr-separation), and small vibrations by unloading-stiffness",
+            ));
         }
-        let one =
-            model.asperity_model().ok_or_else(|| unsupported("it has no law of an asperity"))?;
+        let one = model
+            .asperity_model()
+            .ok_or_else(|| unsupported("only models of equal, upright asperities have them"))?;
         let law_of = |quantity| {
             let found = one.law(&asperity, quantity, tolerance)?;
             found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
@@ -111,6 +116,7 @@ impl Loading {
         Ok(match asked {
             Asked::Force => force * left.powf(n),
             Asked::Area => area * left,
+            Asked::Contacts => f64::from(y < 1.0),
             Asked::Stiffness => n * force * left.powf(n - 1.0) / recovered,
             Asked::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
             Asked::Released => force,
@@ -258,6 +264,7 @@ impl<'u> Retreated<'u> {
         let (unit, value_unit) = (loading.force.interference_unit, loading.force.value_unit);
         let value_unit = match asked {
             Asked::Area => loading.area.value_unit,
+            Asked::Contacts => 1.0,
             Asked::Stiffness => value_unit / unit,
             Asked::Loss | Asked::Returned => value_unit * unit,
             Asked::Force | Asked::Released => value_unit,

@@ -89,7 +89,10 @@ fn pictures_show_what_is_printed() {
 fn what_a_joint_lacks_is_named() {
     let bench = Bench::new();
     for (words, wanted) in [
-        ("unload scene.toml --model gao --closest 1 --retreat 0.1", "Gao cannot give unloading"),
+        (
+            "unload scene.toml --model gao --closest 1 --retreat 0.1",
+            "Gao cannot give unloading and partial slip",
+        ),
         ("unload scene.toml --model ke --closest 1 --retreat -0.1", "retreat is -"),
         ("curve scene.toml --model ke --quantity thermal-conductance", "thermal_conductivity is"),
         ("curve scene.toml --model at --quantity unloading-stiffness", "AT cannot give contact-"),

@@ -196,3 +196,38 @@ fn memories_step_and_what_is_no_place_is_refused() {
     let refused = joint.path(&[SIGMA, f64::NAN], 3).unwrap_err().to_string();
     assert!(refused.starts_with("turning_points is NaN"), "{refused}");
 }
+
+#[test]
+fn loads_are_turning_points_on_the_curve_they_are_met_on() {
+    let joint = joint(&KogutEtsion, UnloadingLaw::Hertz);
+    let turns = [At::Load(1.0), At::Load(10.0), At::Pressure(2.0 / 3e-5), At::Load(12.0)];
+    let points = joint.turning_points(&turns).unwrap();
+    let path = joint.path(&points, 4).unwrap();
+    for (way, wanted) in [(0, 1.0), (1, 10.0), (2, 2.0), (3, 12.0)] {
+        let last = path.points.iter().rfind(|point| point.way == way).unwrap();
+        assert!((last.force / wanted - 1.0).abs() < 1e-9, "{way}: {}", last.force);
+    }
+    // Half open, the surfaces are closer than where they first carried as much.
+    let virgin = joint.virgin().separation(At::Load(2.0)).unwrap().value * SIGMA;
+    assert!(points[2] < virgin && points[2] > points[1]);
+    let refused = joint.turning_points(&[At::Load(10.0), At::Load(-1.0)]).unwrap_err().to_string();
+    assert!(refused.starts_with("load is -1.0"), "{refused}");
+}
+
+#[test]
+fn contact_ends_where_one_asperity_is_left() {
+    for law in UnloadingLaw::ALL {
+        let joint = joint(&GreenwoodWilliamson, law);
+        let way = joint.unloading(At::from(1.0)).unwrap();
+        // Elastic asperities touch as they did on the way there.
+        let request = asperity_core::Request::new([Quantity::Contacts]);
+        let virgin = GreenwoodWilliamson.compile(joint.scene(), &request).unwrap();
+        let wanted = virgin.evaluate(Quantity::Contacts, 1.7).unwrap().value();
+        let found = way.contacts(0.7 * SIGMA).unwrap().value();
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{law}: {found} {wanted}");
+        let end = way.last_contact().unwrap();
+        assert!((way.contacts(end).unwrap().value() - 1.0).abs() < 1e-9, "{law}");
+    }
+    let far = joint(&KogutEtsion, UnloadingLaw::Hertz).unloading(At::from(7.0)).unwrap();
+    assert_eq!(far.last_contact().unwrap(), 0.0);
+}

@@ -180,6 +180,10 @@ fn slip_and_losses_of_greenwood_and_williamson_have_the_reference_numbers() {
         let unit = limit * per_retreat * sigma;
         let amplitude = s * per_retreat * sigma;
         close(&slip.loss(amplitude).unwrap(), wanted * unit, printed, &format!("loss at {s}"));
+        // Over π Q D, by its definition.
+        let spring = PI * slip.force(amplitude).unwrap().value() * amplitude;
+        let factor = slip.loss_factor(amplitude).unwrap();
+        assert!((factor * spring / (wanted * unit) - 1.0).abs() < printed, "{factor}");
         // The loop closes, and holds that area: trapezia between its two branches.
         let of = |x: f64, forth| slip.loop_force(x * amplitude, amplitude, forth).unwrap();
         for end in [-1.0, 1.0] {
@@ -228,7 +232,11 @@ fn a_share_of_sliding_is_reached_where_the_closed_form_reaches_it() {
 fn what_cannot_be_told_is_refused_by_name() {
     let (scene, at, law) = (named("mild"), At::from(1.0), UnloadingLaw::Etsion);
     let refused = Unloading::new(&Gao::default(), &scene, at, law, tight()).unwrap_err();
-    assert!(refused.to_string().starts_with("Gao cannot give unloading: its contacts lie at all"));
+    assert!(
+        refused
+            .to_string()
+            .starts_with("Gao cannot give unloading and partial slip: its contacts lie at all")
+    );
     let joint = Unloading::new(&KogutEtsion, &scene, at, law, tight()).unwrap();
     let refused = joint.area(0.0).unwrap_err().to_string();
     assert!(refused.starts_with("KE cannot give an area in unloading by etsion"), "{refused}");
