@@ -63,7 +63,7 @@ impl Unloading {
         let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
         let law = law.parse().map_err(|what| value_error(format!("law is {what}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
-        let slip = axis.slip(place.1, file.scene.surface.asperity_height_std);
+        let slip = axis.slip("separation", place.1, file.scene.surface.asperity_height_std);
         slip.map_or(Ok(()), |slip| warn(py, &slip, 1))?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.separation_from);
@@ -144,10 +144,7 @@ impl Unloading {
     ) -> PyResult<Bound<'py, PyAny>> {
         let sigma = self.joint.scene().surface.asperity_height_std;
         let metres = if self.unit == SIGMAS { sigma } else { 1.0 };
-        let slipped = |value: f64| {
-            let slip = self.unit.slip(value, sigma)?;
-            Some(slip.replacen("separation", "retreat", 1))
-        };
+        let slipped = |value: f64| self.unit.slip("retreat", value, sigma);
         let one = |u: f64| one(&self.joint, metres * u);
         over(retreat, "retreat", slipped, one, |error| self.model.get().raise(retreat.py(), error))
     }

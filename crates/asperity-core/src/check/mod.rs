@@ -12,7 +12,7 @@ use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
-use crate::{ContactError, Scene};
+use crate::{ContactError, HeightDistribution, Scene};
 
 use finding::short;
 pub use finding::{Finding, Severity};
@@ -140,6 +140,11 @@ impl Scene {
         check.say("asperity_radius", r, "m", "R");
         check.say("asperity_density", surface.asperity_density, "1/m2", "eta");
         check.say("asperity_height_std", sigma, "m", "sigma_z, of the asperities");
+        if let HeightDistribution::Weibull(heights) = &self.heights {
+            let meaning =
+                "of the asperity heights, which a Weibull density has; 0 for a Gaussian one";
+            check.say("asperity_height_skewness", heights.skewness(), "", meaning);
+        }
         check.say("surface_height_std", moments.m0.sqrt(), "m", gaussian);
         check.say("rms_slope", surface.rms_slope(), "", gaussian);
         check.say("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
