@@ -8,6 +8,7 @@ pub mod export;
 pub mod init;
 pub mod models;
 pub mod plan;
+pub mod pull_off;
 pub mod recommend;
 pub mod scales;
 pub mod slip;
