@@ -31,6 +31,8 @@ pub fn mistaken_unit(
 ) -> Option<String> {
     let (size, over) = (value.abs(), value / height_std);
     match unit {
+        // All the way.
+        _ if size.is_infinite() => None,
         SeparationUnit::Metres if size > LONG.max(FAR * height_std) => Some(format!(
             "{name} is {value:?} m, {over:e} asperity_height_std: is it a multiple of asperity_height_std?"
         )),
