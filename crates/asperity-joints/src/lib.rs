@@ -65,6 +65,7 @@ mod one;
 mod path;
 mod root;
 mod slip;
+mod strips;
 mod table;
 mod unloading;
 

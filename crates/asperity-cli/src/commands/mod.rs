@@ -5,6 +5,7 @@ pub mod check;
 pub mod compare;
 pub mod curve;
 pub mod export;
+pub mod history;
 pub mod init;
 pub mod models;
 pub mod plan;

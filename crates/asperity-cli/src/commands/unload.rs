@@ -1,12 +1,13 @@
-//! `asperity unload`: back from the closest approach, or through a history of turning points.
+//! `asperity unload`: back from the closest approach.
 
 use anyhow::{Context, Result};
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, Evaluation, Separation, SeparationUnit, Tolerance, linspace};
+use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
 
 use crate::args::{Closed, DrawnArgs, separation_unit};
+use crate::commands::history;
 use crate::distances::{Distances, ask_unit};
 use crate::number::rounded;
 use crate::numbers::{Numbers, loads};
@@ -17,8 +18,6 @@ use crate::table::{Cell, Table};
 
 /// Retreats unless some are given, and in every picture at least.
 const POINTS: usize = 101;
-/// Points on each way between turning points.
-const STEPS: usize = 50;
 
 /// Force, area and stiffness as a joint opens again, or through a history of loads
 #[derive(Debug, Args)]
@@ -87,7 +86,7 @@ impl Unload {
         match (turns, place) {
             (Some(turns), _) => {
                 scene.tell(&[&model], &turns);
-                self.through(&scene, &model, &joints, &turns)
+                history::write(&scene, &model, &joints, &turns, &self.output)
             }
             (None, Some(place)) => self.back(&scene, &model, &joints, place),
             (None, None) => Ok(()),
@@ -146,72 +145,9 @@ impl Unload {
         let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
         given.values.iter().map(|value| metres * value).collect()
     }
-
-    /// Through turning points by each law.
-    fn through(
-        &self,
-        scene: &LoadedScene,
-        model: &NamedModel,
-        joints: &[Joint],
-        turns: &[At],
-    ) -> Result<()> {
-        let (id, contact, from) = (&model.0, &scene.file.scene, scene.file.separation_from);
-        let mut table = Table::new(&[
-            "model",
-            "law",
-            "way",
-            "separation_over_sigma",
-            "separation_m",
-            "force_N",
-            "pressure_Pa",
-            "stiffness_N_per_m",
-        ]);
-        // The stiffness jumps where a way leaves the virgin curve or meets it: no line is drawn there.
-        let mut drawn = table.clone();
-        for joint in joints {
-            let mut virgin = true;
-            let points = joint.turning_points(turns);
-            let path = points.and_then(|points| joint.path(&points, STEPS));
-            let path = path.with_context(|| named(scene, model))?;
-            for point in &path.points {
-                let place = Separation::metres(point.separation);
-                let place = |unit| place.measured_in(unit, from, contact).map(|found| found.value);
-                let numbers = [
-                    point.way as f64,
-                    place(SeparationUnit::Sigma)?,
-                    place(SeparationUnit::Metres)?,
-                    point.force,
-                    point.force / contact.nominal_area,
-                    point.stiffness,
-                ];
-                let mut row = vec![Cell::from(&**id), Cell::from(&*joint.law().to_string())];
-                row.extend(numbers.map(|x| Cell::Number(Some(x))));
-                let was = std::mem::replace(&mut virgin, point.separation <= point.closest);
-                if let Some(last) = table.rows.last().filter(|_| was != virgin) {
-                    let mut gap = last.clone();
-                    gap[numbers.len() + 1] = Cell::Number(None);
-                    drawn.rows.push(gap);
-                }
-                drawn.rows.push(row.clone());
-                table.rows.push(row);
-            }
-            let works: Vec<String> = path.work.iter().map(|work| rounded(*work)).collect();
-            let text = format!(
-                "{id} by {}: the ways take {} J (below 0: give back), {} J in all",
-                joint.law(),
-                works.join(", "),
-                rounded(path.work.iter().sum())
-            );
-            say("note", &text);
-        }
-        self.output.write(&table, || {
-            let x = Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6);
-            picture(&drawn, &x, id, joints)
-        })
-    }
 }
 
-fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
+pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
     format!("{}: {id}", scene.name)
 }
 
@@ -281,7 +217,7 @@ fn of_ways(
 }
 
 /// A curve for each law.
-fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<String> {
+pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<String> {
     let mut by_law = table.clone();
     // The law names the curve.
     by_law.head.remove(0);
