@@ -8,7 +8,7 @@ use asperity_core::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::hertz;
+use crate::{hertz, sticking};
 
 /// The model of Derjaguin, Muller and Toporov.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -44,9 +44,6 @@ impl AsperityModel for DerjaguinMullerToporov {
     }
 
     fn claims(&self) -> Claims {
-        Claims::with_adhesion()
-            .for_tabor(0.0, 0.1)
-            .valid_for("elastic asperities that stick, Tabor's parameter below about 0.1")
-            .holds_to(1.0)
+        sticking([0.0, 0.1], "elastic asperities that stick, Tabor's parameter below about 0.1")
     }
 }

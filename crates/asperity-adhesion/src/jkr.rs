@@ -8,7 +8,7 @@ use asperity_core::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::hertz;
+use crate::{hertz, sticking};
 
 /// Which way the surfaces go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -131,10 +131,8 @@ impl AsperityModel for JohnsonKendallRoberts {
     }
 
     fn claims(&self) -> Claims {
-        Claims::with_adhesion()
-            .for_tabor(5.0, f64::INFINITY)
-            .valid_for("elastic asperities that stick, Tabor's parameter above about 5")
-            .holds_to(1.0)
+        let words = "elastic asperities that stick, Tabor's parameter above about 5";
+        sticking([5.0, f64::INFINITY], words)
     }
 }
 

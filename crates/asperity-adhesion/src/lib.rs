@@ -19,6 +19,10 @@
 //! r ≥ 1 on separation, r ≥ 4^(1/3) on approach. A loop of approach and separation loses the energy
 //! between the branches. For w_a = 0 all are GW.
 //!
+//! Motions too small to move the edge of a contact feel 2 E a all the same, which is the quantity
+//! `unloading-stiffness`; opening farther follows the separation branch, and no law of unloading
+//! (crate `asperity-joints`).
+//!
 //! # Valid for
 //! Elastic asperities alone in their pull, Tabor's parameter μ below about 0.1 (DMT: small, hard) or above
 //! about 5 (JKR: large, soft); [`Asperity::tabor_parameter`]. With θ = E σ_z^1.5/(w_a √R) above about
@@ -49,7 +53,7 @@
 //!
 //! [`Asperity::tabor_parameter`]: asperity_core::Asperity::tabor_parameter
 
-use asperity_core::{Asperity, Law, Power, Quantity};
+use asperity_core::{Asperity, Claims, Law, Power, Quantity};
 
 mod dmt;
 mod jkr;
@@ -58,6 +62,11 @@ mod pull_off;
 pub use dmt::DerjaguinMullerToporov;
 pub use jkr::{Branch, JohnsonKendallRoberts};
 pub use pull_off::{PullOff, pull_off};
+
+/// What models of elastic asperities that stick say of themselves: for which Tabor parameters they are.
+fn sticking([least, most]: [f64; 2], valid_for: &'static str) -> Claims {
+    Claims::with_adhesion().for_tabor(least, most).valid_for(valid_for).holds_to(1.0)
+}
 
 /// Hertz' laws of w in metres: what is left without adhesion, and DMT's contact.
 fn hertz(asperity: &Asperity, quantity: Quantity) -> Option<Law> {

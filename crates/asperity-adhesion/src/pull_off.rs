@@ -26,19 +26,23 @@ const LOOKS: usize = 64;
 /// θ = 2√π on, by DMT).
 ///
 /// # Errors
-/// Those of [`evaluate`](Contact::evaluate_at).
+/// Those of [`evaluate`](Contact::evaluate_at); [`ContactError::OutOfRange`] for a force that does not
+/// rise however far the surfaces are pressed together.
 pub fn pull_off(contact: &dyn Contact) -> Result<Option<PullOff>, ContactError> {
+    let tangent = |s: f64| contact.evaluate(Quantity::Tangent, Separation::sigmas(s));
     // The tangent over its size; below 0 where nothing touches.
     let rises = |s: f64| -> Result<f64, ContactError> {
-        let tangent = contact.evaluate(Quantity::Tangent, Separation::sigmas(s))?;
+        let tangent = tangent(s)?;
         Ok(if tangent.size > 0.0 { tangent.scaled / tangent.size } else { -1.0 })
     };
     let (mut low, mut high) = (-NEAR, NEAR);
     while rises(low)? <= 0.0 {
-        low *= 2.0;
-        if low < -FARTHEST {
-            return Ok(None);
+        if 2.0 * low < -FARTHEST {
+            let required = "one above 0 where the surfaces are pressed together";
+            let value = tangent(low)?.value();
+            return Err(ContactError::OutOfRange { field: "tangent", value, required });
         }
+        low *= 2.0;
     }
     while rises(high)? >= 0.0 {
         high *= 2.0;
@@ -50,7 +54,18 @@ pub fn pull_off(contact: &dyn Contact) -> Result<Option<PullOff>, ContactError> 
     let looks: Vec<f64> = (0..=LOOKS).map(|k| rises(place(k))).collect::<Result<_, _>>()?;
     let mut least: Option<PullOff> = None;
     for k in (0..LOOKS).filter(|k| looks[*k] > 0.0 && looks[*k + 1] <= 0.0) {
-        let root = bracketed_root(|s| rises(s).unwrap_or(f64::NAN), place(k), place(k + 1));
+        let mut failed = None;
+        let rise = |s| {
+            rises(s).unwrap_or_else(|error| {
+                failed = Some(error);
+                f64::NAN
+            })
+        };
+        let root = bracketed_root(rise, place(k), place(k + 1));
+        if let Some(error) = failed {
+            return Err(error);
+        }
+        // Between a rise and a fall there is one, where no error was.
         let Some(s) = root else { continue };
         let separation = Separation::sigmas(s);
         let force = contact.evaluate(Quantity::Force, separation)?;

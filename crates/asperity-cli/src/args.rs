@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
-use asperity::joints::{Unloading, UnloadingLaw};
 use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -13,9 +12,10 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::numbers::{Numbers, load, loads, number, pressure, pressures};
+use crate::distances::{Distance, Distances, ask_unit};
+use crate::numbers::{Numbers, load, loads_or_tensions, number, pressure, pressures_or_tensions};
 use crate::output::{self, once};
-use crate::scene::LoadedScene;
+use crate::scene::{LoadedScene, NamedModel};
 use crate::table::{Format, Table};
 
 /// What is asked of which models of a scene.
@@ -27,25 +27,27 @@ pub struct Asked {
     /// Models, all that the scene allows by default; `asperity models` lists them
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     pub models: Vec<String>,
-    /// Separations: N from A to B, in equal steps or (log) ratios, or v,v,...
+    /// Separations: N from A to B, in equal steps or (log) ratios, or v,v,...; in sigma (of the
+    /// asperity heights), or with a unit as 2um
     #[arg(long = "separation", value_name = "A:B:N[:log]|v,v", conflicts_with = "given")]
     #[arg(action = ArgAction::Append)]
-    separations: Vec<Numbers>,
-    /// Unit of the separations, sigma (of the asperity heights) or m
+    separations: Vec<Distances>,
+    /// Unit of separations without one, sigma (of the asperity heights) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separations", conflicts_with = "given")]
     unit: SeparationUnit,
-    /// Loads in N, or with a unit as 2kN, written as separations are
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads)]
+    /// Loads in N, or with a unit as 2kN, written as separations are; tensions (dmt, jkr) below 0
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads_or_tensions)]
     #[arg(action = ArgAction::Append, group = "given")]
     loads: Vec<Numbers>,
     /// Loads as pressures on the nominal area, in Pa, or with a unit as 5MPa
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures_or_tensions)]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
-    /// contact-radius-sum, unloading-stiffness, tangential-stiffness, thermal-conductance,
-    /// electrical-conductance (the last five of circular contacts only), mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share
+    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts, mean-pressure,
+    /// ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; of equal asperities with
+    /// circular contacts contact-radius-sum, unloading-stiffness, tangential-stiffness,
+    /// thermal-conductance, electrical-conductance and both with -per-area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
@@ -68,32 +70,40 @@ pub struct Closed {
 
 /// Where it was closed to.
 #[derive(Debug, Args)]
-#[group(required = true, multiple = false)]
+#[group(id = "place", required = true, multiple = false)]
 struct Place {
-    /// The closest approach, in sigma (of the asperity heights)
-    #[arg(long, value_name = "D", value_parser = number)]
-    closest: Option<f64>,
-    /// The largest load, in N
+    /// The closest approach, in sigma (of the asperity heights), or with a unit as 2um
+    #[arg(long, value_name = "D")]
+    closest: Option<Distance>,
+    /// The largest load, in N, or with a unit as 2kN
     #[arg(long, value_name = "P", value_parser = load)]
     load: Option<f64>,
-    /// The largest load as a pressure on the nominal area, in Pa
+    /// The largest load as a pressure on the nominal area, in Pa, or with a unit as 5MPa
     #[arg(long, value_name = "P", value_parser = pressure)]
     pressure: Option<f64>,
 }
 
 impl Closed {
-    /// The scene, the model's name, and the joint.
-    pub fn joint(&self, law: UnloadingLaw) -> Result<(LoadedScene, String, Unloading)> {
+    /// The scene and the model.
+    pub fn open(&self) -> Result<(LoadedScene, NamedModel)> {
         let scene = LoadedScene::load(&self.scene)?;
-        let (id, model) = scene.model(&self.model)?;
-        let closest = |value| At::from(scene.file.separation(value, SeparationUnit::Sigma));
-        let Place { closest: approach, load, pressure } = self.place;
-        let place = approach.map(closest).or(load.map(At::Load)).or(pressure.map(At::Pressure));
+        let model = scene.model(&self.model)?;
+        Ok((scene, model))
+    }
+
+    /// Where the joint was closed to; what is unusual about it is said.
+    pub fn place(&self, scene: &LoadedScene, model: &NamedModel) -> Result<At> {
+        let file = &scene.file;
+        let separation = |closest: Distance| {
+            let unit = closest.unit(SeparationUnit::Sigma);
+            ask_unit("closest", &[closest.value], unit, file.scene.surface.asperity_height_std);
+            At::from(file.separation(closest.value, unit))
+        };
+        let Place { closest, load, pressure } = self.place;
+        let place = closest.map(separation).or(load.map(At::Load)).or(pressure.map(At::Pressure));
         let place = place.context("a closest approach was required")?;
-        scene.tell(&[&(id.clone(), model.clone())], &[place]);
-        let joint = Unloading::new(&model, &scene.file.scene, place, law, Tolerance::default());
-        let joint = joint.with_context(|| format!("{}: {id}", scene.name))?;
-        Ok((scene, id, joint))
+        scene.tell(&[model], &[place]);
+        Ok(place)
     }
 }
 
@@ -121,6 +131,10 @@ pub struct DrawnArgs {
 impl Asked {
     /// As a request, with what is asked for unless something is given.
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
+        for list in &self.separations {
+            let height_std = scene.scene.surface.asperity_height_std;
+            ask_unit("separation", &list.values, list.unit(self.unit), height_std);
+        }
         let at = self.at(scene, separations);
         let quantities = match (&self.quantities[..], &at[..], usual) {
             // At a load, the force is what was given.
@@ -138,13 +152,20 @@ impl Asked {
 
     /// The default ones are multiples of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
-        let separation = |value| At::from(scene.separation(value, self.unit));
+        let separation = |value, unit| At::from(scene.separation(value, unit));
         let flat = |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
-        let separations = flat(&self.separations).into_iter().map(separation);
+        let separations = self.separations.iter().flat_map(|list| {
+            let unit = list.unit(self.unit);
+            list.values.iter().map(move |value| separation(*value, unit))
+        });
         let loads = flat(&self.loads).into_iter().map(At::Load);
         let pressures = flat(&self.pressures).into_iter().map(At::Pressure);
         let given: Vec<At> = separations.chain(loads).chain(pressures).collect();
-        if given.is_empty() { otherwise.iter().map(|s| separation(*s)).collect() } else { given }
+        if given.is_empty() {
+            otherwise.iter().map(|s| separation(*s, self.unit)).collect()
+        } else {
+            given
+        }
     }
 }
 

@@ -4,8 +4,8 @@ use std::mem::discriminant;
 
 use anyhow::{Context, Result, bail};
 use asperity::{
-    At, Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Separation,
-    SeparationUnit, Severity, Warning, Warnings,
+    At, Contact, ContactError, ContactModel, Evaluation, Finding, Model, Quantity, Request,
+    Separation, SeparationUnit, Severity, Warning, Warnings,
 };
 
 use crate::output::{once, progress, say};
@@ -64,8 +64,9 @@ impl<'s> Question<'s> {
         let found = found.into_iter().filter(|finding| finding.severity < Severity::Note);
         let crowded = found.clone().any(|finding| finding.code == "crowded");
         self.findings.extend(found.map(|finding| (id.clone(), finding)));
-        let contact = model.compile(scene, &self.request);
-        let contact = contact.with_context(|| format!("{}: {id}", self.scene.name))?;
+        let adhesive = model.claims().adhesive;
+        let compiled = self.compile(id, model);
+        let (contact, had) = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
         let model = Cell::from(id.as_str());
         let loads = self.head().head.len() - 3;
         let (mut rows, mut warnings, mut reasons) = (0, Warnings::default(), vec![]);
@@ -73,8 +74,7 @@ impl<'s> Question<'s> {
             // What was given, and where that is.
             let places: Vec<(At, At)> =
                 block.iter().flat_map(|at| self.places(&*contact, *at)).collect();
-            let request =
-                Request::new(self.request.quantities.clone()).within(self.request.tolerance);
+            let request = Request::new(had.iter().copied()).within(self.request.tolerance);
             let response = contact.respond(&request.at(places.iter().map(|place| place.1)));
             rows += places.len();
             for (k, (given, at)) in places.into_iter().enumerate() {
@@ -92,9 +92,15 @@ impl<'s> Question<'s> {
                 let given = [given.load(scene), given.pressure(scene)];
                 let mut place = vec![model.clone()];
                 place.extend(given.into_iter().take(loads).chain(lengths).map(Cell::Number));
-                deliver(Row { place, values: values().map(|value| value.ok().copied()).collect() });
+                let values: Vec<_> = values().map(|value| value.ok().copied()).collect();
+                let of = |q: &Quantity| *values.get(had.iter().position(|h| h == q)?)?;
+                deliver(Row { place, values: self.request.quantities.iter().map(of).collect() });
             }
             warnings.append(response.warnings);
+        }
+        let tension = |at: &At| at.load(scene).is_some_and(|load| load < 0.0);
+        if self.request.at.iter().any(tension) && !adhesive {
+            self.words.push(format!("{id} holds no tensions: dmt, jkr and jkr-separation do"));
         }
         let warnings = warnings.into_vec().into_iter();
         // That is what the findings say.
@@ -106,6 +112,47 @@ impl<'s> Question<'s> {
             _ => format!("{id}: no value in {count} of {rows} rows, in the first because {reason}"),
         }));
         Ok(())
+    }
+
+    /// The model's contact, with those of the quantities that it gives: the others are blank, and why
+    /// is said.
+    fn compile(
+        &mut self,
+        id: &str,
+        model: &Model,
+    ) -> Result<(Box<dyn Contact>, Vec<Quantity>), ContactError> {
+        let scene = &self.scene.file.scene;
+        let whole = match model.compile(scene, &self.request) {
+            Ok(contact) => return Ok((contact, self.request.quantities.clone())),
+            Err(whole) => whole,
+        };
+        let of = |quantities: &[Quantity]| {
+            let request = Request::new(quantities.iter().copied()).within(self.request.tolerance);
+            model.compile(scene, &request.at(self.request.at.iter().copied()))
+        };
+        let mut given = vec![];
+        // What is refused for the same reason is told at once.
+        let mut refused: Vec<(String, Vec<String>)> = vec![];
+        for quantity in &self.request.quantities {
+            match of(&[*quantity]) {
+                Ok(_) => given.push(*quantity),
+                Err(reason) => {
+                    let (reason, name) = (reason.to_string(), quantity.to_string());
+                    match refused.iter_mut().find(|(known, _)| *known == reason) {
+                        Some((_, names)) => names.push(name),
+                        None => refused.push((reason, vec![name])),
+                    }
+                }
+            }
+        }
+        // Without any, its places are still told.
+        let contact = of(if given.is_empty() { &[Quantity::Force] } else { &given });
+        let contact = contact.map_err(|_| whole)?;
+        let told = |(reason, names): (String, Vec<String>)| {
+            format!("{id}: no {}: {reason}", names.join(", "))
+        };
+        self.words.extend(refused.into_iter().map(told));
+        Ok((contact, given))
     }
 
     /// A place as given, and where that is: everywhere that a load is carried, if all is asked.

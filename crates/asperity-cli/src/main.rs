@@ -7,6 +7,7 @@ mod args;
 mod ask;
 mod commands;
 mod contact_map;
+mod distances;
 mod interrupt;
 mod number;
 mod numbers;
@@ -23,8 +24,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use commands::{
-    bem, check, compare, curve, export, init, models, plan, recommend, slip, solve, surface, truth,
-    unload,
+    bem, check, compare, curve, export, init, models, plan, pull_off, recommend, slip, solve,
+    surface, truth, unload,
 };
 
 /// Rough surfaces in contact: force, real area and stiffness by published models, beside boundary elements
@@ -58,6 +59,7 @@ enum Command {
     Truth(truth::TruthCommand),
     Unload(unload::Unload),
     Slip(slip::Slip),
+    PullOff(pull_off::PullOff),
 }
 
 fn main() -> ExitCode {
@@ -76,6 +78,7 @@ fn main() -> ExitCode {
         Command::Truth(command) => command.run(),
         Command::Unload(command) => command.run(),
         Command::Slip(command) => command.run(),
+        Command::PullOff(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -29,7 +29,8 @@ impl FromStr for Numbers {
 }
 
 impl Numbers {
-    fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+    /// Numbers, each as `number` reads it.
+    pub fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         if !text.contains(':') {
             return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
         }
@@ -73,11 +74,29 @@ impl Span {
         };
         Ok(Self { first, last, count: count.transpose()?, log })
     }
+
+    /// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
+    pub fn even(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+        match Self::read(text, number)? {
+            Self { log: true, .. } => Err("A:B or A:B:N was expected, without log".into()),
+            span => Ok(span),
+        }
+    }
 }
 
 /// Numbers that are all above 0.
 pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
     Numbers::read(text, positive_number)
+}
+
+/// Forces, in N or with their unit: tensions are below 0.
+pub fn loads_or_tensions(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, load_or_tension)
+}
+
+/// Pressures likewise, in Pa or with their unit.
+pub fn pressures_or_tensions(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, pressure_or_tension)
 }
 
 /// Forces above 0, in N or with their unit.
@@ -95,48 +114,54 @@ pub fn lengths(text: &str) -> Result<Numbers, String> {
     Numbers::read(text, length)
 }
 
+/// A force other than 0, in N or with its unit: a tension is below 0.
+pub fn load_or_tension(text: &str) -> Result<f64, String> {
+    of_unit(text, "N").and_then(not_0)
+}
+
+/// A pressure likewise, in Pa or with its unit.
+pub fn pressure_or_tension(text: &str) -> Result<f64, String> {
+    of_unit(text, "Pa").and_then(not_0)
+}
+
 /// A force above 0, in N or with its unit.
 pub fn load(text: &str) -> Result<f64, String> {
-    with_unit(text, "N")
+    of_unit(text, "N").and_then(positive)
 }
 
 /// A pressure above 0, in Pa or with its unit.
 pub fn pressure(text: &str) -> Result<f64, String> {
-    with_unit(text, "Pa")
+    of_unit(text, "Pa").and_then(positive)
 }
 
 /// A length above 0, in m or with its unit.
 pub fn length(text: &str) -> Result<f64, String> {
-    with_unit(text, "m")
+    of_unit(text, "m").and_then(positive)
 }
 
-fn with_unit(text: &str, si: &str) -> Result<f64, String> {
+/// A finite number, plain or with its unit.
+pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     match asperity_scene::quantity(text, si)? {
-        value if value.is_finite() => positive(value),
+        value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite: a finite number was expected")),
     }
 }
 
-/// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
-pub fn range(text: &str) -> Result<Span, String> {
-    even(text, number)
-}
-
-/// The same of forces above 0, in N or with their unit.
-pub fn range_of_loads(text: &str) -> Result<Span, String> {
-    even(text, load)
-}
-
-/// The same of pressures above 0, in Pa or with their unit.
-pub fn range_of_pressures(text: &str) -> Result<Span, String> {
-    even(text, pressure)
-}
-
-fn even(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Span, String> {
-    match Span::read(text, number)? {
-        Span { log: true, .. } => Err("A:B or A:B:N was expected, without log".into()),
-        span => Ok(span),
+fn not_0(value: f64) -> Result<f64, String> {
+    match value {
+        0.0 => Err("0 is neither a load (above 0) nor a tension (below 0)".into()),
+        value => Ok(value),
     }
+}
+
+/// A range of forces above 0, in N or with their unit.
+pub fn range_of_loads(text: &str) -> Result<Span, String> {
+    Span::even(text, load)
+}
+
+/// A range of pressures above 0, in Pa or with their unit.
+pub fn range_of_pressures(text: &str) -> Result<Span, String> {
+    Span::even(text, pressure)
 }
 
 /// A finite number.
@@ -155,7 +180,8 @@ pub fn positive_number(text: &str) -> Result<f64, String> {
     number(text).and_then(positive)
 }
 
-fn positive(value: f64) -> Result<f64, String> {
+/// What is above 0.
+pub fn positive(value: f64) -> Result<f64, String> {
     if value > 0.0 { Ok(value) } else { Err(format!("{value} is not above 0, which was expected")) }
 }
 
@@ -179,11 +205,11 @@ mod tests {
         assert_eq!(loads("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
         assert_eq!(pressures("5 MPa,1e5").unwrap().0, [5e6, 1e5]);
         assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
-        let span = range("0:4").unwrap();
+        let span = Span::even("0:4", number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range_of_loads("10:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
         assert!(range_of_pressures("0:1MPa").is_err() && range_of_loads("1:2kN:3:log").is_err());
-        assert_eq!(range("-1:4:9").unwrap().count, Some(9));
+        assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
     }
 
     #[test]
@@ -215,8 +241,10 @@ mod tests {
         ] {
             assert!(numbers(bad).is_err(), "{bad}");
         }
+        assert_eq!(loads_or_tensions("-10mN,2").unwrap().0, [-0.01, 2.0]);
+        assert!(loads_or_tensions("-1,0").is_err() && pressure_or_tension("0").is_err());
         assert!(loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err());
         assert!(positive_numbers("1,0").is_err() && positive_number("-1").is_err());
-        assert!(range("1:3:4:log").is_err());
+        assert!(Span::even("1:3:4:log", number).is_err());
     }
 }

@@ -47,6 +47,12 @@ impl LoadedScene {
         tell(&models.iter().flat_map(of).collect::<Vec<_>>());
     }
 
+    /// Says which models know the scene's adhesion, where it has any.
+    pub fn tell_adhesion(&self) {
+        let found = self.file.findings().into_iter().find(|found| found.code == "adhesion");
+        found.into_iter().for_each(|found| say("note", &found.message));
+    }
+
     /// The model that others are held against: ke unless another is asked for, or gw where there
     /// is no hardness.
     pub fn reference(&self, asked: Option<&str>) -> Result<NamedModel> {
@@ -57,7 +63,11 @@ impl LoadedScene {
     /// The models asked for, or all that the scene allows: those it does not are named.
     pub fn models(&self, asked: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
         if !asked.is_empty() {
-            return once(asked).iter().map(|id| self.model(id)).collect();
+            let models = once(asked).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
+            if !models.iter().all(|(_, model)| model.claims().adhesive) {
+                self.tell_adhesion();
+            }
+            return Ok(models);
         }
         let (models, mut left_out) = self.file.models();
         let (models, refused): (Vec<_>, Vec<_>) = models
@@ -88,6 +98,7 @@ impl LoadedScene {
         if models.is_empty() {
             bail!("{}: no model can use this scene", self.name);
         }
+        self.tell_adhesion();
         Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
     }
 

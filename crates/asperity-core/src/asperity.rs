@@ -118,7 +118,8 @@ impl Asperity {
 }
 
 fn never_yields() -> ContactError {
-    let needed_by = "every model but GW (that, or yield_strength,)".into();
+    let needed_by =
+        "every model of yielding (all but gw, persson, dmt and jkr; yield_strength will do)".into();
     ContactError::Missing { field: "hardness", needed_by }
 }
 

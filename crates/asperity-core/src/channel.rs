@@ -63,7 +63,9 @@ pub(crate) fn bases(quantity: Quantity, own_stiffness: bool) -> &'static [Quanti
         | Quantity::UnloadingStiffness
         | Quantity::TangentialStiffness
         | Quantity::ThermalConductance
-        | Quantity::ElectricalConductance => &[Quantity::ContactRadiusSum],
+        | Quantity::ElectricalConductance
+        | Quantity::ThermalConductancePerArea
+        | Quantity::ElectricalConductancePerArea => &[Quantity::ContactRadiusSum],
         Quantity::Stiffness if own_stiffness => &[Quantity::Stiffness],
         _ => &[Quantity::Force],
     }

@@ -7,6 +7,9 @@
 //! thermal conductance       2 k S         k = 2k₁k₂/(k₁+k₂), contacts far from each other    [derived]
 //! electrical conductance    2 S/ρ         ρ = (ρ₁+ρ₂)/2                                      [seen]
 //! ```
+//! Beside contacts that stick and are stretched (JKR) the first holds for motions so small that the
+//! edges stay where they are; opening farther has a curve of its own (`jkr-separation`).
+//!
 //! The contacts constrict the flow each for itself: the constriction factor is 1.
 
 use std::f64::consts::PI;
@@ -15,12 +18,13 @@ use crate::{AsperityModel, ContactError, Form, Interface, Law, Power, Quantity};
 
 /// What a unit of S brings.
 pub(crate) fn per_radius(quantity: Quantity, interface: &Interface) -> Result<f64, ContactError> {
+    let total = quantity.over_area().unwrap_or(quantity);
     let given = |field: &'static str, value: Option<f64>, of: &str| {
         let needed_by = format!("{quantity}{of}");
         value.ok_or(ContactError::Missing { field, needed_by })
     };
     let bodies = " (that of the interface, or those of both bodies)";
-    match quantity {
+    match total {
         Quantity::UnloadingStiffness => Ok(2.0 * interface.equivalent_modulus),
         Quantity::TangentialStiffness => {
             let shear = interface.equivalent_shear_modulus;
@@ -58,7 +62,9 @@ pub(crate) fn law(model: &dyn AsperityModel, area: &Law) -> Result<Law, ContactE
     let unit = (area.value_unit / PI).sqrt();
     let mut radii =
         area.map("radius of a circle", unit, |area| (area / PI).sqrt()).ok_or_else(|| {
-            not_circles("parts of its area overlap or are subtracted, and a sum of circles is none")
+            not_circles(
+                "only models of equal, upright asperities have it, not those whose radii are spread (-random) or parts of whose area overlap",
+            )
         })?;
     for (radius, area) in radii.parts.iter_mut().zip(&area.parts) {
         // The root of one power is a power.

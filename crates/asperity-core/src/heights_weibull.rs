@@ -58,8 +58,7 @@ impl WeibullHeights {
     pub fn new(skewness: f64) -> Result<Self, ContactError> {
         let [least, most] = Self::SKEWNESS;
         if !(least..=most).contains(&skewness) {
-            let required =
-                "a number from -1 to 2 (a Weibull density has no other): give a table of heights";
+            let required = "a number from -1 to 2 (a table of heights has any other)";
             let field = "skewness";
             return Err(ContactError::OutOfRange { field, value: skewness, required });
         }

@@ -19,7 +19,7 @@ pub struct Body {
     /// Poisson's ratio, in (-1, 0.5].
     pub poissons_ratio: f64,
     /// Hardness \[Pa\]; 2.8 times the yield strength when not given. Without either, the body never
-    /// yields: only GW describes that.
+    /// yields: only elastic models describe that (GW, Persson, DMT, JKR).
     #[serde(default)]
     pub hardness: Option<f64>,
     /// Yield strength \[Pa\]; the hardness over 2.8 when not given.
@@ -45,8 +45,8 @@ pub struct Interface {
     pub equivalent_shear_modulus: Option<f64>,
     /// ν of the softer body, in (-1, 0.5].
     pub poissons_ratio: f64,
-    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength when not given. GW alone
-    /// does without either.
+    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength when not given. Elastic
+    /// models alone (GW, Persson, DMT, JKR) do without either.
     #[serde(default)]
     pub hardness: Option<f64>,
     /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 when not given.
@@ -109,7 +109,7 @@ impl Body {
         Self { yield_strength, ..Self::elastic(youngs_modulus, poissons_ratio) }
     }
 
-    /// A body that never yields, such as rubber: of no use to any model but GW.
+    /// A body that never yields, such as rubber: for GW, Persson, DMT and JKR alone.
     #[must_use]
     pub fn elastic(youngs_modulus: f64, poissons_ratio: f64) -> Self {
         Self {
@@ -202,7 +202,8 @@ impl Interface {
         Ok(body.interface(body.compliances()))
     }
 
-    /// An interface that never yields, such as rubber on anything: of no use to any model but GW.
+    /// An interface that never yields, such as rubber on anything: for GW, Persson, DMT and JKR
+    /// alone.
     #[must_use]
     pub fn elastic(equivalent_modulus: f64, poissons_ratio: f64) -> Self {
         Self { hardness: None, ..Self::new(equivalent_modulus, poissons_ratio, 0.0) }

@@ -39,10 +39,11 @@ pub enum Quantity {
     /// Number of asperities that touch: η A_n ∫ g(d + w) dw, the same for every model.
     Contacts,
     /// Sum of the contact radii √(A/π) \[m\], for upright asperities with circular contacts: what
-    /// the next four follow from.
+    /// the next six follow from.
     ContactRadiusSum,
     /// 2 E Σ a \[N/m\]: what small vibrations, ultrasound and modal tests feel, the slope at which
     /// unloading begins. First loading follows the tangent, which is smaller where asperities yield.
+    /// Of contacts that stick (JKR), with edges that stay where they are, as they do for small motions.
     UnloadingStiffness,
     /// 8 G Σ a \[N/m\] in stick (Mindlin); needs the equivalent shear modulus.
     TangentialStiffness,
@@ -50,6 +51,10 @@ pub enum Quantity {
     ThermalConductance,
     /// 2 Σ a/ρ \[S\], of contacts far from each other; needs the electrical resistivity.
     ElectricalConductance,
+    /// The thermal conductance over the nominal area \[W/(m² K)\].
+    ThermalConductancePerArea,
+    /// The electrical conductance over the nominal area \[S/m²\].
+    ElectricalConductancePerArea,
     /// Force over real area \[Pa\].
     MeanPressure,
     /// Natural logarithm of the absolute force in newtons, also where the force underflows.
@@ -66,7 +71,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// All quantities.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 20] = [
         Self::Force,
         Self::Area,
         Self::Stiffness,
@@ -79,6 +84,8 @@ impl Quantity {
         Self::TangentialStiffness,
         Self::ThermalConductance,
         Self::ElectricalConductance,
+        Self::ThermalConductancePerArea,
+        Self::ElectricalConductancePerArea,
         Self::MeanPressure,
         Self::LnForce,
         Self::LnArea,
@@ -100,6 +107,8 @@ impl Quantity {
             Self::ContactRadiusSum => "m",
             Self::ThermalConductance => "W/K",
             Self::ElectricalConductance => "S",
+            Self::ThermalConductancePerArea => "W/m2/K",
+            Self::ElectricalConductancePerArea => "S/m2",
             Self::Pressure | Self::MeanPressure => "Pa",
             Self::LnForce => "ln N",
             Self::LnArea => "ln m2",
@@ -114,6 +123,15 @@ impl Quantity {
         match unit.as_str() {
             "" => name,
             unit => format!("{name}_{}", unit.replace(' ', "_")),
+        }
+    }
+
+    /// What it is over the nominal area, of a conductance per nominal area.
+    pub(crate) fn over_area(self) -> Option<Self> {
+        match self {
+            Self::ThermalConductancePerArea => Some(Self::ThermalConductance),
+            Self::ElectricalConductancePerArea => Some(Self::ElectricalConductance),
+            _ => None,
         }
     }
 
@@ -150,6 +168,8 @@ impl fmt::Display for Quantity {
             Self::TangentialStiffness => "tangential-stiffness",
             Self::ThermalConductance => "thermal-conductance",
             Self::ElectricalConductance => "electrical-conductance",
+            Self::ThermalConductancePerArea => "thermal-conductance-per-area",
+            Self::ElectricalConductancePerArea => "electrical-conductance-per-area",
             Self::MeanPressure => "mean-pressure",
             Self::LnForce => "ln-force",
             Self::LnArea => "ln-area",
@@ -193,6 +213,8 @@ mod tests {
         }
         assert_eq!(Quantity::Tangent.column(), "tangent_N_per_m");
         assert_eq!(Quantity::AreaFraction.column(), "area_fraction");
+        let column = Quantity::ThermalConductancePerArea.column();
+        assert_eq!(column, "thermal_conductance_per_area_W_per_m2_per_K");
         assert_eq!(Quantity::LnForce.column(), "ln_force_ln_N");
         let far = "wear-rate".parse::<Quantity>().unwrap_err().to_string();
         assert!(far.contains("force, area") && !far.contains("mean \""), "{far}");

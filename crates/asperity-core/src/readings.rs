@@ -66,6 +66,10 @@ impl Reading<'_> {
                 let [scaled, size] = [radii.scaled, radii.size].map(|x| x * factor);
                 Evaluation { scaled, size, ..radii }.held(radii.size, quantity)
             }
+            Quantity::ThermalConductancePerArea | Quantity::ElectricalConductancePerArea => {
+                let total = quantity.over_area().unwrap_or(quantity);
+                Ok(self.nominal(self.derived(total, integrals)?))
+            }
             Quantity::MeanPressure => {
                 let force = self.value(Quantity::Force, integrals)?;
                 self.ratio(quantity, force, self.value(Quantity::Area, integrals)?)

@@ -254,7 +254,9 @@ fn cause_of(quantity: Quantity) -> Quantity {
         Quantity::UnloadingStiffness
         | Quantity::TangentialStiffness
         | Quantity::ThermalConductance
-        | Quantity::ElectricalConductance => Quantity::ContactRadiusSum,
+        | Quantity::ElectricalConductance
+        | Quantity::ThermalConductancePerArea
+        | Quantity::ElectricalConductancePerArea => Quantity::ContactRadiusSum,
         quantity if quantity.regime().is_some() => Quantity::Force,
         quantity => quantity,
     }

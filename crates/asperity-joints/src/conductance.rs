@@ -183,7 +183,6 @@ mod tests {
                 }
             }
         }
-        println!("{worst:?}");
         assert!(
             (0.015..0.016).contains(&worst[0]) && (0.02..0.021).contains(&worst[1]),
             "{worst:?}"

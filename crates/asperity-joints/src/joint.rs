@@ -3,13 +3,16 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Evaluation, HeightDistribution, Quantity, Request,
-    Scene, Source, Tolerance,
+    At, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution, Quantity,
+    Request, Scene, Separation, SeparationUnit, Source, Tolerance,
 };
 use asperity_quadrature::gauss_kronrod;
 
 use crate::one::{Asked, Loading, MOST, Retreated};
 use crate::{Unloading, UnloadingLaw};
+
+/// No force is looked at beyond this separation \[σ_z\].
+const FARTHEST: f64 = 1e8;
 
 /// The first closing, and the way back from any closest approach.
 #[derive(Debug, Clone)]
@@ -77,7 +80,8 @@ impl Joint {
     /// The work \[J\] of first closing, from no contact to `closest`.
     ///
     /// # Errors
-    /// Those of the contact's evaluations, and [`ContactError::Integral`].
+    /// Those of the contact's evaluations, [`ContactError::Integral`], and [`ContactError::OutOfRange`]
+    /// under heights with a tail so heavy that work is left beyond 1e8 σ_z.
     pub fn spent(&self, closest: At) -> Result<f64, ContactError> {
         let way = self.unloading(closest)?;
         let sigma = self.scene().surface.asperity_height_std;
@@ -87,8 +91,13 @@ impl Joint {
             let panel = self.closing(from + step, from)?;
             work += panel;
             (from, step) = (from + step, 2.0 * step);
-            if panel <= 1e-3 * self.tolerance.relative() * work || from > 1e8 * sigma {
+            if panel <= 1e-3 * self.tolerance.relative() * work {
                 return Ok(work);
+            }
+            if from > FARTHEST * sigma {
+                let field = "share of the work beyond 1e8 asperity_height_std";
+                let required = "next to none, as heights with a lighter tail leave it,";
+                return Err(ContactError::OutOfRange { field, value: panel / work, required });
             }
         }
     }
@@ -96,17 +105,22 @@ impl Joint {
     /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of the
     /// asperity heights.
     pub(crate) fn closing(&self, from: f64, to: f64) -> Result<f64, ContactError> {
-        let force = |d: f64| {
-            let found = self.virgin.evaluate(Quantity::Force, At::metres(d));
-            found.map_or(f64::NAN, |force| force.value())
+        let mut failed = None;
+        let force = |d: f64| match self.virgin.evaluate(Quantity::Force, At::metres(d)) {
+            Ok(force) => force.value(),
+            Err(error) => {
+                failed.get_or_insert(error);
+                f64::NAN
+            }
         };
         let found = gauss_kronrod(force, &[to, from], self.tolerance.relative(), MOST);
-        let (quantity, at) = (Quantity::Force, At::metres(to));
-        found.map(|found| found.value).map_err(|source| ContactError::Integral {
-            quantity,
-            at,
-            source,
-        })
+        match failed {
+            Some(error) => Err(error),
+            None => found.map(|work| work.value).map_err(|source| {
+                let (quantity, at) = (Quantity::Force, At::metres(to));
+                ContactError::Integral { quantity, at, source }
+            }),
+        }
     }
 
     /// The work \[J\] that yielding has taken for good, where the contact has been closed as far as
@@ -121,6 +135,45 @@ impl Joint {
     pub fn dissipated(&self, closest: At) -> Result<f64, ContactError> {
         let returned = self.unloading(closest)?.returned(f64::INFINITY)?;
         Ok(self.spent(closest)? - returned.value())
+    }
+
+    /// The loss factor of closing as far as `closest` for the first time and opening again: what is
+    /// [dissipated](Self::dissipated) over 2π times what was [spent](Self::spent).
+    ///
+    /// # Errors
+    /// Those of [`spent`](Self::spent).
+    pub fn loss_factor(&self, closest: At) -> Result<f64, ContactError> {
+        Ok(self.dissipated(closest)? / (2.0 * std::f64::consts::PI * self.spent(closest)?))
+    }
+
+    /// Where a history turns, as separations \[m\] from the mean of the asperity heights for
+    /// [`path`](Self::path): loads beyond the largest so far are met on the virgin curve, smaller ones
+    /// on the way back from the closest approach.
+    ///
+    /// # Errors
+    /// Those of finding a load; [`ContactError::OutOfRange`] for a load that is not above 0.
+    pub fn turning_points(&self, turns: &[At]) -> Result<Vec<f64>, ContactError> {
+        let (metres, mean) = (SeparationUnit::Metres, Datum::AsperityMean);
+        let place = |separation: Separation| {
+            Ok::<_, ContactError>(separation.measured_in(metres, mean, self.scene())?.value)
+        };
+        let (mut closest, mut found) = (f64::INFINITY, vec![]);
+        for turn in turns {
+            let at = match (*turn, turn.load(self.scene())) {
+                (At::Separation(separation), _) => place(separation)?,
+                (_, Some(load)) if closest.is_finite() => {
+                    let way = self.unloading(At::metres(closest))?;
+                    match load < way.force(0.0)?.value() {
+                        true => closest + way.retreat_to(load)?,
+                        false => place(self.virgin.separation(*turn)?)?,
+                    }
+                }
+                _ => place(self.virgin.separation(*turn)?)?,
+            };
+            closest = closest.min(at);
+            found.push(at);
+        }
+        Ok(found)
     }
 
     /// What is asked after a retreat \[m\] from each of these closest approaches \[σ_z from the mean of

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, At, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
+    Asperity, AsperityModel, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
     Sampler, Source, Tolerance, positive,
 };
 use asperity_quadrature::gauss_kronrod;
@@ -25,6 +25,8 @@ pub(crate) enum Asked {
     Released,
     /// 8 ∫₀ᵘ released du - 4 u released \[J\], likewise.
     Loss,
+    /// 1 where the contact has lasted.
+    Contacts,
     /// ∫₀ᵘ force du \[J\]: the work that comes back, all of it for an infinite u.
     Returned,
 }
@@ -59,16 +61,19 @@ impl Loading {
     ) -> Result<Self, ContactError> {
         let unsupported = |what: &str| ContactError::Unsupported {
             model: model.name().into(),
-            what: format!("unloading: {what}"),
+            what: format!("unloading and partial slip: {what}"),
         };
         if model.claims().angles {
             return Err(unsupported("its contacts lie at all angles"));
         }
         if model.claims().adhesive {
-            return Err(unsupported("adhesion has a branch of its own (jkr-separation)"));
+            return Err(unsupported(
+                "contacts that stick come back on a curve of their own (for jkr the model jkr-separation), and small vibrations by unloading-stiffness",
+            ));
         }
-        let one =
-            model.asperity_model().ok_or_else(|| unsupported("it has no law of an asperity"))?;
+        let one = model
+            .asperity_model()
+            .ok_or_else(|| unsupported("only models of equal, upright asperities have them"))?;
         let law_of = |quantity| {
             let found = one.law(&asperity, quantity, tolerance)?;
             found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
@@ -119,6 +124,7 @@ impl Loading {
         Ok(match asked {
             Asked::Force => force * left.powf(n),
             Asked::Area => area * left,
+            Asked::Contacts => f64::from(y < 1.0),
             Asked::Stiffness => n * force * left.powf(n - 1.0) / recovered,
             Asked::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
             Asked::Released => force,
@@ -226,16 +232,27 @@ pub fn restitution(
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
     let loading = Loading::new(model, *asperity, law, tolerance)?;
-    let failed = |source| {
-        let (quantity, at) = (Quantity::Force, At::metres(-w));
-        ContactError::Integral { quantity, at, source }
-    };
+    let failed = |source: QuadratureError| refused(model.name(), "pressed to", w, &source);
     let mut breaks: Vec<f64> = loading.breaks().into_iter().filter(|x| *x < w).collect();
     breaks.push(w);
-    let force = |x: f64| loading.force.value(x).unwrap_or(f64::NAN);
-    let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST).map_err(failed)?;
+    let mut unsampled = None;
+    let force = |x: f64| {
+        loading.force.value(x).unwrap_or_else(|error| {
+            unsampled.get_or_insert(error);
+            f64::NAN
+        })
+    };
+    let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST);
+    let spent = unsampled.map_or(spent, Err).map_err(failed)?;
     let back = loading.answer(w, f64::INFINITY, None, Asked::Returned).map_err(failed)?;
     Ok((back / spent.value).sqrt())
+}
+
+/// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no place
+/// of the rough surface.
+fn refused(model: &str, place: &str, length: f64, source: &QuadratureError) -> ContactError {
+    let reason = format!("one asperity, {place} {length:e} m: {source}");
+    ContactError::Refused { model: model.into(), reason }
 }
 
 /// Samples of one integral, at most.
@@ -262,19 +279,18 @@ impl<'u> Retreated<'u> {
         let (unit, value_unit) = (loading.force.interference_unit, loading.force.value_unit);
         let value_unit = match asked {
             Asked::Area => loading.area.value_unit,
+            Asked::Contacts => 1.0,
             Asked::Stiffness => value_unit / unit,
             Asked::Loss | Asked::Returned => value_unit * unit,
             Asked::Force | Asked::Released => value_unit,
         };
-        let failed = |source| {
-            let (quantity, at) = (Quantity::Force, At::metres(u));
-            ContactError::Integral { quantity, at, source }
-        };
+        let failed = |source: QuadratureError| refused(name, "after a retreat of", u, &source);
         let whole = matches!(asked, Asked::Released | Asked::Loss | Asked::Returned);
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let start = loading.lasts_from([low, high], u).map_err(failed)?;
+            let start = loading.lasts_from([low, high], u);
+            let start = start.map_err(failed)?;
             // What has lost contact has released all there was.
             ranges.push((low, if whole { start.unwrap_or(high) } else { low }));
             ranges.extend(start.map(|start| (start, high)));

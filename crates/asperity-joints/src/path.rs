@@ -12,6 +12,8 @@ use crate::{Joint, Unloading};
 pub struct Point {
     /// The separation \[m\] from the mean of the asperity heights.
     pub separation: f64,
+    /// The way between turning points on which it was reached, from 1; 0 at the first of them.
+    pub way: usize,
     /// The smallest separation so far \[m\], this one included: all that the contact remembers.
     pub closest: f64,
     /// \[N\].
@@ -50,8 +52,8 @@ impl Joint {
         }
         let mut way = self.unloading(At::metres(first))?;
         let mut closest = first;
-        let mut path = Path { points: vec![self.virgin_point(first)?], work: vec![] };
-        for leg in turning_points.windows(2) {
+        let mut path = Path { points: vec![self.virgin_point(0, first)?], work: vec![] };
+        for (leg, number) in turning_points.windows(2).zip(1..) {
             let (from, to) = (leg[0], leg[1]);
             let at = |k: usize| match k {
                 k if k == steps.max(1) => to,
@@ -72,9 +74,9 @@ impl Joint {
             }
             for separation in places {
                 if separation < closest {
-                    path.points.push(self.virgin_point(separation)?);
+                    path.points.push(self.virgin_point(number, separation)?);
                 } else {
-                    path.points.push(retraced(&way, separation, closest)?);
+                    path.points.push(retraced((&way, number), separation, closest)?);
                 }
             }
             if to < closest {
@@ -86,18 +88,22 @@ impl Joint {
         Ok(path)
     }
 
-    fn virgin_point(&self, separation: f64) -> Result<Point, ContactError> {
+    fn virgin_point(&self, way: usize, separation: f64) -> Result<Point, ContactError> {
         let of = |quantity| self.virgin().evaluate(quantity, At::metres(separation));
         let (force, stiffness) = (of(Quantity::Force)?, of(Quantity::Tangent)?);
         let (force, stiffness) = (force.value(), stiffness.value());
-        Ok(Point { separation, closest: separation, force, stiffness })
+        Ok(Point { separation, way, closest: separation, force, stiffness })
     }
 }
 
 /// A point above the closest approach, or on it.
-fn retraced(way: &Unloading, separation: f64, closest: f64) -> Result<Point, ContactError> {
+fn retraced(
+    (curve, way): (&Unloading, usize),
+    separation: f64,
+    closest: f64,
+) -> Result<Point, ContactError> {
     let retreat = separation - closest;
-    let of = |asked| Ok(way.of(asked, retreat)?.value());
+    let of = |asked| Ok(curve.of(asked, retreat)?.value());
     let (force, stiffness) = (of(Asked::Force)?, of(Asked::Stiffness)?);
-    Ok(Point { separation, closest, force, stiffness })
+    Ok(Point { separation, way, closest, force, stiffness })
 }

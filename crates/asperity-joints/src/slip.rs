@@ -1,10 +1,10 @@
 //! Tangential force against shift at a constant separation.
 
 use asperity_core::{ContactError, Evaluation, positive};
-use asperity_quadrature::bracketed_root;
 
 use crate::Unloading;
 use crate::one::Asked;
+use crate::root::{FARTHEST, falls_to_0};
 
 /// A closed joint that is sheared, from virgin or in cycles.
 #[derive(Debug, Clone)]
@@ -35,7 +35,7 @@ impl PartialSlip {
     /// # Errors
     /// Those of [`Unloading::force`].
     pub fn force(&self, shift: f64) -> Result<Evaluation, ContactError> {
-        self.scaled(self.friction, Asked::Released, shift)
+        self.scaled(self.friction, Asked::Released, ("shift", shift))
     }
 
     /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\] between
@@ -61,7 +61,19 @@ impl PartialSlip {
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
-        self.scaled(self.friction / self.retreat_per_shift, Asked::Loss, amplitude)
+        let factor = self.friction / self.retreat_per_shift;
+        self.scaled(factor, Asked::Loss, ("amplitude", amplitude))
+    }
+
+    /// The loss factor of a cycle between ±`amplitude` \[m\]: what it [loses](Self::loss) over 2π times
+    /// the energy Q D/2 of a spring that is as stiff, from 0 for the smallest to 4/π in gross slip.
+    ///
+    /// # Errors
+    /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is above 0.
+    pub fn loss_factor(&self, amplitude: f64) -> Result<f64, ContactError> {
+        let amplitude = positive("amplitude", amplitude)?;
+        let (loss, force) = (self.loss(amplitude)?, self.force(amplitude)?);
+        Ok(loss.value() / (std::f64::consts::PI * force.value() * amplitude))
     }
 
     /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1, of
@@ -77,36 +89,31 @@ impl PartialSlip {
         }
         let whole = self.normal.force(0.0)?.value();
         let slope = self.normal.stiffness(0.0)?.value() * self.retreat_per_shift;
-        // The force bends down: no earlier than its first slope says.
-        let mut low = share * whole / slope;
+        // The force bends down: no earlier than its first slope says, rounding aside.
+        let low = 0.5 * share * whole / slope;
         if !(low > 0.0 && low.is_finite()) {
             let required = "a force above 0 at the closest approach";
             return Err(ContactError::OutOfRange { field: "force", value: whole, required });
         }
         let wanted = share * self.friction * whole;
-        let missing = |shift: f64| Ok::<_, ContactError>(self.force(shift)?.value() - wanted);
-        let mut high = 2.0 * low;
-        while missing(high)? < 0.0 {
-            (low, high) = (high, 2.0 * high);
-        }
-        let mut failed = None;
-        let root = bracketed_root(
-            |shift| {
-                missing(shift).unwrap_or_else(|error| {
-                    failed = Some(error);
-                    0.0
-                })
-            },
-            low,
-            high,
-        );
-        failed.map_or(Ok(root.unwrap_or(low)), Err)
+        let missing = |shift: f64| Ok(wanted - self.force(shift)?.value());
+        let sigma = self.normal.scene().surface.asperity_height_std;
+        let farthest = FARTHEST * sigma / self.retreat_per_shift;
+        let found = falls_to_0(missing, (low, 4.0 * low), farthest)?;
+        // So near to 1 the integrals do not tell the share from all.
+        let required = "a share that is reached within 1e4 asperity_height_std of retreat, as one farther from 1 is,";
+        found.ok_or(ContactError::OutOfRange { field: "share", value: share, required })
     }
 
-    fn scaled(&self, factor: f64, asked: Asked, shift: f64) -> Result<Evaluation, ContactError> {
+    fn scaled(
+        &self,
+        factor: f64,
+        asked: Asked,
+        (field, shift): (&'static str, f64),
+    ) -> Result<Evaluation, ContactError> {
         if !(shift >= 0.0 && shift.is_finite()) {
             let required = "a finite number, at least 0,";
-            return Err(ContactError::OutOfRange { field: "shift", value: shift, required });
+            return Err(ContactError::OutOfRange { field, value: shift, required });
         }
         let mut found = self.normal.of(asked, self.retreat_per_shift * shift)?;
         found.scaled *= factor;

@@ -1,24 +1,11 @@
 //! Force and slope for codes that step in time: one number of state, some tens of nanoseconds.
 //!
-//! The way back is a function of two numbers, the closest approach c and the separation d ≥ c. It is
-//! tabulated in strips of c and cells of d - c as products of Chebyshev polynomials, halved until these
-//! have converged; the virgin curve is the compiled contact itself.
+//! The way back is tabulated (`strips`); the virgin curve is the compiled contact itself.
 
-use std::f64::consts::PI;
-
-use asperity_core::{At, ContactError, positive};
+use asperity_core::{At, ContactError};
 
 use crate::Joint;
-use crate::one::Asked;
-
-/// Terms in each direction.
-const TERMS: usize = 8;
-/// Strips are this wide at first \[σ_z\].
-const STRIP: f64 = 0.5;
-/// A strip or cell is halved no more often than this.
-const DEEPEST: u32 = 14;
-/// Retreats shorter than this part of σ_z leave no contact behind.
-const NEGLIGIBLE: f64 = 1e-6;
+use crate::strips::Strip;
 
 /// A joint, tabulated for many steps.
 #[derive(Debug, Clone)]
@@ -43,146 +30,12 @@ pub struct Reply {
     pub closest: f64,
 }
 
-/// All closest approaches of a range.
-#[derive(Debug, Clone)]
-struct Strip {
-    /// Where the range begins, and two over its length \[m, 1/m\].
-    from: f64,
-    scale: f64,
-    /// Ascending in u.
-    cells: Vec<Cell>,
-}
-
-/// Retreats from `from` to `to`.
-#[derive(Debug, Clone)]
-struct Cell {
-    from: f64,
-    to: f64,
-    /// Of Tᵢ(c) Tⱼ(u), the j together.
-    terms: [[f64; TERMS]; TERMS],
-}
-
-impl Joint {
-    /// A table for closest approaches from `deepest` to `open` \[m from the mean of the asperity
-    /// heights\]; forces on the way back are within `tolerance` (1e-6, say) of the force at the closest
-    /// approach, and read 0 where they are smaller than that. Contacts that have come no closer than
-    /// `open` answer as if nothing had ever yielded.
-    ///
-    /// # Errors
-    /// [`ContactError::OutOfRange`] naming a number that is none of these; those of the evaluations.
-    pub fn table(
-        &self,
-        (deepest, open): (f64, f64),
-        tolerance: f64,
-    ) -> Result<JointTable, ContactError> {
-        let tolerance = positive("tolerance", tolerance)?;
-        let width = positive("open, less deepest,", open - deepest)?;
-        let sigma = self.scene().surface.asperity_height_std;
-        let count = (width / (STRIP * sigma)).ceil().max(1.0) as usize;
-        let mut strips = vec![];
-        for k in 0..count {
-            let end = |k: usize| deepest + width * k as f64 / count as f64;
-            self.strips((end(k), end(k + 1)), tolerance, 0, &mut strips)?;
-        }
-        Ok(JointTable { joint: self.clone(), strips, open, per_metre: sigma.recip() })
-    }
-
-    /// The strips that serve a range of closest approaches \[m\].
-    fn strips(
-        &self,
-        (from, to): (f64, f64),
-        tolerance: f64,
-        depth: u32,
-        strips: &mut Vec<Strip>,
-    ) -> Result<(), ContactError> {
-        let sigma = self.scene().surface.asperity_height_std;
-        let places: Vec<f64> =
-            nodes().map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma).collect();
-        let at = |u: f64| self.retreated(Asked::Force, u, &places);
-        let whole = at(0.0)?.iter().fold(0.0, |m: f64, f| m.max(f.value()));
-        // What is smaller than this at the largest c, too, is nothing.
-        let nothing = |forces: &[f64; TERMS], start: &[f64; TERMS]| {
-            forces.iter().zip(start).all(|(force, start)| *force <= 0.2 * tolerance * start)
-        };
-        let start = values(at(0.0)?);
-        let mut last = sigma;
-        while !nothing(&values(at(last)?), &start) {
-            last *= 1.5;
-        }
-        // Where nothing touches, nothing is left at any retreat.
-        while last > NEGLIGIBLE * sigma && nothing(&values(at(0.5 * last)?), &start) {
-            last *= 0.5;
-        }
-        // The smallest force of a strip is what its errors are held against.
-        let smallest = start.iter().filter(|force| **force > 0.0);
-        let aim = 0.3 * tolerance * smallest.fold(whole, |m: f64, f| m.min(*f));
-        let mut cells = vec![];
-        let mut pending = vec![(0.0, last, 0)];
-        while let Some((low, high, halved)) = pending.pop() {
-            let mut samples = [[0.0; TERMS]; TERMS];
-            for (column, v) in samples.iter_mut().zip(nodes()) {
-                *column = values(at(low + 0.5 * (high - low) * (1.0 + v))?);
-            }
-            let terms = transformed(&samples);
-            let [by_closest, by_retreat] = tails(&terms);
-            if by_closest > aim && depth < DEEPEST {
-                let middle = 0.5 * (from + to);
-                self.strips((from, middle), tolerance, depth + 1, strips)?;
-                return self.strips((middle, to), tolerance, depth + 1, strips);
-            }
-            if by_retreat > aim && halved < DEEPEST {
-                let middle = 0.5 * (low + high);
-                pending.extend([(middle, high, halved + 1), (low, middle, halved + 1)]);
-            } else {
-                cells.push(Cell { from: low, to: high, terms });
-            }
-        }
-        strips.push(Strip { from, scale: 2.0 / (to - from), cells });
-        Ok(())
-    }
-}
-
-/// cos(π (2k+1)/(2n)).
-fn nodes() -> impl Iterator<Item = f64> {
-    (0..TERMS).map(|k| (PI * (2 * k + 1) as f64 / (2 * TERMS) as f64).cos())
-}
-
-fn values(found: Vec<asperity_core::Evaluation>) -> [f64; TERMS] {
-    let mut values = [0.0; TERMS];
-    values.iter_mut().zip(found).for_each(|(value, found)| *value = found.value());
-    values
-}
-
-/// From samples at the nodes, `samples[u][c]`, to the coefficients, `terms[c][u]`.
-fn transformed(samples: &[[f64; TERMS]; TERMS]) -> [[f64; TERMS]; TERMS] {
-    let term = |i: usize, k: usize| {
-        let norm = if i == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-        norm * (PI * (i * (2 * k + 1)) as f64 / (2 * TERMS) as f64).cos()
-    };
-    let mut terms = [[0.0; TERMS]; TERMS];
-    for (i, row) in terms.iter_mut().enumerate() {
-        for (j, coefficient) in row.iter_mut().enumerate() {
-            for (k, column) in samples.iter().enumerate() {
-                let along: f64 = column.iter().enumerate().map(|(l, f)| term(i, l) * f).sum();
-                *coefficient += term(j, k) * along;
-            }
-        }
-    }
-    terms
-}
-
-/// The size of the last two terms along c, and along u.
-fn tails(terms: &[[f64; TERMS]; TERMS]) -> [f64; 2] {
-    let of = |pick: &dyn Fn(usize, usize) -> f64| -> f64 {
-        (TERMS - 2..TERMS)
-            .flat_map(|i| (0..TERMS).map(move |j| (i, j)))
-            .map(|(i, j)| pick(i, j))
-            .sum()
-    };
-    [of(&|i, j| terms[i][j].abs()), of(&|i, j| terms[j][i].abs())]
-}
-
 impl JointTable {
+    pub(crate) fn new(joint: Joint, strips: Vec<Strip>, open: f64) -> Self {
+        let per_metre = joint.scene().surface.asperity_height_std.recip();
+        Self { joint, strips, open, per_metre }
+    }
+
     /// A contact that has never been closed.
     #[must_use]
     pub fn new_contact(&self) -> Memory<'_> {
@@ -193,7 +46,8 @@ impl JointTable {
     /// infinite for a new one: the next step's `closest` stands in the reply.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a separation below the deepest of the table, or none.
+    /// [`ContactError::OutOfRange`] for a separation or a closest approach below the deepest of the
+    /// table, or none.
     #[inline]
     pub fn at(&self, separation: f64, closest: f64) -> Result<Reply, ContactError> {
         if separation < closest || closest >= self.open {
@@ -201,14 +55,14 @@ impl JointTable {
                 self.joint.virgin().force_and_tangent(At::sigmas(separation * self.per_metre))?;
             let closest = separation.min(closest);
             if closest < self.strips.first().map_or(closest, |strip| strip.from) {
-                return Err(out_of_range(separation));
+                return Err(out_of_range(separation, closest));
             }
             return Ok(Reply { force: force.value(), stiffness: tangent.value(), closest });
         }
         let after = self.strips.partition_point(|strip| strip.from <= closest);
         let strip = after.checked_sub(1).map(|k| &self.strips[k]);
-        let strip =
-            strip.filter(|_| separation >= closest).ok_or_else(|| out_of_range(separation))?;
+        let strip = strip.filter(|_| separation >= closest);
+        let strip = strip.ok_or_else(|| out_of_range(separation, closest))?;
         let retreat = separation - closest;
         let cell = strip.cells.partition_point(|cell| cell.to <= retreat);
         let (force, stiffness) = match strip.cells.get(cell) {
@@ -219,34 +73,12 @@ impl JointTable {
     }
 }
 
-fn out_of_range(value: f64) -> ContactError {
+/// Names the separation where it is the new closest approach, and else what came as that.
+fn out_of_range(separation: f64, closest: f64) -> ContactError {
     let required = "a number, at least the deepest separation of the table,";
-    ContactError::OutOfRange { field: "separation", value, required }
-}
-
-impl Cell {
-    /// The force and its fall with the retreat; c from -1 to 1.
-    #[inline]
-    fn at(&self, c: f64, retreat: f64) -> (f64, f64) {
-        let mut along = self.terms[0];
-        let (mut before, mut now) = (1.0, c);
-        for row in &self.terms[1..] {
-            along.iter_mut().zip(row).for_each(|(sum, term)| *sum += now * term);
-            (before, now) = (now, 2.0 * c * now - before);
-        }
-        let scale = 2.0 / (self.to - self.from);
-        let v = (retreat - self.from) * scale - 1.0;
-        // T' is n U of one order less.
-        let (mut value, mut slope) = (along[0], 0.0);
-        let (mut t, mut u) = ([1.0, v], [0.0, 1.0]);
-        for (n, term) in along.iter().enumerate().skip(1) {
-            value += term * t[1];
-            slope += n as f64 * term * u[1];
-            t = [t[1], 2.0 * v * t[1] - t[0]];
-            u = [u[1], 2.0 * v * u[1] - u[0]];
-        }
-        (value, -slope * scale)
-    }
+    let is_step = separation.is_nan() || separation <= closest;
+    let (field, value) = if is_step { ("separation", separation) } else { ("closest", closest) };
+    ContactError::OutOfRange { field, value, required }
 }
 
 /// A contact with what it remembers: its closest approach.

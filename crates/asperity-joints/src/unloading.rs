@@ -5,11 +5,12 @@ use std::str::FromStr;
 
 use asperity_core::{
     At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
-    Tolerance,
+    Tolerance, positive,
 };
 
 use crate::Joint;
 use crate::one::Asked;
+use crate::root::{FARTHEST, falls_to_0};
 
 /// How an asperity comes back; equations and sources stand at the head of this crate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -46,7 +47,8 @@ impl FromStr for UnloadingLaw {
     fn from_str(name: &str) -> Result<Self, String> {
         let wanted = name.trim().to_lowercase();
         let found = Self::ALL.into_iter().find(|law| law.to_string() == wanted);
-        found.ok_or_else(|| format!("{name:?} is none of hertz, brake, etsion"))
+        let known = Self::ALL.map(|law| law.to_string()).join(", ");
+        found.ok_or_else(|| format!("{name:?} is none of {known}"))
     }
 }
 
@@ -118,6 +120,46 @@ impl Unloading {
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
         self.of(Asked::Area, retreat)
+    }
+
+    /// How many asperities still touch after going back by `retreat` \[m\], on average: below 1, most
+    /// surfaces have parted.
+    ///
+    /// # Errors
+    /// Those of [`force`](Self::force).
+    pub fn contacts(&self, retreat: f64) -> Result<Evaluation, ContactError> {
+        self.of(Asked::Contacts, retreat)
+    }
+
+    /// The retreat \[m\] from which on fewer than one asperity touches on average: where contact ends.
+    /// 0 where no more than one has touched.
+    ///
+    /// # Errors
+    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity
+    /// touches after 1e4 σ_z.
+    pub fn last_contact(&self) -> Result<f64, ContactError> {
+        let sigma = self.scene().surface.asperity_height_std;
+        // Logarithms: the number falls faster than any power.
+        let over_one = |u: f64| Ok(self.contacts(u)?.ln_value());
+        let found = falls_to_0(over_one, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
+        match found {
+            Some(retreat) => Ok(retreat),
+            None => Err(ContactError::OutOfRange {
+                field: "contacts",
+                value: self.contacts(0.0)?.value(),
+                required: "so few that one is left within 1e4 asperity_height_std of retreat",
+            }),
+        }
+    }
+
+    /// The retreat \[m\] that leaves a force \[N\], smaller than that at the closest approach.
+    pub(crate) fn retreat_to(&self, load: f64) -> Result<f64, ContactError> {
+        let load = positive("load", load)?;
+        let sigma = self.scene().surface.asperity_height_std;
+        let over = |u: f64| Ok(self.force(u)?.ln_value() - load.ln());
+        let found = falls_to_0(over, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
+        let required = "a load that is left within 1e4 asperity_height_std of retreat";
+        found.ok_or(ContactError::OutOfRange { field: "load", value: load, required })
     }
 
     /// -dF/du \[N/m\] after going back by `retreat` \[m\]: at 0, by Hertz' law, the sum of 2 E a.

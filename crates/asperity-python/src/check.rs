@@ -1,10 +1,10 @@
 //! Scenes and answers that are looked at before they are believed.
 
-use asperity::{Check, Finding, Severity};
+use asperity::{Check, ContactModel, Finding, Quantity, Request, Severity};
 use pyo3::prelude::*;
 
-use crate::engine::Engine;
-use crate::error::refused;
+use crate::engine::{Engine, tolerance};
+use crate::error::{refused, value_error};
 use crate::objects::object;
 use crate::places::Axis;
 use crate::rows::{Rows, View};
@@ -34,6 +34,34 @@ pub(crate) fn check<'py>(
     let Check { numbers, findings, .. } = looked;
     let number = |n: asperity::Number| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
+}
+
+/// A number in an SI unit of a text that may say another: "2 kN".
+#[pyfunction]
+pub(crate) fn quantity(text: &str, si: &str) -> PyResult<f64> {
+    asperity_scene::quantity(text, si).map_err(value_error)
+}
+
+/// The greatest tension that a model's surfaces hold [N], and the separation where they do.
+#[pyfunction]
+pub(crate) fn pull_off(
+    py: Python<'_>,
+    engine: &Engine,
+    scene: &SceneFile,
+    rtol: f64,
+    unit: Axis,
+) -> PyResult<Option<(f64, f64)>> {
+    let (file, tolerance) = (&scene.0, tolerance(rtol)?);
+    let model = engine.on(file)?;
+    let found = py.detach(|| {
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let Some(found) = asperity::pull_off(&*model.compile(&file.scene, &request)?)? else {
+            return Ok(None);
+        };
+        let place = unit.of(found.separation, file.separation_from, &file.scene)?;
+        Ok(Some((found.force.value(), place)))
+    });
+    found.map_err(|error| engine.raise(py, error))
 }
 
 /// What deserves a word of the scenes of rows and, where there is but one, of the answers.

@@ -174,7 +174,7 @@ impl Contact {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
         if let Some(number) = scalar(numbers) {
-            let slip = axis.slip(number, file.scene.surface.asperity_height_std);
+            let slip = axis.slip("separation", number, file.scene.surface.asperity_height_std);
             slip.map_or(Ok(()), |slip| warn(py, &slip, 0))?;
             let contact = self.now();
             let found = py.detach(|| one(&*contact, axis.at(number, file.separation_from)));

@@ -69,7 +69,7 @@ impl JointTable {
         let mean = here.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
         let plane = mean.map_err(raise)?.value;
         for end in [ends.0, ends.1] {
-            unit.slip(end, sigma).map_or(Ok(()), |slip| warn(py, &slip, 1))?;
+            unit.slip("separation", end, sigma).map_or(Ok(()), |slip| warn(py, &slip, 1))?;
         }
         let named = model.get().on(&file)?;
         let range = (metres * ends.0 + plane, metres * ends.1 + plane);

@@ -63,7 +63,7 @@ impl Unloading {
         let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
         let law = law.parse().map_err(|what| value_error(format!("law is {what}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
-        let slip = axis.slip(place.1, file.scene.surface.asperity_height_std);
+        let slip = axis.slip("separation", place.1, file.scene.surface.asperity_height_std);
         slip.map_or(Ok(()), |slip| warn(py, &slip, 1))?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.separation_from);
@@ -97,6 +97,23 @@ impl Unloading {
     /// Work [J] that going back by retreats gives back.
     fn returned<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(retreat, |joint, u| Ok(joint.returned(u)?.value()))
+    }
+
+    /// Number of asperities that still touch after going back by retreats, on average.
+    fn contacts<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.over(retreat, |joint, u| Ok(joint.contacts(u)?.value()))
+    }
+
+    /// Retreat at which contact ends: beyond, fewer than one asperity touches on average.
+    fn last_contact(&self, py: Python<'_>) -> PyResult<f64> {
+        let found = py.detach(|| self.joint.last_contact());
+        Ok(found.map_err(|error| self.model.get().raise(py, error))? / self.metres())
+    }
+
+    /// Loss factor of closing and opening: what is dissipated over 2 pi times the work of closing.
+    fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
+        let found = py.detach(|| self.whole.loss_factor(self.joint.closest().into()));
+        found.map_err(|error| self.model.get().raise(py, error))
     }
 
     /// Work [J] that the first closing took and opening does not give back.
@@ -137,17 +154,19 @@ impl Unloading {
 }
 
 impl Unloading {
+    /// Of the unit of retreats.
+    fn metres(&self) -> f64 {
+        if self.unit == SIGMAS { self.joint.scene().surface.asperity_height_std } else { 1.0 }
+    }
+
     fn over<'py>(
         &self,
         retreat: &Bound<'py, PyAny>,
         one: impl Fn(&joints::Unloading, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let sigma = self.joint.scene().surface.asperity_height_std;
-        let metres = if self.unit == SIGMAS { sigma } else { 1.0 };
-        let slipped = |value: f64| {
-            let slip = self.unit.slip(value, sigma)?;
-            Some(slip.replacen("separation", "retreat", 1))
-        };
+        let metres = self.metres();
+        let slipped = |value: f64| self.unit.slip("retreat", value, sigma);
         let one = |u: f64| one(&self.joint, metres * u);
         over(retreat, "retreat", slipped, one, |error| self.model.get().raise(retreat.py(), error))
     }
@@ -197,6 +216,12 @@ impl PartialSlip {
     /// Energy [J] that a cycle between -amplitude and +amplitude loses.
     fn loss<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(amplitude, "amplitude", |slip, u| Ok(slip.loss(u)?.value()))
+    }
+
+    /// Loss factor of a cycle between -amplitude and +amplitude: its loss over 2 pi times half of force
+    /// times amplitude, 4/pi where all slides.
+    fn loss_factor<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.over(amplitude, "amplitude", joints::PartialSlip::loss_factor)
     }
 
     /// Shift [m] at which the tangential force reaches this share of its limit, friction times the

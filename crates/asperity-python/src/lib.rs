@@ -43,7 +43,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::bem::{bem, truth};
     #[pymodule_export]
-    use crate::check::{check, findings};
+    use crate::check::{check, findings, pull_off, quantity};
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]

@@ -13,15 +13,6 @@ pub(crate) enum Axis {
     Pressure,
 }
 
-/// Farther away or deeper than this many σ_z there is no contact that anybody means.
-const FAR: f64 = 1e3;
-/// Nearer to 0 than this many σ_z nobody asks unless for 0 itself: the number has another unit.
-const NEAR: f64 = 1e-3;
-/// Within so many σ_z lie the gaps that are asked about.
-const GAPS: std::ops::Range<f64> = 1e-2..30.0;
-/// No gap of a rough contact is as long as this \[m\]; multiples of σ_z are.
-const LONG: f64 = 0.1;
-
 impl<'py> FromPyObject<'_, 'py> for Axis {
     type Error = PyErr;
 
@@ -61,27 +52,14 @@ impl Axis {
         }
     }
 
-    /// What a number was probably meant to be that makes no sense as a separation, or little beside
-    /// what it would be in the other unit.
-    pub(crate) fn slip(self, value: f64, height_std: f64) -> Option<String> {
-        let (size, over) = (value.abs(), value / height_std);
-        match self {
-            Self::Separation(SeparationUnit::Metres) if size > LONG.max(FAR * height_std) => {
-                Some(format!(
-                    "separation is {value:?} m, {over:e} asperity_height_std: is it a multiple of asperity_height_std? separation_unit is \"m\""
-                ))
-            }
-            Self::Separation(SeparationUnit::Sigma) if size > FAR => Some(format!(
-                "separation is {value:?} asperity_height_std: is it in another unit? separation_unit=\"m\" takes metres"
-            )),
-            Self::Separation(SeparationUnit::Sigma)
-                if size < NEAR && GAPS.contains(&over.abs()) =>
-            {
-                Some(format!(
-                    "separation is {value:e} asperity_height_std: is it in metres, {over:?} asperity_height_std? separation_unit=\"m\" takes metres"
-                ))
-            }
-            _ => None,
-        }
+    /// What a number was probably meant to be that makes no sense as a separation (or another length,
+    /// by its name), or little beside what it would be in the other unit.
+    pub(crate) fn slip(self, name: &str, value: f64, height_std: f64) -> Option<String> {
+        let Self::Separation(unit) = self else { return None };
+        let told = asperity_scene::mistaken_unit(name, value, unit, height_std)?;
+        Some(match unit {
+            SeparationUnit::Metres => format!("{told} separation_unit is \"m\""),
+            _ => format!("{told} separation_unit=\"m\" takes metres"),
+        })
     }
 }

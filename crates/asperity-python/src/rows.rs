@@ -134,6 +134,10 @@ impl<'r> View<'r> {
     pub(crate) fn slip(&self) -> Option<String> {
         let far = |a: &usize, b: &usize| self.numbers[*a].abs().total_cmp(&self.numbers[*b].abs());
         let row = (0..self.len()).filter(|row| self.numbers[*row].is_finite()).max_by(far)?;
-        self.axis.slip(self.numbers[row], self.scene(row).ok()?.surface.asperity_height_std)
+        self.axis.slip(
+            "separation",
+            self.numbers[row],
+            self.scene(row).ok()?.surface.asperity_height_std,
+        )
     }
 }

@@ -31,6 +31,21 @@ def test_what_leaves_adhesion_out_says_so() -> None:
         asperity.model("dmt").solve(scene(0.05), -3.0)
 
 
+def test_the_pull_off_is_where_the_force_is_least() -> None:
+    model = asperity.model("jkr-separation")
+    found = model.pull_off(scene(0.05))
+    assert found is not None
+    force, separation = found
+    with pytest.warns(asperity.ContactWarning):
+        around = model.solve(scene(0.05), separation + np.linspace(-0.1, 0.1, 21)).force
+    assert around.min() == pytest.approx(force, rel=1e-9) and np.argmin(around) == 10
+    there = model.pull_off(scene(0.05), separation_unit="m")
+    assert there is not None and there[1] == pytest.approx(separation * 1e-6, rel=1e-12)
+    assert asperity.model("dmt").pull_off(scene(0.0)) is None
+    with pytest.raises(ValueError, match="work_of_adhesion is missing"):
+        model.pull_off(scene(None))
+
+
 def test_a_work_of_adhesion_is_asked_for_by_name_and_is_read_back() -> None:
     with pytest.raises(ValueError, match="work_of_adhesion"):
         asperity.model("jkr").solve(scene(None), 1.0)

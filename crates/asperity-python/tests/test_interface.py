@@ -175,7 +175,7 @@ def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scen
     elastic = asperity.Interface(2e6, 0.5)
     rubber = asperity.Scene(elastic, scene.surface, scene.nominal_area)
     assert asperity.model("gw").solve(rubber, 2.0).force > 0.0
-    assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing: every model but GW")
+    assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing: every model of yielding")
     assert refusal(ke.solve, scene, [0.0, np.nan]).startswith("separation is NaN asperity_height_std: ")
     assert 'did you mean "force"?' in refusal(ke.solve, scene, 0.0, "forc")
     assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")

@@ -94,6 +94,23 @@ def test_loops_hold_the_loss_and_end_where_all_slides(scene: asperity.Scene) -> 
     assert hertz.force(1e-13) / 1e-13 == pytest.approx(stick, rel=1e-4)
 
 
+def test_contact_ends_and_losses_have_factors(scene: asperity.Scene) -> None:
+    joint = asperity.model("ke").unloading(scene, load="100 N", law="brake")
+    assert joint.force(0.0) == pytest.approx(100.0, rel=1e-8)
+    end = joint.last_contact()
+    assert joint.contacts(end) == pytest.approx(1.0, rel=1e-6)
+    assert joint.contacts([0.0, 0.1]).shape == (2,)
+    metres = asperity.model("ke").unloading(scene, load=100.0, law="brake", separation_unit="m")
+    sigma = scene.surface.asperity_height_std
+    assert metres.last_contact() == pytest.approx(end * sigma, rel=1e-9)
+    closing = joint.dissipated() + joint.returned(math.inf)
+    assert joint.loss_factor() == pytest.approx(joint.dissipated() / (2 * math.pi * closing))
+    slip = joint.slip(0.3)
+    spring = math.pi * slip.force(1e-7) * 1e-7
+    assert slip.loss_factor([1e-7, 1e-4])[0] == pytest.approx(slip.loss(1e-7) / spring)
+    assert slip.loss_factor(1e-2) == pytest.approx(4 / math.pi, rel=1e-3)
+
+
 def test_they_can_be_pickled_and_say_what_they_are(scene: asperity.Scene) -> None:
     joint = asperity.model("jg").unloading(scene, pressure=1e6, law="brake", separation_unit="m")
     slip = joint.slip(0.25)

@@ -170,14 +170,14 @@ def test_exactly_one_of_the_three_is_required(scene: asperity.Scene) -> None:
             ke.solve(scene, **arguments)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="exactly one of separation, load and pressure"):
         ke.separation_at(scene)
-    for wrong in ({"load": "1 N"}, {"pressure": [1j]}):
+    for wrong in ({"load": "1"}, {"pressure": [1j]}):
         with pytest.raises(TypeError):
             ke.solve(scene, **wrong)
 
 
 def test_every_quantity_of_the_library_is_there(scene: asperity.Scene) -> None:
     names = list(asperity._asperity.quantities())
-    assert len(names) >= 18
+    assert len(names) >= 20
     scene = scene.replace(thermal_conductivity=45.0, electrical_resistivity=2e-7)
     for scenes in (scene, [scene]):
         curve = asperity.model("ke").solve(scenes, [0.0, 2.0], names)
@@ -192,3 +192,26 @@ def test_every_quantity_of_the_library_is_there(scene: asperity.Scene) -> None:
         shares = curve.elastic_share + curve.elastic_plastic_share + curve.plastic_share
         np.testing.assert_allclose(shares, 1.0, rtol=1e-12)
         assert "mean_pressure" in dir(curve)
+
+
+def test_texts_may_say_their_unit(scene: asperity.Scene) -> None:
+    ke = asperity.model("ke")
+    wanted = ke.solve(scene, load=[2000.0, 3000.0], quantities="area").area
+    np.testing.assert_array_equal(
+        ke.solve(scene, load=["2 kN", "3kN"], quantities="area").area, wanted
+    )
+    np.testing.assert_array_equal(
+        ke.solve(scene, "1 um").force, ke.solve(scene, 1e-6, separation_unit="m").force
+    )
+    for text in ("5 MPa", "5 N/mm2"):
+        assert ke.separation_at(scene, pressure=text) == ke.separation_at(scene, pressure=5e6)
+    with pytest.raises(TypeError, match="is no number in N"):
+        ke.solve(scene, load="2 mm")
+    with pytest.raises(TypeError, match="1.0 has no unit"):
+        ke.solve(scene, load=[1.0, "2 kN"])  # type: ignore[arg-type]
+
+
+def test_a_scene_that_never_yields_is_held_against_greenwood_and_williamson() -> None:
+    rubber = asperity.Interface.against_rigid(asperity.Body(2e6, 0.5))
+    soft = asperity.Scene(rubber, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
+    assert asperity.recommend(soft, 2.0).reference == "gw"

@@ -110,8 +110,15 @@ impl<'a> Document<'a> {
         if message.starts_with("unknown field `") {
             let known: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
             let mut allowed = format!("the keys here are {}", known.join(", "));
-            let near = template.is_none().then(|| nearest(name, known)).flatten();
-            if let Some(key) = template {
+            let mut near = template.is_none().then(|| nearest(name, known)).flatten();
+            let mut elsewhere = template;
+            if let Some((word, why)) = other_word(bare).filter(|_| near.is_none()) {
+                near = Some(word.into());
+                // Bodies have no adhesion of their own.
+                elsewhere = key("", word).filter(|_| !needed.contains(word));
+                allowed = format!("{why}{allowed}");
+            }
+            if let Some(key) = elsewhere {
                 let top = "the top of the file, above every [section]";
                 let home = if key.section.is_empty() { top } else { key.section };
                 allowed = format!("it belongs to {home}; {allowed}");
@@ -191,6 +198,20 @@ pub(crate) fn text_of(path: &Path, named: impl FnOnce() -> Place) -> Result<Stri
         Ok(_) => return Ok(text),
     };
     Err(SceneError::Unreadable { at: Box::new(named()), reason })
+}
+
+/// The key that other words for the same thing mean, and what differs.
+fn other_word(name: &str) -> Option<(&'static str, &'static str)> {
+    let inverse = "it is 1/conductivity, in ohm m; ";
+    Some(match name.to_lowercase().as_str() {
+        "electrical_conductivity" | "electric_conductivity" => ("electrical_resistivity", inverse),
+        "resistivity" | "electric_resistivity" => ("electrical_resistivity", ""),
+        "conductivity" | "heat_conductivity" => ("thermal_conductivity", ""),
+        "adhesion" | "adhesion_energy" | "surface_energy" | "energy_of_adhesion" | "gamma" => {
+            ("work_of_adhesion", "it is gamma1 + gamma2 - gamma12 of the pair, in J/m^2; ")
+        }
+        _ => return None,
+    })
 }
 
 /// The known word nearest to a mistyped one, if one is near: at most two slips, fewer in short

@@ -10,8 +10,8 @@ use crate::template::key;
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// What a unit measures, as the template names the SI unit; the units, and the power of ten of
-/// each. Spaces and ^ are left out, and µ is u.
-const UNITS: [Units; 7] = [
+/// each. Spaces, dots between units, * and ^ are left out; µ is u, and Ω ohm.
+const UNITS: [Units; 9] = [
     ("Pa", "210 GPa", &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("N/mm2", 6), ("N/m2", 0)]),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
@@ -22,6 +22,23 @@ const UNITS: [Units; 7] = [
         "1/m^2",
         "200 1/mm2",
         &[("1/m2", 0), ("1/cm2", 4), ("1/mm2", 6), ("1/um2", 12), ("1/nm2", 18)],
+    ),
+    (
+        "W/(m K)",
+        "50 W/(m K)",
+        &[
+            ("mW/(mK)", -3),
+            ("mW/mK", -3),
+            ("W/(mK)", 0),
+            ("W/mK", 0),
+            ("W/(cmK)", 2),
+            ("W/(mmK)", 3),
+        ],
+    ),
+    (
+        "ohm m",
+        "17 uohm cm",
+        &[("uohmcm", -8), ("uohmm", -6), ("nohmm", -9), ("mohmm", -3), ("ohmcm", -2), ("ohmm", 0)],
     ),
 ];
 
@@ -94,11 +111,15 @@ fn collect(
 /// The units of a key, whose meaning begins with that of plain numbers.
 fn units_of(section: &str, name: &str) -> Option<Units> {
     let key = key(section, name)?;
-    let si = key.meaning.split([' ', ',', ';']).next()?;
-    UNITS.into_iter().find(|(known, ..)| *known == si)
+    let si = |known: &str| {
+        let rest = key.meaning.strip_prefix(known);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', ',', ';']))
+    };
+    // "m" begins no "m^2", as no space follows.
+    UNITS.into_iter().find(|(known, ..)| si(known))
 }
 
-/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m or 1/m^2), plain or with another unit
+/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m, 1/m^2, W/(m K) or ohm m), plain or with another unit
 /// of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
 ///
 /// ```
@@ -127,8 +148,9 @@ fn list(units: &[(&str, i32)]) -> String {
 
 /// A number with one of the units.
 fn read(given: &str, (_, _, units): Units) -> Option<f64> {
-    let text: String = given.chars().filter(|c| !c.is_whitespace() && *c != '^').collect();
-    let text = text.replace(['\u{b5}', '\u{3bc}'], "u");
+    let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
+    let text: String = given.chars().filter(|c| !left_out(*c)).collect();
+    let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{3a9}', '\u{2126}'], "ohm");
     let of = |unit: &str, power| scaled(text.strip_suffix(unit)?, power);
     units.iter().find_map(|(unit, power)| {
         // 1/mm2 may be written /mm2 or mm-2.
@@ -173,6 +195,11 @@ mod tests {
             ("7 m", "asperity_radius", 7.0),
             ("50 mJ/m^2", "work_of_adhesion", 0.05),
             ("0.05 N/m", "work_of_adhesion", 0.05),
+            ("50 W/(m K)", "thermal_conductivity", 50.0),
+            ("0.5 W/(cm\u{b7}K)", "thermal_conductivity", 50.0),
+            ("30 mW/(m*K)", "thermal_conductivity", 0.03),
+            ("17 \u{b5}\u{3a9} cm", "electrical_resistivity", 17e-8),
+            ("1.7e-7 ohm m", "electrical_resistivity", 1.7e-7),
         ] {
             let found = value(text, key).unwrap_or_else(|| panic!("{text}"));
             assert!(found.total_cmp(&meant).is_eq(), "{text}: {found}");
@@ -182,6 +209,8 @@ mod tests {
             ("GPa", "youngs_modulus"),
             ("210 mm", "youngs_modulus"),
             ("1 mm", "nominal_area"),
+            ("58 MS/m", "electrical_resistivity"),
+            ("50 W", "thermal_conductivity"),
             ("200 mm2", "asperity_density"),
             ("1e999999999999 m", "asperity_radius"),
             ("inf m", "asperity_radius"),

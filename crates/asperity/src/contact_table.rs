@@ -1,17 +1,10 @@
 //! Pressure against separation as a table that a finite-element code can interpolate.
 
-use std::cmp::Ordering;
-
-use crate::cubic;
-use crate::{
-    At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit,
-    TableFormat, Tolerance, linspace,
-};
+use crate::table_builder::Builder;
+use crate::{At, ContactModel, Scene, TableError, Tolerance};
 
 /// More nodes than this are not added to meet an error.
 const MOST_NODES: usize = 100_000;
-/// Points at which each interval is compared with the model.
-pub(crate) const PROBES: usize = 7;
 
 /// What a finite-element code makes of the space between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,79 +40,6 @@ pub struct ContactTable {
     pub stiffness_error: f64,
     /// σ_z \[m\].
     pub asperity_height_std: f64,
-}
-
-/// Why there is no table.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum TableError {
-    /// The model refused.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
-    /// The code takes fewer nodes.
-    #[error(
-        "{nodes} nodes: at most {most} were required, as {format} takes no more: a larger error, a narrower range or fewer nodes"
-    )]
-    TooMany {
-        /// Nodes of the table.
-        nodes: usize,
-        /// Nodes that can be written.
-        most: usize,
-        /// What takes no more.
-        format: &'static str,
-    },
-    /// A format that has no such thing.
-    #[error("format is {}: one with {what} was required, {known}", format.name())]
-    NoSuchTable {
-        /// The format.
-        format: TableFormat,
-        /// What it lacks.
-        what: &'static str,
-        /// Formats that have it.
-        known: &'static str,
-    },
-    /// The range is empty.
-    #[error("range is {first} to {last}: a first separation below the last was required")]
-    Range {
-        /// Smallest separation over σ_z.
-        first: f64,
-        /// Largest.
-        last: f64,
-    },
-    /// A solver cannot use a pressure that does not fall as the surfaces part.
-    #[error(
-        "{model}: at a separation of {separation} asperity_height_std the pressure is {pressure:e} Pa and its stiffness {stiffness:e} Pa/m: both above 0 were required, at every separation of the range"
-    )]
-    NotFalling {
-        /// The model.
-        model: String,
-        /// Separation over σ_z.
-        separation: f64,
-        /// Pressure \[Pa\].
-        pressure: f64,
-        /// Stiffness \[Pa/m\].
-        stiffness: f64,
-    },
-    /// The cubic between two nodes would rise and fall.
-    #[error(
-        "{nodes} nodes are too few: the cubic between separations {from} and {to} is not monotone; more nodes were required"
-    )]
-    Overshoot {
-        /// Number of nodes.
-        nodes: usize,
-        /// Separation of one node over σ_z.
-        from: f64,
-        /// Of the next.
-        to: f64,
-    },
-    /// An error that cannot be met.
-    #[error(
-        "error is {error:e}: one that 100000 nodes and the tolerance of the integrals can meet was required"
-    )]
-    TooFine {
-        /// The relative error asked for.
-        error: f64,
-    },
 }
 
 impl ContactTable {
@@ -191,119 +111,6 @@ impl ContactTable {
     pub fn cut_off(&self) -> Option<f64> {
         let last = self.nodes.last()?;
         Some(last.separation + last.pressure / last.stiffness / self.asperity_height_std)
-    }
-}
-
-struct Builder {
-    contact: Box<dyn Contact>,
-    nominal_area: f64,
-    interpolation: Interpolation,
-}
-
-impl Builder {
-    fn new(
-        model: &dyn ContactModel,
-        scene: &Scene,
-        tolerance: Tolerance,
-        interpolation: Interpolation,
-    ) -> Result<Self, TableError> {
-        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
-        let contact = model.compile(scene, &request)?;
-        Ok(Self { contact, nominal_area: scene.nominal_area, interpolation })
-    }
-
-    fn height_std(&self) -> f64 {
-        self.contact.scene().surface.asperity_height_std
-    }
-
-    fn node(&self, separation: f64) -> Result<ContactNode, TableError> {
-        let (force, tangent) = self.contact.force_and_tangent(separation)?;
-        let [pressure, stiffness] = [force, tangent].map(|e| e.value() / self.nominal_area);
-        if pressure > 0.0 && stiffness > 0.0 {
-            return Ok(ContactNode { separation, pressure, stiffness });
-        }
-        let model = self.contact.model().into();
-        Err(TableError::NotFalling { model, separation, pressure, stiffness })
-    }
-
-    /// d/σ_z from the mean of the asperity heights.
-    fn sigmas(&self, at: At) -> Result<f64, TableError> {
-        let (unit, from) = (SeparationUnit::Sigma, Datum::AsperityMean);
-        let separation = self.contact.separation(at)?;
-        Ok(separation.measured_in(unit, from, self.contact.scene())?.value)
-    }
-
-    fn even(&self, first: At, last: At, count: usize) -> Result<Vec<ContactNode>, TableError> {
-        let by_load = !matches!(first, At::Separation(_));
-        let (first, last) = (self.sigmas(first)?, self.sigmas(last)?);
-        // The smaller load is at the larger separation.
-        let (first, last) = if by_load { (last, first) } else { (first, last) };
-        if first.partial_cmp(&last) != Some(Ordering::Less) {
-            return Err(TableError::Range { first, last });
-        }
-        linspace(first, last, count.max(2)).into_iter().map(|s| self.node(s)).collect()
-    }
-
-    fn table(&self, nodes: Vec<ContactNode>) -> Result<ContactTable, TableError> {
-        let (mut pressure_error, mut stiffness_error) = (0.0, 0.0);
-        for pair in nodes.windows(2) {
-            let (from, to) = (&pair[0], &pair[1]);
-            if !self.monotone(from, to) {
-                let nodes = nodes.len();
-                return Err(TableError::Overshoot {
-                    nodes,
-                    from: from.separation,
-                    to: to.separation,
-                });
-            }
-            let (pressure, stiffness) = self.errors(from, to)?;
-            pressure_error = f64::max(pressure_error, pressure);
-            stiffness_error = f64::max(stiffness_error, stiffness);
-        }
-        Ok(ContactTable {
-            nodes,
-            interpolation: self.interpolation,
-            pressure_error,
-            stiffness_error,
-            asperity_height_std: self.height_std(),
-        })
-    }
-
-    /// Slopes at both ends over the secant's: positive, because the pressure falls.
-    fn slopes(&self, from: &ContactNode, to: &ContactNode) -> (f64, f64) {
-        let width = (to.separation - from.separation) * self.height_std();
-        let secant = (from.pressure - to.pressure) / width;
-        (from.stiffness / secant, to.stiffness / secant)
-    }
-
-    /// Whether what is interpolated falls all the way.
-    fn monotone(&self, from: &ContactNode, to: &ContactNode) -> bool {
-        if to.pressure >= from.pressure {
-            return false;
-        }
-        let (a, b) = self.slopes(from, to);
-        self.interpolation == Interpolation::Linear || cubic::is_monotone(a, b)
-    }
-
-    /// The largest relative errors of pressure and stiffness between two nodes.
-    fn errors(&self, from: &ContactNode, to: &ContactNode) -> Result<(f64, f64), TableError> {
-        let fall = from.pressure - to.pressure;
-        let (a, b) = match self.interpolation {
-            Interpolation::Linear => (1.0, 1.0),
-            Interpolation::Hermite => self.slopes(from, to),
-        };
-        let width = to.separation - from.separation;
-        let (mut pressure_error, mut stiffness_error): (f64, f64) = (0.0, 0.0);
-        for k in 1..=PROBES {
-            let t = k as f64 / (PROBES + 1) as f64;
-            let exact = self.node(from.separation + t * width)?;
-            let pressure = from.pressure - fall * cubic::value(a, b, t);
-            let secant = fall / (width * self.height_std());
-            let stiffness = secant * cubic::slope(a, b, t);
-            pressure_error = pressure_error.max((pressure / exact.pressure - 1.0).abs());
-            stiffness_error = stiffness_error.max((stiffness / exact.stiffness - 1.0).abs());
-        }
-        Ok((pressure_error, stiffness_error))
     }
 }
 

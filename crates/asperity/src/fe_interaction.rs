@@ -5,11 +5,11 @@
 //! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and CalculiX'
 //! sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). No code was run on them here.
 
-use crate::contact_table::PROBES;
 use crate::fe_tables::{Head, exact};
+use crate::table_builder::PROBES;
 use crate::{
-    ContactError, ContactModel, ContactTable, Datum, Quantity, Request, Scene, TableError,
-    TableFormat, Tolerance,
+    ContactError, ContactModel, ContactNode, ContactTable, Datum, Quantity, Request, Scene,
+    TableError, TableFormat, Tolerance,
 };
 
 /// What a conductance is a function of.
@@ -24,6 +24,19 @@ pub enum ConductanceAgainst {
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
 impl ContactTable {
+    /// The nodes of the largest and of the smallest pressure.
+    fn ends(&self) -> Result<[&ContactNode; 2]> {
+        let pressed = |node: &ContactNode| node.pressure > 0.0;
+        match &self.nodes[..] {
+            [first, .., last]
+                if self.nodes.iter().all(pressed) && first.pressure > last.pressure =>
+            {
+                Ok([first, last])
+            }
+            nodes => Err(TableError::TooFew { nodes: nodes.len() }),
+        }
+    }
+
     /// Thermal conductance per nominal area \[W/(m² K)\] at the nodes of this table of a model on a
     /// scene, as `*GAP CONDUCTANCE`, for straight lines. It begins with 0 where the pressure does.
     ///
@@ -57,6 +70,7 @@ impl ContactTable {
             Ok([per_area(asked[0])?, per_area(asked[1])?])
         };
         let head = Head { title: "", table: self, scene, from };
+        self.ends()?;
         let mut pairs = vec![];
         for node in &self.nodes {
             pairs.push((node.separation, of(node.separation)?));
@@ -68,7 +82,12 @@ impl ContactTable {
                 let t = k as f64 / (PROBES + 1) as f64;
                 let [p, h] = of(s0 + t * (s1 - s0))?;
                 let t = if by_pressure { (p - p0) / (p1 - p0) } else { t };
-                error = error.max(((h0 + t * (h1 - h0)) / h - 1.0).abs());
+                let off = ((h0 + t * (h1 - h0)) / h - 1.0).abs();
+                // Without pressure or conductance there is nothing to be off from.
+                if !off.is_finite() {
+                    return Err(TableError::TooFew { nodes: pairs.len() });
+                }
+                error = error.max(off);
             }
         }
         let (nodes, named) = (pairs.len(), if by_pressure { "pressure" } else { "clearance" });
@@ -132,17 +151,14 @@ impl ContactTable {
             return Err(TableError::NoSuchTable { format, what, known });
         }
         crate::positive("friction", friction)?;
-        let ends = [self.nodes.first(), self.nodes.last()].into_iter().flatten();
         let stiffness = Quantity::TangentialStiffness;
         let contact = model.compile(scene, &Request::new([stiffness]).within(tolerance))?;
-        let mut found = vec![];
-        for node in ends {
+        let of = |node: &ContactNode| -> Result<_> {
             let slope = contact.evaluate(stiffness, node.separation)?.value() / scene.nominal_area;
-            found.push((node.pressure, slope, friction * node.pressure / slope));
-        }
-        let [(pressure, slope, slip), (light, light_slope, light_slip)] = found[..] else {
-            return Err(TableError::Range { first: f64::NAN, last: f64::NAN });
+            Ok((node.pressure, slope, friction * node.pressure / slope))
         };
+        let [first, last] = self.ends()?;
+        let ((pressure, slope, slip), (light, light_slope, light_slip)) = (of(first)?, of(last)?);
         let from = format!(
             "** friction with the stiffness in stick at {pressure:.3e} Pa, {slope:.3e} Pa/m; the asperities' own
 ** curve bends from the beginning on, up to the same limit\n"
@@ -164,5 +180,38 @@ impl ContactTable {
 "
             ),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Interface, Interpolation, KogutEtsion, Surface};
+
+    #[test]
+    fn tables_without_a_range_are_refused() {
+        let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+        interface.equivalent_shear_modulus = Some(41e9);
+        interface.thermal_conductivity = Some(50.0);
+        let scene = Scene::new(interface, Surface::new(3.59e-4, 1.11e8, 1e-6), 3e-5);
+        let (model, tolerance) = (KogutEtsion, Tolerance::default());
+        let lines = Interpolation::Linear;
+        let whole = ContactTable::even(&model, &scene, tolerance, (0.0, 4.0, 9), lines).unwrap();
+        let (abaqus, by) = (TableFormat::Abaqus, ConductanceAgainst::Pressure);
+        let mut same = whole.clone();
+        same.nodes[8] = same.nodes[0];
+        let mut nan = whole.clone();
+        nan.nodes[4].pressure = f64::NAN;
+        let none = ContactTable { nodes: vec![], ..whole.clone() };
+        let one = ContactTable { nodes: whole.nodes[..1].to_vec(), ..whole.clone() };
+        for (table, told) in
+            [(none, "0 nodes: two"), (one, "1 nodes: two"), (same, "9 nodes"), (nan, "9 nodes")]
+        {
+            let refused = table.friction_text(abaqus, 0.2, (&model, &scene), tolerance);
+            assert!(refused.unwrap_err().to_string().starts_with(told));
+            let asked = (&model as &dyn ContactModel, &scene, Datum::AsperityMean);
+            let refused = table.conductance_text(abaqus, by, asked, tolerance);
+            assert!(refused.unwrap_err().to_string().starts_with(told));
+        }
     }
 }

@@ -7,6 +7,8 @@ mod fe_interaction;
 mod fe_tables;
 mod recommend;
 mod registry;
+mod table_builder;
+mod table_error;
 mod truth;
 
 pub use asperity_adhesion::{
@@ -29,10 +31,11 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, Variance};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
-pub use contact_table::{ContactNode, ContactTable, Interpolation, TableError};
+pub use contact_table::{ContactNode, ContactTable, Interpolation};
 pub use evidence::{Deviation, Evidence, EvidenceCase, EvidenceRow, Nearest};
 pub use fe_interaction::ConductanceAgainst;
 pub use fe_tables::TableFormat;
 pub use recommend::{Comparison, Recommendation, recommend, recommend_among};
 pub use registry::Model;
+pub use table_error::TableError;
 pub use truth::{ContactState, Truth, truth};

@@ -7,7 +7,8 @@ use asperity::{At, Check as Looked, SeparationUnit, Severity};
 use clap::Args;
 
 use crate::args::{OutputArgs, model_id, separation_unit};
-use crate::numbers::{load, number, pressure};
+use crate::distances::{Distance, ask_unit};
+use crate::numbers::{load_or_tension, pressure_or_tension};
 use crate::output::{self, say};
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Format, Table};
@@ -33,16 +34,16 @@ pub struct Check {
     /// The model of the answer [default: ke; gw where there is no hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     model: Option<String>,
-    /// A load in N
-    #[arg(long, value_name = "N", value_parser = load, group = "place")]
+    /// A load in N, or with a unit as 2kN; a tension (dmt, jkr) below 0
+    #[arg(long, value_name = "N", value_parser = load_or_tension, group = "place")]
     load: Option<f64>,
-    /// A load as pressure on the nominal area, in Pa
-    #[arg(long, value_name = "PA", value_parser = pressure, group = "place")]
+    /// A load as pressure on the nominal area, in Pa, or with a unit as 5MPa
+    #[arg(long, value_name = "PA", value_parser = pressure_or_tension, group = "place")]
     pressure: Option<f64>,
-    /// A separation
-    #[arg(long, value_name = "D", value_parser = number, group = "place")]
-    separation: Option<f64>,
-    /// Unit of the separation, sigma (of the asperity heights) or m
+    /// A separation, in sigma (of the asperity heights), or with a unit as 2um
+    #[arg(long, value_name = "D", group = "place")]
+    separation: Option<Distance>,
+    /// Unit of a separation without one, sigma (of the asperity heights) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separation")]
     unit: SeparationUnit,
@@ -53,7 +54,12 @@ pub struct Check {
 impl Check {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::read(&self.scene)?;
-        let separation = |value| At::from(scene.file.separation(value, self.unit));
+        let separation = |distance: Distance| {
+            let unit = distance.unit(self.unit);
+            let height_std = scene.file.scene.surface.asperity_height_std;
+            ask_unit("separation", &[distance.value], unit, height_std);
+            At::from(scene.file.separation(distance.value, unit))
+        };
         let place = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
         let place = place.or(self.separation.map(separation));
         if self.model.is_some() && place.is_none() {

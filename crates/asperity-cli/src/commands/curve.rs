@@ -20,6 +20,11 @@ pub const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tan
 separation_m, then the quantities as asked, with their units: force_N, area_m2.
 Where a load has several separations (jg, at), the largest is meant: where the
 surfaces first meet it. A row that has no value is left blank, and said why.
+A quantity that a model does not have is blank in its rows, and said why.
+Which stiffness: closing for the first time follows tangent (-dF/dd, what a solver
+needs); small vibrations, ultrasound and modal tests feel unloading-stiffness (2 E sum
+of contact radii, larger where asperities yield); shear in stick tangential-stiffness.
+Conductances are in all, or with -per-area over the nominal area.
 Unless something is given: force, area and tangent (at loads, without the force)
 at separations of 0:4:401 in sigma.
 
@@ -27,7 +32,8 @@ Examples:
   asperity curve scene.toml --format table --model gw,ke --separation -1:4:6
   asperity curve scene.toml --quantity mean-pressure --output curve.csv --plot curve.svg
   asperity curve scene.toml --model ke --load 1:1000:50:log --output loads.csv --plot loads.svg
-  asperity curve scene.toml --model jg --separation 1e-6,2e-6 --separation-unit m --errors"
+  asperity curve scene.toml --model ke --load 1kN --quantity tangent,unloading-stiffness
+  asperity curve scene.toml --model jg --separation 1um,2um --errors"
 )]
 pub struct Curve {
     #[command(flatten)]

@@ -10,7 +10,8 @@ use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
 use crate::args::{model_id, separation_unit};
-use crate::numbers::{Span, positive_number, range, range_of_loads, range_of_pressures};
+use crate::distances::{DistanceSpan, ask_unit};
+use crate::numbers::{Span, positive_number, range_of_loads, range_of_pressures};
 use crate::output::{self, progress, say};
 use crate::scene::LoadedScene;
 
@@ -47,7 +48,7 @@ pub struct Export {
     form: Form,
     #[command(flatten)]
     ends: Ends,
-    /// Unit of the separations, sigma (of the asperity heights) or m
+    /// Unit of separations without one, sigma (of the asperity heights) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separation")]
     #[arg(conflicts_with_all = ["load", "pressure"])]
@@ -70,9 +71,10 @@ pub struct Export {
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Ends {
-    /// From one separation to another, in N nodes
-    #[arg(long, value_name = "A:B[:N]", value_parser = range)]
-    separation: Option<Span>,
+    /// From one separation to another, in N nodes; in sigma (of the asperity heights), or with a unit
+    /// as 0:3um
+    #[arg(long, value_name = "A:B[:N]")]
+    separation: Option<DistanceSpan>,
     /// From one load to another, in N, or with a unit as 2kN
     #[arg(long, value_name = "A:B[:N]", value_parser = range_of_loads)]
     load: Option<Span>,
@@ -102,7 +104,8 @@ enum Form {
 impl Export {
     pub fn run(self) -> Result<()> {
         let Ends { separation, load, pressure } = self.ends;
-        let span = separation.or(load).or(pressure).context("a range was required")?;
+        let span =
+            separation.map(|s| s.span).or(load).or(pressure).context("a range was required")?;
         if span.count.is_none() && self.max_error.is_none() {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
             crate::usage_error("export", ErrorKind::MissingRequiredArgument, text);
@@ -110,8 +113,13 @@ impl Export {
         let scene = LoadedScene::load(&self.scene)?;
         let (id, model) = scene.model(&self.model)?;
         let contact = &scene.file.scene;
+        if let Some(distances) = separation {
+            let height_std = contact.surface.asperity_height_std;
+            let ends = [span.first, span.last];
+            ask_unit("separation", &ends, distances.unit(self.unit), height_std);
+        }
         let place = |value| match (separation, load) {
-            (Some(_), _) => scene.file.separation(value, self.unit).into(),
+            (Some(s), _) => scene.file.separation(value, s.unit(self.unit)).into(),
             (_, Some(_)) => At::Load(value),
             _ => At::Pressure(value),
         };

@@ -1,8 +1,8 @@
 //! `asperity slip`: tangential force against shift.
 
 use anyhow::{Context, Result};
-use asperity::joints::{PartialSlip, UnloadingLaw};
-use asperity::linspace;
+use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
+use asperity::{ContactError, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -17,17 +17,24 @@ use crate::table::{Cell, Table};
 /// The share of μ F beyond which everything all but slides.
 const SLIDING: f64 = 0.99;
 
+/// No coefficient of friction is larger.
+const MOST_FRICTION: f64 = 10.0;
+/// Amplitudes this many times the shift at which everything slides were meant in another unit.
+const FAR: f64 = 1000.0;
+
 /// Tangential force against shift: from virgin, and in a steady cycle
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "The separation stays what it is. Columns: model, shift_m, force_N at a first shift
 (blank below 0), back_N and forth_N in a steady cycle between -amplitude and
-+amplitude (Masing). Beside the data it is said how much energy a cycle loses, and
-from which shift on everything slides: where 99 % of mu F is reached.
++amplitude (Masing); loss_J and loss_factor of a cycle whose amplitude is this shift:
+the energy it loses, and that over 2 pi times half of force times shift (4/pi where all
+slides). Beside the data it is said from which shift on everything slides: where 99 % of
+mu F is reached.
 Partial slip of every asperity (Cattaneo, Mindlin), which answers as elastically as in
 unloading by --law: exact for gw; for models that yield, at constant normal load on each.
-Needs equivalent_shear_modulus, or the bodies. Models of upright asperities only.
+Needs equivalent_shear_modulus, or the bodies. Models of equal, upright asperities only.
 
 Examples:
   asperity slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7
@@ -41,7 +48,7 @@ pub struct Slip {
     #[arg(long, value_name = "LAW", default_value = "hertz")]
     law: UnloadingLaw,
     /// Coefficient of friction
-    #[arg(long, value_name = "MU", value_parser = positive_number)]
+    #[arg(long, value_name = "MU", value_parser = coefficient)]
     friction: f64,
     /// Largest shift, in m, or with a unit as 100nm
     #[arg(long, value_name = "M", value_parser = length)]
@@ -57,21 +64,56 @@ pub struct Slip {
 impl Slip {
     pub fn run(self) -> Result<()> {
         self.output.check("slip");
-        let (scene, id, joint) = self.closed.joint(self.law)?;
-        let named = || format!("{}: {id}", scene.name);
-        let slip = PartialSlip::new(&joint, self.friction).with_context(named)?;
-        let mut table = Table::new(&["model", "shift_m", "force_N", "back_N", "forth_N"]);
+        let (scene, named) = self.closed.open()?;
+        let (id, context) = (&named.0, || format!("{}: {}", scene.name, named.0));
+        let place = self.closed.place(&scene, &named)?;
+        let tolerance = Tolerance::default();
+        let joint = Unloading::new(&named.1, &scene.file.scene, place, self.law, tolerance);
+        let joint = joint.with_context(context)?;
+        let slip = PartialSlip::new(&joint, self.friction).with_context(context)?;
+        let mut table = Table::new(&[
+            "model",
+            "shift_m",
+            "force_N",
+            "back_N",
+            "forth_N",
+            "loss_J",
+            "loss_factor",
+        ]);
         for shift in linspace(-self.amplitude, self.amplitude, self.points) {
-            let force = if shift < 0.0 { None } else { Some(slip.force(shift)?.value()) };
+            let first = |of: &dyn Fn() -> Result<f64, ContactError>| -> Result<_, ContactError> {
+                if shift < 0.0 { Ok(None) } else { of().map(Some) }
+            };
             let [back, forth] = [false, true].map(|f| slip.loop_force(shift, self.amplitude, f));
-            let numbers = [Some(shift), force, Some(back?), Some(forth?)];
-            let mut row = vec![Cell::from(&*id)];
+            let factor = || if shift > 0.0 { slip.loss_factor(shift) } else { Ok(0.0) };
+            let numbers = [
+                Some(shift),
+                first(&|| Ok(slip.force(shift)?.value()))?,
+                Some(back?),
+                Some(forth?),
+                first(&|| Ok(slip.loss(shift)?.value()))?,
+                first(&factor)?,
+            ];
+            let mut row = vec![Cell::from(&**id)];
             row.extend(numbers.map(Cell::Number));
             table.rows.push(row);
         }
-        let loss = slip.loss(self.amplitude).with_context(named)?.value();
-        say("note", &format!("{id}: a cycle of this amplitude loses {loss:e} J"));
-        let sliding = slip.shift_at(SLIDING).with_context(named)?;
+        let loss = slip.loss(self.amplitude).with_context(context)?.value();
+        let factor = rounded(slip.loss_factor(self.amplitude).with_context(context)?);
+        say(
+            "note",
+            &format!("{id}: a cycle of this amplitude loses {loss:e} J (loss factor {factor})"),
+        );
+        let sliding = slip.shift_at(SLIDING).with_context(context)?;
+        if self.amplitude > FAR * sliding {
+            let (amplitude, times) = (self.amplitude, rounded((self.amplitude / sliding).round()));
+            say(
+                "warning",
+                &format!(
+                    "amplitude is {amplitude:e} m, {times} times the shift at which everything slides: is it in another unit? 100nm takes nanometres"
+                ),
+            );
+        }
         let limit = self.friction * joint.force(0.0)?.value();
         let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
         let text = format!(
@@ -79,6 +121,17 @@ impl Slip {
         );
         say("note", &text);
         self.output.write(&table, || picture(&table))
+    }
+}
+
+/// A coefficient of friction; no surfaces have more than the most.
+fn coefficient(text: &str) -> Result<f64, String> {
+    match positive_number(text)? {
+        value if value > MOST_FRICTION => Err(format!(
+            "{value} is no coefficient of friction, which are at most about {MOST_FRICTION}: is it in per cent? {value} % is {}",
+            value / 100.0
+        )),
+        value => Ok(value),
     }
 }
 

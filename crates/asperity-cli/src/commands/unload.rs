@@ -1,46 +1,70 @@
 //! `asperity unload`: back from the closest approach.
 
 use anyhow::{Context, Result};
-use asperity::joints::UnloadingLaw;
-use asperity::{Evaluation, SeparationUnit};
+use asperity::joints::{Joint, Unloading, UnloadingLaw};
+use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
 
-use crate::args::{Closed, DrawnArgs};
-use crate::numbers::Numbers;
+use crate::args::{Closed, DrawnArgs, separation_unit};
+use crate::commands::history;
+use crate::distances::{Distances, ask_unit};
+use crate::number::rounded;
+use crate::numbers::{Numbers, loads};
+use crate::output::{once, say};
 use crate::plot;
+use crate::scene::{LoadedScene, NamedModel};
 use crate::table::{Cell, Table};
 
-/// Force, area and stiffness as a joint opens again
+/// Retreats unless some are given, and in every picture at least.
+const POINTS: usize = 101;
+
+/// Force, area and stiffness as a joint opens again, or through a history of loads
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "The joint has been closed for the first time as far as --closest, --load or
---pressure says, and goes back by the retreats. Columns: model, law, retreat_m,
-separation_over_sigma, force_N, area_m2 (not by etsion), stiffness_N_per_m (-dF/dd).
+--pressure says, and goes back by the retreats (unless given, to where contact ends).
+Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, area_m2
+(not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
+below 1 most surfaces have parted, and what is printed is an average over many).
 hertz: as a Hertzian contact of the force and area at the closest approach; brake:
 Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
-Coming closer again retraces these curves, and then follows the virgin one. Models of
-upright asperities with circular contacts only.
+Coming closer again retraces these curves, and then follows the virgin one: what a
+cycle loses, it loses once. The loss factor is that over 2 pi times the work of closing.
+--history goes through turning points in place of that, from a new joint at the first;
+columns: model, law, way, separation_over_sigma, separation_m, force_N, pressure_Pa,
+stiffness_N_per_m; the work that each way takes is said beside the data.
+Models of equal, upright asperities with circular contacts only, without adhesion (as
+jkr opens, the model jkr-separation says).
 
 Examples:
   asperity unload scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
-  asperity unload scene.toml --model zmc --law etsion --load 100 --retreat 0:1e-7:11 --retreat-unit m
-  asperity unload scene.toml --model ke --pressure 5e6 --retreat 0:2:81 --output back.csv --plot back.svg"
+  asperity unload scene.toml --model zmc --law hertz,brake,etsion --load 100 --retreat 0:100nm:11
+  asperity unload scene.toml --model ke --pressure 5MPa --output back.csv --plot back.svg
+  asperity unload scene.toml --model ke --history-load 10,2kN,500,3kN,10 --output cycle.csv"
 )]
 pub struct Unload {
     #[command(flatten)]
     closed: Closed,
-    /// How the asperities come back, hertz, brake or etsion
-    #[arg(long, value_name = "LAW", default_value = "hertz")]
-    law: UnloadingLaw,
-    /// How far the joint opens from its closest approach
-    #[arg(long, value_name = "A:B:N[:log]|v,v", required = true)]
-    retreat: Numbers,
-    /// Unit of the retreats, sigma (of the asperity heights) or m
-    #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = crate::args::separation_unit)]
+    /// How the asperities come back, hertz, brake, etsion, or several of them
+    #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
+    laws: Vec<UnloadingLaw>,
+    /// How far the joint opens from its closest approach, in sigma (of the asperity heights), or with a
+    /// unit as 0:100nm:11
+    #[arg(long, value_name = "A:B:N[:log]|v,v")]
+    retreat: Option<Distances>,
+    /// Unit of retreats and turning points without one, sigma (of the asperity heights) or m
+    #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma")]
     unit: SeparationUnit,
+    /// Turning points as separations, in sigma, or with a unit as 2um
+    #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
+    history: Option<Distances>,
+    /// Turning points as loads in N, or with a unit as 2kN
+    #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
+    #[arg(value_parser = loads)]
+    history_load: Option<Numbers>,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -48,52 +72,165 @@ pub struct Unload {
 impl Unload {
     pub fn run(self) -> Result<()> {
         self.output.check("unload");
-        let (scene, id, joint) = self.closed.joint(self.law)?;
-        let sigma = scene.file.scene.surface.asperity_height_std;
-        let head = [
-            "model",
-            "law",
-            "retreat_m",
-            "separation_over_sigma",
-            "force_N",
-            "area_m2",
-            "stiffness_N_per_m",
-        ];
-        let with_area = self.law != UnloadingLaw::Etsion;
-        let mut table = Table::new(
-            &head
-                .map(|name| (with_area || name != "area_m2").then_some(name))
-                .into_iter()
-                .flatten()
-                .collect::<Vec<_>>(),
-        );
-        let from = scene.file.separation_from;
-        let closest = joint.closest().measured_in(SeparationUnit::Sigma, from, joint.scene())?;
-        for retreat in self.retreat.0 {
-            let metres = if self.unit == SeparationUnit::Sigma { retreat * sigma } else { retreat };
-            let of = |found: Result<Evaluation, _>| {
-                let found = found.with_context(|| format!("{}: {id}", scene.name))?;
-                anyhow::Ok(Cell::Number(Some(found.value())))
-            };
-            let place = [metres, closest.value + metres / sigma].map(|x| Cell::Number(Some(x)));
-            let mut row = vec![Cell::from(&*id), Cell::from(&*self.law.to_string())];
-            row.extend(place);
-            row.push(of(joint.force(metres))?);
-            if with_area {
-                row.push(of(joint.area(metres))?);
-            }
-            row.push(of(joint.stiffness(metres))?);
-            table.rows.push(row);
+        let (scene, model) = self.closed.open()?;
+        let turns = self.turns(&scene);
+        let place = match turns {
+            None => Some(self.closed.place(&scene, &model)?),
+            Some(_) => None,
+        };
+        let mut joints = vec![];
+        for law in once(&self.laws) {
+            let joint = Joint::new(&model.1, &scene.file.scene, law, Tolerance::default());
+            joints.push(joint.with_context(|| named(&scene, &model))?);
         }
+        match (turns, place) {
+            (Some(turns), _) => {
+                scene.tell(&[&model], &turns);
+                history::write(&scene, &model, &joints, &turns, &self.output)
+            }
+            (None, Some(place)) => self.back(&scene, &model, &joints, place),
+            (None, None) => Ok(()),
+        }
+    }
+
+    fn turns(&self, scene: &LoadedScene) -> Option<Vec<At>> {
+        let separations = self.history.as_ref().map(|list| {
+            let unit = list.unit(self.unit);
+            let height_std = scene.file.scene.surface.asperity_height_std;
+            ask_unit("history", &list.values, unit, height_std);
+            list.values.iter().map(|value| scene.file.separation(*value, unit).into()).collect()
+        });
+        let loads =
+            || Some(self.history_load.as_ref()?.0.iter().map(|load| At::Load(*load)).collect());
+        separations.or_else(loads)
+    }
+
+    /// Back from one place by each law.
+    fn back(
+        &self,
+        scene: &LoadedScene,
+        model: &NamedModel,
+        joints: &[Joint],
+        place: At,
+    ) -> Result<()> {
+        let context = || named(scene, model);
+        let mut ways = vec![];
+        for joint in joints {
+            let way = joint.unloading(place).with_context(context)?;
+            let end = way.last_contact().with_context(context)?;
+            tell_work(&model.0, joint, place, end);
+            ways.push((way, end));
+        }
+        let retreats = self.retreats(scene, ways.iter().map(|(_, end)| *end).fold(0.0, f64::max));
+        let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
+        let table = of(&retreats)?;
         self.output.write(&table, || {
+            let [least, most] = [f64::min, f64::max]
+                .map(|pick| retreats.iter().copied().reduce(pick).unwrap_or_default());
+            let mut dense = if least < most { linspace(least, most, 2 * POINTS) } else { vec![] };
+            dense.extend(&retreats);
+            dense.sort_by(f64::total_cmp);
+            dense.dedup();
             let x = Axis::new("retreat_m", "retreat (µm)").times(1e6);
-            let columns = [
-                ("force_N", "force (N)"),
-                ("area_m2", "area (m²)"),
-                ("stiffness_N_per_m", "stiffness (N/m)"),
-            ];
-            let curves = [Curve::new(0, &id, &format!("{id}, back by {}", self.law))];
-            plot::against(&table, &x, &columns[..], &curves)
+            picture(&of(&dense)?, &x, &model.0, joints)
         })
     }
+
+    /// In metres.
+    fn retreats(&self, scene: &LoadedScene, end: f64) -> Vec<f64> {
+        let Some(given) = &self.retreat else { return linspace(0.0, end, POINTS) };
+        let sigma = scene.file.scene.surface.asperity_height_std;
+        let unit = given.unit(self.unit);
+        ask_unit("retreat", &given.values, unit, sigma);
+        let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
+        given.values.iter().map(|value| metres * value).collect()
+    }
+}
+
+pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
+    format!("{}: {id}", scene.name)
+}
+
+/// What closing and opening take and give, and where contact ends.
+fn tell_work(id: &str, joint: &Joint, place: At, end: f64) {
+    let work = || -> Result<[f64; 3], ContactError> {
+        Ok([joint.spent(place)?, joint.dissipated(place)?, joint.loss_factor(place)?])
+    };
+    let law = joint.law();
+    match work() {
+        Ok(work) => {
+            // What the integrals do not tell from nothing is nothing.
+            let lost = if work[1].abs() > 1e-9 * work[0] { work } else { [work[0], 0.0, 0.0] };
+            let [spent, lost, factor] = lost.map(rounded);
+            say(
+                "note",
+                &format!(
+                    "{id} by {law}: closing takes {spent} J, and opening leaves {lost} J of it lost, once (loss factor {factor})"
+                ),
+            );
+        }
+        Err(error) => say("warning", &format!("{id} by {law}: no work: {error}")),
+    }
+    let end = rounded(end);
+    say(
+        "note",
+        &format!(
+            "{id} by {law}: contact ends at a retreat of {end} m, beyond which fewer than one asperity touches on average"
+        ),
+    );
+}
+
+fn of_ways(
+    scene: &LoadedScene,
+    (id, _): &NamedModel,
+    ways: &[(Unloading, f64)],
+    retreats: &[f64],
+) -> Result<Table, ContactError> {
+    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+    let sigma = contact.surface.asperity_height_std;
+    let has_area = |way: &Unloading| way.law() != UnloadingLaw::Etsion;
+    let with_area = ways.iter().any(|(way, _)| has_area(way));
+    let head = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
+    let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
+    let mut table = Table::new(&[&head[..], area, &["stiffness_N_per_m", "contacts"]].concat());
+    for (way, _) in ways {
+        let closest = way.closest().measured_in(SeparationUnit::Sigma, from, contact)?.value;
+        for &retreat in retreats {
+            let value = |found: Result<Evaluation, _>| Ok::<_, ContactError>(Some(found?.value()));
+            let force = way.force(retreat)?.value();
+            let mut numbers = vec![
+                Some(retreat),
+                Some(closest + retreat / sigma),
+                Some(force),
+                Some(force / contact.nominal_area),
+            ];
+            if with_area {
+                numbers.push(if has_area(way) { value(way.area(retreat))? } else { None });
+            }
+            numbers.extend([value(way.stiffness(retreat))?, value(way.contacts(retreat))?]);
+            let mut row = vec![Cell::from(&**id), Cell::from(&*way.law().to_string())];
+            row.extend(numbers.into_iter().map(Cell::Number));
+            table.rows.push(row);
+        }
+    }
+    Ok(table)
+}
+
+/// A curve for each law.
+pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<String> {
+    let mut by_law = table.clone();
+    // The law names the curve.
+    by_law.head.remove(0);
+    by_law.rows.iter_mut().for_each(|row| drop(row.remove(0)));
+    let columns = [
+        ("force_N", "force (N)"),
+        ("area_m2", "area (m²)"),
+        ("stiffness_N_per_m", "stiffness (N/m)"),
+    ];
+    let laws = joints.iter().map(|joint| joint.law().to_string());
+    let curves: Vec<Curve> = laws
+        .enumerate()
+        .map(|(look, law)| Curve::new(look, &law, &format!("{id}, back by {law}")))
+        .collect();
+    plot::against(&by_law, x, &columns, &curves)
 }

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "",
     "check",
     "curve",
@@ -21,6 +21,7 @@ const COMMANDS: [&str; 15] = [
     "truth",
     "unload",
     "slip",
+    "pull-off",
 ];
 
 #[test]

@@ -89,7 +89,10 @@ fn pictures_show_what_is_printed() {
 fn what_a_joint_lacks_is_named() {
     let bench = Bench::new();
     for (words, wanted) in [
-        ("unload scene.toml --model gao --closest 1 --retreat 0.1", "Gao cannot give unloading"),
+        (
+            "unload scene.toml --model gao --closest 1 --retreat 0.1",
+            "Gao cannot give unloading and partial slip",
+        ),
         ("unload scene.toml --model ke --closest 1 --retreat -0.1", "retreat is -"),
         ("curve scene.toml --model ke --quantity thermal-conductance", "thermal_conductivity is"),
         ("curve scene.toml --model at --quantity unloading-stiffness", "AT cannot give contact-"),
@@ -120,4 +123,80 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
             assert!((value / (factor * radii) - 1.0).abs() < 1e-12, "{name}");
         }
     }
+}
+
+#[test]
+fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
+    let bench = Bench::new();
+    let run = bench.run("unload scene.toml --model ke --law hertz,brake,etsion --load 2kN");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let (_, rows) = csv(&run.out);
+    assert_eq!(rows.len(), 3 * 101);
+    let (law, area) = (cells(&run.out, "law"), cells(&run.out, "area_m2"));
+    assert!(law.iter().zip(&area).all(|(law, area)| (*law == "etsion") == area.is_empty()));
+    let (force, pressure) = (column(&run.out, "force_N"), column(&run.out, "pressure_Pa"));
+    assert!(force.iter().zip(&pressure).all(|(f, p)| (p * 1e-4 - f).abs() <= 1e-9 * f));
+    // The last of brake's, which lasts longest.
+    let touching = column(&run.out, "contacts");
+    assert!((touching[201] - 1.0).abs() < 1e-6 && touching[100] < 1.0, "{touching:?}");
+    let joint = joint(&bench, "ke", At::Load(2e3), UnloadingLaw::Brake);
+    let end = format!(
+        "ke by brake: contact ends at a retreat of {:.5e} m",
+        joint.last_contact().unwrap()
+    );
+    assert!(run.words.contains(&end), "{}", run.words);
+    assert_eq!(run.words.matches("loss factor 0.0").count(), 3, "{}", run.words);
+    // Lengths have units, and what is mistaken for multiples is asked about.
+    let short = "unload scene.toml --model ke --closest 1um --retreat 0,100nm,200nm";
+    let retreats = column(&bench.data(short), "retreat_m");
+    assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
+    let odd = bench.run("unload scene.toml --model ke --closest 1 --retreat 1e-7");
+    assert!(odd.words.contains("retreat is 1e-7 asperity_height_std: is it in metres"));
+}
+
+#[test]
+fn histories_turn_at_separations_and_at_loads() {
+    let bench = Bench::new();
+    let words = "unload scene.toml --model ke --history-load 10,2kN,500,3kN";
+    let run = bench.run(&format!("{words} --plot h.svg"));
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let (way, force) = (cells(&run.out, "way"), column(&run.out, "force_N"));
+    for (number, wanted) in [("0", 10.0), ("1", 2e3), ("2", 500.0), ("3", 3e3)] {
+        let last = way.iter().rposition(|way| *way == number).unwrap();
+        assert!((force[last] / wanted - 1.0).abs() < 1e-8, "{number}: {}", force[last]);
+    }
+    assert!(run.words.contains("J in all") && bench.read("h.svg").starts_with("<svg"));
+    let places =
+        column(&bench.data("unload scene.toml --model ke --history 3um,1um,2um"), "separation_m");
+    assert!((places[50] / 1e-6 - 1.0).abs() < 1e-12 && places.len() == 101, "{places:?}");
+}
+
+#[test]
+fn slips_of_the_hand_are_told_and_slip_speaks_of_slip() {
+    let bench = Bench::new();
+    let words = |line: &str| bench.run(line).words;
+    let far = words("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 100");
+    assert!(far.contains("times the shift at which everything slides"), "{far}");
+    let gao = words("slip scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
+    assert!(gao.contains("partial slip: its contacts lie at all angles"), "{gao}");
+    let heavy = words("unload scene.toml --model ke --load 2e6kN --retreat 0");
+    assert!(heavy.contains("warning: area_fraction is 10000"), "{heavy}");
+    let random = words("unload scene.toml --model ke-random --load 100");
+    assert!(random.contains("only models of equal, upright asperities"), "{random}");
+    let data = bench
+        .data("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1um --points 3");
+    let factor: f64 = cells(&data, "loss_factor")[2].parse().unwrap();
+    assert!(factor > 0.9 && factor < 4.0 / std::f64::consts::PI, "{factor}");
+}
+
+#[test]
+fn a_model_that_lacks_a_quantity_leaves_it_blank() {
+    let bench = Bench::new();
+    let ask = "curve scene.toml --model ke,gao --separation 1 --quantity force,unloading-stiffness";
+    let run = bench.run(ask);
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let stiffness = cells(&run.out, "unloading_stiffness_N_per_m");
+    assert!(!stiffness[0].is_empty() && stiffness[1].is_empty(), "{}", run.out);
+    assert!(column(&run.out, "force_N")[1] > 0.0);
+    assert!(run.words.contains("gao: no unloading-stiffness: Gao cannot"), "{}", run.words);
 }

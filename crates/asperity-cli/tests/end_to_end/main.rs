@@ -1,6 +1,7 @@
 //! The built program, driven from outside.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests: a panic is the failure")]
 
+mod adhesion;
 mod bem;
 mod bench;
 mod curve;

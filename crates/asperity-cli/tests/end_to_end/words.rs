@@ -16,6 +16,31 @@ fn a_plan_says_what_is_integrated() {
 }
 
 #[test]
+fn lengths_in_sigmas_that_look_like_metres_are_asked_about_and_skewness_is_told() {
+    let bench = Bench::new();
+    let question = "is 1e-6 asperity_height_std: is it in metres, 1.0 asperity_height_std?";
+    for words in [
+        "curve scene.toml --model ke --separation 1e-6",
+        "check scene.toml --separation 1e-6",
+        "unload scene.toml --model ke --closest 1e-6 --retreat 0",
+        "export scene.toml --model ke --as csv --separation 0:1e-6:2",
+    ] {
+        let told = bench.run(words).words;
+        assert!(told.contains(question), "{words}: {told}");
+        let metres = bench.run(&words.replace("1e-6", "1um")).words;
+        assert!(!metres.contains("is it in metres"), "{words}: {metres}");
+    }
+    let same = |words: &str| column(&bench.data(words), "force_N");
+    let [length, unit] = ["1um", "1e-6 --separation-unit m"]
+        .map(|place| same(&format!("curve scene.toml --model ke --separation {place}")));
+    assert_eq!(length, unit);
+    let skewed = asperity_scene::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
+    bench.write("skewed.toml", &skewed);
+    let check = bench.data("check skewed.toml --format csv");
+    assert!(check.contains("asperity_height_skewness,-0.5"), "{check}");
+}
+
+#[test]
 fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     let bench = Bench::new();
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));

@@ -73,7 +73,8 @@ impl Check {
             let response = model.solve(scene, &request.at([at]))?;
             let row = |k: usize| response.columns[k].rows[0].as_ref();
             let value = |k| row(k).map(|found| found.value()).map_err(|error| (**error).clone());
-            return Ok(Self::of_totals(model, scene, at, None, [value(0)?, value(1)?, value(2)?]));
+            let totals = ([value(0)?, value(1)?], Some(value(2)?));
+            return Ok(Self::of_totals(model, scene, at, None, totals));
         }
         let contact = model.compile(scene, &request)?;
         // A theory of the whole surface knows no separations, and no single contacts.
@@ -85,10 +86,10 @@ impl Check {
         };
         let there = place.map_or(at, At::from);
         let of = |quantity| contact.evaluate(quantity, there).map(|found| found.value());
-        let contacts = if place.is_some() { of(Quantity::Contacts)? } else { 0.0 };
-        let totals = [of(Quantity::Force)?, of(Quantity::Area)?, contacts];
+        let contacts = place.map(|_| of(Quantity::Contacts)).transpose()?;
+        let totals = ([of(Quantity::Force)?, of(Quantity::Area)?], contacts);
         let mut check = Self::of_totals(model, scene, at, place, totals);
-        let Some(place) = place else { return Ok(check) };
+        let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         let yields = claims.holds_to.is_some_and(|x| x <= 1.0);
         if (whole || yields || may_be_deep(&*contact, place, contacts))
             && let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
@@ -105,7 +106,7 @@ impl Check {
         scene: &Scene,
         at: At,
         place: Option<Separation>,
-        [force, area, contacts]: [f64; 3],
+        ([force, area], contacts): ([f64; 2], Option<f64>),
     ) -> Self {
         let mut check = Self::default();
         let fraction = area / scene.nominal_area;
@@ -122,15 +123,15 @@ impl Check {
         check.say("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction));
         check.extend(sticks(model, scene));
-        if place.is_some() {
+        if let Some(contacts) = contacts {
             check.say("contacts", contacts, "", "asperities that touch");
-        }
-        if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
-            check.extend([few(at, contacts)]);
-        }
-        if contacts > 0.0 && area > 0.0 {
-            let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
-            check.say("contact_radius", radius, "m", "of a contact of mean area");
+            if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
+                check.extend([few(at, contacts)]);
+            }
+            if contacts > 0.0 && area > 0.0 {
+                let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
+                check.say("contact_radius", radius, "m", "of a contact of mean area");
+            }
         }
         let mean = force / area;
         if mean > 0.0 {
@@ -225,8 +226,14 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
 fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
     let (name, percent) = (model.name(), short(100.0 * share));
+    let advice = match model.claims().adhesive {
+        true => {
+            "no model here has both yielding and adhesion: ke and jg have the first alone, and are nearer where adhesion_parameter is above 10"
+        }
+        false => "ask a model that does (ke, jg)",
+    };
     let message = format!(
-        "yielding_share is {percent} % at {at}: {name} knows no yielding and gives too small an area and too large a load there: ask a model that does (ke, jg)"
+        "yielding_share is {percent} % at {at}: {name} knows no yielding and gives too small an area and too large a load there: {advice}"
     );
     let usual = [0.0, YIELDS[0]];
     let finding = Finding::new("yields", severity, "yielding_share", share, usual, message);

@@ -1,7 +1,7 @@
 //! Whether moduli and hardnesses are those of any material.
 
 use super::finding::{Finding, Severity, short};
-use super::units::{ENERGIES, PRESSURES, Unit, ask, slip};
+use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, ask, slip};
 use crate::{Body, Interface};
 
 /// From soft gels to diamond \[Pa\].
@@ -22,6 +22,10 @@ const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
 const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
 /// w_a \[J/m²\], from surfaces in a liquid to metals that weld.
 const ADHESION: [f64; 2] = [1e-3, 5.0];
+/// k \[W/(m K)\], from aerogels to diamond.
+const CONDUCTIVITY: [f64; 2] = [0.01, 3000.0];
+/// ρ \[Ω m\] of what conducts: from cold copper to carbon and lean composites.
+const RESISTIVITY: [f64; 2] = [1e-9, 1e-2];
 /// S = 0.454 + 0.41 ν.
 const PRESSURE_FACTOR: [f64; 2] = [0.2, 1.2];
 
@@ -38,7 +42,9 @@ impl Body {
     pub fn findings(&self) -> Vec<Finding> {
         let modulus = ("youngs_modulus", self.youngs_modulus);
         let &Self { hardness, yield_strength, .. } = self;
-        Material { modulus, hardness, yield_strength }.findings()
+        let mut found = Material { modulus, hardness, yield_strength }.findings();
+        found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
+        found
     }
 }
 
@@ -82,8 +88,32 @@ impl Interface {
             let why = "0.454 + 0.41 nu, 0.4 to 0.7, is usual: leave it out if in doubt";
             found.push(unusual("pressure_factor", factor, PRESSURE_FACTOR, why));
         }
+        found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
         found
     }
+}
+
+/// What is unusual about what conducts: a word only, as no force depends on it.
+fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Finding> {
+    let told = |field, value: f64, usual: [f64; 2], units: &[Unit], si: &str, of: &str| {
+        let question = slip(value, units, si, |x| within(x, usual));
+        let question = question.map_or(String::new(), |question| format!(": {question}"));
+        let [from, to] = usual.map(short);
+        let message = format!(
+            "{field} is {} {si}, where {from} to {to} is usual of {of}{question}",
+            short(value)
+        );
+        let finding = Finding::new("unusual-size", Severity::Warning, field, value, usual, message);
+        (!within(value, usual)).then_some(finding)
+    };
+    let k = conductivity.and_then(|k| {
+        told("thermal_conductivity", k, CONDUCTIVITY, CONDUCTIVITIES, "W/(m K)", "materials")
+    });
+    let rho = resistivity.and_then(|rho| {
+        let of = "what conducts (1/conductivity)";
+        told("electrical_resistivity", rho, RESISTIVITY, RESISTIVITIES, "ohm m", of)
+    });
+    k.into_iter().chain(rho).collect()
 }
 
 impl Material {

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
-use crate::{ContactError, Scene};
+use crate::{ContactError, HeightDistribution, Scene};
 
 use finding::short;
 pub use finding::{Finding, Severity};
@@ -88,6 +88,10 @@ impl Check {
     }
 }
 
+/// Tabor's parameter up to which DMT holds, and from which on JKR does.
+const DMT: f64 = 0.1;
+const JKR: f64 = 5.0;
+
 /// Below this w_c \[m\] asperities would yield before they approach by the distance of two atoms.
 const ATOM: f64 = 3e-10;
 
@@ -136,6 +140,11 @@ impl Scene {
         check.say("asperity_radius", r, "m", "R");
         check.say("asperity_density", surface.asperity_density, "1/m2", "eta");
         check.say("asperity_height_std", sigma, "m", "sigma_z, of the asperities");
+        if let HeightDistribution::Weibull(heights) = &self.heights {
+            let meaning =
+                "of the asperity heights, which a Weibull density has; 0 for a Gaussian one";
+            check.say("asperity_height_skewness", heights.skewness(), "", meaning);
+        }
         check.say("surface_height_std", moments.m0.sqrt(), "m", gaussian);
         check.say("rms_slope", surface.rms_slope(), "", gaussian);
         check.say("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
@@ -163,11 +172,9 @@ impl Scene {
     #[must_use]
     pub fn findings(&self) -> Vec<Finding> {
         let mut found = self.interface.findings();
-        let materials = found.is_empty();
-        found.extend(self.surface.findings());
-        if found.len() == usize::from(!materials) {
-            found.extend(roughness::of_area(self));
-        }
+        let surface = self.surface.findings();
+        let area = surface.is_empty().then(|| roughness::of_area(self)).flatten();
+        found.extend(surface.into_iter().chain(area));
         let critical = self.asperity().and_then(|asperity| asperity.critical_interference());
         if let (true, Ok(w)) = (found.is_empty(), critical)
             && w < ATOM
@@ -179,7 +186,27 @@ impl Scene {
             let (field, usual) = ("critical_interference", [ATOM, f64::INFINITY]);
             found.push(Finding::new("atomic", Severity::Note, field, w, usual, message));
         }
+        found.extend(self.which_adhesion());
         found.sort_by_key(|finding| finding.severity);
         found
+    }
+
+    /// Which models know the scene's work of adhesion, and which of them is made for it.
+    fn which_adhesion(&self) -> Option<Finding> {
+        let tabor = self.asperity().ok()?.tabor_parameter().filter(|tabor| *tabor > 0.0)?;
+        let theta = self.adhesion_parameter()?;
+        let nearer = match tabor {
+            t if t <= DMT => "dmt is made for it",
+            t if t >= JKR => "jkr (jkr-separation as the surfaces part) is made for it",
+            _ => "dmt (below 0.1) and jkr (above 5) are both off, and lie on both sides",
+        };
+        let hidden = if theta > 10.0 { "hides all but little of it" } else { "leaves much of it" };
+        let message = format!(
+            "tabor_parameter is {}: of the models with adhesion {nearer}; all others leave work_of_adhesion out; roughness {hidden} (adhesion_parameter {}, above 10 hides it)",
+            short(tabor),
+            short(theta)
+        );
+        let (field, usual) = ("tabor_parameter", [DMT, JKR]);
+        Some(Finding::new("adhesion", Severity::Note, field, tabor, usual, message))
     }
 }

@@ -10,6 +10,11 @@ pub(crate) type Unit = (&'static str, f64);
 pub(crate) const PRESSURES: &[Unit] = &[("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3)];
 /// Of works of adhesion \[J/m²\].
 pub(crate) const ENERGIES: &[Unit] = &[("mJ/m2", 1e-3)];
+/// Of thermal conductivities \[W/(m K)\].
+pub(crate) const CONDUCTIVITIES: &[Unit] = &[("mW/(m K)", 1e-3), ("W/(mm K)", 1e3)];
+/// Of electrical resistivities \[Ω m\].
+pub(crate) const RESISTIVITIES: &[Unit] =
+    &[("uohm cm", 1e-8), ("nohm m", 1e-9), ("ohm mm2/m", 1e-6)];
 /// Of lengths \[m\].
 pub(crate) const LENGTHS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
 /// Of asperity densities \[1/m²\].

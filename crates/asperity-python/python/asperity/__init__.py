@@ -1,4 +1,4 @@
-"""Rough surfaces in contact: nine published models of force, real area and stiffness.
+"""Rough surfaces in contact: force, real area and stiffness by published models.
 
 A scene is what is in contact, a model says how one asperity answers, and a curve is what comes
 back. Units are SI; separations are multiples of the standard deviation of the asperity heights,

@@ -112,7 +112,7 @@ def recommend(
     scene: Scene,
     separation: npt.ArrayLike | None = None,
     quantities: str | Sequence[str] = ("force", "area"),
-    reference: str | Model = "ke",
+    reference: str | Model | None = None,
     within: float = 0.05,
     rtol: float = 1e-10,
     separation_unit: str = "asperity_height_std",
@@ -123,6 +123,8 @@ def recommend(
     """Models beside a reference, the simplest that stays within a relative deviation of it, and how far
     each was from boundary elements on surfaces like this one.
 
+    The reference is "ke" unless given, or "gw" where the scene has no hardness.
+
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
     >>> smooth = asperity.Surface.from_plasticity_index(0.3, 0.04, 1e-7, interface)
@@ -131,6 +133,8 @@ def recommend(
     'gw'
     """
     rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+    if reference is None:
+        reference = "gw" if scene.asperity.hardness is None else "ke"
     against, names = _model(reference), quantity_names(quantities)
     text, simplest, evidence, found = _asperity.recommend(against, rows, names, within, rtol)
     return Recommendation(

@@ -89,13 +89,14 @@ class Model(Engine):
         scene : Scene, Scenes or sequence of Scene
             What is in contact. Many scenes are broadcast against separations or loads.
         separation : array_like
-            From the plane that the scene chose, in ``separation_unit``. Masked values stay masked.
+            From the plane that the scene chose, in ``separation_unit``, or texts with their unit, as
+            "1 um" (loads and pressures likewise, "2 kN"). Masked values stay masked.
         quantities : str or sequence of str
             Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m], "pressure" [Pa],
             "area-fraction", "contacts", "contact-radius-sum" [m], "unloading-stiffness" (what
             vibrations feel) and "tangential-stiffness" (in stick) [N/m], "thermal-conductance"
-            [W/K], "electrical-conductance" [S], "mean-pressure" [Pa], "ln-force", "ln-area",
-            "elastic-share", "elastic-plastic-share" and "plastic-share".
+            [W/K], "electrical-conductance" [S], both with "-per-area" over the nominal area,
+            "mean-pressure" [Pa], "ln-force", "ln-area", "elastic-share", "elastic-plastic-share" and "plastic-share".
         rtol : float
             Relative tolerance of every value, from 1e-15 to 0.1.
         separation_unit : "asperity_height_std" or "m"
@@ -190,17 +191,17 @@ class Model(Engine):
     def unloading(
         self,
         scene: Scene,
-        closest: float | None = None,
+        closest: float | str | None = None,
         law: str = "hertz",
         rtol: float = 1e-10,
         separation_unit: str = "asperity_height_std",
         *,
-        load: float | None = None,
-        pressure: float | None = None,
+        load: float | str | None = None,
+        pressure: float | str | None = None,
     ) -> Unloading:
         """A joint that was closed for the first time, and opens again or is sheared.
 
-        Models of upright asperities with circular contacts only.
+        Models of equal, upright asperities with circular contacts only.
 
         Parameters
         ----------
@@ -216,7 +217,8 @@ class Model(Engine):
         rtol : float
             Relative tolerance of the integrals, from 1e-15 to 0.1.
         load, pressure : float, optional
-            The largest load [N], or pressure on the nominal area [Pa], in the place of ``closest``.
+            The largest load [N], or pressure on the nominal area [Pa], in the place of ``closest``;
+            all three may be texts with a unit, as "2 kN".
 
         Examples
         --------
@@ -228,8 +230,10 @@ class Model(Engine):
         >>> slip = joint.slip(friction=0.3)
         >>> f"{slip.force(1e-8):.2f} N of 30 N; all slides from {slip.shift_at(0.99):.1e} m on"
         '3.54 N of 30 N; all slides from 2.2e-07 m on'
-        >>> f"{slip.loss(5e-8):.1e} J lost in a cycle"
-        '2.3e-07 J lost in a cycle'
+        >>> f"{slip.loss(5e-8):.1e} J lost in a cycle, a factor of {slip.loss_factor(5e-8):.3f}"
+        '2.3e-07 J lost in a cycle, a factor of 0.097'
+        >>> f"contact ends {joint.last_contact():.1e} m farther away"
+        'contact ends 7.9e-07 m farther away'
         """
         axis, number = place(closest, load, pressure, separation_unit, "closest")
         where = axis, float(number)
@@ -237,6 +241,23 @@ class Model(Engine):
         for words in _asperity.findings(self, Rows(scene, *where)):
             warnings.warn(words, ContactWarning, stacklevel=2)
         return joint
+
+    def pull_off(
+        self, scene: Scene, rtol: float = 1e-10, separation_unit: str = "asperity_height_std"
+    ) -> tuple[float, float] | None:
+        """The greatest tension that surfaces hold which stick, as a force [N] below 0, and the
+        separation where they do; ``None`` where nothing is held.
+
+        For "dmt", and "jkr-separation": contacts of "jkr", on approach, begin no sooner than they touch.
+
+        >>> import asperity
+        >>> rubber = asperity.Interface.against_rigid(asperity.Body(1e6, 0.5), work_of_adhesion=0.05)
+        >>> scene = asperity.Scene(rubber, asperity.Surface(1e-4, 1e9, 1e-6), nominal_area=1e-4)
+        >>> force, separation = asperity.model("jkr-separation").pull_off(scene)
+        >>> f"{force:.3f} N at {separation:.3f} asperity_height_std"
+        '-0.956 N at 0.408 asperity_height_std'
+        """
+        return _asperity.pull_off(self, scene._file, rtol, checked_unit(separation_unit))
 
     def joint_table(
         self,

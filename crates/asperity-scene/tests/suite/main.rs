@@ -8,4 +8,5 @@ mod options;
 mod random_asperities;
 mod scene_files;
 mod tabulated_heights;
+mod units;
 mod written;

@@ -1,34 +1,18 @@
 //! Histories, works and tables of joints, against sums over steps, finite elements and the way back
 //! itself.
-#![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
 #![allow(clippy::float_cmp, reason = "what a contact remembers is the very number it was given")]
 
 use asperity_ceb::ChangEtsionBogy;
-use asperity_core::{
-    At, ContactModel, HeightDistribution, Interface, Quantity, Scene, Surface, TabulatedHeights,
-    Tolerance,
-};
+use asperity_core::{At, ContactModel, HeightDistribution, Quantity, Tolerance};
 use asperity_etsion::EtsionKligermanKadin;
 use asperity_gw::GreenwoodWilliamson;
 use asperity_joints::{Joint, UnloadingLaw, restitution};
 use asperity_ke::KogutEtsion;
 
-const SIGMA: f64 = 1e-6;
-
-fn scene(plasticity_index: f64) -> Scene {
-    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
-    interface.pressure_factor = Some(0.58);
-    let surface =
-        Surface::from_plasticity_index(plasticity_index, 0.04, SIGMA, &interface).unwrap();
-    Scene::new(interface, surface, 3e-5)
-}
-
-fn tight() -> Tolerance {
-    Tolerance::new(1e-12).unwrap()
-}
+use crate::scenes::{SIGMA, flat, tight, with_index};
 
 fn joint(model: &dyn ContactModel, law: UnloadingLaw) -> Joint {
-    Joint::new(model, &scene(2.0), law, tight()).unwrap()
+    Joint::new(model, &with_index(2.0), law, tight()).unwrap()
 }
 
 #[test]
@@ -108,7 +92,7 @@ fn the_work_of_each_way_is_the_area_under_its_points() {
 #[test]
 fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
     for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential] {
-        let mut scene = scene(0.5);
+        let mut scene = with_index(0.5);
         scene.heights = heights.clone();
         let joint = Joint::new(&GreenwoodWilliamson, &scene, UnloadingLaw::Hertz, tight()).unwrap();
         let at = At::from(0.5);
@@ -124,7 +108,7 @@ fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
 
 #[test]
 fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
-    let asperity = scene(2.0).asperity().unwrap();
+    let asperity = with_index(2.0).asperity().unwrap();
     let critical = asperity.critical_interference().unwrap();
     let of =
         |x: f64, law| restitution(&KogutEtsion, &asperity, x * critical, law, tight()).unwrap();
@@ -142,9 +126,7 @@ fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
 #[test]
 fn tables_end_where_nothing_touches() {
     // Heights that end 2 σ_z above their mean: beyond, no retreat is the last contact.
-    let mut scene = scene(2.0);
-    let points = [(-2.0 * SIGMA, 0.25 / SIGMA), (2.0 * SIGMA, 0.25 / SIGMA)];
-    scene.heights = HeightDistribution::other(TabulatedHeights::new("flat", &points).unwrap());
+    let scene = flat(2.0);
     let tolerance = Tolerance::new(1e-8).unwrap();
     let joint = Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
     let table = joint.table((2.5 * SIGMA, 4.0 * SIGMA), 1e-4).unwrap();
@@ -160,7 +142,7 @@ fn tables_answer_as_the_way_back_does() {
         (&GreenwoodWilliamson, 1.0, UnloadingLaw::Hertz),
     ];
     for (model, index, law) in cases {
-        let joint = Joint::new(model, &scene(index), law, Tolerance::default()).unwrap();
+        let joint = Joint::new(model, &with_index(index), law, Tolerance::default()).unwrap();
         let tolerance = 1e-6;
         let table = joint.table((-1.5 * SIGMA, 5.0 * SIGMA), tolerance).unwrap();
         let (mut force_worst, mut slope_worst) = (0.0_f64, 0.0_f64);
@@ -177,7 +159,6 @@ fn tables_answer_as_the_way_back_does() {
             slope_worst = slope_worst.max((reply.stiffness - stiffness.value()).abs() / stiff);
             assert_eq!(reply.closest, closest);
         }
-        println!("{} {law}: {force_worst:.1e} {slope_worst:.1e}", model.name());
         assert!(force_worst < tolerance, "{} {law}: {force_worst:e}", model.name());
         // A derivative of the table loses some digits.
         assert!(slope_worst < 1e-3, "{} {law}: {slope_worst:e}", model.name());
@@ -214,4 +195,39 @@ fn memories_step_and_what_is_no_place_is_refused() {
     assert!(joint.table((0.0, SIGMA), 0.0).unwrap_err().to_string().starts_with("tolerance"));
     let refused = joint.path(&[SIGMA, f64::NAN], 3).unwrap_err().to_string();
     assert!(refused.starts_with("turning_points is NaN"), "{refused}");
+}
+
+#[test]
+fn loads_are_turning_points_on_the_curve_they_are_met_on() {
+    let joint = joint(&KogutEtsion, UnloadingLaw::Hertz);
+    let turns = [At::Load(1.0), At::Load(10.0), At::Pressure(2.0 / 3e-5), At::Load(12.0)];
+    let points = joint.turning_points(&turns).unwrap();
+    let path = joint.path(&points, 4).unwrap();
+    for (way, wanted) in [(0, 1.0), (1, 10.0), (2, 2.0), (3, 12.0)] {
+        let last = path.points.iter().rfind(|point| point.way == way).unwrap();
+        assert!((last.force / wanted - 1.0).abs() < 1e-9, "{way}: {}", last.force);
+    }
+    // Half open, the surfaces are closer than where they first carried as much.
+    let virgin = joint.virgin().separation(At::Load(2.0)).unwrap().value * SIGMA;
+    assert!(points[2] < virgin && points[2] > points[1]);
+    let refused = joint.turning_points(&[At::Load(10.0), At::Load(-1.0)]).unwrap_err().to_string();
+    assert!(refused.starts_with("load is -1.0"), "{refused}");
+}
+
+#[test]
+fn contact_ends_where_one_asperity_is_left() {
+    for law in UnloadingLaw::ALL {
+        let joint = joint(&GreenwoodWilliamson, law);
+        let way = joint.unloading(At::from(1.0)).unwrap();
+        // Elastic asperities touch as they did on the way there.
+        let request = asperity_core::Request::new([Quantity::Contacts]);
+        let virgin = GreenwoodWilliamson.compile(joint.scene(), &request).unwrap();
+        let wanted = virgin.evaluate(Quantity::Contacts, 1.7).unwrap().value();
+        let found = way.contacts(0.7 * SIGMA).unwrap().value();
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{law}: {found} {wanted}");
+        let end = way.last_contact().unwrap();
+        assert!((way.contacts(end).unwrap().value() - 1.0).abs() < 1e-9, "{law}");
+    }
+    let far = joint(&KogutEtsion, UnloadingLaw::Hertz).unloading(At::from(7.0)).unwrap();
+    assert_eq!(far.last_contact().unwrap(), 0.0);
 }

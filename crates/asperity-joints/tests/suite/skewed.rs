@@ -1,12 +1,10 @@
 //! Unloading where heights end steeply, or far from a Gaussian's tail.
-#![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
-#![allow(clippy::float_cmp, reason = "0 is meant to be 0")]
 
 use asperity_af::AbdoFarhang;
 use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{
-    At, ContactModel, HeightDistribution, Interface, Quantity, Scene, Surface, Tolerance,
-    WeibullHeights,
+    At, ContactModel, HeightDistribution, Interface, Quantity, Scene, Surface, TabulatedHeights,
+    Tolerance, WeibullHeights,
 };
 use asperity_gw::GreenwoodWilliamson;
 use asperity_joints::{Joint, UnloadingLaw};
@@ -14,9 +12,13 @@ use asperity_ke::KogutEtsion;
 
 const SIGMA: f64 = 1e-6;
 
-fn joint(model: &dyn ContactModel, skewness: f64) -> Joint {
+fn scene() -> Scene {
     let interface = Interface::new(116e9, 0.31, 1.12e9);
-    let mut scene = Scene::new(interface, Surface::new(3.6e-4, 1.1e8, SIGMA), 3e-5);
+    Scene::new(interface, Surface::new(3.6e-4, 1.1e8, SIGMA), 3e-5)
+}
+
+fn joint(model: &dyn ContactModel, skewness: f64) -> Joint {
+    let mut scene = scene();
     scene.heights = HeightDistribution::Weibull(WeibullHeights::new(skewness).unwrap());
     Joint::new(model, &scene, UnloadingLaw::Hertz, Tolerance::default()).unwrap()
 }
@@ -68,5 +70,31 @@ fn what_has_yielded_opens_until_nothing_is_left() {
             }
             joint.table((0.0, 3.0 * SIGMA), 1e-4).unwrap();
         }
+    }
+}
+
+#[test]
+fn flat_heights_open_up_to_the_last_contact() {
+    let points: Vec<(f64, f64)> = [-1.5, 1.5].map(|s| (s * SIGMA, 1.0 / (3.0 * SIGMA))).into();
+    let heights = TabulatedHeights::new("flat", &points).unwrap();
+    let models: [&dyn ContactModel; 3] = [&GreenwoodWilliamson, &ChangEtsionBogy, &KogutEtsion];
+    for model in models {
+        let mut scene = scene();
+        scene.heights = HeightDistribution::other(heights.clone());
+        scene.surface.asperity_height_std = heights.standard_deviation();
+        let tolerance = Tolerance::new(1e-9).unwrap();
+        let joint = Joint::new(model, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
+        for closest in [-0.5, 0.0, 0.7] {
+            let way = joint.unloading(At::metres(closest * SIGMA)).unwrap();
+            // To the last double at which anything touches.
+            let (mut touches, mut open) = (0.0, 3.0 * SIGMA);
+            for _ in 0..80 {
+                let middle = 0.5 * (touches + open);
+                let force = way.force(middle).unwrap().value();
+                *(if force > 0.0 { &mut touches } else { &mut open }) = middle;
+            }
+            assert!(touches > 0.01 * SIGMA, "{} {closest} {touches}", model.name());
+        }
+        joint.table((0.0, SIGMA), 1e-5).unwrap();
     }
 }

@@ -1,0 +1,105 @@
+//! `asperity pull-off`: the greatest tension that surfaces hold.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use asperity::{ContactModel, Quantity, Request, SeparationUnit, pull_off};
+use clap::Args;
+
+use crate::args::{OutputArgs, model_id};
+use crate::number::rounded;
+use crate::numbers::{of_unit, positive};
+use crate::output::{once, say};
+use crate::scene::LoadedScene;
+use crate::table::{Cell, Table};
+
+/// The greatest tension that surfaces hold which stick to each other, and where
+#[derive(Debug, Args)]
+#[command(
+    name = "pull-off",
+    after_help = "Columns: model, force_N and pressure_Pa (below 0), separation_over_sigma and
+separation_m there. Blank, with a word, where nothing is held. Surfaces come apart on
+jkr-separation, and jkr is taken for it: contacts that have touched last beyond 0.
+dmt is made for small, hard asperities (tabor_parameter below
+0.1), jkr for large, soft ones (above 5); `asperity check` tells the scene's.
+
+Examples:
+  asperity pull-off scene.toml --work-of-adhesion 50mJ/m2
+  asperity pull-off scene.toml --work-of-adhesion 0.05 --model jkr --format csv"
+)]
+pub struct PullOff {
+    /// Scene file; `asperity init` writes one to start from
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Models with adhesion
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
+    #[arg(default_value = "dmt,jkr-separation")]
+    models: Vec<String>,
+    /// Work of adhesion in J/m^2, or with a unit as 50mJ/m2, in place of the scene's
+    #[arg(long, value_name = "W", value_parser = work)]
+    work_of_adhesion: Option<f64>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+impl PullOff {
+    pub fn run(self) -> Result<()> {
+        let mut scene = LoadedScene::load(&self.scene)?;
+        let work = &mut scene.file.scene.interface.work_of_adhesion;
+        *work = self.work_of_adhesion.or(*work);
+        let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+        let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
+        let ids: Vec<String> = self.models.iter().map(parting).collect();
+        let head = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
+        let mut table = Table::new(&head);
+        scene.tell_adhesion();
+        for id in once(&ids) {
+            let named = scene.model(&id)?;
+            let model = &named.1;
+            if !model.claims().adhesive {
+                bail!("{id} knows no adhesion: dmt, jkr or jkr-separation was required");
+            }
+            let context = || format!("{}: {id}", scene.name);
+            let request = Request::new([Quantity::Force, Quantity::Tangent]);
+            let compiled = model.compile(contact, &request).with_context(context)?;
+            let mut row = vec![Cell::from(&*id)];
+            match pull_off(&*compiled).with_context(context)? {
+                None => {
+                    row.extend([const { Cell::Number(None) }; 4]);
+                    say(
+                        "note",
+                        &format!("{id}: nothing is held: the force falls to 0 and not below"),
+                    );
+                }
+                Some(found) => {
+                    scene.tell(&[&named], &[found.separation.into()]);
+                    let place = |unit| Ok(found.separation.measured_in(unit, from, contact)?.value);
+                    let place: Result<Vec<f64>> = [SeparationUnit::Sigma, SeparationUnit::Metres]
+                        .into_iter()
+                        .map(place)
+                        .collect();
+                    let force = found.force.value();
+                    if force == 0.0 {
+                        let power = rounded(found.force.ln_value() / std::f64::consts::LN_10);
+                        say(
+                            "note",
+                            &format!(
+                                "{id}: the tension is 10^{power} N, less than a double holds: roughness hides the adhesion"
+                            ),
+                        );
+                    }
+                    row.extend(
+                        [force, force / contact.nominal_area].map(|x| Cell::Number(Some(x))),
+                    );
+                    row.extend(place?.into_iter().map(|x| Cell::Number(Some(x))));
+                }
+            }
+            table.rows.push(row);
+        }
+        self.output.write(&table)
+    }
+}
+
+fn work(text: &str) -> Result<f64, String> {
+    of_unit(text, "J/m^2").and_then(positive)
+}

@@ -1,0 +1,154 @@
+//! Separations and retreats on the command line: multiples of σ_z, or lengths with their unit.
+
+use std::str::FromStr;
+
+use asperity::SeparationUnit;
+use asperity_scene::mistaken_unit;
+
+use crate::numbers::{Numbers, Span, number, of_unit};
+use crate::output::say;
+
+/// What one `--separation` says: plain numbers, in the unit that the command has for them, or metres.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Distances {
+    pub values: Vec<f64>,
+    metres: bool,
+}
+
+/// One of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Distance {
+    pub value: f64,
+    metres: bool,
+}
+
+/// A range of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DistanceSpan {
+    pub span: Span,
+    metres: bool,
+}
+
+fn unit_of(metres: bool, plain: SeparationUnit) -> SeparationUnit {
+    if metres { SeparationUnit::Metres } else { plain }
+}
+
+impl Distances {
+    /// Their unit, where plain numbers have this one.
+    pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
+        unit_of(self.metres, plain)
+    }
+}
+
+impl Distance {
+    /// Its unit, where plain numbers have this one.
+    pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
+        unit_of(self.metres, plain)
+    }
+}
+
+impl DistanceSpan {
+    /// Its unit, where plain numbers have this one.
+    pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
+        unit_of(self.metres, plain)
+    }
+}
+
+impl FromStr for Distances {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let metres = have_units(text)?;
+        let Numbers(values) = Numbers::read(text, if metres { metre } else { number })?;
+        Ok(Self { values, metres })
+    }
+}
+
+impl FromStr for Distance {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.contains([',', ':']) {
+            true => number(text).map(|value| Self { value, metres: false }),
+            false => {
+                let metres = have_units(text)?;
+                let value = if metres { metre(text)? } else { number(text)? };
+                Ok(Self { value, metres })
+            }
+        }
+    }
+}
+
+impl FromStr for DistanceSpan {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let metres = have_units(text)?;
+        let span = Span::even(text, if metres { metre } else { number })?;
+        Ok(Self { span, metres })
+    }
+}
+
+/// Whether the numbers of a list, or the ends of a range, have units: all of them, or none (0 needs
+/// none).
+fn have_units(text: &str) -> Result<bool, String> {
+    let parts: Vec<&str> = match text.contains(':') {
+        true => text.split(':').take(2).collect(),
+        false => text.split(',').collect(),
+    };
+    let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
+    let units = parts.iter().any(|part| part.trim().parse::<f64>().is_err() && metre(part).is_ok());
+    match parts.iter().find(plain).filter(|_| units) {
+        Some(part) => {
+            Err(format!("{text}: {part} has no unit and others have: one for each was expected"))
+        }
+        None => Ok(units),
+    }
+}
+
+/// A length in m, or with its unit.
+fn metre(text: &str) -> Result<f64, String> {
+    of_unit(text, "m")
+}
+
+/// Asks whether numbers were meant in another unit: of many, the largest tells.
+pub fn ask_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
+    let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+    if let Some(told) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
+        say("warning", &format!("{told} A length may say its unit: 2um, 1e-6m"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_have_units_and_plain_numbers_those_of_the_command() {
+        let read = |text: &str| text.parse::<Distances>();
+        let sigma = SeparationUnit::Sigma;
+        let plain = read("-1:4:11").unwrap();
+        assert_eq!((plain.values[0], plain.unit(sigma)), (-1.0, sigma));
+        for (text, last) in
+            [("0:2um:5", 2e-6), ("-10 nm,0,500nm", 500e-9), ("1nm:1um:4:log", 1e-6), ("3um", 3e-6)]
+        {
+            let found = read(text).unwrap();
+            assert_eq!(found.unit(sigma), SeparationUnit::Metres, "{text}");
+            assert!((found.values.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
+        }
+        for (bad, told) in [
+            ("1,2um", "1 has no unit"),
+            ("1:2um:3", "1 has no unit"),
+            ("1,two", "\"two\" is not a number"),
+            ("2um:1um:3", "A below B"),
+            ("1 kN", "not a number"),
+        ] {
+            assert!(read(bad).unwrap_err().contains(told), "{bad}: {:?}", read(bad));
+        }
+        let one: Distance = "-0.5um".parse().unwrap();
+        assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));
+        assert!("1,2".parse::<Distance>().is_err() && "1um,2um".parse::<Distance>().is_err());
+        let span: DistanceSpan = "0:3um".parse().unwrap();
+        assert!(span.span.last < 1e-5 && "0:3um:4:log".parse::<DistanceSpan>().is_err());
+    }
+}

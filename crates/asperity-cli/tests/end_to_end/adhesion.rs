@@ -1,0 +1,80 @@
+//! Scenes whose surfaces stick: tensions, pull-off, and what is said of the models.
+
+use asperity::{Branch, ContactModel, JohnsonKendallRoberts, Quantity, Request, pull_off};
+
+use crate::bench::{Bench, cells, column};
+
+const SOFT: &str = "nominal_area = 1e-4
+work_of_adhesion = \"50 mJ/m2\"
+rigid_counterface = true
+[[body]]
+youngs_modulus = \"1 MPa\"
+poissons_ratio = 0.5
+[surface]
+asperity_radius = 1e-4
+asperity_density = 1e9
+asperity_height_std = 1e-6
+";
+
+fn soft() -> Bench {
+    let bench = Bench::new();
+    bench.write("soft.toml", SOFT);
+    bench
+}
+
+#[test]
+fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
+    let bench = soft();
+    let run = bench.run("pull-off soft.toml --model dmt,jkr --format csv");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(cells(&run.out, "model"), ["dmt", "jkr-separation"]);
+    let model = JohnsonKendallRoberts { branch: Branch::Separation };
+    let request = Request::new([Quantity::Force, Quantity::Tangent]);
+    let contact = model.compile(&bench.scene("soft.toml").scene, &request).unwrap();
+    let found = pull_off(&*contact).unwrap().unwrap();
+    let (force, place) = (column(&run.out, "force_N"), column(&run.out, "separation_over_sigma"));
+    assert!(force[1].to_bits() == found.force.value().to_bits());
+    assert!(place[1].to_bits() == found.separation.value.to_bits());
+    assert!(run.words.contains("note: tabor_parameter is 1733"), "{}", run.words);
+    // Exponential heights, stiff: the highest are always pressed harder than the others pull.
+    let stiff =
+        SOFT.replace("1 MPa", "1 GPa").replace("[surface]", "[surface]\nheights = \"exponential\"");
+    bench.write("stiff.toml", &stiff);
+    let run = bench.run("pull-off stiff.toml --model dmt --format csv");
+    assert!(run.code == Some(0) && cells(&run.out, "force_N") == [""], "{}", run.out);
+    assert!(run.words.contains("dmt: nothing is held"), "{}", run.words);
+    for (words, wanted) in [
+        ("pull-off soft.toml --model gw", "gw knows no adhesion"),
+        ("pull-off scene.toml", "work_of_adhesion is missing"),
+    ] {
+        let run = bench.run(words);
+        assert!(run.code == Some(1) && run.words.contains(wanted), "{}", run.words);
+    }
+}
+
+#[test]
+fn tensions_are_loads_below_0() {
+    let bench = soft();
+    let run = bench.run("curve soft.toml --model gw,jkr --load -0.01,100mN --quantity area");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let area = cells(&run.out, "area_m2");
+    assert!(area[0].is_empty() && area[1..].iter().all(|area| !area.is_empty()), "{area:?}");
+    assert_eq!(column(&run.out, "load_N"), [-0.01, 0.1, -0.01, 0.1]);
+    assert!(run.words.contains("gw holds no tensions: dmt, jkr"), "{}", run.words);
+    assert!(bench.data("check soft.toml --model jkr --load -10mN").contains("-0.01"));
+    let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
+    assert_eq!(all.lines().count(), 3, "{all}");
+}
+
+#[test]
+fn which_model_is_for_which_is_told_with_curves_and_advice() {
+    let bench = soft();
+    for words in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
+        let run = bench.run(words);
+        let all = run.out + &run.words;
+        assert!(all.contains("note: tabor_parameter is 1733: of the models with adhesion jkr"));
+        assert!(all.contains("all others leave work_of_adhesion out"), "{words}: {all}");
+    }
+    let quiet = bench.run("curve soft.toml --model jkr --separation 1").words;
+    assert!(!quiet.contains("tabor_parameter"), "{quiet}");
+}

@@ -1,0 +1,8 @@
+//! Tests of joints, in one binary: it is linked once, and they run side by side.
+#![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
+
+mod cycles;
+mod references;
+mod refusals;
+mod scenes;
+mod skewed;

@@ -1,0 +1,68 @@
+//! Numbers with units, and words for keys that other people use.
+
+use crate::scene_files::{INTERFACE, SURFACE, message, read, text};
+
+#[test]
+fn numbers_may_say_their_unit() {
+    let plain = read(&text("", INTERFACE, SURFACE)).unwrap().scene;
+    let with_units = text("", INTERFACE, SURFACE)
+        .replace("116e9", "\"116 GPa\"")
+        .replace("1.12e9", "\"1120 MPa\"")
+        .replace("3.59e-4", "\"0.359 mm\"")
+        .replace("1.11e8", "\"\"\"111\n 1/mm2\"\"\"")
+        .replace("1e-6", "\"1 \u{b5}m\"")
+        .replace("3e-5", "\"30 mm^2\"");
+    let found = read(&with_units).unwrap().scene;
+    assert_eq!((found.interface, found.surface), (plain.interface, plain.surface));
+    assert!((found.nominal_area - plain.nominal_area).abs() < 1e-20);
+    // Lines stay what they are behind a number of two lines.
+    let odd = with_units.replace("\"1 \u{b5}m\"", "-1");
+    assert!(
+        message(&odd).contains("line 13: surface.asperity_height_std is -1"),
+        "{}",
+        message(&odd)
+    );
+    for (from, to, words) in [
+        (
+            "116e9",
+            "\"116 mm\"",
+            "interface.equivalent_modulus is \"116 mm\": a number in Pa without quotes, or one with a unit as \"210 GPa\" (GPa, MPa,",
+        ),
+        ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
+        ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
+        ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": a number in SI units, without"),
+    ] {
+        let said = message(&text("", INTERFACE, SURFACE).replace(from, to));
+        assert!(said.contains(words), "{said}");
+    }
+}
+
+#[test]
+fn conductivities_may_say_their_unit() {
+    let conducting = format!(
+        "{INTERFACE}thermal_conductivity = \"0.5 W/(cm K)\"\nelectrical_resistivity = \"17 uohm cm\"\n"
+    );
+    let found = read(&text("", &conducting, SURFACE)).unwrap();
+    let interface = found.scene.interface;
+    assert_eq!(interface.thermal_conductivity.map(f64::to_bits), Some(50f64.to_bits()));
+    assert_eq!(interface.electrical_resistivity.map(f64::to_bits), Some(17e-8f64.to_bits()));
+    assert!(found.findings().is_empty(), "{:?}", found.findings());
+    // Copper has 1.7 uohm cm.
+    let plain = conducting.replace("\"17 uohm cm\"", "1.7");
+    let odd = read(&text("", &plain, SURFACE)).unwrap().findings();
+    assert!(odd[0].message.contains("is it in uohm cm? 1.7 uohm cm is 1.7e-8 ohm m"), "{odd:?}");
+}
+
+#[test]
+fn other_words_for_a_key_lead_to_it() {
+    let with = |key: &str| message(&text("", &format!("{INTERFACE}{key} = 1.0\n"), SURFACE));
+    let told = with("electrical_conductivity");
+    assert!(told.contains("did you mean \"electrical_resistivity\"?"), "{told}");
+    assert!(told.contains("it is 1/conductivity, in ohm m"), "{told}");
+    for word in ["adhesion", "surface_energy"] {
+        let told = with(word);
+        assert!(told.contains("did you mean \"work_of_adhesion\"?"), "{told}");
+        let told = message(&text("", INTERFACE, &format!("{SURFACE}{word} = 0.05\n")));
+        assert!(told.contains("work_of_adhesion\"?): it belongs to the top of the file"), "{told}");
+    }
+}
