@@ -59,10 +59,10 @@ impl HeightIntegral {
         Self { begins: Begins(law.begins * scale), over }
     }
 
-    /// Nodes of the rule for s; `None` where there are no rules.
-    pub(crate) fn nodes(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
+    /// Terms of the polynomial for s; `None` where there is none.
+    pub(crate) fn terms(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
         match &self.over {
-            Over::Gaussian(integral) => integral.nodes(self.begins.seen(s)).map(Some),
+            Over::Gaussian(integral) => integral.terms(self.begins.seen(s)).map(Some),
             _ => Ok(None),
         }
     }

@@ -62,7 +62,7 @@ pub struct Step {
     /// The law's parts.
     pub parts: Vec<PlannedPart>,
     /// Terms of the shortest and the longest polynomial: products for each evaluation.
-    pub nodes: Option<(usize, usize)>,
+    pub terms: Option<(usize, usize)>,
     /// How often the law has been sampled to build what the separations need.
     pub samples: usize,
 }
@@ -110,14 +110,14 @@ impl Compiled {
         let law = channel.base;
         let comes_of = |q: &Quantity| self.bases(*q).contains(&law);
         let quantities = self.quantities().iter().copied().filter(comes_of).collect();
-        let mut nodes: Option<(usize, usize)> = None;
+        let mut terms: Option<(usize, usize)> = None;
         let mut farthest: f64 = 0.0;
         for &s in places {
             let failed = failed(law, s.into());
             channel.total.value(s).map_err(&failed)?;
-            if let Some(n) = channel.total.nodes(s).map_err(&failed)? {
-                let (least, most) = nodes.unwrap_or((n, n));
-                nodes = Some((least.min(n), most.max(n)));
+            if let Some(n) = channel.total.terms(s).map_err(&failed)? {
+                let (least, most) = terms.unwrap_or((n, n));
+                terms = Some((least.min(n), most.max(n)));
             }
             farthest = farthest.max(reach(channel.units.begins.seen(s)));
         }
@@ -136,7 +136,7 @@ impl Compiled {
             dropped: out_of_reach(part).then_some(1e-20),
         };
         let parts = channel.law.parts.iter().map(planned).collect();
-        Ok(Step { law, quantities, method, parts, nodes, samples: channel.total.samples() })
+        Ok(Step { law, quantities, method, parts, terms, samples: channel.total.samples() })
     }
 }
 
@@ -152,11 +152,11 @@ impl fmt::Display for Plan {
         for step in &self.steps {
             let names: Vec<String> = step.quantities.iter().map(ToString::to_string).collect();
             writeln!(f, "  {} from the {} law: {}", names.join(", "), step.law, step.method)?;
-            if let Some((least, most)) = step.nodes {
-                let nodes =
+            if let Some((least, most)) = step.terms {
+                let terms =
                     if least == most { least.to_string() } else { format!("{least} to {most}") };
                 let samples = step.samples;
-                writeln!(f, "    {nodes} terms a value; {samples} samples of the law, once")?;
+                writeln!(f, "    {terms} terms a value; {samples} samples of the law, once")?;
             }
             for part in &step.parts {
                 match part.dropped {

@@ -90,8 +90,8 @@ impl AnyScale {
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
-    pub fn nodes(&self, s: f64, scale: f64) -> Result<usize, QuadratureError> {
-        Ok(self.build(s, scale)?.map_or(0, |(segment, _)| segment.nodes()))
+    pub fn terms(&self, s: f64, scale: f64) -> Result<usize, QuadratureError> {
+        Ok(self.build(s, scale)?.map_or(0, |(segment, _)| segment.terms()))
     }
 
     /// How often the density has been sampled so far, over all rules built.
@@ -183,7 +183,7 @@ mod tests {
     fn scales_beyond_the_rules_are_integrated_directly() {
         let any = AnyScale::new(power(1.0), 1e-12);
         for scale in [1e-30, 1e30] {
-            assert_eq!(any.nodes(1.0, scale).unwrap(), 0);
+            assert_eq!(any.terms(1.0, scale).unwrap(), 0);
             // ∫ (t/c) φ(1 + t) dt = (φ(1) - Q(1))/c, times √e.
             let exact = 0.083_315_470_587_686_3 * 0.5f64.exp() / scale;
             assert!((any.value(1.0, scale).unwrap().value / exact - 1.0).abs() < 1e-13);

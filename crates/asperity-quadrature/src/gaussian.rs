@@ -131,8 +131,8 @@ impl ShiftedGaussian {
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
-    pub fn nodes(&self, s: f64) -> Result<usize, QuadratureError> {
-        Ok(self.rules.at(Place::at(s), &self.task)?.map_or(0, Segment::nodes))
+    pub fn terms(&self, s: f64) -> Result<usize, QuadratureError> {
+        Ok(self.rules.at(Place::at(s), &self.task)?.map_or(0, Segment::terms))
     }
 
     /// How often the density has been sampled so far, over all rules built.
@@ -410,10 +410,10 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn looser_tolerances_need_fewer_nodes_and_samples() {
+    fn looser_tolerances_need_fewer_terms_and_samples() {
         let [tight, loose] = [1e-13, 1e-4].map(|t| ShiftedGaussian::new(power(1.425), 1e-3, t));
         for s in [-3.0, 0.0, 2.0, 40.0] {
-            assert!(loose.nodes(s).unwrap() < tight.nodes(s).unwrap());
+            assert!(loose.terms(s).unwrap() < tight.terms(s).unwrap());
             let (a, b) = (tight.at(s).unwrap(), loose.at(s).unwrap());
             assert!((a.value / b.value - 1.0).abs() < b.error && b.error < 1e-4);
         }

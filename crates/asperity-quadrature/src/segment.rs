@@ -124,7 +124,7 @@ impl Segment {
     }
 
     /// Coefficients of the polynomial for the value.
-    pub(crate) fn nodes(&self) -> usize {
+    pub(crate) fn terms(&self) -> usize {
         self.power[0].coefficients()
     }
 

@@ -130,7 +130,7 @@ pub fn compiled_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<
     let compiled = laws.scene(&problem.asked, tolerance)?;
     let plan = compiled.plan(&request.at([problem.asked.separation]))?;
     let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
-    Ok(step.and_then(|step| step.nodes).map_or(1, |(_, most)| most))
+    Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
 }
 
 /// Nodes of the rule, from rules of our own that are the same; samples of the law where none
@@ -138,7 +138,7 @@ pub fn compiled_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<
 pub fn rule_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
     let separation = problem.asked.separation;
     let rules = laws.rules(&problem.asked, tolerance)?;
-    match rules.nodes(separation, problem.scale())? {
+    match rules.terms(separation, problem.scale())? {
         0 => {
             let before = rules.evaluations();
             rules.value(separation, problem.scale())?;

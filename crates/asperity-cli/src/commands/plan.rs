@@ -11,7 +11,7 @@ use crate::commands::curve::USUAL;
 use crate::output::{self, progress};
 use crate::scene::LoadedScene;
 
-/// What is integrated for an answer, with how many nodes, and what is left out
+/// What is integrated for an answer, with how many terms, and what is left out
 #[derive(Debug, Args)]
 #[command(
     after_help = "Unless something is given: force, area and tangent (at loads, without the force)

@@ -24,7 +24,7 @@ class PlanStep:
     #: How.
     method: str
     #: Nodes of the smallest and the largest rule, where there are rules.
-    nodes: tuple[int, int] | None
+    terms: tuple[int, int] | None
     #: How often the law was sampled for them.
     samples: int
 
@@ -100,7 +100,7 @@ def plan(
             law=step["law"],
             quantities=tuple(step["quantities"]),
             method=step["method"],
-            nodes=step["nodes"] and tuple(step["nodes"]),
+            terms=step["terms"] and tuple(step["terms"]),
             samples=step["samples"],
         )
         for step in found["steps"]
