@@ -60,7 +60,7 @@ fn every_rung_keeps_its_word() {
             }
             let separations = rows.iter().map(|(separation, _)| *separation);
             let plan = compiled.plan(&Request::new([quantity]).at(separations)).unwrap();
-            work.push(plan.steps[0].nodes.unwrap().1);
+            work.push(plan.steps[0].terms.unwrap().1);
         }
         assert!(work.is_sorted() && work[0] < work[work.len() - 1], "{id} {words}: {work:?}");
     }

@@ -334,7 +334,7 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
         ("force", ("force", "tangent")),
         ("area", ("area",)),
     ]
-    assert plan.steps[0].nodes is not None and plan.steps[0].nodes[1] <= 16
+    assert plan.steps[0].terms is not None and plan.steps[0].terms[1] <= 16
     at_loads = asperity.plan("ke", scene, load=[1.0, 100.0], quantities="area")
     assert {step.law for step in at_loads.steps} == {"force", "area"}
     advice = asperity.recommend(
