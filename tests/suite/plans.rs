@@ -1,4 +1,4 @@
-//! Plans say what is integrated, with how many nodes and samples: the work is guarded like the
+//! Plans say what is integrated, with how many terms and samples: the work is guarded like the
 //! answer.
 
 use asperity::{HeightDistribution, Model, Quantity, Request, Tolerance, linspace};

@@ -7,12 +7,13 @@ use asperity_quadrature::{Curvature, Moments};
 use crate::arrays;
 use crate::channel::{Channel, Laws, bases, failed};
 use crate::contact_radii;
-use crate::readings::{Integrals, Reading};
+use crate::integrals::{Here, Known, Once, Row};
+use crate::readings::Reading;
 use crate::response::{Cell, Response, respond};
 use crate::separation::Place;
 use crate::{
-    Asperity, AsperityModel, At, Contact, ContactError, Evaluation, Plan, Quantity, Regime,
-    Request, Scene, Separation, Share, Tolerance, Warning,
+    Asperity, AsperityModel, At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene,
+    Separation, Share, Tolerance, Warning,
 };
 
 /// A law averaged over heights: integrals are built when first needed, and shared by all threads.
@@ -172,7 +173,7 @@ impl Compiled {
         let s = place.as_ref().map_or(0.0, |place| place.s);
         let slopes = sloped(quantities) || place.as_ref().is_ok_and(|place| place.rounding > 0.0);
         let here = Here { compiled: self, s, at };
-        let mut once = Once { here, slopes, known: [None; BASES] };
+        let mut once = Once::new(here, slopes);
         for (column, quantity) in columns.iter_mut().zip(quantities) {
             let mut of = || {
                 self.check_requested(*quantity)?;
@@ -188,92 +189,6 @@ const TOGETHER: usize = 256;
 
 fn sloped(quantities: &[Quantity]) -> bool {
     quantities.iter().any(|q| matches!(q, Quantity::Tangent | Quantity::Stiffness))
-}
-
-/// The integrals of one law at each place of a run.
-struct Known {
-    base: Quantity,
-    moments: Vec<Moments>,
-    factor: f64,
-}
-
-/// Those at one place.
-struct Row<'c> {
-    here: Here<'c>,
-    known: &'c [Known],
-    row: usize,
-}
-
-impl Integrals for Row<'_> {
-    #[inline]
-    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
-        match self.known.iter().find(|known| known.base == base) {
-            Some(known) => Ok((known.moments[self.row], known.factor)),
-            None => self.here.moments(base, slope),
-        }
-    }
-
-    fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {
-        self.here.share(regime)
-    }
-}
-
-/// The integrals at one place.
-struct Here<'c> {
-    compiled: &'c Compiled,
-    s: f64,
-    at: At,
-}
-
-impl Integrals for Here<'_> {
-    #[inline]
-    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
-        let channel = self.compiled.channel(base)?;
-        let total = &channel.total;
-        let moments = if slope { total.at(self.s) } else { total.value(self.s) };
-        Ok((moments.map_err(failed(base, self.at))?, channel.units.factor))
-    }
-
-    fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {
-        let shares = self.compiled.shares_in(Quantity::Force, self.s, self.at)?;
-        let of_regime = shares.iter().filter(|share| share.regime == regime);
-        Ok(of_regime.fold((0.0, 0.0), |(sum, size), s| (sum + s.share, size + s.share.abs())))
-    }
-}
-
-/// Force, area, stiffness and the number of contacts have laws.
-const BASES: usize = 4;
-
-/// The same, each integral once.
-struct Once<'c> {
-    here: Here<'c>,
-    slopes: bool,
-    known: [Option<(Quantity, (Moments, f64))>; BASES],
-}
-
-impl Integrals for Once<'_> {
-    #[inline]
-    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
-        let known = self.known.iter().flatten().find(|(known, _)| *known == base);
-        if let Some((_, known)) = known {
-            return Ok(*known);
-        }
-        match self.here.moments(base, self.slopes) {
-            Ok(found) => {
-                if let Some(free) = self.known.iter_mut().find(|known| known.is_none()) {
-                    *free = Some((base, found));
-                }
-                Ok(found)
-            }
-            // A value is not refused for a slope that it does not need.
-            Err(_) if self.slopes && !slope => self.here.moments(base, false),
-            Err(error) => Err(error),
-        }
-    }
-
-    fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {
-        self.here.share(regime)
-    }
 }
 
 impl Contact for Compiled {
@@ -303,7 +218,7 @@ impl Contact for Compiled {
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let place = self.place(at)?;
         let here = Here { compiled: self, s: place.s, at };
-        let mut once = Once { here, slopes: true, known: [None; BASES] };
+        let mut once = Once::new(here, true);
         let reading = self.reading(place, at);
         let force = reading.of(Quantity::Force, &mut once)?;
         Ok((force, reading.of(Quantity::Tangent, &mut once)?))
@@ -385,7 +300,12 @@ impl Contact for Compiled {
 }
 
 impl Compiled {
-    fn shares_in(&self, base: Quantity, s: f64, at: At) -> Result<Vec<Share>, ContactError> {
+    pub(crate) fn shares_in(
+        &self,
+        base: Quantity,
+        s: f64,
+        at: At,
+    ) -> Result<Vec<Share>, ContactError> {
         let channel = self.channel(base)?;
         let total = channel.total.value(s).map_err(failed(base, at))?;
         let mut shares = Vec::with_capacity(channel.law.parts.len());

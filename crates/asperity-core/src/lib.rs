@@ -34,6 +34,7 @@ mod heights;
 mod heights_statrs;
 mod heights_table;
 mod heights_weibull;
+mod integrals;
 mod interface;
 mod inverse;
 mod law;
