@@ -205,32 +205,6 @@ impl Moments {
     }
 }
 
-/// Multiplies each `scaled` by exp(-max(s, 0)²/2): the plain numbers, to 1e-15 also where the
-/// exponent is large, since s² is not rounded here. (exp of [`Moments::ln_scale`] is off by up to
-/// half a unit in the last place of that, 5e-14 at s = 30.) What is too small for a number with
-/// all its digits has fewer, and then is 0.
-pub fn unscale(s: &[f64], scaled: &mut [f64]) {
-    for (s, scaled) in s.iter().zip(scaled) {
-        // Beyond 1e3 there is nothing left.
-        let s = s.min(1e3);
-        if s > 0.0 {
-            // Two equal factors are numbers where their product may not be.
-            let (square, rest) = square(s);
-            let root = (-0.25 * square).exp();
-            *scaled = *scaled * (1.0 - 0.5 * rest) * root * root;
-        }
-    }
-}
-
-/// s² and what its rounding has left out, by Dekker's halves of s.
-fn square(s: f64) -> (f64, f64) {
-    let square = s * s;
-    let large = 134_217_729.0 * s;
-    let high = large - (large - s);
-    let low = s - high;
-    (square, low * low - ((square - high * high) - 2.0 * high * low))
-}
-
 /// -max(s, 0)²/2.
 #[inline]
 fn ln_scale(s: f64) -> f64 {
@@ -348,28 +322,6 @@ pub(crate) mod tests {
         assert_eq!(sum, Moments { error: sum.error, ..part(2.0, 0.0) });
         assert!((sum.error / 1e-12 - 1.0).abs() < 1e-12, "{sum:?}");
         assert_eq!(Moments::NONE.plus(1.0, &Moments::NONE), Moments::NONE);
-    }
-
-    #[test]
-    fn plain_numbers_keep_their_digits_down_to_the_smallest() {
-        // exp(-s²/2) of the doubles themselves, from 60-digit arithmetic.
-        let exact = [
-            (-3.0, 1.0, 1.0),
-            (0.1, 1.0, 0.995_012_479_192_682_3),
-            (5.3, 1.0, 7.949_393_615_349_147e-7),
-            (29.99, 1.0, 4.985_971_289_356_593e-196),
-            (37.6, 1e10, 1.013_716_772_581_502_7e-297),
-            (38.4, 1e30, 6.358_642_117_942_238e-291),
-            (38.55, 1e300, 1.981_264_024_195_831_7e-23),
-        ];
-        for (s, scaled, exact) in exact {
-            let mut plain = [scaled];
-            unscale(&[s], &mut plain);
-            assert!((plain[0] / exact - 1.0).abs() < 1e-15, "{s} {:e}", plain[0] / exact - 1.0);
-        }
-        let mut plain = [1.0, 1.0, 1e300];
-        unscale(&[38.55, 40.0, 1e9], &mut plain);
-        assert!((plain[0] - 2e-323).abs() < 5e-324 && plain[1] == 0.0 && plain[2] == 0.0);
     }
 
     #[test]

@@ -47,7 +47,7 @@ pub use chebyshev::Tabulated;
 pub use density::{Density, Piece, Sampler, Weighted};
 pub use discretise::{Discretised, Goal, discretise};
 pub use error::{QuadratureError, WeightFault};
-pub use gaussian::{Curvature, Moments, ShiftedGaussian, unscale};
+pub use gaussian::{Curvature, Moments, ShiftedGaussian};
 pub use kronrod::{Estimate, gauss_kronrod};
 pub use legendre::{Legendre, legendre};
 pub use nearby::Nearby;
