@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{BemError, Given, Note};
-use asperity::{ContactModel, ContactState, Truth, truth};
+use asperity::{ContactModel, ContactState, Truth, told, truth};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
@@ -93,32 +93,12 @@ impl TruthCommand {
             .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
             .collect();
         Note::summary(&notes).iter().for_each(|text| say("warning", text));
-        say("note", &nearest(&found));
+        say("note", &told(&found));
         self.output.write(&table(&found, area))?;
         if interrupt::asked() {
             bail!("stopped: {} of {} loads were done", found.len(), pressures.len());
         }
         Ok(())
-    }
-}
-
-/// The models by their largest deviation in area, the nearest three of them.
-fn nearest(found: &[Truth]) -> String {
-    let names = found.first().map_or(&[][..], |first| &first.models);
-    let largest = |k: usize| {
-        let off =
-            |t: &Truth| t.deviation(&t.models[k].1).area_fraction.map_or(f64::INFINITY, f64::abs);
-        found.iter().map(off).fold(0.0, f64::max)
-    };
-    let mut ranked: Vec<(f64, &str)> =
-        names.iter().enumerate().map(|(k, (model, _))| (largest(k), model.id())).collect();
-    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let told = ranked.iter().filter(|(off, _)| off.is_finite()).take(3);
-    let told: Vec<String> =
-        told.map(|(off, id)| format!("{id} (at most {:.1} % off)", 100.0 * off)).collect();
-    match told.is_empty() {
-        true => "no model has an area at every load".into(),
-        false => format!("nearest to the scan in area, over these loads: {}", told.join(", ")),
     }
 }
 

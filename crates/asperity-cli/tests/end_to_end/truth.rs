@@ -27,11 +27,14 @@ fn models_stand_beside_boundary_elements() {
         assert_eq!([all[2], all[5]][..], column(&curve, other), "{name}");
     }
     // The nearest is named with its largest deviation.
-    let largest = |k: usize| 100.0 * deviations[k].abs().max(deviations[k + 3].abs());
-    let nearest = if largest(1) < largest(2) { ("gw", 1) } else { ("ke", 2) };
-    let said =
-        format!("area, over these loads: {} (at most {:.1} % off)", nearest.0, largest(nearest.1));
-    assert!(run.words.contains(&said), "{said}\n{}", run.words);
+    for (what, column_of) in [("area", "area_deviation"), ("stiffness", "stiffness_deviation")] {
+        let deviations = column(&run.out, column_of);
+        let largest = |k: usize| 100.0 * deviations[k].abs().max(deviations[k + 3].abs());
+        let nearest = if largest(1) < largest(2) { ("gw", 1) } else { ("ke", 2) };
+        let found = format!("{} (at most {:.0} % off)", nearest.0, largest(nearest.1));
+        let said = [format!("nearest in {what} were {found}"), format!("; in {what} {found}")];
+        assert!(said.iter().any(|said| run.words.contains(said)), "{said:?}\n{}", run.words);
+    }
 }
 
 #[test]
