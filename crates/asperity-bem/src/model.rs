@@ -30,6 +30,9 @@ pub struct Bem {
 }
 
 impl Bem {
+    /// Its names, and where the method comes from.
+    pub const SOURCE: Source = SOURCE;
+
     /// `elastic` leaves the hardness of scenes out. Where the map is repeated and its edges do not
     /// meet, its [periodic part](HeightMap::periodic_part) is taken.
     #[must_use]

@@ -61,3 +61,14 @@ fn what_cannot_be_told_is_named() {
     }
     assert_eq!(bench.run("truth scan.toml").code, Some(2));
 }
+
+#[test]
+fn half_the_grid_stands_beside_it() {
+    let bench = bench();
+    let words = "truth scan.toml --pressure 9e9,1e9 --model gw --refine --format csv";
+    let run = bench.run(words);
+    assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "gw"], "{}", run.words);
+    let bem = bench.data("bem scan.toml --pressure 1e9 --refine --format csv");
+    assert_eq!(column(&run.out, "area_fraction")[1], column(&bem, "area_fraction_half_grid")[0]);
+    assert!(column(&run.out, "stiffness_N_per_m")[1] > 0.0);
+}
