@@ -69,6 +69,9 @@ fn half_the_grid_stands_beside_it() {
     let run = bench.run(words);
     assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "gw"], "{}", run.words);
     let bem = bench.data("bem scan.toml --pressure 1e9 --refine --format csv");
-    assert_eq!(column(&run.out, "area_fraction")[1], column(&bem, "area_fraction_half_grid")[0]);
+    assert_eq!(
+        column(&run.out, "area_fraction")[1..2],
+        column(&bem, "area_fraction_half_grid")[..]
+    );
     assert!(column(&run.out, "stiffness_N_per_m")[1] > 0.0);
 }
