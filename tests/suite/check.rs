@@ -129,7 +129,7 @@ fn good_scenes_are_passed_without_a_word() {
 #[test]
 fn the_mistakes_of_a_trial_are_named_with_their_unit() {
     let right = || machined().swap_remove(0).1;
-    let mistakes: [Mistake; 12] = [
+    let mistakes: [Mistake; 13] = [
         ("sigma in um", |s| s.surface.asperity_height_std = 1.0, &["asperity_height_std", "in um"]),
         ("R in mm", |s| s.surface.asperity_radius = 0.2, &["asperity_radius", "in mm"]),
         ("eta in 1/mm2", |s| s.surface.asperity_density = 200.0, &["asperity_density", "in 1/mm2"]),
@@ -159,6 +159,11 @@ fn the_mistakes_of_a_trial_are_named_with_their_unit() {
             "all lengths in um",
             |s| s.surface = Surface::new(200.0, 2e-4, 1.0),
             &["asperity_height_std", "all lengths in um"],
+        ),
+        (
+            "a modulus as H",
+            |s| s.interface.hardness = Some(240e9),
+            &["hardness is 2.4e11 Pa", "times the modulus: is it a modulus?"],
         ),
         ("H in MPa", |s| s.interface.hardness = Some(2000.0), &["hardness", "in MPa"]),
         (

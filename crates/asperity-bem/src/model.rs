@@ -30,6 +30,9 @@ pub struct Bem {
 }
 
 impl Bem {
+    /// Its names, and where the method comes from.
+    pub const SOURCE: Source = SOURCE;
+
     /// `elastic` leaves the hardness of scenes out. Where the map is repeated and its edges do not
     /// meet, its [periodic part](HeightMap::periodic_part) is taken.
     #[must_use]
@@ -100,11 +103,6 @@ impl ContactModel for Bem {
 
     /// Solves the request's places, one from the other; others are solved when they are asked for.
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        if let Some(quantity) = request.quantities.iter().find(|q| !QUANTITIES.contains(q)) {
-            let what =
-                format!("{quantity} (it gives {})", QUANTITIES.map(|q| q.to_string()).join(", "));
-            return Err(ContactError::Unsupported { model: SOURCE.name.into(), what });
-        }
         asperity_core::positive("nominal_area", scene.nominal_area)?;
         let contact = OnScene {
             elements: self.elements(&scene.interface)?,
@@ -112,6 +110,8 @@ impl ContactModel for Bem {
             quantities: request.quantities.clone(),
             solved: Mutex::default(),
         };
+        // Before anything is solved.
+        request.quantities.iter().try_for_each(|q| contact.check_asked(*q, &QUANTITIES))?;
         let given: Vec<Given> =
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
@@ -219,19 +219,13 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        if !self.quantities.contains(&quantity) {
-            return Err(ContactError::NotRequested { quantity });
-        }
+        self.check_asked(quantity, &QUANTITIES)?;
         let Summary { pressure, area, .. } = self.solve(self.given(at)?)?;
         let nominal = self.scene.nominal_area;
-        let totals = (pressure * nominal, area * nominal);
-        let Some(found) = Evaluation::of_totals(quantity, totals, nominal, ERROR) else {
-            return Err(self.unsupported(&quantity.to_string()));
-        };
-        if found.scaled.is_finite() {
-            return Ok(found);
-        }
-        Err(ContactError::NoValue { quantity, at })
+        let found =
+            Evaluation::of_totals(quantity, (pressure * nominal, area * nominal), nominal, ERROR);
+        let value = found.filter(|found| found.scaled.is_finite());
+        value.ok_or(ContactError::NoValue { quantity, at })
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {

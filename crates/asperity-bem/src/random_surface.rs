@@ -71,6 +71,9 @@ impl ProfileMoments {
 }
 
 impl RandomSurface {
+    /// H, unless another is asked for.
+    pub const HURST: f64 = 0.8;
+
     /// A surface whose waves are counted per side: `longest` (the fewest), where it rolls off, and
     /// `shortest` (the most). H = 0.8, side 1 m, gradient 1, seed 0 when nothing else is said.
     ///
@@ -88,7 +91,7 @@ impl RandomSurface {
                 return Err(BemError::OutOfRange { field, found, required });
             }
         }
-        let [hurst, side, gradient] = [0.8, 1.0, 1.0];
+        let [hurst, side, gradient] = [Self::HURST, 1.0, 1.0];
         let this = Self { longest, roll_off, shortest, hurst, side, gradient, seed: 0 };
         if this.waves().next().is_none() {
             let required = "at least one whole wave between the longest and the shortest";

@@ -74,6 +74,28 @@ impl HeightMap {
     }
 }
 
+impl HeightMap {
+    /// The waves of the map as it is repeated: wave numbers \[1/m\] above 0, and mean square heights
+    /// \[m²\], which add up to Sq².
+    #[must_use]
+    pub fn waves(&self) -> Vec<(f64, f64)> {
+        let ([rows, columns], pixel) = (self.shape(), self.pixel());
+        let mut waves: Vec<Complex64> =
+            self.heights().iter().map(|height| Complex64::new(*height, 0.0)).collect();
+        transform(&mut waves, [rows, columns], asperity_fft::forward);
+        let per_length =
+            |k: usize, n: usize, pixel: f64| TAU * k.min(n - k) as f64 / (n as f64 * pixel);
+        let points = (rows * columns) as f64;
+        let wave = |(index, amplitude): (usize, &Complex64)| {
+            // Columns first.
+            let (j, i) = (index / rows, index % rows);
+            let q = per_length(i, rows, pixel[0]).hypot(per_length(j, columns, pixel[1]));
+            (q, (amplitude / points).norm_sqr())
+        };
+        waves.iter().enumerate().skip(1).map(wave).collect()
+    }
+}
+
 /// Transforms rows, then columns; what stood in row i, column j stands in row j, column i.
 fn transform(
     map: &mut Vec<Complex64>,
@@ -100,6 +122,21 @@ mod tests {
         let all = map.heights().chunks(map.shape()[1]).take(rows);
         let heights = all.flat_map(|row| row[..columns].to_vec()).collect();
         HeightMap::new(heights, [rows, columns], map.pixel()).unwrap()
+    }
+
+    #[test]
+    fn waves_carry_the_square_height_at_their_wave_numbers() {
+        let turn = |k: usize, n: usize| TAU * k as f64 / n as f64;
+        let height = |k: usize| 3.0 * turn(2 * (k / 15), 12).cos() + turn(4 * (k % 15), 15).sin();
+        let map = HeightMap::new((0..180).map(height).collect(), [12, 15], [0.5, 0.2]).unwrap();
+        let waves = map.waves();
+        let sum: f64 = waves.iter().map(|(_, square)| square).sum();
+        assert!((sum - 5.0).abs() < 1e-12 && (sum / map.rms_height().powi(2) - 1.0).abs() < 1e-12);
+        for (waves_in, length, square) in [(2.0, 6.0, 4.5), (4.0, 3.0, 0.5)] {
+            let near = |q: f64| (q / (TAU * waves_in / length) - 1.0).abs() < 1e-12;
+            let found: f64 = waves.iter().filter(|(q, _)| near(*q)).map(|(_, s)| s).sum();
+            assert!((found - square).abs() < 1e-12, "{found}");
+        }
     }
 
     #[test]

@@ -175,6 +175,23 @@ pub fn number(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A share, "5%" or "0.05": of a number above 1 one cannot know which is meant.
+pub fn share(text: &str) -> Result<f64, String> {
+    match text.trim().strip_suffix('%') {
+        Some(percent) => positive_number(percent.trim()).map(|percent| percent / 100.0),
+        None => positive_number(text),
+    }
+    .and_then(|share| match share {
+        share if share <= 1.0 => Ok(share),
+        _ if text.contains('%') => Err("at most 100% was expected".into()),
+        share => Err(format!(
+            "{share} would be {} %: {share}% was expected, or {}",
+            100.0 * share,
+            share / 100.0
+        )),
+    })
+}
+
 /// A finite number above 0.
 pub fn positive_number(text: &str) -> Result<f64, String> {
     number(text).and_then(positive)
@@ -244,6 +261,9 @@ mod tests {
         assert_eq!(loads_or_tensions("-10mN,2").unwrap().0, [-0.01, 2.0]);
         assert!(loads_or_tensions("-1,0").is_err() && pressure_or_tension("0").is_err());
         assert!(loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err());
+        assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
+        assert_eq!(share("5").unwrap_err(), "5 would be 500 %: 5% was expected, or 0.05");
+        assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
         assert!(positive_numbers("1,0").is_err() && positive_number("-1").is_err());
         assert!(Span::even("1:3:4:log", number).is_err());
     }

@@ -86,14 +86,19 @@ impl LoadedScene {
         }));
         let mut reasons: Vec<(String, Vec<&str>)> = vec![];
         for model in &left_out {
-            let reason = model.reason.to_string();
+            // Of models that lack the same, each has its name in it.
+            let reason = match &model.reason {
+                ContactError::Unsupported { what, .. } => format!("cannot give {what}"),
+                reason => format!(": {reason}"),
+            };
             match reasons.iter_mut().find(|(known, _)| *known == reason) {
                 Some((_, ids)) => ids.push(&model.id),
                 None => reasons.push((reason, vec![&model.id])),
             }
         }
         for (reason, ids) in &reasons {
-            say("note", &format!("left out: {}: {reason}", ids.join(", ")));
+            let gap = if reason.starts_with(':') { "" } else { " " };
+            say("note", &format!("left out: {}{gap}{reason}", ids.join(", ")));
         }
         if models.is_empty() {
             bail!("{}: no model can use this scene", self.name);

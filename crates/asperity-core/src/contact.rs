@@ -245,6 +245,22 @@ pub trait Contact: fmt::Debug + Send + Sync {
         respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
     }
 
+    /// Whether a quantity was asked for, and is one of those that this model knows: for models that
+    /// know a few.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`], and [`ContactError::Unsupported`] with those that it knows.
+    fn check_asked(&self, quantity: Quantity, known: &[Quantity]) -> Result<(), ContactError> {
+        if !self.quantities().contains(&quantity) {
+            return Err(ContactError::NotRequested { quantity });
+        }
+        if known.contains(&quantity) {
+            return Ok(());
+        }
+        let known: Vec<String> = known.iter().map(ToString::to_string).collect();
+        Err(self.unsupported(&format!("{quantity} (it gives {})", known.join(", "))))
+    }
+
     /// The error of what this model cannot answer.
     fn unsupported(&self, what: &str) -> ContactError {
         ContactError::Unsupported { model: self.model().into(), what: what.into() }

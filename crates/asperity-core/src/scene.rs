@@ -26,6 +26,10 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The [adhesion parameter](Self::adhesion_parameter) above which roughness hides adhesion.
+    /// \[recalled\]
+    pub const HIDES_ADHESION: f64 = 10.0;
+
     /// A scene with Gaussian heights.
     #[must_use]
     pub fn new(interface: Interface, surface: Surface, nominal_area: f64) -> Self {
@@ -68,8 +72,8 @@ impl Scene {
         self.surface.asperity_density * self.nominal_area
     }
 
-    /// θ = E σ_z^1.5/(w_a √R), Fuller & Tabor's adhesion parameter: above about 10, roughness hides
-    /// adhesion. `None` without a work of adhesion above 0. \[recalled\]
+    /// θ = E σ_z^1.5/(w_a √R), Fuller & Tabor's adhesion parameter: above
+    /// [`HIDES_ADHESION`](Self::HIDES_ADHESION), roughness hides adhesion. `None` without a work of adhesion above 0. \[recalled\]
     #[must_use]
     pub fn adhesion_parameter(&self) -> Option<f64> {
         let Surface { asperity_radius: radius, asperity_height_std: sigma, .. } = self.surface;

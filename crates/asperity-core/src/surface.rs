@@ -94,11 +94,11 @@ impl Surface {
         positive("m2", m2)?;
         positive("m4", m4)?;
         let bandwidth = moments.bandwidth();
-        let roughness_parameter = (bandwidth / (768.0 * std::f64::consts::PI)).sqrt();
         if bandwidth < 1.5 {
-            let required = "at least 0.02493 (bandwidth m0 m4/m2^2 of at least 1.5)";
-            let field = "roughness_parameter";
-            return Err(ContactError::OutOfRange { field, value: roughness_parameter, required });
+            // β of 0.02493, and σ_z² is 0.402 σ² there.
+            let required = "at least 1.5, as of every isotropic Gaussian surface (asperity_density times asperity_radius times asperity_height_std of at least 0.0158),";
+            let field = "bandwidth (m0 m4/m2^2)";
+            return Err(ContactError::OutOfRange { field, value: bandwidth, required });
         }
         Ok(Self {
             asperity_radius: 0.375 * (std::f64::consts::PI / m4).sqrt(),
@@ -203,7 +203,11 @@ mod tests {
     fn surfaces_that_cannot_exist_are_refused() {
         let narrow = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 1.4e4 };
         let message = Surface::from_moments(&narrow).unwrap_err().to_string();
-        assert!(message.contains("roughness_parameter is 0.024") && message.contains("0.02493"));
+        assert!(message.starts_with("bandwidth (m0 m4/m2^2) is 1.4: at least 1.5"), "{message}");
+        // As the text says: η R σ_z of the narrowest.
+        let narrowest = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 1.500_001e4 };
+        let least = Surface::from_moments(&narrowest).unwrap().roughness_parameter();
+        assert!((least - 0.0158).abs() < 5e-5, "{least}");
         assert!(Surface::from_surface_std(1e-4, 1e8, 1e-6).is_err());
         let zero = Surface::new(1e-4, 0.0, 1e-6).check().unwrap_err().to_string();
         assert!(zero.starts_with("asperity_density is 0.0"), "{zero}");

@@ -30,6 +30,14 @@ impl Variance {
             Self::Fudge => erf(argument(p)),
         }
     }
+
+    /// γ of the elastic energy.
+    pub(crate) fn elastic_share(self) -> f64 {
+        match self {
+            Self::Full => 1.0,
+            Self::Fudge => GAMMA,
+        }
+    }
 }
 
 /// y with y √(γ + (1-γ) erf y) = p: what A = erf y is, p follows from without a root.

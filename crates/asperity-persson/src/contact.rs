@@ -1,24 +1,32 @@
 //! A scene under Persson's theory.
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Scene, positive,
+    At, Contact, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation,
+    SeparationUnit, positive,
 };
+use asperity_quadrature::{QuadratureError, bracketed_root};
 
-use crate::Persson;
+use crate::gap::{self, Gap};
+use crate::{Persson, Spectrum};
 
 /// Bound on the relative error of areas: rounding alone.
 const ERROR: f64 = 1e-14;
 
 /// What is known of a load.
-const QUANTITIES: [Quantity; 7] = [
+const QUANTITIES: [Quantity; 9] = [
     Quantity::Force,
-    Quantity::Pressure,
     Quantity::Area,
+    Quantity::Stiffness,
+    Quantity::Tangent,
+    Quantity::Pressure,
     Quantity::AreaFraction,
     Quantity::MeanPressure,
     Quantity::LnForce,
     Quantity::LnArea,
 ];
+
+/// ln b of the pressures that mean gaps are looked for at: those of doubles that are no gap of 0.
+const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
 #[derive(Debug)]
 pub(crate) struct OnScene {
@@ -27,6 +35,46 @@ pub(crate) struct OnScene {
     pub(crate) quantities: Vec<Quantity>,
     /// √V \[Pa\], the standard deviation of the pressure at full contact.
     pub(crate) pressure_std: f64,
+    /// For mean gaps, and what falls with them; or what they need.
+    pub(crate) spectrum: Result<std::sync::Arc<Spectrum>, ContactError>,
+}
+
+impl OnScene {
+    fn gap(&self) -> Result<Gap<'_>, ContactError> {
+        let spectrum = self.spectrum.as_deref().map_err(Clone::clone)?;
+        let gradient = (2.0 * self.scene.surface.moments().m2).sqrt();
+        Ok(Gap { spectrum, gradient, share: self.model.variance.elastic_share() })
+    }
+
+    /// b = p/√(2 V).
+    fn reduced(&self, pressure: f64) -> f64 {
+        pressure / self.pressure_std / std::f64::consts::SQRT_2
+    }
+
+    /// The pressure at a mean gap, and a bound on its relative error.
+    fn pressure_at(&self, separation: Separation) -> Result<(f64, f64), ContactError> {
+        let (unit, from) = (SeparationUnit::Metres, Datum::SurfaceMean);
+        let wanted = separation.measured_in(unit, from, &self.scene)?.value;
+        let field = "separation in m from the mean plane of the surface";
+        let (gap, at) = (self.gap()?, At::Separation(separation));
+        let failed = integral(Quantity::Pressure, at);
+        // Before a root of what is no number is looked for.
+        let wanted = positive(field, wanted)?;
+        let off = |ln_b: f64| gap.mean_gap(ln_b.exp()).map_or(f64::NAN, |u| u / wanted - 1.0);
+        let [low, high] = LN_PRESSURES;
+        let Some(ln_b) = bracketed_root(off, low, high) else {
+            let required = "a mean gap that a pressure above 1e-300 E g holds open";
+            return Err(ContactError::OutOfRange { field, value: wanted, required });
+        };
+        let b = ln_b.exp();
+        let (fall, ln_scale) = gap.fall(b).map_err(failed)?;
+        let error = gap::ERROR * wanted / (fall * ln_scale.exp()) + gap::ERROR;
+        Ok((b * std::f64::consts::SQRT_2 * self.pressure_std, error))
+    }
+}
+
+fn integral(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
+    move |source| ContactError::Integral { quantity, at, source }
 }
 
 impl Contact for OnScene {
@@ -43,25 +91,39 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        if !self.quantities.contains(&quantity) {
-            return Err(ContactError::NotRequested { quantity });
-        }
-        if !QUANTITIES.contains(&quantity) {
-            let known = QUANTITIES.map(|q| q.to_string()).join(", ");
-            return Err(self.unsupported(&format!("{quantity} (it gives {known})")));
-        }
+        self.check_asked(quantity, &QUANTITIES)?;
         let nominal = self.scene.nominal_area;
-        let pressure = match at {
-            At::Pressure(pressure) => positive("pressure", pressure)?,
-            At::Load(load) => positive("load", load)? / nominal,
-            _ => return Err(self.unsupported("an answer at a separation (it gives them at loads)")),
+        let (pressure, error) = match at {
+            At::Pressure(pressure) => (positive("pressure", pressure)?, ERROR),
+            At::Load(load) => (positive("load", load)? / nominal, ERROR),
+            At::Separation(separation) => self.pressure_at(separation)?,
+            _ => return Err(self.unsupported(&format!("an answer at {at}"))),
         };
-        let fraction = self.model.variance.area_fraction(pressure / self.pressure_std);
-        let totals = (pressure * nominal, fraction * nominal);
-        match Evaluation::of_totals(quantity, totals, nominal, ERROR) {
+        let found = if matches!(quantity, Quantity::Stiffness | Quantity::Tangent) {
+            let (fall, ln_scale) =
+                self.gap()?.fall(self.reduced(pressure)).map_err(integral(quantity, at))?;
+            // dF/du = A p/(du/d ln p); what rounds b² rounds its exponential.
+            let stiffness = pressure * nominal / fall * (-ln_scale).exp();
+            let error = gap::ERROR + error * (2.0 - 2.0 * ln_scale);
+            Some(Evaluation::new(stiffness, error))
+        } else {
+            let fraction = self.model.variance.area_fraction(pressure / self.pressure_std);
+            let totals = (pressure * nominal, fraction * nominal);
+            Evaluation::of_totals(quantity, totals, nominal, error)
+        };
+        match found {
             Some(found) if found.scaled.is_finite() => Ok(found),
-            _ => Err(ContactError::NoValue { quantity, at }),
+            Some(found) => Err(ContactError::Scale { quantity, scale: found.scaled }),
+            None => Err(ContactError::NoValue { quantity, at }),
         }
+    }
+
+    /// The mean gap, from the mean plane of the surface.
+    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
+        let b = self.reduced(positive("load", load)? / self.scene.nominal_area);
+        let failed = integral(Quantity::Force, At::Load(load));
+        let gap = self.gap()?.mean_gap(b).map_err(failed)?;
+        Ok(vec![Separation::metres(gap).from_surface_mean()])
     }
 }
 
@@ -81,7 +143,7 @@ mod tests {
     }
 
     fn on(scene: &Scene, variance: Variance) -> Result<Box<dyn Contact>, ContactError> {
-        Persson { variance }.compile(scene, &Request::new(Quantity::ALL))
+        Persson { variance, ..Persson::default() }.compile(scene, &Request::new(Quantity::ALL))
     }
 
     #[test]
@@ -107,11 +169,19 @@ mod tests {
     fn what_it_does_not_know_is_refused_by_name() {
         let contact = on(&scene(), Variance::Full).unwrap();
         let refused = |q, at: At| contact.evaluate(q, at).unwrap_err().to_string();
-        let tangent = refused(Quantity::Tangent, At::Load(1.0));
-        assert!(tangent.starts_with("Persson cannot give tangent (it gives force"), "{tangent}");
-        let text = refused(Quantity::Area, At::Separation(Separation::sigmas(1.0)));
-        assert!(text.contains("at a separation") && text.contains("loads"), "{text}");
+        let contacts = refused(Quantity::Contacts, At::Load(1.0));
+        assert!(contacts.starts_with("Persson cannot give contacts (it gives force"), "{contacts}");
+        let gap = At::Separation(Separation::sigmas(1.0));
+        for text in [refused(Quantity::Tangent, At::Load(1.0)), refused(Quantity::Area, gap)] {
+            assert!(
+                text.starts_with("hurst_exponent is missing: the stiffness of Persson,"),
+                "{text}"
+            );
+        }
         assert!(contact.separation(At::Load(1.0)).is_err());
+        let wild = Persson { hurst_exponent: Some(1.2), ..Persson::default() };
+        let text = wild.compile(&scene(), &Request::new(Quantity::ALL)).unwrap_err().to_string();
+        assert!(text.starts_with("hurst_exponent is 1.2: a number from 0.1 to 1"), "{text}");
         for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(refused(Quantity::Area, At::Load(bad)).starts_with("load is"));
             assert!(refused(Quantity::Area, At::Pressure(bad)).starts_with("pressure is"));

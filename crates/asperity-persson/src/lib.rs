@@ -15,14 +15,27 @@
 //! measured; of one given by asperities (or a scan whose summits were counted), that of the
 //! isotropic Gaussian surface that has them.
 //!
+//! The mean gap u, from the mean plane, follows from the elastic energy, p du = -dU per area. With
+//! the spectrum C(q), ⟨h²⟩ = 2π ∫ q C dq, and the gradient g(q) of all waves up to q,
+//! ```text
+//! U = (π E/2) ∫ q² C P (γ + (1-γ) P²) dq,   P = erf(√2 p/(E g(q)))
+//! -dp/du = p/(√(2/π) g ∫ f(b/y) dy/q),      f(t) = (γ + 3(1-γ) erf² t) exp(-t²)
+//! ```
+//! b = √2 p/(E g) and γ = 1 for `persson`, 0.45 for `persson-fudge`; y = g(q)/g runs from 0 to 1.
+//! Stiffness and tangent are -dF/du = -A_n dp/du. The [`Spectrum`] is that of a scan, or a power law
+//! between two wave numbers, which follow from m₀, m₂, m₄ and a Hurst exponent.
+//!
 //! # Valid for
-//! Elastic contact: hardness does not enter. It knows loads and pressures and no separations, so
-//! neither tangent nor stiffness. Against independent solutions for an elastic half-space,
-//! `persson-fudge` is within 5 % up to A/A_n = 0.43 and within 3 % beyond. \[seen\]
+//! Elastic contact: hardness does not enter. Against independent solutions for an elastic half-space,
+//! the area of `persson-fudge` is within 5 % up to A/A_n = 0.43 and within 3 % beyond. \[seen\] Beyond
+//! p/(E g) of about 18 gaps are below 1e-280 of the heights, and stiffnesses are refused.
 //!
 //! # Source
-//! Persson 2001, "Theory of rubber friction and contact mechanics". \[seen\] The correction is
-//! that of public programs of Xu and others, 2024. \[seen\]
+//! Persson 2001, "Theory of rubber friction and contact mechanics"; the energy with γ = 1 is that of
+//! Persson 2007, Physical Review Letters 99, 125502, as public programs of Xu and others, 2024, have
+//! it, and the correction of the area is theirs. \[seen\] The energy with γ = 0.45 is that of Yang &
+//! Persson 2008, with P as above. \[recalled; the programs of Xu and others have it with corrected P,
+//! and one of their own with a second term: neither is computed here\] No paper was read.
 //!
 //! # Example
 //! ```
@@ -32,13 +45,17 @@
 //! let scene = Scene::new(Interface::elastic(116e9, 0.31), Surface::new(3.6e-4, 1.11e8, 1e-6), 3e-5);
 //! let asked = Request::new([Quantity::AreaFraction]).at([At::Pressure(1e8)]);
 //! let persson = Persson::default().solve(&scene, &asked)?;
-//! let corrected = Persson { variance: Variance::Fudge }.solve(&scene, &asked)?;
+//! let corrected = Persson { variance: Variance::Fudge, ..Persson::default() }.solve(&scene, &asked)?;
 //! assert!(corrected.values(Quantity::AreaFraction)? > persson.values(Quantity::AreaFraction)?);
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
 mod area;
 mod contact;
+mod gap;
+mod spectrum;
+
+use std::sync::Arc;
 
 use asperity_core::{
     Claims, Contact, ContactError, ContactModel, HeightDistribution, Provenance, Request, Scene,
@@ -48,13 +65,21 @@ use serde::{Deserialize, Serialize};
 
 pub use area::Variance;
 use contact::OnScene;
+pub use spectrum::Spectrum;
 
 /// The theory of Persson.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Persson {
     /// The variance of the pressure that the area is computed with.
     pub variance: Variance,
+    /// H, from 0.1 to 1: mean gaps and stiffnesses need it, or a spectrum; surfaces that were
+    /// fractured, ground or blasted have some 0.8.
+    #[serde(default)]
+    pub hurst_exponent: Option<f64>,
+    /// The spectrum, where there is no Hurst exponent.
+    #[serde(skip)]
+    pub spectrum: Option<Arc<Spectrum>>,
 }
 
 const FULL: Source = Source {
@@ -84,9 +109,9 @@ impl ContactModel for Persson {
     }
 
     fn claims(&self) -> Claims {
-        Claims::default()
-            .without_hertz_limit()
-            .valid_for("elastic contact of a surface with Gaussian slopes, at loads")
+        Claims::default().without_hertz_limit().valid_for(
+            "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent",
+        )
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
@@ -97,13 +122,22 @@ impl ContactModel for Persson {
             let what = format!("areas of {name} heights: no Gaussian surface has them");
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
-        let slope = scene.surface.moments().m2;
+        let moments = scene.surface.moments();
+        let missing = || ContactError::Missing {
+            field: "hurst_exponent",
+            needed_by: format!("the stiffness of {}, or its mean gap,", self.name()),
+        };
+        let spectrum = match self.hurst_exponent {
+            Some(hurst) => Ok(Arc::new(Spectrum::power_law(&moments, hurst)?)),
+            None => self.spectrum.clone().ok_or_else(missing),
+        };
         Ok(Box::new(OnScene {
-            model: *self,
+            model: self.clone(),
             scene: scene.clone(),
             quantities: request.quantities.clone(),
             // √V.
-            pressure_std: scene.interface.equivalent_modulus * (0.5 * slope).sqrt(),
+            pressure_std: scene.interface.equivalent_modulus * (0.5 * moments.m2).sqrt(),
+            spectrum,
         }))
     }
 }

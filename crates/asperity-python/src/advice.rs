@@ -46,10 +46,18 @@ pub(crate) fn recommend<'py>(
     names: Vec<String>,
     within: f64,
     rtol: f64,
+    models: Option<Vec<String>>,
 ) -> PyResult<(String, String, String, Vec<Row<'py>>)> {
     let rows = rows.view()?;
     let (model, (scene, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
-    let among = rows.files[0].options.models();
+    let file = &rows.files[0];
+    let among = match models {
+        None => file.options.models(),
+        Some(ids) => {
+            let models = ids.iter().map(|id| file.model(id).map_err(value_error));
+            models.collect::<PyResult<_>>()?
+        }
+    };
     let advice = py.detach(|| recommend_among(among, scene, &request, &model, within));
     let advice = advice.map_err(|error| reference.raise(py, error))?;
     let row = |comparison: &Comparison| {

@@ -163,7 +163,8 @@ pub(crate) fn truth(
     elastic: bool,
     boundary: &str,
     models: Option<Vec<String>>,
-) -> PyResult<Vec<Row>> {
+    refine: bool,
+) -> PyResult<(Vec<Row>, Option<String>)> {
     let scene = file.0.clone();
     let (bem, _) = Scan::Scene(file).bem(boundary, elastic)?;
     say_seam(py, &bem)?;
@@ -174,26 +175,35 @@ pub(crate) fn truth(
             all.collect::<Result<_, _>>().map_err(value_error)?
         }
     };
-    let found = interruptible(py, |stop| {
-        asperity::truth(&scene.scene, &bem, &pressures, &models, |_| unless(stop))
-    })?;
-    let found: Result<Vec<Truth>, _> = found.map_err(refused)?.into_iter().collect();
-    let found = found.map_err(value_error)?;
+    let solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Truth>> {
+        let found = interruptible(py, |stop| {
+            asperity::truth(&scene.scene, bem, &pressures, models, |_| unless(stop))
+        })?;
+        let found: Result<Vec<Truth>, _> = found.map_err(refused)?.into_iter().collect();
+        found.map_err(value_error)
+    };
+    let found = solved(&bem, &models)?;
+    let half = match refine {
+        true => solved(&bem.half_grid().map_err(value_error)?, &[])?,
+        false => vec![],
+    };
     let notes: Vec<_> = found
         .iter()
         .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
         .collect();
     Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
     let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
-    let rows = |truth: &Truth| -> Vec<Row> {
+    let rows = |(k, truth): (usize, &Truth)| -> Vec<Row> {
         let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));
-        let all = std::iter::once(("bem", &truth.bem)).chain(models);
+        let half = half.get(k).map(|half| ("bem-half-grid", &half.bem));
+        let all = std::iter::once(("bem", &truth.bem)).chain(half).chain(models);
         let row = |(id, numbers): (&str, &ContactState)| {
             (truth.pressure, id.into(), state(*numbers), state(truth.deviation(numbers)))
         };
         all.map(row).collect()
     };
-    Ok(found.iter().flat_map(rows).collect())
+    let told = (!models.is_empty()).then(|| asperity::told(&found));
+    Ok((found.iter().enumerate().flat_map(rows).collect(), told))
 }
 
 fn say_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use asperity::bem::Bem;
 use asperity::{ContactError, Model, Quantity, Tolerance, testkit};
 use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -38,7 +39,10 @@ impl Engine {
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
         let engine = Self(Kind::Named { id, given });
         // A mistyped id or option is refused here, not when a scene comes.
-        engine.with(ModelOptions::default())?;
+        match engine.is_bem() {
+            true => drop(engine.options(ModelOptions::default())?),
+            false => drop(engine.with(ModelOptions::default(), None)?),
+        }
         Ok(engine)
     }
 
@@ -49,7 +53,12 @@ impl Engine {
         py: Python<'py>,
         scene: Option<&scene::SceneFile>,
     ) -> PyResult<(String, String, Bound<'py, PyAny>, Vec<String>)> {
-        let model = self.with(scene.map_or_else(ModelOptions::default, |scene| scene.0.options))?;
+        if self.is_bem() {
+            let source = Bem::SOURCE;
+            return Ok((source.id.into(), source.name.into(), object(py, &source)?, vec![]));
+        }
+        let options = scene.map_or_else(ModelOptions::default, |scene| scene.0.options);
+        let model = self.with(options, None)?;
         let notes = model.notes().iter().map(ToString::to_string).collect();
         Ok((model.id().into(), model.name().into(), object(py, model.source())?, notes))
     }
@@ -96,20 +105,37 @@ impl Engine {
         Ok(options)
     }
 
-    fn with(&self, options: ModelOptions) -> PyResult<Model> {
-        match &self.0 {
-            Kind::Named { id, .. } => self.options(options)?.model(id).map_err(value_error),
-            Kind::Python { model, .. } => Ok(options.on_surface(model.clone())),
+    /// Boundary elements are a model of a scan: there is none without a scene.
+    fn is_bem(&self) -> bool {
+        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case("bem"))
+    }
+
+    /// The model, on the scan of a scene where it needs one.
+    fn with(&self, options: ModelOptions, file: Option<&SceneFile>) -> PyResult<Model> {
+        match (&self.0, file) {
+            (Kind::Named { id, .. }, Some(file)) => {
+                file.model_with(&self.options(options)?, id).map_err(value_error)
+            }
+            (Kind::Named { id, .. }, None) => self.options(options)?.model(id).map_err(value_error),
+            (Kind::Python { model, .. }, _) => Ok(options.on_surface(model.clone())),
         }
     }
 
     /// The model that this is on a scene: the scene's options count where none were given.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
-        self.with(file.options)
+        self.with(file.options, Some(file))
     }
 
     /// The one model that this is on all scenes.
     pub(crate) fn on_all(&self, files: &[Arc<SceneFile>]) -> PyResult<Model> {
+        if let [file] = files {
+            return self.on(file);
+        }
+        if self.is_bem() {
+            let text =
+                format!("{} scenes were given: bem needs one, whose scan it is on", files.len());
+            return Err(value_error(text));
+        }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
         for (k, file) in files.iter().enumerate() {
             if file.options != first && self.options(file.options)? != self.options(first)? {
@@ -118,7 +144,7 @@ impl Engine {
                 )));
             }
         }
-        self.with(first)
+        self.with(first, None)
     }
 
     /// Whether an exception of a user's code may be behind a refusal, and not be raised again.

@@ -38,10 +38,11 @@ enum Heights {
     Table(Vec<f64>, Vec<f64>),
 }
 
-/// A word, or named numbers.
+/// A word, a number, or named numbers.
 #[derive(FromPyObject, IntoPyObject)]
 pub(crate) enum OptionValue {
     Word(String),
+    Number(f64),
     Numbers(BTreeMap<String, f64>),
 }
 
@@ -49,6 +50,7 @@ impl From<OptionValue> for asperity_scene::OptionValue {
     fn from(value: OptionValue) -> Self {
         match value {
             OptionValue::Word(word) => Self::Word(word),
+            OptionValue::Number(number) => Self::Number(number),
             OptionValue::Numbers(numbers) => Self::Numbers(numbers),
         }
     }
@@ -58,6 +60,7 @@ impl From<asperity_scene::OptionValue> for OptionValue {
     fn from(value: asperity_scene::OptionValue) -> Self {
         match value {
             asperity_scene::OptionValue::Word(word) => Self::Word(word),
+            asperity_scene::OptionValue::Number(number) => Self::Number(number),
             asperity_scene::OptionValue::Numbers(numbers) => Self::Numbers(numbers),
         }
     }

@@ -121,6 +121,37 @@ def test_models_stand_beside_it(scene: asperity.Scene) -> None:
     assert everything > {"bem", "ke-random", "persson-fudge", *scene.models()}
 
 
+def test_it_is_a_model_by_name(scene: asperity.Scene) -> None:
+    bem = asperity.model("bem")
+    assert (bem.id, bem.name) == ("bem", "BEM")
+    curve = bem.solve(scene, load=[50.0, 100.0], quantities=["area_fraction", "mean_pressure"])
+    found = asperity.bem(scene, load=[50.0, 100.0], maps=False)
+    np.testing.assert_allclose(curve.area_fraction, found.area_fraction, rtol=1e-6)
+    gap = bem.separation_at(scene, load=50.0, separation_unit="m")
+    assert float(gap) == pytest.approx(found.mean_gap[0] - scene.surface.mean_plane_offset)
+    with pytest.raises(ValueError, match=r"surface\.file is missing"):
+        bem.solve(scene.replace(asperity_height_std=1e-6), load=50.0)
+    with pytest.raises(ValueError, match="2 scenes were given: bem needs one"):
+        bem.solve([scene, scene.replace(hardness=3e9)], load=50.0)
+    with pytest.raises(ValueError, match="hurst"):
+        asperity.model("bem", hurst=0.8)
+
+
+def test_the_scan_gives_persson_its_gaps(scene: asperity.Scene) -> None:
+    loads = [50.0, 500.0]
+    fudge = asperity.model("persson-fudge").solve(scene, load=loads, quantities=["tangent"])
+    rows = asperity.truth(scene, load=loads, models=["persson-fudge"], elastic=True, refine=True)
+    assert [row["model"] for row in rows] == ["bem", "bem-half-grid", "persson-fudge"] * 2
+    assert rows.nearest is not None and "in stiffness were persson-fudge" in rows.nearest.replace(
+        "; in stiffness", " in stiffness were"
+    )
+    for row, tangent in zip(rows[2::3], fudge.tangent, strict=True):
+        assert row["stiffness"] == pytest.approx(tangent)
+        assert row["stiffness_deviation"] is not None and abs(row["stiffness_deviation"]) < 0.3
+    half = rows[1]["area_deviation"]
+    assert half is not None and 0 < abs(half) < 0.3
+
+
 def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
     with pytest.raises(TypeError, match="2 of pressure, load and gap were given: one was required"):
         asperity.bem(scene, pressure=1e7, load=1.0)

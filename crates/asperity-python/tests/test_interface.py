@@ -345,6 +345,14 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
     assert "ZMC is the simplest" in str(advice)
     under_load = asperity.recommend(scene, load=[10.0, 1200.0], quantities=["area"])
     assert under_load.deviations["ke"]["area"] < 1e-9 < under_load.deviations["gw"]["area"]
+    few = asperity.recommend(scene, load=10.0, quantities=["area"], models=["gw", "persson"])
+    assert set(few.deviations) == {"gw", "persson"}
+    rubber = asperity.Scene(asperity.Interface(1e7, 0.49), scene.surface, 1e-4)
+    assert asperity.recommend(rubber, load=1.0, quantities=["area"]).reference == "gw"
+    far = asperity.recommend(scene, 30.0)
+    assert far.evidence.startswith("no evidence here: nothing touches")
+    with pytest.raises(ValueError, match=r"within is 5\.0: a share above 0 and at most 1"):
+        asperity.recommend(scene, [1.0], within=5)
     bare = asperity.Scene(asperity.Interface(116e9, 0.31, 1e9), scene.surface, 1e-4)
     assert "equivalent_shear_modulus is missing" in asperity.recommend(bare, [1.0]).refused["gao"]
 
@@ -353,6 +361,24 @@ def test_all_ids_make_models() -> None:
     ids = [model.id for model in asperity.models()]
     assert len(ids) == len(set(ids)) == 12
     assert all(asperity.model(one.upper()).id == one for one in ids)
+
+
+def test_persson_has_gaps_with_a_hurst_exponent(scene: asperity.Scene) -> None:
+    fudge = asperity.model("persson-fudge", hurst_exponent=0.8)
+    curve = fudge.solve(scene, load=[1.0, 10.0, 100.0], quantities=["area", "tangent"])
+    gaps = fudge.separation_at(scene, load=[1.0, 10.0, 100.0], separation_unit="m")
+    assert np.all(np.diff(gaps) < 0) and np.all(np.diff(curve.tangent) > 0)
+    back = fudge.solve(scene, gaps, separation_unit="m")
+    np.testing.assert_allclose(back.force, [1.0, 10.0, 100.0], rtol=1e-8)
+    numbers = scene.interface, scene.surface, scene.nominal_area
+    smooth = asperity.Scene(*numbers, options={"hurst_exponent": 0.5})
+    assert asperity.Scene.parse(smooth.to_toml()).options == {"hurst_exponent": 0.5}
+    other = asperity.model("persson-fudge").solve(smooth, load=1.0, quantities=["tangent"])
+    assert other.tangent != curve.tangent[0]
+    with pytest.raises(ValueError, match="hurst_exponent is missing"):
+        asperity.model("persson").solve(scene, load=1.0, quantities=["tangent"])
+    with pytest.raises(ValueError, match=r"hurst_exponent is 2\.0: a number from 0\.1 to 1"):
+        asperity.model("persson", hurst_exponent=2.0)
 
 
 def test_the_interpreter_is_free_during_long_calls(scene: asperity.Scene) -> None:

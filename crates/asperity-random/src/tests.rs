@@ -205,3 +205,24 @@ fn every_law_is_averaged_however_deep_its_parts_begin() {
         }
     }
 }
+
+/// The hard cases: spectra as narrow as can be, and very broad ones.
+#[test]
+fn the_narrowest_and_the_broadest_surfaces_are_met() {
+    let mut count = 0;
+    for line in include_str!("../../../tests/reference/random_limits.csv").lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [alpha, height, wanted] = [0, 1, 3].map(|k| fields[k].parse::<f64>().unwrap());
+        let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: alpha * 1e4 };
+        let surface = Surface::from_moments(&moments).unwrap();
+        let scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1.0);
+        let quantity: Quantity = fields[2].parse().unwrap();
+        let asked = Request::new([quantity]);
+        let contact = RandomAsperities::new(GreenwoodWilliamson).compile(&scene, &asked).unwrap();
+        let found = contact.evaluate(quantity, above(height * 1e-6)).unwrap();
+        let error = (found.value() / wanted - 1.0).abs();
+        assert!(error < 1e-10 && error <= found.relative_error() + 1e-15, "{line}: {found:?}");
+        count += 1;
+    }
+    assert_eq!(count, 40);
+}

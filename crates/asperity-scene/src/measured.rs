@@ -45,6 +45,9 @@ pub(crate) fn measured(
             TopographyError::OutOfRange { field, value, required } => {
                 SceneError::value(document.place(&format!("surface.{field}")), value, required)
             }
+            TopographyError::Cutoff { field, value, required } => {
+                SceneError::value(document.place(&format!("surface.{field}")), value, &required)
+            }
             error => {
                 let reason = format!("{}: {error}", path.display());
                 SceneError::Measured { at: document.place(at), reason }

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 
 use asperity::{
     AbdoFarhang, AminiTehrani, AngleDensity, ContactError, Displacement, FlowPressure,
-    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Reading, Stick,
+    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Reading,
+    Spectrum, Stick, Variance,
 };
 use serde::{Deserialize, Serialize};
 use toml::Value;
@@ -48,6 +50,10 @@ pub struct ModelOptions {
     pub jg_hardness: GeometricHardness,
     /// The pressure under AF's embedded plastic asperity.
     pub af_flow_pressure: FlowPressure,
+    /// H, from 0.1 to 1: what the mean gaps and stiffnesses of `persson` and `persson-fudge` need where
+    /// there is no scan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hurst_exponent: Option<f64>,
     /// Whether ids stand for their models on a random surface (`ke-random` stands for itself); a scene
     /// file may say it of its surface.
     pub asperities: Asperities,
@@ -102,12 +108,14 @@ enum DisplacementChoice {
     },
 }
 
-/// The value of one option: a word, or named numbers.
+/// The value of one option: a word, a number, or named numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum OptionValue {
     /// As in `stick = "unlimited"`.
     Word(String),
+    /// As in `hurst_exponent = 0.8`.
+    Number(f64),
     /// As in `displacement = { zeta = 0.1, xi = 0.1 }`.
     Numbers(BTreeMap<String, f64>),
 }
@@ -115,6 +123,12 @@ pub enum OptionValue {
 impl From<&str> for OptionValue {
     fn from(word: &str) -> Self {
         Self::Word(word.into())
+    }
+}
+
+impl From<f64> for OptionValue {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
     }
 }
 
@@ -169,6 +183,9 @@ impl ModelOptions {
     pub(crate) fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
         let at = |option: &str| format!("{section}{option}");
         self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
+        if let Some(hurst) = self.hurst_exponent {
+            Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
+        }
         if let Displacement::Given { zeta, xi } = self.displacement {
             for (field, value) in [("zeta", zeta), ("xi", xi)] {
                 if !(value >= 0.0 && value.is_finite()) {
@@ -199,10 +216,17 @@ impl ModelOptions {
             "at" => at(self.at_reading),
             "at-additive" => at(Reading::Additive),
             "at-overlap" => at(Reading::Overlap),
+            "persson" => self.persson(Variance::Full, None),
+            "persson-fudge" => self.persson(Variance::Fudge, None),
             _ => known.equal().clone(),
         };
         let named_so = known.equal().id() != known.id();
         Ok(if named_so { model.random() } else { self.on_surface(model) })
+    }
+
+    /// A theory of the whole surface, with the spectrum of a scan where there is one.
+    pub(crate) fn persson(&self, variance: Variance, spectrum: Option<Arc<Spectrum>>) -> Model {
+        Model::known(Persson { variance, hurst_exponent: self.hurst_exponent, spectrum })
     }
 
     /// The model on asperities as these options have them.

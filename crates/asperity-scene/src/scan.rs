@@ -1,5 +1,8 @@
 //! The scan of a scene, to be solved by boundary elements.
 
+use std::sync::Arc;
+
+use asperity::Spectrum;
 use asperity_bem::{Bem, BemError, Boundary, HeightMap};
 use asperity_topography::Topography;
 
@@ -32,6 +35,15 @@ impl SceneFile {
             Ok(map) => Ok(Bem::new(map, boundary, elastic)),
             Err(error) => Err(SceneError::Measured { at, reason: error.to_string() }),
         }
+    }
+}
+
+impl SceneFile {
+    /// The spectrum of the scene's scan, repeated; none of a profile or with missing points.
+    pub(crate) fn spectrum(&self) -> Option<Arc<Spectrum>> {
+        let map = height_map(self.scan.as_deref()?).ok()?;
+        let map = if map.edges_meet() { map } else { map.periodic_part() };
+        Spectrum::of_waves(map.waves()).ok().map(Arc::new)
     }
 }
 

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use asperity::{
     Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
+    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights, Variance,
+    WeibullHeights,
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
@@ -159,17 +160,28 @@ impl From<Scene> for SceneFile {
 
 impl SceneFile {
     /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on the
-    /// scene's scan, repeated and with the hardness.
+    /// scene's scan, repeated and with the hardness. `persson` takes its gaps from that scan's spectrum.
     ///
     /// # Errors
     /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
-        if id.trim().eq_ignore_ascii_case("bem") {
-            let bem = Model::new(self.bem(Boundary::Periodic, false)?);
-            return Ok(self.options.on_surface(bem));
-        }
-        self.options.model(id)
+        self.model_with(&self.options, id)
+    }
+
+    /// [`model`](Self::model) with other options than the scene's.
+    ///
+    /// # Errors
+    /// Those of [`model`](Self::model).
+    pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
+        let persson = |variance| options.persson(variance, self.spectrum());
+        let model = match id.trim().to_lowercase().as_str() {
+            "bem" => Model::new(self.bem(Boundary::Periodic, false)?),
+            "persson" if self.scan.is_some() => persson(Variance::Full),
+            "persson-fudge" if self.scan.is_some() => persson(Variance::Fudge),
+            _ => return options.model(id),
+        };
+        Ok(options.on_surface(model))
     }
 
     /// All models that the scene allows, with its options, simplest first; and those it does not,
@@ -195,7 +207,7 @@ impl SceneFile {
         let request = Request::new([Quantity::Area]);
         for other in [Model::all_random(), Model::whole_surface()].concat() {
             let new = !models.iter().any(|model| model.id() == other.id());
-            let model = plain.model(other.id()).ok().filter(|_| new);
+            let model = self.model_with(&plain, other.id()).ok().filter(|_| new);
             models.extend(model.filter(|model| model.compile(&self.scene, &request).is_ok()));
         }
         models

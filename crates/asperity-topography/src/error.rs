@@ -7,7 +7,7 @@ use asperity_core::ContactError;
 use serde::de::value::{self, StrDeserializer};
 use serde::de::{DeserializeOwned, IntoDeserializer};
 
-use crate::Level;
+use crate::{LengthUnit, Level};
 
 /// Why a surface could not be read or measured.
 #[derive(Debug, thiserror::Error)]
@@ -76,6 +76,28 @@ pub enum TopographyError {
         "the file does not say the unit of its heights: unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line) was required"
     )]
     UnitMissing,
+    /// A cut-off that the surface is too small or too coarse for.
+    #[error("{field} is {value:?}: {required} was required")]
+    Cutoff {
+        /// What the cut-off is called.
+        field: &'static str,
+        /// What was given \[m\].
+        value: f64,
+        /// The lengths that would have been accepted, and the unit that would explain it.
+        required: String,
+    },
+    /// Pixels smaller than atoms: a length in metres beside a unit.
+    #[error(
+        "pixel_size is {value:e} {unit}, which is {metres:e} m and less than an atom: it is in the unit of the heights; is it in m?"
+    )]
+    TinyPixel {
+        /// What was given, in the unit.
+        value: f64,
+        /// The unit.
+        unit: LengthUnit,
+        /// What that is.
+        metres: f64,
+    },
     /// The file does not say how far its points are apart, and nobody else did.
     #[error(
         "the file does not say the distance of its points: pixel_size in the unit of the heights (--pixel-size on the command line) was required"

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity_fft::{Complex64, Fft};
 
-use crate::{Topography, TopographyError};
+use crate::{LengthUnit, Topography, TopographyError};
 
 /// How many cut-offs away from its middle the weight is below 1e-16 of its maximum.
 const REACH: f64 = 1.63;
@@ -20,7 +20,7 @@ impl Topography {
     /// scaled to the sum 1, unless the surface is periodic.
     ///
     /// # Errors
-    /// [`TopographyError::OutOfRange`] when the cut-off is below two pixels or above the size of
+    /// [`TopographyError::Cutoff`] when the cut-off is below two pixels or above the size of
     /// the surface.
     pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
         let mean = self.gaussian_mean("filter", cutoff)?;
@@ -55,11 +55,11 @@ impl Topography {
         let [dx, dy] = self.pixel_size();
         let (columns, rows) = (self.columns(), self.rows());
         let along = |n: usize, step: f64| {
-            if cutoff >= 2.0 * step && cutoff <= n as f64 * step {
-                return Ok(Line::new(n, cutoff / step, self.is_periodic()));
+            let (least, largest) = (2.0 * step, n as f64 * step);
+            match (least..=largest).contains(&cutoff) {
+                true => Ok(Line::new(n, cutoff / step, self.is_periodic())),
+                false => Err(refused(field, cutoff, [least, largest])),
             }
-            let required = "a length of at least two pixels and at most the size of the surface";
-            Err(TopographyError::OutOfRange { field, value: cutoff, required })
         };
         let mean = self.mean();
         // Heights and their weights are real: one complex number holds both.
@@ -94,6 +94,17 @@ impl Topography {
         }
         Ok(points.into_iter().map(move |point| mean + point.re / point.im))
     }
+}
+
+/// A cut-off outside these lengths, with the unit that would bring it inside.
+fn refused(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> TopographyError {
+    let inside = |unit: &LengthUnit| (least..=largest).contains(&(value * unit.metres()));
+    let unit = [LengthUnit::Micrometre, LengthUnit::Millimetre].into_iter().find(inside);
+    let meant = unit.map_or(String::new(), |unit| format!("; is it in {unit}?"));
+    let required = format!(
+        "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"
+    );
+    TopographyError::Cutoff { field, value, required }
 }
 
 /// Convolution of lines of n points with the Gaussian weight, by FFT.
@@ -207,5 +218,10 @@ mod tests {
             let error = surface.clone().smooth(cutoff).unwrap_err().to_string();
             assert!(error.starts_with("smooth is"), "{error}");
         }
+        let fine = Topography::new(vec![0.0; 100], 10, [1e-6; 2]).unwrap();
+        let error = fine.filter(3.0).unwrap_err().to_string();
+        let said =
+            "pixels (2.000e-6 m) and at most the size of the surface (1.000e-5 m; is it in um?)";
+        assert!(error.contains(said), "{error}");
     }
 }

@@ -5,10 +5,12 @@ use std::sync::OnceLock;
 
 use serde::Serialize;
 
-use crate::{ContactError, HeightDistribution, Scene};
+use crate::{ContactError, HeightDistribution, Scene, evidence_csv};
 
 /// Scenes that are farther than this factor beyond the last case have no evidence.
 const BEYOND: f64 = 1.5;
+/// What a refusal is of.
+const NONE: &str = "no evidence here";
 /// Below this plasticity index next to nothing flows: held against elastic cases.
 const ELASTIC: f64 = 1.0 / BEYOND;
 
@@ -22,12 +24,12 @@ const ELASTIC: f64 = 1.0 / BEYOND;
 ///
 /// let surface = Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4: 3e8 })?;
 /// let mut scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
-/// let near = Evidence::committed().nearest(&scene, 2e8)?;
+/// let near = Evidence::committed()?.nearest(&scene, 2e8)?;
 /// let off = near.deviation("ke").and_then(|found| found.area);
 /// assert!(near.away < 2.0 && off.is_some_and(|off| off.abs() < 0.5), "{near:?}");
 /// // Nothing is known of a surface with so many scales.
 /// scene.surface = Surface::from_moments(&ProfileMoments { m0: 1e-11, m2: 2.5e-3, m4: 1e9 })?;
-/// let refused = Evidence::committed().nearest(&scene, 2e8);
+/// let refused = Evidence::committed()?.nearest(&scene, 2e8);
 /// assert!(refused.unwrap_err().to_string().contains("alpha"));
 /// # Ok::<(), asperity::ContactError>(())
 /// ```
@@ -138,52 +140,58 @@ impl Nearest<'_> {
 }
 
 impl Evidence {
-    /// The text of what is committed, a csv.
+    /// The text of what is committed, a csv with the columns [`COLUMNS`](Self::COLUMNS).
     pub const CSV: &'static str = include_str!("../data/truth.csv");
 
+    /// The columns of evidence; `low` and `high` are of the surfaces, for `bem` alone. Stiffnesses
+    /// -dp/d(gap) are in units of E/√m₀.
+    pub const COLUMNS: [&'static str; 10] = evidence_csv::COLUMNS;
+
     /// What is committed.
-    #[must_use]
-    pub fn committed() -> &'static Self {
-        static READ: OnceLock<Evidence> = OnceLock::new();
-        // That it reads is tested.
-        READ.get_or_init(|| Self::parse(Self::CSV).unwrap_or(Self { cases: vec![] }))
+    ///
+    /// # Errors
+    /// Those of [`parse`](Self::parse).
+    pub fn committed() -> Result<&'static Self, ContactError> {
+        static READ: OnceLock<Result<Evidence, ContactError>> = OnceLock::new();
+        READ.get_or_init(|| Self::parse(Self::CSV)).as_ref().map_err(Clone::clone)
     }
 
     /// Reads evidence from a text like [`CSV`](Self::CSV).
     ///
     /// # Errors
-    /// [`ContactError::Refused`] with the line that is none of such a text.
+    /// [`ContactError::Refused`] with the line, the column and what stands there, where that is none
+    /// of such a text, and where it has no cases.
     pub fn parse(text: &str) -> Result<Self, ContactError> {
-        let mut cases: Vec<EvidenceCase> = vec![];
-        for line in text.lines().skip(1) {
-            let refused = || ContactError::Refused {
-                model: "evidence".into(),
-                reason: format!("{line:?} is no row of it"),
-            };
-            let fields: Vec<&str> = line.split(',').collect();
-            let number = |k: usize| fields.get(k).and_then(|text| text.parse::<f64>().ok());
-            let span = |k: usize| number(k).zip(number(k + 1)).map(|(low, high)| [low, high]);
-            let (Some(alpha), Some(plasticity_index), Some(load), Some(id)) =
-                (number(0), number(1), number(2), fields.get(3))
-            else {
-                return Err(refused());
-            };
-            let row = EvidenceRow {
-                area_fraction: number(4),
-                area_span: span(5),
-                stiffness: number(7),
-                stiffness_span: span(8),
-            };
-            match (*id, cases.last_mut()) {
-                ("bem", _) => {
-                    let (bem, models) = (row, vec![]);
-                    cases.push(EvidenceCase { alpha, plasticity_index, load, bem, models });
-                }
-                (id, Some(case)) => case.models.push((id.into(), row)),
-                (_, None) => return Err(refused()),
-            }
-        }
-        Ok(Self { cases })
+        Ok(Self { cases: evidence_csv::cases(text)? })
+    }
+
+    /// What was solved, in words: `alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001
+    /// to 0.2`.
+    #[must_use]
+    pub fn solved(&self) -> String {
+        let each = |of: fn(&EvidenceCase) -> f64| {
+            let mut all: Vec<f64> = self.cases.iter().map(of).filter(|x| *x > 0.0).collect();
+            all.sort_by(f64::total_cmp);
+            all.dedup();
+            all
+        };
+        let words = |all: Vec<String>| all.join(", ");
+        let alpha = each(|case| case.alpha).iter().map(|x| format!("{x:.1}")).collect();
+        let index = each(|case| case.plasticity_index).iter().map(ToString::to_string).collect();
+        let [lightest, heaviest] = self.range(|case| case.load);
+        let (alpha, index) = (words(alpha), words(index));
+        format!("alpha {alpha}, elastic and psi {index}, p/(E g) from {lightest} to {heaviest}")
+    }
+
+    /// That there is none, and why.
+    pub(crate) fn none(reason: String) -> ContactError {
+        ContactError::Refused { model: NONE.into(), reason }
+    }
+
+    /// The least and the largest above 0.
+    fn range(&self, of: impl Fn(&EvidenceCase) -> f64) -> [f64; 2] {
+        let known = self.cases.iter().map(of).filter(|x| *x > 0.0);
+        known.fold([f64::INFINITY, 0.0], |[low, high], x| [low.min(x), high.max(x)])
     }
 
     /// All cases: surface by surface, on each material by material, load by load.
@@ -195,16 +203,15 @@ impl Evidence {
     /// The case nearest to a scene at a mean pressure \[Pa\].
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] naming what of the scene has no evidence, and the range that has;
-    /// [`ContactError::Unsupported`] for heights that are not Gaussian and surfaces that stick; what is wrong with the scene.
+    /// [`ContactError::Refused`] naming what of the scene has no evidence, and the range that has: other
+    /// heights than Gaussian ones and surfaces that stick have none; what is wrong with the scene.
     pub fn nearest(&self, scene: &Scene, pressure: f64) -> Result<Nearest<'_>, ContactError> {
+        let none = Self::none;
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
-            let what = "heights that are not Gaussian: no such surfaces were solved".into();
-            return Err(ContactError::Unsupported { model: "evidence".into(), what });
+            return Err(none("heights that are not Gaussian: no such surface was solved".into()));
         }
-        if scene.adhesion_parameter().is_some_and(|theta| theta < 10.0) {
-            let what = "surfaces that stick: none was solved with adhesion".into();
-            return Err(ContactError::Unsupported { model: "evidence".into(), what });
+        if scene.adhesion_parameter().is_some_and(|theta| theta < Scene::HIDES_ADHESION) {
+            return Err(none("surfaces that stick: none was solved with adhesion".into()));
         }
         let asperity = scene.asperity()?;
         let index = match asperity.hardness {
@@ -218,17 +225,18 @@ impl Evidence {
             crate::positive("pressure", pressure)? / (asperity.equivalent_modulus * gradient);
         let place = [moments.bandwidth(), index, load];
         let of = |case: &EvidenceCase| [case.alpha, case.plasticity_index, case.load];
-        let fields = [
-            ("alpha (m0 m4/m2^2)", "of a surface like those that were solved, 2 to 44"),
-            ("plasticity_index", "of a material like those that were solved, at most 6"),
-            ("p/(E g)", "a load like those that were solved, 7e-4 to 0.3"),
-        ];
-        for (k, (field, required)) in fields.into_iter().enumerate() {
-            let known = self.cases.iter().map(|case| of(case)[k]).filter(|x| *x > 0.0);
-            let [low, high] = [f64::min, f64::max].map(|end| known.clone().reduce(end));
-            let (low, high) = (low.unwrap_or(f64::INFINITY) / BEYOND, high.unwrap_or(0.0) * BEYOND);
+        for (k, field) in ["alpha (m0 m4/m2^2)", "plasticity_index", "p/(E g)"].iter().enumerate() {
+            let [low, high] = self.range(|case| of(case)[k]);
+            let (low, high) = (low / BEYOND, high * BEYOND);
             if place[k] > 0.0 && !(low..=high).contains(&place[k]) {
-                return Err(ContactError::OutOfRange { field, value: place[k], required });
+                let value = place[k];
+                let found = match k {
+                    0 => format!("{value:.1}: {low:.1} to {high:.1}"),
+                    // Anything below is elastic.
+                    1 => format!("{value:.1}: at most {high:.1}"),
+                    _ => format!("{value:.1e}: {low:.1e} to {high:.1e}"),
+                };
+                return Err(none(format!("{field} is {found} is near what was solved")));
             }
         }
         // ψ is 0 on both sides, or on none.
@@ -239,9 +247,7 @@ impl Evidence {
         };
         let found = self.cases.iter().map(|case| (away(case), case));
         let found = found.min_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-        let nothing =
-            || ContactError::Refused { model: "evidence".into(), reason: "it has no cases".into() };
-        let ([_, most], case) = found.ok_or_else(nothing)?;
+        let ([_, most], case) = found.ok_or_else(|| none("nothing was solved".into()))?;
         Ok(Nearest { case, away: most.exp() })
     }
 }
@@ -249,7 +255,7 @@ impl Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Interface, ProfileMoments, Surface};
+    use crate::{Interface, Model, ProfileMoments, Surface};
 
     fn scene(alpha: f64, index: f64) -> Scene {
         let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: alpha * 1e4 };
@@ -269,23 +275,35 @@ mod tests {
     }
 
     #[test]
-    fn what_is_committed_reads_and_is_whole() {
-        let evidence = Evidence::parse(Evidence::CSV).unwrap();
-        assert_eq!(evidence.cases().len(), 3 * 4 * 8);
+    fn what_is_committed_is_whole() {
+        let evidence = Evidence::committed().unwrap();
+        let [alpha, index, load] = [3, 4, 8];
+        assert_eq!(evidence.cases().len(), alpha * index * load);
+        let whole = Model::whole_surface().len();
         for case in evidence.cases() {
             let [low, high] = case.bem.area_span.unwrap();
             let area = case.bem.area_fraction.unwrap();
             assert!(low <= area && area <= high && high < 1.0, "{case:?}");
-            assert!(case.bem.stiffness.is_some_and(|k| k > 0.0));
-            let elastic = case.plasticity_index <= 0.0;
-            // gw, gw-random and Persson's two; with a hardness all.
-            assert_eq!(case.models.len(), if elastic { 4 } else { 22 }, "{case:?}");
+            // Elastic: gw and gw-random; with a hardness all.
+            let of_asperities = match case.plasticity_index > 0.0 {
+                true => Model::all().len() + Model::all_random().len(),
+                false => 2,
+            };
+            assert_eq!(case.models.len(), of_asperities + whole, "{case:?}");
         }
+    }
+
+    /// One home: other texts name what `solved` names.
+    #[test]
+    fn what_was_solved_is_said() {
+        let solved = Evidence::committed().unwrap().solved();
+        let said = "alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001 to 0.2";
+        assert_eq!(solved, said);
     }
 
     #[test]
     fn a_case_is_its_own_nearest_and_neighbours_are_found() {
-        let evidence = Evidence::committed();
+        let evidence = Evidence::committed().unwrap();
         for case in evidence.cases() {
             let scene = scene(case.alpha, case.plasticity_index);
             let near = evidence.nearest(&scene, case.load * unit()).unwrap();
@@ -295,7 +313,7 @@ mod tests {
             let model = case.models.iter().find(|(id, _)| id == "gw").unwrap().1;
             let wanted = model.area_fraction.unwrap() / case.bem.area_fraction.unwrap() - 1.0;
             assert!((gw.area.unwrap() - wanted).abs() < 1e-12);
-            assert!(near.deviation("persson").is_some_and(|p| p.stiffness.is_none()));
+            assert!(near.deviation("persson").is_some_and(|p| p.stiffness.is_some()));
         }
         let near = evidence.nearest(&scene(10.0, 2.2), 0.011 * unit()).unwrap();
         assert!((near.case.plasticity_index - 2.0).abs() < 1e-9 && near.away < 1.5, "{near:?}");
@@ -307,17 +325,22 @@ mod tests {
     #[test]
     fn outside_there_is_no_evidence() {
         let refused = |alpha: f64, index: f64, load: f64| {
-            let found = Evidence::committed().nearest(&scene(alpha, index), load * unit());
+            let found = Evidence::committed().unwrap().nearest(&scene(alpha, index), load * unit());
             found.unwrap_err().to_string()
         };
-        assert!(refused(1.6, 2.0, 0.01).starts_with("alpha (m0 m4/m2^2) is 1."));
-        assert!(refused(100.0, 2.0, 0.01).starts_with("alpha"));
-        assert!(refused(8.0, 20.0, 0.01).starts_with("plasticity_index is "));
-        assert!(refused(8.0, 2.0, 1e-5).starts_with("p/(E g) is"));
-        assert!(refused(8.0, 2.0, 0.5).contains("7e-4 to 0.3"));
+        for (found, field) in [
+            (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) is 1.6"),
+            (refused(100.0, 2.0, 0.01), "alpha (m0 m4/m2^2) is 100.0: 2.0 to 44.3 is near"),
+            (refused(8.0, 20.0, 0.01), "plasticity_index is 20.0: at most 6.0 is near"),
+            (refused(8.0, 2.0, 1e-5), "p/(E g) is 1.0e-5: 6.7e-4 to 3.0e-1 is near"),
+            (refused(8.0, 2.0, 0.5), "p/(E g) is 5.0e-1"),
+        ] {
+            assert!(found.starts_with(&format!("no evidence here: {field}")), "{found}");
+        }
         let mut exponential = scene(8.0, 2.0);
         exponential.heights = HeightDistribution::Exponential;
-        let found = Evidence::committed().nearest(&exponential, 0.01 * unit()).unwrap_err();
+        let found =
+            Evidence::committed().unwrap().nearest(&exponential, 0.01 * unit()).unwrap_err();
         assert!(found.to_string().contains("not Gaussian"), "{found}");
     }
 }

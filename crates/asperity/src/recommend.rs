@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     At, ContactError, ContactModel, Deviation, Evaluation, Evidence, Model, Nearest, Quantity,
-    Request, Scene,
+    Request, Scene, ranking,
 };
 
 /// How far one model is from the reference.
@@ -70,7 +70,7 @@ pub struct Recommendation {
 /// ```
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] when `within` is not positive or there are no separations, and
+/// [`ContactError::OutOfRange`] when `within` is no share above 0 and at most 1, or there are no separations, and
 /// what the reference model cannot answer.
 pub fn recommend(
     scene: &Scene,
@@ -93,7 +93,10 @@ pub fn recommend_among(
     reference: &Model,
     within: f64,
 ) -> Result<Recommendation, ContactError> {
-    crate::positive("within", within)?;
+    if !(within > 0.0 && within <= 1.0) {
+        let required = "a share above 0 and at most 1 (5 % is 0.05)";
+        return Err(ContactError::OutOfRange { field: "within", value: within, required });
+    }
     if request.at.is_empty() {
         let (field, required) = ("number of separations and loads", "at least 1");
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
@@ -127,12 +130,22 @@ fn evidence(
 ) -> Result<Vec<Nearest<'static>>, ContactError> {
     let pressed = Request::new([Quantity::Pressure]).within(request.tolerance);
     let contact = reference.compile(scene, &pressed.at(request.at.iter().copied()))?;
+    let touching = reference.compile(scene, &Request::new([Quantity::Contacts])).ok();
+    let contacts = touching.and_then(|touching| {
+        let contacts = |at: &At| touching.evaluate(Quantity::Contacts, *at).ok();
+        let all: Option<Vec<Evaluation>> = request.at.iter().map(contacts).collect();
+        all?.iter().map(Evaluation::value).reduce(f64::max)
+    });
+    if let Some(contacts) = contacts.filter(|contacts| *contacts < 1.0) {
+        let reason = format!("nothing touches: of all asperities, {contacts:.1e} do");
+        return Err(Evidence::none(reason));
+    }
     let near = |at: &At| {
         let pressure = at.pressure(scene).map_or_else(
             || Ok(contact.evaluate(Quantity::Pressure, *at)?.value()),
             Ok::<_, ContactError>,
         )?;
-        Evidence::committed().nearest(scene, pressure)
+        Evidence::committed()?.nearest(scene, pressure)
     };
     let (mut found, mut refused) = (vec![], None);
     for near in request.at.iter().map(near) {
@@ -149,35 +162,28 @@ fn evidence(
 
 impl Recommendation {
     /// What the evidence says, in a sentence or two: where it is from, and which of all models were
-    /// nearest to boundary elements in area there.
+    /// nearest to boundary elements there, in area and in stiffness.
     #[must_use]
     pub fn told(&self) -> String {
         let found = match &self.evidence {
             Ok(found) => found,
-            Err(reason) => return format!("no evidence here: {reason}"),
+            Err(reason) => return reason.to_string(),
         };
         let Some(far) = found.iter().max_by(|a, b| a.away.total_cmp(&b.away)) else {
             return "no evidence here".into();
         };
-        let mut ranked: Vec<(f64, &str)> = vec![];
-        for (id, _) in &far.case.models {
-            let off = found.iter().map(|near| near.deviation(id).and_then(|off| off.area));
-            let largest = off.map(|off| off.map_or(f64::INFINITY, f64::abs)).fold(0.0, f64::max);
-            ranked.push((largest, id));
-        }
-        ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let nearest: Vec<String> = ranked
-            .iter()
-            .take(3)
-            .map(|(off, id)| match (100.0 * off).round() {
-                percent if percent < 1.0 => format!("{id} (less than 1 % off)"),
-                percent => format!("{id} (at most {percent:.0} % off)"),
-            })
-            .collect();
-        let (nearest, count) = (nearest.join(", "), found.len());
-        format!(
-            "boundary elements on surfaces like this one, at {count} of the places, the farthest at {far}: nearest in area were {nearest}"
-        )
+        let off = |id: &str| {
+            let of = |near: &Nearest<'_>| {
+                near.deviation(id).map_or([None; 2], |off| [off.area, off.stiffness])
+            };
+            found.iter().map(of).collect()
+        };
+        let nearest = ranking::nearest(far.case.models.iter().map(|(id, _)| id.as_str()), off);
+        let places = match found.len() {
+            1 => "at 1 of the places,".into(),
+            count => format!("at {count} of the places, the farthest"),
+        };
+        format!("boundary elements on surfaces like this one, {places} at {far}: {nearest}")
     }
 }
 
@@ -284,7 +290,18 @@ mod tests {
         let request = Request::new([Quantity::Area]).at_loads([100.0]);
         let advice = recommend(&scene, &request, &"ke".parse().unwrap(), 0.1).unwrap();
         let told = advice.told();
-        assert!(told.starts_with("no evidence here: plasticity_index is 29.99"), "{told}");
+        assert!(
+            told.starts_with("no evidence here: plasticity_index is 30.0: at most 6.0"),
+            "{told}"
+        );
         assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_none()));
+        let far = Request::new([Quantity::Force]).at([2.0, 30.0]);
+        let told = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().told();
+        assert!(told.starts_with("no evidence here: plasticity_index"), "{told}");
+        let far = Request::new([Quantity::Force]).at([30.0]);
+        let told = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().told();
+        assert!(told.starts_with("no evidence here: nothing touches: of all"), "{told}");
+        let refused = recommend(&scene, &request, &"ke".parse().unwrap(), 5.0).unwrap_err();
+        assert!(refused.to_string().starts_with("within is 5.0: a share above 0"), "{refused}");
     }
 }

@@ -169,7 +169,7 @@ impl Model {
     /// beside the others where they are asked for by name.
     #[must_use]
     pub fn whole_surface() -> Vec<Self> {
-        let persson = |variance| Self::known(Persson { variance });
+        let persson = |variance| Self::known(Persson { variance, ..Persson::default() });
         vec![persson(Variance::Full), persson(Variance::Fudge)]
     }
 

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use anyhow::Result;
 use asperity::Evidence;
+use asperity::bem::RandomSurface;
 use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
+use super::cases::{FULL, PIXELS_PER_WAVE, Scope};
 use crate::figures::models::{self, MARKERS, PAPER};
 use crate::table::{Field, Table};
 
@@ -138,11 +140,14 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         Shown::Area => ("Real area of the models over that of boundary elements", "Real area"),
         Shown::Stiffness => (
             "Stiffness of the models over that of boundary elements",
-            "Stiffness -dp/d(mean gap) (of boundary elements from pressures 5 % to either side; Persson's is not known here)",
+            "Stiffness -dp/d(mean gap) (of boundary elements from pressures 5 % to either side; Persson's for a power law with the same moments and Hurst exponent)",
         ),
     };
+    let Scope { pixels, seeds, waves, .. } = FULL;
+    let longest: Vec<String> = waves.iter().map(|[longest, _]| format!("1/{longest}")).collect();
+    let (longest, hurst) = (longest.join(", "), RandomSurface::HURST);
     let how = format!(
-        "{what} over the mean of 4 surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 512 × 512 pixels, shortest wave 8 pixels, longest 1/14, 1/4 and 1/2 of the side, Hurst exponent 0.8, seeds 1 to 4. AT as printed leaves the frame where its force falls as it is pressed."
+        "{what} over the mean of {seeds} surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: {pixels} × {pixels} pixels, shortest wave {PIXELS_PER_WAVE} pixels, longest {longest} of the side, Hurst exponent {hurst}, seeds 1 to {seeds}. AT as printed leaves the frame where its force falls as it is pressed."
     );
     let caveats = "One surface at p/(E g) = 10⁻³ has few contact patches: the span is wide there. The hardness of boundary elements caps the pressure at H: a contact starts to flow where Hertz' peak pressure is H, in the models where it is S·H = 0.577 H, so the same ψ yields a little later. It is the truth for a constant mean pressure H, not for elastic-plastic finite elements. The models see the surface through m₀, m₂ and m₄ alone. JG cosine and the other readings of AT are in crates/asperity/data/truth.csv, with the other random asperities.";
     let mut figure = Figure::new(title, &[&how, caveats, MARKERS], panels);

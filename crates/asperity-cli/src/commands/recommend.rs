@@ -2,47 +2,54 @@
 //! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Quantity, linspace, recommend_among};
+use asperity::{At, ContactModel, Evidence, Quantity, linspace, recommend_among};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
 use crate::ask::named;
-use crate::numbers::positive_number;
+use crate::number::rounded;
+use crate::numbers::share;
 use crate::output::{progress, say};
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Table};
 
 /// Models beside a reference, and what boundary elements say of them on surfaces like this one
 #[derive(Debug, Args)]
-#[command(
-    after_help = "Simple is, in this order: upright asperities before asperities at all angles; a
-force law of few parts before one of many; an older model before a newer one.
-The models are listed so. Deviations are the largest over the separations or
-loads, relative to the reference (differences, for logarithms and shares).
-Near the reference is not near the truth: columns .._off_bem hold how far a model
-was from boundary elements in the nearest case that was solved (random surfaces of
-alpha 3, 7, 29, elastic and psi 1, 2, 4, p/(E g) from 1e-3 to 0.2), the farthest of
-the places; .._spread is what one such surface differs from the next. Blank, with a
-note, where no case is near. `asperity truth` solves the scene's own scan.
-Unless something is given: force and area (at loads, the area) at separations of
-0:4:401 in sigma.
-
-Examples:
-  asperity recommend scene.toml
-  asperity recommend scene.toml --load 1:1000:20:log --quantity area,tangent
-  asperity recommend scene.toml --reference gao --within 0.2 --quantity force --separation 0:3:7"
-)]
+#[command(after_help = help())]
 pub struct Recommend {
     #[command(flatten)]
     asked: Asked,
     /// The model that the others are compared with [default: ke; gw where there is no hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     reference: Option<String>,
-    /// Largest relative deviation
-    #[arg(long, value_name = "X", value_parser = positive_number, default_value = "0.05")]
+    /// Largest deviation from the reference: 5%, or 0.05
+    #[arg(long, value_name = "X", value_parser = share, default_value = "5%")]
     within: f64,
     #[command(flatten)]
     output: OutputArgs,
+}
+
+/// What was solved is said by the evidence itself.
+fn help() -> String {
+    let solved = Evidence::committed().map_or_else(|e| e.to_string(), Evidence::solved);
+    format!(
+        "Simple is, in this order: upright asperities before asperities at all angles; a
+force law of few parts before one of many; an older model before a newer one.
+The models are listed so. Deviations are the largest over the separations or
+loads, relative to the reference (differences, for logarithms and shares).
+Near the reference is not near the truth: columns .._off_bem hold how far a model
+was from boundary elements in the nearest case that was solved (random surfaces of
+{solved}),
+the farthest of the places; .._spread is what one such surface differs from the next.
+Blank, with a note, where no case is near. `asperity truth` solves the scene's own scan.
+Unless something is given: force and area (at loads, the area) at separations of
+0:4:401 in sigma.
+
+Examples:
+  asperity recommend scene.toml
+  asperity recommend scene.toml --load 1:1000:20:log --quantity area,tangent
+  asperity recommend scene.toml --reference gao --within 20% --quantity force --separation 0:3:7"
+    )
 }
 
 impl Recommend {
@@ -90,11 +97,10 @@ impl Recommend {
         scene.tell(&both.iter().collect::<Vec<_>>(), &places);
         let [simplest, reference] = [&advice.simplest, &advice.reference].map(ContactModel::id);
         let asked = advice.comparisons.iter().any(|found| found.model.id() == simplest);
+        let within = rounded(100.0 * self.within);
         let chosen = match asked {
-            true => {
-                format!("{simplest} is the simplest model within {} of {reference}", self.within)
-            }
-            false => format!("none of these models is within {} of {reference}", self.within),
+            true => format!("{simplest} is the simplest model within {within} % of {reference}"),
+            false => format!("none of these models is within {within} % of {reference}"),
         };
         let order = "simplest first: upright asperities before all angles, few parts of the force law before many, old before new";
         say("note", &format!("{chosen}; {order}"));

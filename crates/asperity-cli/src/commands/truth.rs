@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use asperity::bem::{BemError, Given, Note};
-use asperity::{ContactModel, ContactState, Truth, truth};
+use asperity::bem::{Bem, BemError, Given, Note};
+use asperity::{ContactModel, ContactState, Model, Truth, told, truth};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
@@ -25,6 +25,7 @@ The stiffness of bem is a difference between pressures 5 % to either side.
 
 Examples:
   asperity truth scan.toml --pressure 1e7,1e8,1e9
+  asperity truth scan.toml --pressure 1e8 --refine
   asperity truth scan.toml --load 1000 --elastic --model gw,ke --format csv"
 )]
 pub struct TruthCommand {
@@ -38,6 +39,10 @@ pub struct TruthCommand {
     loads: Loads,
     #[command(flatten)]
     way: Way,
+    /// The answer on every second pixel as a row of its own, bem-half-grid: how far it depends on
+    /// the grid
+    #[arg(long)]
+    refine: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -72,11 +77,18 @@ impl TruthCommand {
         pressures.extend(numbers(&self.loads.loads).into_iter().map(|load| load / area));
 
         let bar = progress("truth");
-        let watch = interrupt::watch(|progress| {
-            let all = 3 * pressures.len();
-            bar.set_message(format!("truth: contact {} of {all}", progress.done + 1));
-        })?;
-        let found = truth(&scene.file.scene, &bem, &pressures, &models, watch)?;
+        let solve = |bem: &Bem, models: &[Model]| -> Result<_> {
+            let watch = interrupt::watch(|progress| {
+                let all = 3 * pressures.len();
+                bar.set_message(format!("truth: contact {} of {all}", progress.done + 1));
+            })?;
+            Ok(truth(&scene.file.scene, bem, &pressures, models, watch)?)
+        };
+        let found = solve(&bem, &models)?;
+        let half = match self.refine {
+            true => solve(&bem.half_grid()?, &[])?.into_iter().map(Result::ok).collect(),
+            false => vec![],
+        };
         drop(bar);
         let errors: Vec<String> = found
             .iter()
@@ -84,6 +96,8 @@ impl TruthCommand {
             .map(ToString::to_string)
             .collect();
         once(&errors).iter().for_each(|text| say("warning", text));
+        let half: Vec<Option<Truth>> =
+            found.iter().zip(half).filter(|(one, _)| one.is_ok()).map(|(_, half)| half).collect();
         let found: Vec<Truth> = found.into_iter().flatten().collect();
         if found.is_empty() {
             bail!("{}: no load was solved", scene.name);
@@ -93,8 +107,8 @@ impl TruthCommand {
             .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
             .collect();
         Note::summary(&notes).iter().for_each(|text| say("warning", text));
-        say("note", &nearest(&found));
-        self.output.write(&table(&found, area))?;
+        say("note", &told(&found));
+        self.output.write(&table(&found, &half, area))?;
         if interrupt::asked() {
             bail!("stopped: {} of {} loads were done", found.len(), pressures.len());
         }
@@ -102,27 +116,7 @@ impl TruthCommand {
     }
 }
 
-/// The models by their largest deviation in area, the nearest three of them.
-fn nearest(found: &[Truth]) -> String {
-    let names = found.first().map_or(&[][..], |first| &first.models);
-    let largest = |k: usize| {
-        let off =
-            |t: &Truth| t.deviation(&t.models[k].1).area_fraction.map_or(f64::INFINITY, f64::abs);
-        found.iter().map(off).fold(0.0, f64::max)
-    };
-    let mut ranked: Vec<(f64, &str)> =
-        names.iter().enumerate().map(|(k, (model, _))| (largest(k), model.id())).collect();
-    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let told = ranked.iter().filter(|(off, _)| off.is_finite()).take(3);
-    let told: Vec<String> =
-        told.map(|(off, id)| format!("{id} (at most {:.1} % off)", 100.0 * off)).collect();
-    match told.is_empty() {
-        true => "no model has an area at every load".into(),
-        false => format!("nearest to the scan in area, over these loads: {}", told.join(", ")),
-    }
-}
-
-fn table(found: &[Truth], area: f64) -> Table {
+fn table(found: &[Truth], half: &[Option<Truth>], area: f64) -> Table {
     let mut table = Table::new(&[
         "load_N",
         "pressure_Pa",
@@ -134,9 +128,10 @@ fn table(found: &[Truth], area: f64) -> Table {
         "stiffness_N_per_m",
         "stiffness_deviation",
     ]);
-    for truth in found {
+    for (k, truth) in found.iter().enumerate() {
         let models = truth.models.iter().map(|(model, state)| (model.id(), state));
-        for (id, state) in [("bem", &truth.bem)].into_iter().chain(models) {
+        let half = half.get(k).and_then(Option::as_ref).map(|half| ("bem-half-grid", &half.bem));
+        for (id, state) in [("bem", &truth.bem)].into_iter().chain(half).chain(models) {
             let deviation = truth.deviation(state);
             let numbers = |s: &ContactState| [s.area_fraction, s.mean_gap, s.stiffness];
             let both = numbers(state).into_iter().zip(numbers(&deviation));

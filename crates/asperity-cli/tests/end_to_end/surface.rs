@@ -251,6 +251,13 @@ fn scales_show_what_the_shortest_wave_changes() {
     assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
     assert!(run.words.contains("cutoff_m 1e-9: smooth is 1e-9: a length of at least two pixels"));
     for (words, said) in [
+        ("--pixel-size 2 --smooth 12", "is it in um?"),
+        ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and less than an atom"),
+    ] {
+        let run = bench.run(&format!("surface scan.txt --unit um {words}"));
+        assert!(run.code == Some(1) && run.words.contains(said), "{words}: {}", run.words);
+    }
+    for (words, said) in [
         ("--scales 6e-6 --smooth 6e-6", "cannot be used with"),
         ("--scales 6e-6 --load 5", "--with <SCENE>"),
         ("--scales 6e-6 --with scene.toml", "<--load <N>|--pressure <PA>>"),

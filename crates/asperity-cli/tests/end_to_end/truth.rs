@@ -27,11 +27,14 @@ fn models_stand_beside_boundary_elements() {
         assert_eq!([all[2], all[5]][..], column(&curve, other), "{name}");
     }
     // The nearest is named with its largest deviation.
-    let largest = |k: usize| 100.0 * deviations[k].abs().max(deviations[k + 3].abs());
-    let nearest = if largest(1) < largest(2) { ("gw", 1) } else { ("ke", 2) };
-    let said =
-        format!("area, over these loads: {} (at most {:.1} % off)", nearest.0, largest(nearest.1));
-    assert!(run.words.contains(&said), "{said}\n{}", run.words);
+    for (what, column_of) in [("area", "area_deviation"), ("stiffness", "stiffness_deviation")] {
+        let deviations = column(&run.out, column_of);
+        let largest = |k: usize| 100.0 * deviations[k].abs().max(deviations[k + 3].abs());
+        let nearest = if largest(1) < largest(2) { ("gw", 1) } else { ("ke", 2) };
+        let found = format!("{} (at most {:.0} % off)", nearest.0, largest(nearest.1));
+        let said = [format!("nearest in {what} were {found}"), format!("; in {what} {found}")];
+        assert!(said.iter().any(|said| run.words.contains(said)), "{said:?}\n{}", run.words);
+    }
 }
 
 #[test]
@@ -57,4 +60,18 @@ fn what_cannot_be_told_is_named() {
         assert!(run.words.contains(said), "{words}\n{}", run.words);
     }
     assert_eq!(bench.run("truth scan.toml").code, Some(2));
+}
+
+#[test]
+fn half_the_grid_stands_beside_it() {
+    let bench = bench();
+    let words = "truth scan.toml --pressure 9e9,1e9 --model gw --refine --format csv";
+    let run = bench.run(words);
+    assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "gw"], "{}", run.words);
+    let bem = bench.data("bem scan.toml --pressure 1e9 --refine --format csv");
+    assert_eq!(
+        column(&run.out, "area_fraction")[1..2],
+        column(&bem, "area_fraction_half_grid")[..]
+    );
+    assert!(column(&run.out, "stiffness_N_per_m")[1] > 0.0);
 }

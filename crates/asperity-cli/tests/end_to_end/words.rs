@@ -46,7 +46,7 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
     let run = bench.run("recommend soft.toml");
     assert_eq!(run.code, Some(0));
-    let said = "note: gw is the simplest model within 0.05 of ke; simplest first: upright";
+    let said = "note: gw is the simplest model within 5 % of ke; simplest first: upright";
     assert!(run.words.contains(said), "{}", run.words);
     assert!(run.words.contains("left out: gao: "));
     let data = bench.data("recommend scene.toml --format csv --reference gao --within 1e-3");
@@ -123,7 +123,7 @@ fn the_list_of_models_has_every_source() {
     );
     assert_eq!(json[3]["authors"], "Kogut & Etsion");
     let table = bench.data("models");
-    assert_eq!(table.lines().count(), 18);
+    assert_eq!(table.lines().count(), 1 + ids.len());
     assert!(table.lines().next().unwrap().contains("valid_for"), "{table}");
     assert!(table.contains("fitted to finite elements up to 110 w_c"), "{table}");
     for row in json.as_array().unwrap() {
@@ -138,7 +138,7 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
     let run = bench.run(&format!("compare scene.toml {ask} --format csv"));
     assert_eq!(run.code, Some(0), "{}", run.words);
     assert_eq!(cells(&run.out, "model"), ["persson", "persson-fudge", "gw"]);
-    let words = "persson: Persson cannot give tangent (it gives force";
+    let words = "persson: hurst_exponent is missing: the stiffness of Persson";
     assert!(run.words.contains(words), "{}", run.words);
     // erf(p/√(2V)), V = E² m₂/2: of the scene's own surface.
     let scene = bench.scene("scene.toml").scene;
@@ -148,7 +148,16 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
     assert!((area / small - 1.0).abs() < 0.01 && area < small, "{area} {small}");
     let run = bench.run("curve scene.toml --model persson --separation 1,2");
     assert_eq!(run.code, Some(1), "{}", run.out);
-    assert!(run.words.contains("at a separation (it gives them at loads)"), "{}", run.words);
+    assert!(run.words.contains("hurst_exponent is missing"), "{}", run.words);
+    // With it, there are stiffnesses, and separations lead back to loads.
+    bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_scene::template()));
+    let loads = "curve hurst.toml --model persson,persson-fudge --pressure 1e6,1e7 --format csv";
+    let data = bench.data(&format!("{loads} --quantity tangent"));
+    let (gaps, tangents) = (column(&data, "separation_m"), column(&data, "tangent_N_per_m"));
+    assert!(gaps[0] > gaps[1] && tangents[0] < tangents[1], "{data}");
+    let back = "curve hurst.toml --model persson --separation-unit m --format csv --quantity force";
+    let back = bench.data(&format!("{back} --separation {}", gaps[0]));
+    assert!((column(&back, "force_N")[0] / 100.0 - 1.0).abs() < 1e-8, "{back}");
 }
 
 #[test]
@@ -162,7 +171,7 @@ fn advice_and_tables_come_with_what_is_unusual_about_them() {
     let heavy = words("recommend scene.toml --load 3e5");
     assert!(heavy.contains("warning: area_fraction is "), "{heavy}");
     let none = words("recommend scene.toml --load 100 --model gw,ceb --within 0.01");
-    assert!(none.contains("note: none of these models is within 0.01 of ke"), "{none}");
+    assert!(none.contains("note: none of these models is within 1 % of ke"), "{none}");
     let table = words("export scene.toml --model gw --as abaqus --load 1:1e4:4");
     assert!(table.contains("yielding_share is ") && table.contains("off by up to"), "{table}");
     let whole = words("curve scene.toml --model persson --load 100 --quantity area");

@@ -17,8 +17,6 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 const FEW: f64 = 30.0;
 /// w/R beyond which an asperity is no longer a cap that is pressed a little.
 const DEEP: [f64; 2] = [0.3, 1.0];
-/// θ above which roughness hides adhesion.
-const HIDDEN: f64 = 10.0;
 /// Fewer of the contacts than this carry no per cent of a load.
 const NEGLIGIBLE: f64 = 1e-6;
 /// p/H of the models that go on rising where contacts are plastic (JG, AF) is still below this.
@@ -77,16 +75,19 @@ impl Check {
             return Ok(Self::of_totals(model, scene, at, None, totals));
         }
         let contact = model.compile(scene, &request)?;
-        // A theory of the whole surface knows no separations, and no single contacts.
         let from = crate::Datum::AsperityMean;
-        let place = match contact.separation(at) {
-            Ok(found) => Some(found.measured_in(SeparationUnit::Sigma, from, scene)?),
-            Err(ContactError::Unsupported { .. }) => None,
+        let known = |at: At| -> Result<(Separation, f64), ContactError> {
+            let found = contact.separation(at)?.measured_in(SeparationUnit::Sigma, from, scene)?;
+            Ok((found, contact.evaluate(Quantity::Contacts, found)?.value()))
+        };
+        // A theory of the whole surface knows no single contacts.
+        let (place, contacts) = match known(at) {
+            Ok((found, contacts)) => (Some(found), Some(contacts)),
+            Err(ContactError::Unsupported { .. } | ContactError::Missing { .. }) => (None, None),
             Err(error) => return Err(error),
         };
         let there = place.map_or(at, At::from);
         let of = |quantity| contact.evaluate(quantity, there).map(|found| found.value());
-        let contacts = place.map(|_| of(Quantity::Contacts)).transpose()?;
         let totals = ([of(Quantity::Force)?, of(Quantity::Area)?], contacts);
         let mut check = Self::of_totals(model, scene, at, place, totals);
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
@@ -198,6 +199,8 @@ fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool 
     let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
 }
+
+const HIDDEN: f64 = Scene::HIDES_ADHESION;
 
 /// Adhesion that a scene has and a model does not know, or knows beyond what it is derived for.
 fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {

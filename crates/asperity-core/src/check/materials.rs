@@ -10,6 +10,8 @@ const MODULUS: [f64; 2] = [3e4, 1.3e12];
 const HARDNESS: [f64; 2] = [1e5, 1.5e11];
 /// H/E: from indium and lead to ceramics and hard plastics.
 const RATIO: [f64; 2] = [3e-4, 0.3];
+/// H/E above this is of no stiff material: a modulus was given in the place of a hardness.
+const NO_HARDNESS: f64 = 2.0 * RATIO[1];
 /// Below this modulus \[Pa\], a hardness says no more than "does not yield" and may be anything near E.
 const RUBBER: f64 = 1e8;
 /// No metal has a lower modulus \[Pa\], and what has is a plastic or softer ...
@@ -153,6 +155,14 @@ impl Material {
                 ),
             };
             why += &unit.map_or(String::new(), |unit| format!(": {}", ask(value, unit, "Pa")));
+            let is_modulus = field == strength_field && unit.is_none() && modulus >= PLASTIC;
+            if is_modulus && ratio > NO_HARDNESS {
+                why += &format!(", and {} times the modulus: is it a modulus?", short(ratio));
+                let message = format!("{field} is {} Pa, {why}", short(value));
+                let usual = by_ratio.map(|r| r * modulus);
+                let (code, severity) = ("unusual-size", Severity::Error);
+                return Finding::new(code, severity, field, value, usual, message);
+            }
             let usual = match field == modulus_field {
                 _ if !within_its_own => usual,
                 true => [by_ratio[1], by_ratio[0]].map(|r| ratio * modulus / r),

@@ -30,7 +30,7 @@ from asperity._asperity import (
     Unloading,
     template,
 )
-from asperity._bem import BemContacts, TruthRow, bem, truth
+from asperity._bem import BemContacts, TruthRow, TruthRows, bem, truth
 from asperity._check import Check, Finding
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
@@ -69,6 +69,7 @@ __all__ = [
     "SweepResult",
     "Topography",
     "TruthRow",
+    "TruthRows",
     "Unloading",
     "bem",
     "export",

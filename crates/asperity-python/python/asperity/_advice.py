@@ -119,11 +119,13 @@ def recommend(
     *,
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
+    models: Sequence[str] | None = None,
 ) -> Recommendation:
     """Models beside a reference, the simplest that stays within a relative deviation of it, and how far
     each was from boundary elements on surfaces like this one.
 
-    The reference is "ke" unless given, or "gw" where the scene has no hardness.
+    The reference is ke, or gw where there is no hardness, unless one is named; ``within`` is a share,
+    0.05 for 5 %; ``models`` are those that are compared, all of them by default.
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
@@ -133,10 +135,12 @@ def recommend(
     'gw'
     """
     rows = Rows(scene, *place(separation, load, pressure, separation_unit))
-    if reference is None:
-        reference = "gw" if scene.asperity.hardness is None else "ke"
-    against, names = _model(reference), quantity_names(quantities)
-    text, simplest, evidence, found = _asperity.recommend(against, rows, names, within, rtol)
+    yields = scene.interface.hardness is not None or scene.interface.yield_strength is not None
+    against = _model(reference or ("ke" if yields else "gw"))
+    ids = None if models is None else list(models)
+    text, simplest, evidence, found = _asperity.recommend(
+        against, rows, quantity_names(quantities), within, rtol, ids
+    )
     return Recommendation(
         simplest=simplest,
         reference=against.id,

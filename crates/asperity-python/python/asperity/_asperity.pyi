@@ -307,7 +307,12 @@ def plan(
     engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
 ) -> tuple[str, _Fields]: ...
 def recommend(
-    reference: Engine, rows: _Rows, names: Sequence[str], within: _Float, rtol: _Float
+    reference: Engine,
+    rows: _Rows,
+    names: Sequence[str],
+    within: _Float,
+    rtol: _Float,
+    models: Sequence[str] | None,
 ) -> tuple[
     str,
     str,
@@ -328,7 +333,8 @@ def truth(
     elastic: bool,
     boundary: str,
     models: Sequence[str] | None,
-) -> list[tuple[float, str, _State, _State]]: ...
+    refine: bool,
+) -> tuple[list[tuple[float, str, _State, _State]], str | None]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def check_inputs(names: Sequence[str]) -> None: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...

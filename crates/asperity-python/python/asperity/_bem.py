@@ -63,6 +63,13 @@ class TruthRow(TypedDict):
     stiffness_deviation: float | None
 
 
+class TruthRows(list[TruthRow]):
+    """Rows of ``truth``."""
+
+    #: Which models were nearest to boundary elements, in a sentence; None where none was asked.
+    nearest: str | None = None
+
+
 def bem(
     surface: Topography | Scene,
     *,
@@ -145,13 +152,16 @@ def truth(
     elastic: bool = False,
     boundary: Boundary = "periodic",
     models: Sequence[str] | None = None,
-) -> list[TruthRow]:
+    refine: bool = False,
+) -> TruthRows:
     """Which model holds on this scan: each beside boundary elements on it.
 
     The scene is read from a file that names a scan ([surface] file = ...). For every pressure
     there is a row of "bem" and one of every model: all that the scene allows, or those that are
     named. Deviations are relative to bem; of the mean gap, over the rms height of the scan. What a
-    model cannot give is None. ``pandas.DataFrame(rows)`` makes a table of it.
+    model cannot give is None. ``pandas.DataFrame(rows)`` makes a table of it, ``print(rows.nearest)``
+    says which models were nearest, and with ``refine`` the rows "bem-half-grid" say how far the
+    answer depends on the grid.
     """
     if (pressure is None) == (load is None):
         raise TypeError("pressure or load was required, and not both")
@@ -161,8 +171,10 @@ def truth(
     if name == "load":
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
-    found = _asperity.truth(scene._file, pressures.tolist(), elastic, boundary, ids)
-    return [
+    found, told = _asperity.truth(
+        scene._file, pressures.tolist(), elastic, boundary, ids, refine
+    )
+    rows = TruthRows(
         TruthRow(
             pressure=at,
             model=model,
@@ -174,4 +186,6 @@ def truth(
             stiffness_deviation=deviation[2],
         )
         for at, model, state, deviation in found
-    ]
+    )
+    rows.nearest = told
+    return rows

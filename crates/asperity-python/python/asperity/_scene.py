@@ -18,7 +18,7 @@ from asperity._check import Check
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Plane: TypeAlias = Literal["asperity-mean", "surface-mean"]
-Options: TypeAlias = Mapping[str, str | Mapping[str, float]]
+Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
 #: A name, a skewness, or heights [m] and densities [1/m].
 Heights: TypeAlias = str | Mapping[str, float] | tuple[npt.ArrayLike, npt.ArrayLike]
 

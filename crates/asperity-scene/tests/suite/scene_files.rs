@@ -229,7 +229,7 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         ),
         (
             text("", INTERFACE, "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 1.4e4"),
-            &["line 9: surface.roughness_parameter is 0.024", "at least 0.02493"],
+            &["line 9: surface.bandwidth (m0 m4/m2^2) is 1.4", "at least 1.5, as of every"],
         ),
         (
             text("", INTERFACE, "[surface]\nm0 = 1\nm2 = 1\nm4 = 1\nasperity_height_std = 1"),

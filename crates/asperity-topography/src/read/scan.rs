@@ -2,6 +2,9 @@
 
 use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
 
+/// No instrument sees less \[m\].
+const ATOM: f64 = 1e-11;
+
 /// What the file says of the distance of its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PixelSize {
@@ -27,8 +30,14 @@ pub(super) struct Scan {
 impl Scan {
     /// The surface in metres.
     pub(super) fn topography(self, options: &ReadOptions) -> Result<Topography, TopographyError> {
-        let unit = self.unit(options)?.metres();
+        let named = self.unit(options)?;
+        let unit = named.metres();
         let pixel_size = self.pixel_size(options, unit)?;
+        let tiny = options.pixel_size.into_iter().flatten().find(|size| size * unit < ATOM);
+        if let Some(value) = tiny {
+            let metres = value * unit;
+            return Err(TopographyError::TinyPixel { value, unit: named, metres });
+        }
         let Self { mut heights, columns, .. } = self;
         for height in &mut heights {
             *height *= unit;
