@@ -204,14 +204,15 @@ impl Joint {
     }
 }
 
-/// Whether no double holds how many asperities are higher than this \[σ_z\]: Weibull's density may end
-/// so steeply that places there have no digits for its logarithm.
+/// Whether no double holds how many asperities are higher than this \[σ_z\]: so far out, places have no
+/// digits for the logarithms of Gauss' and Weibull's densities.
 fn nothing_above(scene: &Scene, place: f64) -> bool {
     const LN_NOTHING: f64 = -1e4;
-    match &scene.heights {
-        HeightDistribution::Weibull(heights) => {
-            place > 0.0 && heights.ln_density(place) < LN_NOTHING
-        }
-        _ => false,
-    }
+    let ln = match &scene.heights {
+        HeightDistribution::Gaussian => -0.5 * place * place,
+        HeightDistribution::Exponential => -place,
+        HeightDistribution::Weibull(heights) => heights.ln_density(place),
+        _ => return false,
+    };
+    place > 0.0 && ln < LN_NOTHING
 }

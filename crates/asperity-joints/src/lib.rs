@@ -61,6 +61,7 @@
 
 pub mod conductance;
 mod joint;
+mod lasting;
 mod left;
 mod one;
 mod path;

@@ -10,6 +10,7 @@ use asperity_core::{
 use asperity_quadrature::gauss_kronrod;
 
 use crate::UnloadingLaw;
+use crate::lasting::{lasting, turns};
 use crate::left::Left;
 
 /// What is asked of the asperity.
@@ -40,6 +41,8 @@ pub(crate) struct Loading {
     pub(crate) unloading: UnloadingLaw,
     /// w_c \[m\]; infinite where nothing yields.
     pub(crate) critical: f64,
+    /// Where δ turns \[m\].
+    turns: Vec<f64>,
 }
 
 /// At one interference w.
@@ -81,7 +84,21 @@ impl Loading {
         let (force, area) = (law_of(Quantity::Force)?, law_of(Quantity::Area)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
         let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };
-        Ok(Self { force, area, asperity, unloading, critical })
+        let mut loading = Self { force, area, asperity, unloading, critical, turns: vec![] };
+        if yields {
+            let mut found = vec![];
+            for pair in loading.breaks().windows(2) {
+                let of = |source| refused(model.name(), "pressed to", pair[0], &source);
+                found.extend(turns(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?);
+            }
+            loading.turns = found;
+        }
+        Ok(loading)
+    }
+
+    /// δ \[m\].
+    fn recovered(&self, w: f64) -> Result<f64, QuadratureError> {
+        Ok(self.pressed(w)?.recovered)
     }
 
     /// The asperity pressed to w \[m\].
@@ -142,6 +159,7 @@ impl Loading {
         for law in [&self.force, &self.area] {
             breaks.extend(law.kinks().into_iter().map(|x| x * law.interference_unit));
         }
+        breaks.extend(&self.turns);
         let fitted = self.unloading == UnloadingLaw::Etsion && self.critical.is_finite();
         breaks.extend(fitted.then_some(self.critical));
         breaks.sort_by(f64::total_cmp);
@@ -153,46 +171,7 @@ impl Loading {
 
     /// What is left of contacts from `low` on, where that has just lasted to u.
     fn left_from(&self, ends: [f64; 2], u: f64) -> Result<Option<Left>, QuadratureError> {
-        Left::new(ends, u, |w| Ok(self.pressed(w)?.recovered))
-    }
-
-    /// From which w between two breaks on the contact lasts to u, if it does: δ grows with w.
-    fn lasts_from(&self, [low, high]: [f64; 2], u: f64) -> Result<Option<f64>, QuadratureError> {
-        let lasts = |w: f64| Ok::<_, QuadratureError>(self.pressed(w)?.recovered > u);
-        if u == 0.0 {
-            return Ok(Some(low));
-        }
-        // δ is about w; far below, its formula leaves the doubles.
-        let mut low = low.max(1e-3 * u);
-        if low >= high {
-            return Ok(None);
-        }
-        if lasts(low)? {
-            return Ok(Some(low));
-        }
-        let mut last = high.next_down();
-        if high == f64::INFINITY {
-            // δ grows at least as √w: what needs more than this is out of anybody's reach.
-            last = low.max(u);
-            for _ in 0..200 {
-                if lasts(last)? {
-                    break;
-                }
-                last *= 2.0;
-            }
-        }
-        if !lasts(last)? {
-            return Ok(None);
-        }
-        while last > low.next_up() {
-            let middle = low + 0.5 * (last - low);
-            let to = if lasts(middle)? { &mut last } else { &mut low };
-            if to.to_bits() == middle.to_bits() {
-                break;
-            }
-            *to = middle;
-        }
-        Ok(Some(last))
+        Left::new(ends, u, |w| self.recovered(w))
     }
 }
 
@@ -289,11 +268,14 @@ impl<'u> Retreated<'u> {
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let start = loading.lasts_from([low, high], u);
-            let start = start.map_err(failed)?;
-            // What has lost contact has released all there was.
-            ranges.push((low, if whole { start.unwrap_or(high) } else { low }));
-            ranges.extend(start.map(|start| (start, high)));
+            let found = lasting(&|w| loading.recovered(w), [low, high], u).map_err(failed)?;
+            match found {
+                Some([from, to]) if !whole => ranges.push((from, to)),
+                // What has lost contact has released all there was.
+                Some([from, to]) => ranges.extend([(low, from), (from, to), (to, high)]),
+                None if whole => ranges.push((low, high)),
+                None => {}
+            }
         }
         ranges.retain(|(low, high)| high > low);
         // Counted from the first contact that is left: it may be far beyond what the heights at the

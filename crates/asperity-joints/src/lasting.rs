@@ -1,0 +1,133 @@
+//! Which asperities still touch after a retreat: where the way back δ(w) is longer than it.
+//!
+//! δ grows with w in most laws, but not in all: where it turns, a contact that was pressed deeper is
+//! lost earlier.
+
+use asperity_core::QuadratureError;
+
+/// δ is looked at so many places of a range for where it turns,
+const LOOKS: i32 = 128;
+/// over so many powers of ten, where the range has no end.
+const DECADES: f64 = 6.0;
+/// What δ changes by less than this is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// δ \[m\] of w \[m\].
+type Way<'d> = &'d dyn Fn(f64) -> Result<f64, QuadratureError>;
+
+/// Where δ turns between two neighbouring breaks, ascending.
+pub(crate) fn turns(delta: Way<'_>, range: [f64; 2]) -> Result<Vec<f64>, QuadratureError> {
+    let [low, high] = finite(range, 0.0);
+    // Not at the ends themselves, where δ may jump.
+    let place = |k: i32| low * (high / low).powf((f64::from(k) + 0.5) / f64::from(LOOKS));
+    let mut turns = vec![];
+    // Where the last step up or down began, and which of them it was.
+    let (mut step, mut before) = (None, (place(0), delta(place(0))?));
+    for k in 1..LOOKS {
+        let here = (place(k), delta(place(k))?);
+        if (here.1 - before.1).abs() <= ROUNDING * before.1 {
+            continue;
+        }
+        let up = here.1 > before.1;
+        if let Some((from, was_up)) = step.filter(|(_, was_up)| *was_up != up) {
+            turns.push(turn(delta, [from, here.0], was_up)?);
+        }
+        step = Some((before.0, up));
+        before = here;
+    }
+    Ok(turns)
+}
+
+/// The largest δ between two places, or the smallest, by thirds.
+fn turn(delta: Way<'_>, [mut from, mut to]: [f64; 2], most: bool) -> Result<f64, QuadratureError> {
+    for _ in 0..60 {
+        let [left, right] = [1.0, 2.0].map(|thirds| from + thirds / 3.0 * (to - from));
+        let beyond = (delta(right)? > delta(left)?) == most;
+        *(if beyond { &mut from } else { &mut to }) = if beyond { left } else { right };
+    }
+    Ok(0.5 * (from + to))
+}
+
+/// The part of a range on which δ > u, if δ only grows there, or only falls.
+pub(crate) fn lasting(
+    delta: Way<'_>,
+    range: [f64; 2],
+    u: f64,
+) -> Result<Option<[f64; 2]>, QuadratureError> {
+    if u == 0.0 {
+        return Ok(Some(range));
+    }
+    // δ is about w; far below, its formula leaves the doubles.
+    let begin = range[0].max(1e-3 * u);
+    if begin >= range[1] {
+        return Ok(None);
+    }
+    let lasts = |w: f64| Ok::<_, QuadratureError>(delta(w)? > u);
+    let mut end = finite([begin, range[1]], u)[1].next_down();
+    let first = lasts(begin)?;
+    let mut last = lasts(end)?;
+    if range[1] == f64::INFINITY && !first {
+        // δ grows at least as √w: what needs more than this is out of anybody's reach.
+        let mut doublings = 0;
+        while !last && doublings < 200 {
+            (end, doublings) = (2.0 * end, doublings + 1);
+            last = lasts(end)?;
+        }
+    }
+    Ok(match (first, last) {
+        (true, true) => Some([begin, range[1]]),
+        (false, true) => Some([change([end, begin], lasts)?, range[1]]),
+        (true, false) => Some([begin, change([begin, end], lasts)?]),
+        (false, false) => None,
+    })
+}
+
+/// The last place on the way from one that lasts to one that does not.
+fn change(
+    [mut lasting, mut lost]: [f64; 2],
+    lasts: impl Fn(f64) -> Result<bool, QuadratureError>,
+) -> Result<f64, QuadratureError> {
+    loop {
+        let middle = lost + 0.5 * (lasting - lost);
+        if [lasting, lost].iter().any(|end| end.to_bits() == middle.to_bits()) {
+            return Ok(lasting);
+        }
+        *(if lasts(middle)? { &mut lasting } else { &mut lost }) = middle;
+    }
+}
+
+/// Ends above 0 and below infinity that stand for those of a range.
+fn finite([low, high]: [f64; 2], u: f64) -> [f64; 2] {
+    let ratio = 10f64.powf(DECADES);
+    match (low > 0.0, high.is_finite()) {
+        (true, true) => [low, high],
+        (false, true) => [high / ratio, high],
+        (true, false) => [low, ratio * low.max(u)],
+        (false, false) => [1.0 / ratio, ratio],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contacts_last_where_the_way_back_is_longer_also_when_it_turns() {
+        // δ = 4 w/(1 + w)²: up to 1 at w = 1, and down again.
+        let delta = |w: f64| Ok(4.0 * w / (1.0 + w) / (1.0 + w));
+        let turns = turns(&delta, [1e-3, f64::INFINITY]).unwrap();
+        assert!(turns.len() == 1 && (turns[0] - 1.0).abs() < 1e-7, "{turns:?}");
+        // δ = 8/9 at w = 1/2 and 2.
+        let u = 8.0 / 9.0;
+        let up = lasting(&delta, [1e-3, 1.0], u).unwrap().unwrap();
+        assert!((up[0] - 0.5).abs() < 1e-14 && up[1].total_cmp(&1.0).is_eq(), "{up:?}");
+        let down = lasting(&delta, [1.0, f64::INFINITY], u).unwrap().unwrap();
+        assert!(down[0].total_cmp(&1.0).is_eq() && (down[1] - 2.0).abs() < 1e-14, "{down:?}");
+        assert!(lasting(&delta, [1e-3, 0.4], u).unwrap().is_none());
+        assert!(lasting(&delta, [2.5, f64::INFINITY], u).unwrap().is_none());
+        // Far retreats of what only grows.
+        let root = |w: f64| Ok(1e-3 * w.sqrt());
+        let far = lasting(&root, [1.0, f64::INFINITY], 10.0).unwrap().unwrap();
+        assert!((far[0] / 1e8 - 1.0).abs() < 1e-14, "{far:?}");
+    }
+}
