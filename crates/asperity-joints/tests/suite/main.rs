@@ -6,3 +6,4 @@ mod references;
 mod refusals;
 mod scenes;
 mod skewed;
+mod turning;
