@@ -182,7 +182,7 @@ fn loads_and_tensions_lead_back_to_all_their_separations() {
                 matches!(refused, ContactError::OutOfReach { largest, .. } if largest < 0.9 * least),
                 "{refused}"
             );
-            assert!(refused.to_string().contains("a tension of at most -"), "{refused}");
+            assert!(refused.to_string().contains("a load from -"), "{refused}");
         }
     }
 }

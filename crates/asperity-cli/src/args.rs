@@ -200,6 +200,9 @@ impl DrawnArgs {
 
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
+    if name.trim().is_empty() {
+        return Err("a name is empty: models are separated by single commas, as gw,ke".into());
+    }
     // No model of the registry: it belongs to the scene's scan.
     if name.trim().eq_ignore_ascii_case("bem") {
         return Ok("bem".into());

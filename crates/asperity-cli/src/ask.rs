@@ -80,7 +80,14 @@ impl<'s> Question<'s> {
             for (k, (given, at)) in places.into_iter().enumerate() {
                 let values = || response.columns.iter().map(|column| column.rows[k].as_ref());
                 // That nothing touches is among the warnings.
-                let is_new = |e: &&Box<_>| !matches!(***e, ContactError::NoValue { .. });
+                let is_new = |e: &&Box<_>| match &***e {
+                    ContactError::NoValue { .. } => false,
+                    // Nor that there are no tensions without adhesion.
+                    ContactError::OutOfRange { field: "load" | "pressure", value, .. } => {
+                        adhesive || *value >= 0.0
+                    }
+                    _ => true,
+                };
                 if let Some(reason) = values().filter_map(Result::err).find(is_new) {
                     count(&mut reasons, reason);
                 }
@@ -107,9 +114,19 @@ impl<'s> Question<'s> {
         let new =
             |warning: &Warning| !(crowded && matches!(warning, Warning::AreaAboveNominal { .. }));
         self.words.extend(warnings.filter(new).map(|warning| warning.to_string()));
-        self.words.extend(reasons.into_iter().map(|(count, reason)| match rows {
-            1 => format!("{id}: {reason}"),
-            _ => format!("{id}: no value in {count} of {rows} rows, in the first because {reason}"),
+        self.words.extend(reasons.into_iter().map(|(count, reason)| {
+            let hint = match reason {
+                ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
+                    ": jkr-separation follows surfaces as they part, and may hold more"
+                }
+                _ => "",
+            };
+            match rows {
+                1 => format!("{id}: {reason}{hint}"),
+                _ => format!(
+                    "{id}: no value in {count} of {rows} rows, in the first because {reason}{hint}"
+                ),
+            }
         }));
         Ok(())
     }

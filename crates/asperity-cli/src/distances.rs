@@ -5,7 +5,7 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
-use crate::numbers::{Numbers, Span, number, of_unit};
+use crate::numbers::{Numbers, Span, have_units, number, of_unit};
 use crate::output::say;
 
 /// What one `--separation` says: plain numbers, in the unit that the command has for them, or metres.
@@ -58,7 +58,7 @@ impl FromStr for Distances {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let metres = have_units(text)?;
+        let metres = have_units(text, metre)?;
         let Numbers(values) = Numbers::read(text, if metres { metre } else { number })?;
         Ok(Self { values, metres })
     }
@@ -71,7 +71,7 @@ impl FromStr for Distance {
         match text.contains([',', ':']) {
             true => number(text).map(|value| Self { value, metres: false }),
             false => {
-                let metres = have_units(text)?;
+                let metres = have_units(text, metre)?;
                 let value = if metres { metre(text)? } else { number(text)? };
                 Ok(Self { value, metres })
             }
@@ -83,26 +83,9 @@ impl FromStr for DistanceSpan {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let metres = have_units(text)?;
+        let metres = have_units(text, metre)?;
         let span = Span::even(text, if metres { metre } else { number })?;
         Ok(Self { span, metres })
-    }
-}
-
-/// Whether the numbers of a list, or the ends of a range, have units: all of them, or none (0 needs
-/// none).
-fn have_units(text: &str) -> Result<bool, String> {
-    let parts: Vec<&str> = match text.contains(':') {
-        true => text.split(':').take(2).collect(),
-        false => text.split(',').collect(),
-    };
-    let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
-    let units = parts.iter().any(|part| part.trim().parse::<f64>().is_err() && metre(part).is_ok());
-    match parts.iter().find(plain).filter(|_| units) {
-        Some(part) => {
-            Err(format!("{text}: {part} has no unit and others have: one for each was expected"))
-        }
-        None => Ok(units),
     }
 }
 

@@ -4,6 +4,8 @@ use std::str::FromStr;
 
 use asperity::linspace;
 
+use crate::number::exact;
+
 /// More numbers than this in one range are taken for a slip of the hand.
 const MOST: usize = 1_000_000;
 
@@ -31,6 +33,7 @@ impl FromStr for Numbers {
 impl Numbers {
     /// Numbers, each as `number` reads it.
     pub fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+        have_units(text, number)?;
         if !text.contains(':') {
             return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
         }
@@ -55,9 +58,11 @@ impl Span {
         };
         let (first, last) = (number(first)?, number(last)?);
         if first >= last {
+            let [first, last] = [first, last].map(exact);
             return Err(format!("A is {first} and B is {last}: A below B was expected"));
         }
         if !(last - first).is_finite() {
+            let [first, last] = [first, last].map(exact);
             return Err(format!("from {first} to {last} is more than a double can hold"));
         }
         let count = others.first().map(|text| match text.trim().parse() {
@@ -77,10 +82,29 @@ impl Span {
 
     /// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
     pub fn even(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+        have_units(text, number)?;
         match Self::read(text, number)? {
             Self { log: true, .. } => Err("A:B or A:B:N was expected, without log".into()),
             span => Ok(span),
         }
+    }
+}
+
+/// Whether the numbers of a list, or the ends of a range, have units: all of them, or none (0 needs
+/// none). In `1:20kN:5`, 1 may be meant in kN.
+pub fn have_units(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<bool, String> {
+    let parts: Vec<&str> = match text.contains(':') {
+        true => text.split(':').take(2).collect(),
+        false => text.split(',').collect(),
+    };
+    let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
+    let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
+    let units = parts.iter().any(has_unit);
+    match parts.iter().find(plain).filter(|_| units) {
+        Some(part) => {
+            Err(format!("{text}: {part} has no unit and others have: one for each was expected"))
+        }
+        None => Ok(units),
     }
 }
 
@@ -102,6 +126,16 @@ pub fn pressures_or_tensions(text: &str) -> Result<Numbers, String> {
 /// Forces above 0, in N or with their unit.
 pub fn loads(text: &str) -> Result<Numbers, String> {
     Numbers::read(text, load)
+}
+
+/// Forces above 0 at which a joint turns, in N or with their unit.
+pub fn turning_loads(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, |text| {
+        match of_unit(text, "N")? {
+        0.0 => Err("0 is carried wherever nothing touches: --history turns at separations, as 10, that open a joint, and loads above 0 were expected".into()),
+        load => positive(load),
+    }
+    })
 }
 
 /// Pressures above 0, in Pa or with their unit.
@@ -199,7 +233,10 @@ pub fn positive_number(text: &str) -> Result<f64, String> {
 
 /// What is above 0.
 pub fn positive(value: f64) -> Result<f64, String> {
-    if value > 0.0 { Ok(value) } else { Err(format!("{value} is not above 0, which was expected")) }
+    match value > 0.0 {
+        true => Ok(value),
+        false => Err(format!("{} is not above 0, which was expected", exact(value))),
+    }
 }
 
 #[cfg(test)]
@@ -220,11 +257,18 @@ mod tests {
         assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
         assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
         assert_eq!(loads("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
-        assert_eq!(pressures("5 MPa,1e5").unwrap().0, [5e6, 1e5]);
+        assert_eq!(pressures("5 MPa,1e5Pa").unwrap().0, [5e6, 1e5]);
         assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
         let span = Span::even("0:4", number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
-        assert_eq!(range_of_loads("10:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
+        assert_eq!(range_of_loads("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
+        for (mixed, told) in [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has")] {
+            let refused = [loads(mixed).unwrap_err(), loads_or_tensions(mixed).unwrap_err()];
+            assert!(refused.iter().all(|r| r.contains(told)), "{mixed}: {refused:?}");
+        }
+        for refused in [range_of_loads("1kN:20:5"), range_of_pressures("1:2MPa")] {
+            assert!(refused.unwrap_err().contains("has no unit and others have"));
+        }
         assert!(range_of_pressures("0:1MPa").is_err() && range_of_loads("1:2kN:3:log").is_err());
         assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
     }
@@ -258,9 +302,11 @@ mod tests {
         ] {
             assert!(numbers(bad).is_err(), "{bad}");
         }
-        assert_eq!(loads_or_tensions("-10mN,2").unwrap().0, [-0.01, 2.0]);
+        assert_eq!(loads_or_tensions("-10mN,2N").unwrap().0, [-0.01, 2.0]);
         assert!(loads_or_tensions("-1,0").is_err() && pressure_or_tension("0").is_err());
-        assert!(loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err());
+        assert!(
+            turning_loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err()
+        );
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 would be 500 %: 5% was expected, or 0.05");
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());

@@ -22,11 +22,16 @@ impl LoadedScene {
     /// Reads the file; what deserves a word is said.
     pub fn load(path: &Path) -> Result<Self> {
         let scene = Self::read(path)?;
-        let found = scene.file.findings();
+        scene.tell_findings();
+        Ok(scene)
+    }
+
+    /// Says what is unusual about the scene.
+    pub fn tell_findings(&self) {
+        let found = self.file.findings();
         for finding in found.iter().filter(|finding| finding.severity < Severity::Note) {
             say("warning", &finding.message);
         }
-        Ok(scene)
     }
 
     /// Reads the file; only what its files deserve is said.

@@ -147,14 +147,11 @@ pub enum ContactError {
         ratio: f64,
     },
     /// No separation that is looked at carries this load, or holds this tension.
-    #[error(
-        "load is {load:?} N: {} {largest:e} N, the largest force found, at {at}, was required",
-        if *load < 0.0 { "a tension of at most" } else { "a load above 0 and at most" }
-    )]
+    #[error("load is {load:?} N: {} was required", reach(*.load, *.largest, *.at))]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
-        /// The largest force found \[N\].
+        /// The largest force found, of tensions the lowest \[N\].
         largest: f64,
         /// Where it is.
         at: At,
@@ -181,6 +178,19 @@ pub enum ContactError {
         /// What the quadrature said.
         source: QuadratureError,
     },
+}
+
+fn reach(load: f64, largest: f64, at: At) -> String {
+    match (load < 0.0, largest < 0.0) {
+        (false, _) => {
+            format!("a load above 0 and at most {largest:e} N, the largest force found, at {at},")
+        }
+        (true, true) => format!("a load from {largest:e} N, the greatest tension found, at {at},"),
+        // So far below all that is held, the search ends where nothing is.
+        (true, false) => {
+            "a far smaller tension, such as surfaces hold (pull-off finds the greatest),".into()
+        }
+    }
 }
 
 fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {

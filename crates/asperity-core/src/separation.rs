@@ -164,6 +164,10 @@ pub(crate) struct Place {
 impl fmt::Display for Separation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.unit {
+            // Plain digits of numbers beyond these run long.
+            SeparationUnit::Sigma if self.value.abs() >= 1e16 => {
+                write!(f, "{:e} asperity_height_std", self.value)?;
+            }
             SeparationUnit::Sigma => write!(f, "{} asperity_height_std", self.value)?,
             SeparationUnit::Metres => write!(f, "{:e} m", self.value)?,
         }

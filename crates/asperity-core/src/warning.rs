@@ -95,7 +95,7 @@ impl fmt::Display for Warning {
                 let why = match cause_of(*quantity) {
                     Quantity::Force => "adhesion pulls the surfaces together there",
                     _ => {
-                        "the pull of adhesion grows on approach there, and a dead load is not held"
+                        "the pull of adhesion grows on approach there, and a dead load is not held: solve --all shows every separation; the smallest is the one reached when pulling"
                     }
                 };
                 write!(

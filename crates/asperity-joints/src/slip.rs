@@ -6,6 +6,9 @@ use crate::Unloading;
 use crate::one::Asked;
 use crate::root::{FARTHEST, falls_to_0};
 
+/// Beyond this retreat \[σ_z\] the integrals leave what a double can hold.
+const MOST_RETREAT: f64 = 1e100;
+
 /// A closed joint that is sheared, from virgin or in cycles.
 #[derive(Debug, Clone)]
 pub struct PartialSlip {
@@ -69,11 +72,21 @@ impl PartialSlip {
     /// the energy Q D/2 of a spring that is as stiff, from 0 for the smallest to 4/π in gross slip.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is above 0.
+    /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is above 0
+    /// and a double holds the loss.
     pub fn loss_factor(&self, amplitude: f64) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
-        let (loss, force) = (self.loss(amplitude)?, self.force(amplitude)?);
-        Ok(loss.value() / (std::f64::consts::PI * force.value() * amplitude))
+        let (loss, force) = (self.loss(amplitude)?.value(), self.force(amplitude)?.value());
+        let spring = std::f64::consts::PI * force * amplitude;
+        if loss < f64::MIN_POSITIVE || spring < f64::MIN_POSITIVE {
+            let required = "an amplitude whose loss is no less than a double holds (2.2e-308 J)";
+            return Err(ContactError::OutOfRange {
+                field: "amplitude",
+                value: amplitude,
+                required,
+            });
+        }
+        Ok(loss / spring)
     }
 
     /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1, of
@@ -115,7 +128,12 @@ impl PartialSlip {
             let required = "a finite number, at least 0,";
             return Err(ContactError::OutOfRange { field, value: shift, required });
         }
-        let mut found = self.normal.of(asked, self.retreat_per_shift * shift)?;
+        let retreat = self.retreat_per_shift * shift;
+        if retreat > MOST_RETREAT * self.normal.scene().surface.asperity_height_std {
+            let required = "one that stands for at most 1e100 asperity_height_std of retreat (4 G/(mu E) times it)";
+            return Err(ContactError::OutOfRange { field, value: shift, required });
+        }
+        let mut found = self.normal.of(asked, retreat)?;
         found.scaled *= factor;
         found.size *= factor;
         Ok(found)

@@ -8,6 +8,8 @@ use asperity_core::{
     Tolerance, positive,
 };
 
+use strsim::osa_distance;
+
 use crate::Joint;
 use crate::one::Asked;
 use crate::root::{FARTHEST, falls_to_0};
@@ -48,7 +50,10 @@ impl FromStr for UnloadingLaw {
         let wanted = name.trim().to_lowercase();
         let found = Self::ALL.into_iter().find(|law| law.to_string() == wanted);
         let known = Self::ALL.map(|law| law.to_string()).join(", ");
-        found.ok_or_else(|| format!("{name:?} is none of {known}"))
+        let mut near = Self::ALL.map(|law| law.to_string()).into_iter();
+        let near = near.find(|law| osa_distance(law, &wanted) <= 2);
+        let near = near.map_or(String::new(), |near| format!(" (did you mean {near:?}?)"));
+        found.ok_or_else(|| format!("{name:?} is none of {known}{near}"))
     }
 }
 

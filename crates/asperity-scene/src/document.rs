@@ -43,8 +43,13 @@ impl<'a> Document<'a> {
         let (span, table) = (root.span(), root.into_inner());
         let in_si = in_si(text, &table);
         document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
-        let in_si = in_si.map_err(|NoQuantity { path, found, needed }| {
-            SceneError::value(document.place(&path), shortened(&found), &needed)
+        let in_si = in_si.map_err(|NoQuantity { path, found, near, needed }| {
+            match SceneError::value(document.place(&path), shortened(&found), &needed) {
+                SceneError::Value { at, found, needed, .. } => {
+                    SceneError::Value { at, found, near, needed }
+                }
+                other => other,
+            }
         })?;
         if in_si != text {
             // The keys once more, as they stand now.
@@ -137,6 +142,7 @@ impl<'a> Document<'a> {
         let found =
             shortened(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
         let near = nearest(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
+        let near = near.or_else(|| near_table(&found, &needed));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
 
@@ -224,6 +230,18 @@ fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<S
     distances.min().filter(|(distance, _)| *distance <= allowed).map(|(_, k)| k.into())
 }
 
+/// Of tables that are allowed, as `{ skewness = -0.5 }`, the first key that begins as that of the one
+/// found, or is near to it.
+fn near_table(found: &str, needed: &str) -> Option<String> {
+    let key = |text: &str| Some(text.split_once('=')?.0.trim().to_string());
+    let given = key(found.trim_start().strip_prefix('{')?)?;
+    let known: Vec<String> = needed.split('{').skip(1).filter_map(key).collect();
+    let begun = known.iter().find(|known| given.len() > 2 && known.starts_with(&given)).cloned();
+    begun
+        .or_else(|| nearest(&given, known.iter().map(String::as_str)))
+        .filter(|near| *near != given)
+}
+
 /// The beginning of a text that may be of any length.
 pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
     match text.char_indices().nth(60) {
@@ -251,6 +269,17 @@ mod tests {
             assert_eq!(nearest(word, known).as_deref(), wanted, "{word}");
         }
         assert_eq!(nearest("x", []), None);
+        let needed = "\"gaussian\" or { skewness = -0.5 } or { file = \"pdf.csv\" }";
+        for (found, wanted) in [
+            ("{ skew = -0.6 }", Some("skewness")),
+            ("{ skewnes = -0.6 }", Some("skewness")),
+            ("{ flie = \"a\" }", Some("file")),
+            ("{ skewness = \"a\" }", None),
+            ("{ kurtosis = 3 }", None),
+            ("{}", None),
+        ] {
+            assert_eq!(near_table(found, needed).as_deref(), wanted, "{found}");
+        }
     }
 
     #[test]

@@ -10,9 +10,13 @@ use crate::template::key;
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// What a unit measures, as the template names the SI unit; the units, and the power of ten of
-/// each. Spaces, dots between units, * and ^ are left out; µ is u, and Ω ohm.
+/// each. Spaces, dots between units, * and ^ are left out; µ is u, ² is 2, and Ω ohm.
 const UNITS: [Units; 9] = [
-    ("Pa", "210 GPa", &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("N/mm2", 6), ("N/m2", 0)]),
+    (
+        "Pa",
+        "210 GPa",
+        &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
+    ),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
     ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
@@ -31,6 +35,9 @@ const UNITS: [Units; 9] = [
             ("mW/mK", -3),
             ("W/(mK)", 0),
             ("W/mK", 0),
+            ("W/m/K", 0),
+            ("kW/(mK)", 3),
+            ("kW/mK", 3),
             ("W/(cmK)", 2),
             ("W/(mmK)", 3),
         ],
@@ -47,6 +54,8 @@ pub(crate) struct NoQuantity {
     /// The key with its sections.
     pub(crate) path: String,
     pub(crate) found: String,
+    /// With a unit that differs by its case alone.
+    pub(crate) near: Option<String>,
     pub(crate) needed: String,
 }
 
@@ -97,7 +106,8 @@ fn collect(
                         let needed = format!(
                             "a number in {si} without quotes, or one with a unit as \"{example}\" ({known}),"
                         );
-                        NoQuantity { path, found: given.to_string(), needed }
+                        let near = in_other_case(given, units);
+                        NoQuantity { path, found: given.to_string(), near, needed }
                     })?;
                     found.push((value.span(), value_of));
                 }
@@ -137,8 +147,10 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
     let units = UNITS.into_iter().find(|(known, ..)| *known == si);
     units.and_then(|units| read(text, units)).ok_or_else(|| {
         let (_, example, names) = units.unwrap_or((si, "", &[]));
+        let near = units.and_then(|units| in_other_case(text, units));
+        let near = near.map_or(String::new(), |near| format!(" (did you mean {near:?}?)"));
         let (example, names) = (example.replace(' ', ""), list(names));
-        format!("{text:?} is no number in {si}, or one with a unit as {example} ({names})")
+        format!("{text:?} is no number in {si}{near}, or one with a unit as {example} ({names})")
     })
 }
 
@@ -146,11 +158,30 @@ fn list(units: &[(&str, i32)]) -> String {
     units.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ")
 }
 
-/// A number with one of the units.
-fn read(given: &str, (_, _, units): Units) -> Option<f64> {
+/// The number with the one unit that is spelled like its own in another case: 20KN is 20kN. Of two
+/// (MN, mN) neither.
+fn in_other_case(given: &str, units: Units) -> Option<String> {
+    let text = plain(given);
+    let mut alike = units.2.iter().filter_map(|(unit, _)| {
+        let start = text.len().checked_sub(unit.len())?;
+        let (number, end) = (text.get(..start)?, text.get(start..)?);
+        let same = end.eq_ignore_ascii_case(unit) && scaled(number, 0).is_some();
+        same.then(|| format!("{number}{unit}"))
+    });
+    alike.next().filter(|_| alike.next().is_none())
+}
+
+/// Without what is left out.
+fn plain(given: &str) -> String {
     let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
     let text: String = given.chars().filter(|c| !left_out(*c)).collect();
-    let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace(['\u{3a9}', '\u{2126}'], "ohm");
+    let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "2");
+    text.replace('\u{207b}', "-").replace(['\u{3a9}', '\u{2126}'], "ohm")
+}
+
+/// A number with one of the units.
+fn read(given: &str, (_, _, units): Units) -> Option<f64> {
+    let text = plain(given);
     let of = |unit: &str, power| scaled(text.strip_suffix(unit)?, power);
     units.iter().find_map(|(unit, power)| {
         // 1/mm2 may be written /mm2 or mm-2.
@@ -181,6 +212,26 @@ mod tests {
     }
 
     #[test]
+    fn units_in_another_case_are_near_misses() {
+        for (text, si, near) in [
+            ("20KN", "N", Some("20kN")),
+            ("69 Gpa", "Pa", Some("69GPa")),
+            ("2Um", "m", Some("2um")),
+            ("1 W/(m k)", "W/(m K)", Some("1W/(mK)")),
+            // Millions or thousandths.
+            ("3 mn", "N", None),
+            ("20 KP", "N", None),
+        ] {
+            let told = quantity(text, si).unwrap_err();
+            let asked = near.map(|near| format!("(did you mean {near:?}?)"));
+            match asked {
+                Some(asked) => assert!(told.contains(&asked), "{told}"),
+                None => assert!(!told.contains("did you mean"), "{told}"),
+            }
+        }
+    }
+
+    #[test]
     fn numbers_with_units_are_the_same_doubles_as_those_in_si() {
         for (text, key, meant) in [
             ("210 GPa", "youngs_modulus", 210e9),
@@ -200,6 +251,12 @@ mod tests {
             ("30 mW/(m*K)", "thermal_conductivity", 0.03),
             ("17 \u{b5}\u{3a9} cm", "electrical_resistivity", 17e-8),
             ("1.7e-7 ohm m", "electrical_resistivity", 1.7e-7),
+            ("6.1 mm\u{b2}", "nominal_area", 6.1e-6),
+            ("2 m\u{b2}", "nominal_area", 2.0),
+            ("200 mm\u{207b}\u{b2}", "asperity_density", 200e6),
+            ("50 W/m/K", "thermal_conductivity", 50.0),
+            ("0.4 kW/(m K)", "thermal_conductivity", 400.0),
+            ("2750 bar", "yield_strength", 275e6),
         ] {
             let found = value(text, key).unwrap_or_else(|| panic!("{text}"));
             assert!(found.total_cmp(&meant).is_eq(), "{text}: {found}");

@@ -1,7 +1,7 @@
 //! A joint that goes through a history of turning points: part of `asperity unload`.
 
 use anyhow::{Context, Result};
-use asperity::joints::Joint;
+use asperity::joints::{Joint, Path};
 use asperity::{At, Separation, SeparationUnit};
 use asperity_plot::Axis;
 
@@ -64,17 +64,32 @@ pub fn write(
             drawn.rows.push(row.clone());
             table.rows.push(row);
         }
-        let works: Vec<String> = path.work.iter().map(|work| rounded(*work)).collect();
-        let text = format!(
-            "{id} by {}: the ways take {} J (below 0: give back), {} J in all",
-            joint.law(),
-            works.join(", "),
-            rounded(path.work.iter().sum())
-        );
-        say("note", &text);
+        tell_work(id, joint, &path);
     }
     output.write(&table, || {
         let x = Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6);
         picture(&drawn, &x, id, joints)
     })
+}
+
+/// What the first closing and the ways after it take and give.
+fn tell_work(id: &str, joint: &Joint, path: &Path) {
+    let Some(first) = path.points.first() else { return };
+    let name = format!("{id} by {}", joint.law());
+    let first = match joint.spent(At::metres(first.separation)) {
+        Ok(spent) => spent,
+        Err(error) => {
+            return say("warning", &format!("{name}: no work: {error}"));
+        }
+    };
+    let all = rounded(first + path.work.iter().sum::<f64>());
+    let works: Vec<String> = path.work.iter().map(|work| rounded(*work)).collect();
+    let (first, works) = (rounded(first), works.join(", "));
+    let text = match &*works {
+        "" => format!("{name}: closing takes {first} J, to the one turning point"),
+        _ => format!(
+            "{name}: first closing takes {first} J, the ways after it {works} J (below 0: given back), {all} J in all"
+        ),
+    };
+    say("note", &text);
 }

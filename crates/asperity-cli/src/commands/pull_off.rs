@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use asperity::{ContactModel, Quantity, Request, SeparationUnit, pull_off};
+use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, pull_off};
 use clap::Args;
 
 use crate::args::{OutputArgs, model_id};
@@ -44,9 +44,11 @@ pub struct PullOff {
 
 impl PullOff {
     pub fn run(self) -> Result<()> {
-        let mut scene = LoadedScene::load(&self.scene)?;
+        let mut scene = LoadedScene::read(&self.scene)?;
         let work = &mut scene.file.scene.interface.work_of_adhesion;
         *work = self.work_of_adhesion.or(*work);
+        // With the work of adhesion that was given.
+        scene.tell_findings();
         let (contact, from) = (&scene.file.scene, scene.file.separation_from);
         let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
         let ids: Vec<String> = self.models.iter().map(parting).collect();
@@ -88,6 +90,7 @@ impl PullOff {
                             ),
                         );
                     }
+                    tell_left(&id, force, contact);
                     row.extend(
                         [force, force / contact.nominal_area].map(|x| Cell::Number(Some(x))),
                     );
@@ -98,6 +101,23 @@ impl PullOff {
         }
         self.output.write(&table)
     }
+}
+
+/// Says which share is left of what asperities of one height would hold.
+fn tell_left(id: &str, force: f64, scene: &Scene) {
+    // In units of pi R w_a: Johnson, Kendall & Roberts; Derjaguin, Muller & Toporov.
+    let of_one = match id {
+        "jkr-separation" => 1.5,
+        "dmt" => 2.0,
+        _ => return,
+    };
+    let Some(work) = scene.interface.work_of_adhesion else { return };
+    let of_one = of_one * std::f64::consts::PI * scene.surface.asperity_radius * work;
+    let percent = rounded(-100.0 * force / (scene.asperities() * of_one));
+    say(
+        "note",
+        &format!("{id}: roughness leaves {percent} % of what asperities of one height would hold"),
+    );
 }
 
 fn work(text: &str) -> Result<f64, String> {

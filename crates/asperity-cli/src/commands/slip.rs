@@ -71,6 +71,9 @@ impl Slip {
         let joint = Unloading::new(&named.1, &scene.file.scene, place, self.law, tolerance);
         let joint = joint.with_context(context)?;
         let slip = PartialSlip::new(&joint, self.friction).with_context(context)?;
+        // First, so that an amplitude beyond all numbers is refused by its own name.
+        let loss = rounded(slip.loss(self.amplitude).with_context(context)?.value());
+        let factor = rounded(slip.loss_factor(self.amplitude).with_context(context)?);
         let mut table = Table::new(&[
             "model",
             "shift_m",
@@ -98,11 +101,9 @@ impl Slip {
             row.extend(numbers.map(Cell::Number));
             table.rows.push(row);
         }
-        let loss = slip.loss(self.amplitude).with_context(context)?.value();
-        let factor = rounded(slip.loss_factor(self.amplitude).with_context(context)?);
         say(
             "note",
-            &format!("{id}: a cycle of this amplitude loses {loss:e} J (loss factor {factor})"),
+            &format!("{id}: a cycle of this amplitude loses {loss} J (loss factor {factor})"),
         );
         let sliding = slip.shift_at(SLIDING).with_context(context)?;
         if self.amplitude > FAR * sliding {

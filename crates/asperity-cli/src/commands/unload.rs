@@ -1,6 +1,6 @@
 //! `asperity unload`: back from the closest approach.
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
@@ -10,7 +10,7 @@ use crate::args::{Closed, DrawnArgs, separation_unit};
 use crate::commands::history;
 use crate::distances::{Distances, ask_unit};
 use crate::number::rounded;
-use crate::numbers::{Numbers, loads};
+use crate::numbers::{Numbers, turning_loads};
 use crate::output::{once, say};
 use crate::plot;
 use crate::scene::{LoadedScene, NamedModel};
@@ -42,7 +42,7 @@ Examples:
   asperity unload scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
   asperity unload scene.toml --model zmc --law hertz,brake,etsion --load 100 --retreat 0:100nm:11
   asperity unload scene.toml --model ke --pressure 5MPa --output back.csv --plot back.svg
-  asperity unload scene.toml --model ke --history-load 10,2kN,500,3kN,10 --output cycle.csv"
+  asperity unload scene.toml --model ke --history-load 10,2000,500,3000,10 --output cycle.csv"
 )]
 pub struct Unload {
     #[command(flatten)]
@@ -63,7 +63,7 @@ pub struct Unload {
     history: Option<Distances>,
     /// Turning points as loads in N, or with a unit as 2kN
     #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
-    #[arg(value_parser = loads)]
+    #[arg(value_parser = turning_loads)]
     history_load: Option<Numbers>,
     #[command(flatten)]
     output: DrawnArgs,
@@ -117,6 +117,10 @@ impl Unload {
         let mut ways = vec![];
         for joint in joints {
             let way = joint.unloading(place).with_context(context)?;
+            if way.force(0.0).with_context(context)?.value() == 0.0 {
+                let (told, at) = (context(), way.closest());
+                bail!("{told}: nothing touches at a separation of {at}: a closer one was required");
+            }
             let end = way.last_contact().with_context(context)?;
             tell_work(&model.0, joint, place, end);
             ways.push((way, end));
@@ -138,7 +142,9 @@ impl Unload {
 
     /// In metres.
     fn retreats(&self, scene: &LoadedScene, end: f64) -> Vec<f64> {
-        let Some(given) = &self.retreat else { return linspace(0.0, end, POINTS) };
+        let Some(given) = &self.retreat else {
+            return if end > 0.0 { linspace(0.0, end, POINTS) } else { vec![0.0] };
+        };
         let sigma = scene.file.scene.surface.asperity_height_std;
         let unit = given.unit(self.unit);
         ask_unit("retreat", &given.values, unit, sigma);
@@ -170,6 +176,10 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: f64) {
             );
         }
         Err(error) => say("warning", &format!("{id} by {law}: no work: {error}")),
+    }
+    if end == 0.0 {
+        let text = "fewer than one asperity touches on average at the closest approach already";
+        return say("warning", &format!("{id} by {law}: {text}"));
     }
     let end = rounded(end);
     say(

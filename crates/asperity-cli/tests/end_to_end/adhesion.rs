@@ -36,6 +36,12 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     assert!(force[1].to_bits() == found.force.value().to_bits());
     assert!(place[1].to_bits() == found.separation.value.to_bits());
     assert!(run.words.contains("note: tabor_parameter is 1733"), "{}", run.words);
+    let one = 1.5 * std::f64::consts::PI * 1e-4 * 0.05 * 1e5;
+    let (_, left) = run.words.split_once("jkr-separation: roughness leaves ").unwrap();
+    let left: f64 = left.split(' ').next().unwrap().parse().unwrap();
+    assert!((-left / 100.0 * one / force[1] - 1.0).abs() < 1e-5, "{left} % of {one} N");
+    let joules = bench.run("pull-off soft.toml --work-of-adhesion 50 --model jkr").words;
+    assert!(joules.contains("work_of_adhesion is 50 J/m2, where 0.001 to 5 is usual"), "{joules}");
     // Exponential heights, stiff: the highest are always pressed harder than the others pull.
     let stiff =
         SOFT.replace("1 MPa", "1 GPa").replace("[surface]", "[surface]\nheights = \"exponential\"");
@@ -55,7 +61,7 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
 #[test]
 fn tensions_are_loads_below_0() {
     let bench = soft();
-    let run = bench.run("curve soft.toml --model gw,jkr --load -0.01,100mN --quantity area");
+    let run = bench.run("curve soft.toml --model gw,jkr --load -10mN,100mN --quantity area");
     assert_eq!(run.code, Some(0), "{}", run.words);
     let area = cells(&run.out, "area_m2");
     assert!(area[0].is_empty() && area[1..].iter().all(|area| !area.is_empty()), "{area:?}");
@@ -64,6 +70,17 @@ fn tensions_are_loads_below_0() {
     assert!(bench.data("check soft.toml --model jkr --load -10mN").contains("-0.01"));
     let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
     assert_eq!(all.lines().count(), 3, "{all}");
+    let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").words;
+    assert!(largest.contains("--all shows every separation; the smallest is"), "{largest}");
+    let refused = bench.run("solve soft.toml --model gw --load -5").words;
+    assert!(refused.contains("gw holds no tensions") && !refused.contains("load is"), "{refused}");
+    for (load, wanted) in [("-1N", "a load from -"), ("-1kN", "a far smaller tension")] {
+        let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).words;
+        assert!(beyond.contains(wanted), "{beyond}");
+        assert!(beyond.contains("jkr-separation follows surfaces"), "{beyond}");
+    }
+    let far = bench.run("curve soft.toml --model jkr --separation 1e300").words;
+    assert!(far.contains("separation is 1e300 asperity_height_std: -1e6"), "{far}");
 }
 
 #[test]

@@ -200,9 +200,8 @@ impl Scene {
             t if t >= JKR => "jkr (jkr-separation as the surfaces part) is made for it",
             _ => "dmt (below 0.1) and jkr (above 5) are both off, and lie on both sides",
         };
-        let hidden = if theta > 10.0 { "hides all but little of it" } else { "leaves much of it" };
         let message = format!(
-            "tabor_parameter is {}: of the models with adhesion {nearer}; all others leave work_of_adhesion out; roughness {hidden} (adhesion_parameter {}, above 10 hides it)",
+            "tabor_parameter is {}: of the models with adhesion {nearer}; all others leave work_of_adhesion out; adhesion_parameter is {}: above 10 roughness hides all but little of it",
             short(tabor),
             short(theta)
         );
