@@ -127,7 +127,10 @@ impl Unload {
         }
         let retreats = self.retreats(scene, ways.iter().map(|(_, end)| *end).fold(0.0, f64::max));
         let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
-        let table = of(&retreats)?;
+        let (table, left_out) = of(&retreats)?;
+        for error in left_out {
+            say("warning", &format!("{}: a value is left out: {error}", context()));
+        }
         self.output.write(&table, || {
             let [least, most] = [f64::min, f64::max]
                 .map(|pick| retreats.iter().copied().reduce(pick).unwrap_or_default());
@@ -136,7 +139,7 @@ impl Unload {
             dense.sort_by(f64::total_cmp);
             dense.dedup();
             let x = Axis::new("retreat_m", "retreat (µm)").times(1e6);
-            picture(&of(&dense)?, &x, &model.0, joints)
+            picture(&of(&dense)?.0, &x, &model.0, joints)
         })
     }
 
@@ -190,12 +193,13 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: f64) {
     );
 }
 
+/// The table, and why values are left out of it: one reason for each way back.
 fn of_ways(
     scene: &LoadedScene,
     (id, _): &NamedModel,
     ways: &[(Unloading, f64)],
     retreats: &[f64],
-) -> Result<Table, ContactError> {
+) -> Result<(Table, Vec<ContactError>), ContactError> {
     let (contact, from) = (&scene.file.scene, scene.file.separation_from);
     let sigma = contact.surface.asperity_height_std;
     let has_area = |way: &Unloading| way.law() != UnloadingLaw::Etsion;
@@ -203,16 +207,25 @@ fn of_ways(
     let head = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
     let mut table = Table::new(&[&head[..], area, &["stiffness_N_per_m", "contacts"]].concat());
+    let mut left_out = vec![];
     for (way, _) in ways {
+        let mut reason = None;
         let closest = way.closest().measured_in(SeparationUnit::Sigma, from, contact)?.value;
         for &retreat in retreats {
-            let value = |found: Result<Evaluation, _>| Ok::<_, ContactError>(Some(found?.value()));
-            let force = way.force(retreat)?.value();
+            let mut value = |found: Result<Evaluation, ContactError>| match found {
+                Ok(found) => Ok(Some(found.value())),
+                Err(error @ ContactError::Integral { .. }) => {
+                    reason.get_or_insert(error);
+                    Ok(None)
+                }
+                Err(error) => Err(error),
+            };
+            let force = value(way.force(retreat))?;
             let mut numbers = vec![
                 Some(retreat),
                 Some(closest + retreat / sigma),
-                Some(force),
-                Some(force / contact.nominal_area),
+                force,
+                force.map(|force| force / contact.nominal_area),
             ];
             if with_area {
                 numbers.push(if has_area(way) { value(way.area(retreat))? } else { None });
@@ -222,8 +235,9 @@ fn of_ways(
             row.extend(numbers.into_iter().map(Cell::Number));
             table.rows.push(row);
         }
+        left_out.extend(reason);
     }
-    Ok(table)
+    Ok((table, left_out))
 }
 
 /// A curve for each law.
