@@ -255,7 +255,7 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         (
             text("", INTERFACE, &with("heights = { fil = \"pdf.csv\" }")),
             &[
-                "line 13: surface.heights is { fil = \"pdf.csv\" }: ",
+                "line 13: surface.heights is { fil = \"pdf.csv\" } (did you mean \"file\"?): ",
                 "or { file = \"pdf.csv\" } was",
             ],
         ),
