@@ -163,3 +163,23 @@ fn heavy_tails_and_single_asperities_are_not_confused_with_crossings_elsewhere()
         assert!((force / load - 1.0).abs() < 1e-6, "{load}: {d} {force}");
     }
 }
+
+#[test]
+fn asperities_of_a_random_surface_carry_a_load_where_they_are_asked_for_it() {
+    use asperity::{Interface, ProfileMoments, Quantity, Request, Scene, Surface};
+    let surface = Surface::from_moments(&ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 5e4 }).unwrap();
+    let scene = Scene::new(Interface::new(115e9, 0.3, 2e9), surface, 1e-4);
+    for id in ["ke-random", "jg-random", "jg-cosine-random", "etsion-random", "zmc-random"] {
+        let model: asperity::Model = id.parse().unwrap();
+        let contact = model.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        for load in [1.0, 10.0, 1000.0] {
+            let largest = contact.separation_at(load).unwrap().value;
+            let all = contact.separations_at(load).unwrap();
+            assert!((all.last().unwrap().value - largest).abs() < 1e-9, "{id}: {all:?} {largest}");
+            for at in all {
+                let force = contact.evaluate(Quantity::Force, at).unwrap().value();
+                assert!((force / load - 1.0).abs() < 1e-9, "{id} {load}: {force}");
+            }
+        }
+    }
+}

@@ -40,7 +40,10 @@ impl Target {
         curve: &mut impl ForceCurve,
         first_only: bool,
     ) -> Result<Vec<f64>, ContactError> {
-        let top = self.newton(curve, Of::Size)?.s;
+        // What is never negative is its own size, and its slope is known where that of the size is a
+        // bound.
+        let of = if self.signed { Of::Size } else { Of::Value };
+        let top = self.newton(curve, of)?.s;
         let mut found = vec![];
         if !self.signed {
             found.push(top);
