@@ -7,8 +7,8 @@ use crate::{At, Contact, ContactError, Quantity};
 
 /// Rows whose integrals are taken together: they stay in the fastest memory.
 const TOGETHER: usize = 128;
-/// Beyond this, exp(-s²/2) is no normal number, and what it is multiplied with may make it one.
-const FAR: f64 = 37.0;
+/// Below this logarithm a scale is no normal number, and what it is multiplied with may make it one.
+const LEAST: f64 = -700.0;
 /// Below this, slopes are looked at one by one.
 const DEEP: f64 = -8.0;
 
@@ -74,13 +74,14 @@ impl Compiled {
         let (mut moments, mut scales) = ([Moments::NONE; TOGETHER], [0.0; TOGETHER]);
         for (k, s) in separations.chunks(TOGETHER).enumerate() {
             let (moments, scales) = (&mut moments[..s.len()], &mut scales[..s.len()]);
-            scales.iter_mut().zip(s).for_each(|(scale, s)| *scale = scale_at(*s));
             let (mut base, mut known) = (None, false);
             for (j, (read, column)) in reads.iter().zip(columns.iter_mut()).enumerate() {
                 let out = &mut column[TOGETHER * k..][..s.len()];
                 if base != Some(read.base) {
                     base = Some(read.base);
                     known = self.channel(read.base)?.total.run(s, slopes, moments).is_some();
+                    let ln_scales = moments.iter().map(|moments| moments.ln_scale);
+                    scales.iter_mut().zip(ln_scales).for_each(|(scale, ln)| *scale = ln.exp());
                 }
                 let filled = known.then(|| read.fill(s, moments, scales, out)).flatten();
                 bound = bound.max(match filled {
@@ -110,16 +111,11 @@ impl Compiled {
     }
 }
 
-/// exp(-max(s, 0)²/2).
-fn scale_at(s: f64) -> f64 {
-    if s > 0.0 { (-0.5 * s * s).exp() } else { 1.0 }
-}
-
 impl Read {
     /// The values, and the largest bound; none where one of them is to be looked at by itself.
     fn fill(&self, s: &[f64], moments: &[Moments], scales: &[f64], out: &mut [f64]) -> Option<f64> {
         let n = usize::from(self.slope);
-        let (mut plain, mut error, mut deepest, mut farthest) = (true, 0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut plain, mut error, mut deepest, mut least) = (true, 0.0_f64, 0.0_f64, 0.0_f64);
         for (k, of) in moments.iter().enumerate() {
             let value = if self.slope { of.slope } else { of.value };
             let size = of.sizes[n];
@@ -133,9 +129,10 @@ impl Read {
             plain &= out[k].abs() >= f64::MIN_POSITIVE && out[k].abs() < f64::INFINITY;
             error = error.max(if value >= size { of.error } else { of.error * size / value.abs() });
             deepest = deepest.min(s[k]);
-            farthest = farthest.max(s[k]);
+            least = least.min(of.ln_scale);
         }
-        let plain = plain && farthest < FAR && !(self.slope && deepest < DEEP);
-        plain.then_some(error + (0.25 * farthest * farthest + 3.0) * f64::EPSILON)
+        let plain = plain && least > LEAST && !(self.slope && deepest < DEEP);
+        // The rounding of the scale's logarithm, as of one value.
+        plain.then_some(error + (0.5 * least.abs() + 3.0) * f64::EPSILON)
     }
 }
