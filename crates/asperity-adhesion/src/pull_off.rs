@@ -1,7 +1,7 @@
 //! The largest tension that rough surfaces hold.
 
 use asperity_core::{Contact, ContactError, Evaluation, Quantity, Separation};
-use asperity_quadrature::bracketed_root;
+use asperity_quadrature::{bracketed_root, fallible};
 use serde::Serialize;
 
 /// Where the force is least.
@@ -54,17 +54,7 @@ pub fn pull_off(contact: &dyn Contact) -> Result<Option<PullOff>, ContactError> 
     let looks: Vec<f64> = (0..=LOOKS).map(|k| rises(place(k))).collect::<Result<_, _>>()?;
     let mut least: Option<PullOff> = None;
     for k in (0..LOOKS).filter(|k| looks[*k] > 0.0 && looks[*k + 1] <= 0.0) {
-        let mut failed = None;
-        let rise = |s| {
-            rises(s).unwrap_or_else(|error| {
-                failed = Some(error);
-                f64::NAN
-            })
-        };
-        let root = bracketed_root(rise, place(k), place(k + 1));
-        if let Some(error) = failed {
-            return Err(error);
-        }
+        let root = fallible(rises, |rises| bracketed_root(rises, place(k), place(k + 1)))?;
         // Between a rise and a fall there is one, where no error was.
         let Some(s) = root else { continue };
         let separation = Separation::sigmas(s);

@@ -1,6 +1,6 @@
 //! Every separation that carries a load, where the force need not fall all the way.
 
-use asperity_quadrature::bracketed_root;
+use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::ContactError;
 use crate::inverse::{DEEP, ForceCurve, Of, Target};
@@ -85,12 +85,8 @@ impl Target {
         found: &mut Vec<f64>,
     ) -> Result<(), ContactError> {
         if left.value * right.value <= 0.0 {
-            let root = bracketed_root(
-                |s| self.excess(curve, s).map_or(f64::NAN, |sample| sample.value),
-                left.s,
-                right.s,
-            );
-            found.extend(root);
+            let excess = |s| Ok::<_, ContactError>(self.excess(curve, s)?.value);
+            found.extend(fallible(excess, |excess| bracketed_root(excess, left.s, right.s))?);
             return Ok(());
         }
         // Two crossings hide where the force turns towards the load between the samples.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity_core::{Form, FunctionKey, Power};
 use asperity_quadrature::{
     Discretised, Estimate, Point, QuadratureError, Sampler, Tabulated, TanhSinh, Weighted,
-    bracketed_root,
+    bracketed_root, highest, last_place,
 };
 
 use crate::{AngleDensity, nested};
@@ -153,7 +153,7 @@ fn branches(contact: &dyn ObliqueContact, range: &Range<f64>) -> (Vec<Branch>, V
         for (k, two) in seen.windows(2).enumerate() {
             let there = two[0][corner] > 0.0;
             if there != (two[1][corner] > 0.0) {
-                comings.push(y(change(|k| (at(k) > 0.0) == there, k as f64, k as f64 + 1.0)));
+                comings.push(y(last_place(|k| (at(k) > 0.0) == there, k as f64, k as f64 + 1.0)));
             }
         }
         ends.push(f64::from(SCAN));
@@ -163,38 +163,6 @@ fn branches(contact: &dyn ObliqueContact, range: &Range<f64>) -> (Vec<Branch>, V
         }
     }
     (branches, comings)
-}
-
-/// Up to where between `low` and `high` something holds, by bisection.
-fn change(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return low;
-        }
-        *(if holds(middle) { &mut low } else { &mut high }) = middle;
-    }
-}
-
-/// Where a function with one maximum between `low` and `high` has it, by golden sections.
-fn highest(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    const SECTION: f64 = 0.618_033_988_749_894_9;
-    let inside =
-        |low: f64, high: f64| (high - SECTION * (high - low), low + SECTION * (high - low));
-    let (mut a, mut b) = inside(low, high);
-    let (mut at_a, mut at_b) = (f(a), f(b));
-    while high - low > 1e-8 {
-        if at_a > at_b {
-            (high, b, at_b) = (b, a, at_a);
-            a = inside(low, high).0;
-            at_a = f(a);
-        } else {
-            (low, a, at_a) = (a, b, at_b);
-            b = inside(low, high).1;
-            at_b = f(b);
-        }
-    }
-    0.5 * (low + high)
 }
 
 /// The average over the density of contact angles, as a form with its kinks.

@@ -6,7 +6,7 @@ use asperity_core::{
     At, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution, Quantity,
     Request, Scene, Separation, SeparationUnit, Source, Tolerance,
 };
-use asperity_quadrature::gauss_kronrod;
+use asperity_quadrature::{fallible, gauss_kronrod};
 
 use crate::one::{Asked, Loading, MOST, Retreated};
 use crate::{Unloading, UnloadingLaw};
@@ -105,22 +105,13 @@ impl Joint {
     /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of the
     /// asperity heights.
     pub(crate) fn closing(&self, from: f64, to: f64) -> Result<f64, ContactError> {
-        let mut failed = None;
-        let force = |d: f64| match self.virgin.evaluate(Quantity::Force, At::metres(d)) {
-            Ok(force) => force.value(),
-            Err(error) => {
-                failed.get_or_insert(error);
-                f64::NAN
-            }
-        };
-        let found = gauss_kronrod(force, &[to, from], self.tolerance.relative(), MOST);
-        match failed {
-            Some(error) => Err(error),
-            None => found.map(|work| work.value).map_err(|source| {
-                let (quantity, at) = (Quantity::Force, At::metres(to));
-                ContactError::Integral { quantity, at, source }
-            }),
-        }
+        let quantity = Quantity::Force;
+        let force =
+            |d| Ok::<_, ContactError>(self.virgin.evaluate(quantity, At::metres(d))?.value());
+        let goal = self.tolerance.relative();
+        let work = fallible(force, |force| gauss_kronrod(force, &[to, from], goal, MOST))?;
+        let at = At::metres(to);
+        Ok(work.map_err(|source| ContactError::Integral { quantity, at, source })?.value)
     }
 
     /// The work \[J\] that yielding has taken for good, where the contact has been closed as far as

@@ -4,6 +4,7 @@
 //! lost earlier.
 
 use asperity_core::QuadratureError;
+use asperity_quadrature::{fallible, highest, last_place};
 
 /// δ is looked at so many places of a range for where it turns,
 const LOOKS: i32 = 128;
@@ -38,14 +39,10 @@ pub(crate) fn turns(delta: Way<'_>, range: [f64; 2]) -> Result<Vec<f64>, Quadrat
     Ok(turns)
 }
 
-/// The largest δ between two places, or the smallest, by thirds.
-fn turn(delta: Way<'_>, [mut from, mut to]: [f64; 2], most: bool) -> Result<f64, QuadratureError> {
-    for _ in 0..60 {
-        let [left, right] = [1.0, 2.0].map(|thirds| from + thirds / 3.0 * (to - from));
-        let beyond = (delta(right)? > delta(left)?) == most;
-        *(if beyond { &mut from } else { &mut to }) = if beyond { left } else { right };
-    }
-    Ok(0.5 * (from + to))
+/// The largest δ between two places, or the smallest.
+fn turn(delta: Way<'_>, [from, to]: [f64; 2], most: bool) -> Result<f64, QuadratureError> {
+    let sign = if most { 1.0 } else { -1.0 };
+    fallible(delta, |delta| highest(|w| sign * delta(w), from, to))
 }
 
 /// The part of a range on which δ > u, if δ only grows there, or only falls.
@@ -74,26 +71,15 @@ pub(crate) fn lasting(
             last = lasts(end)?;
         }
     }
+    let change = |[lasting, lost]: [f64; 2]| {
+        fallible(delta, |delta| last_place(|w| delta(w) > u, lasting, lost))
+    };
     Ok(match (first, last) {
         (true, true) => Some([begin, range[1]]),
-        (false, true) => Some([change([end, begin], lasts)?, range[1]]),
-        (true, false) => Some([begin, change([begin, end], lasts)?]),
+        (false, true) => Some([change([end, begin])?, range[1]]),
+        (true, false) => Some([begin, change([begin, end])?]),
         (false, false) => None,
     })
-}
-
-/// The last place on the way from one that lasts to one that does not.
-fn change(
-    [mut lasting, mut lost]: [f64; 2],
-    lasts: impl Fn(f64) -> Result<bool, QuadratureError>,
-) -> Result<f64, QuadratureError> {
-    loop {
-        let middle = lost + 0.5 * (lasting - lost);
-        if [lasting, lost].iter().any(|end| end.to_bits() == middle.to_bits()) {
-            return Ok(lasting);
-        }
-        *(if lasts(middle)? { &mut lasting } else { &mut lost }) = middle;
-    }
 }
 
 /// Ends above 0 and below infinity that stand for those of a range.

@@ -7,7 +7,7 @@ use asperity_core::{
     Asperity, AsperityModel, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
     Sampler, Source, Tolerance, positive,
 };
-use asperity_quadrature::gauss_kronrod;
+use asperity_quadrature::{fallible, gauss_kronrod};
 
 use crate::UnloadingLaw;
 use crate::lasting::{lasting, turns};
@@ -214,15 +214,9 @@ pub fn restitution(
     let failed = |source: QuadratureError| refused(model.name(), "pressed to", w, &source);
     let mut breaks: Vec<f64> = loading.breaks().into_iter().filter(|x| *x < w).collect();
     breaks.push(w);
-    let mut unsampled = None;
-    let force = |x: f64| {
-        loading.force.value(x).unwrap_or_else(|error| {
-            unsampled.get_or_insert(error);
-            f64::NAN
-        })
-    };
-    let spent = gauss_kronrod(force, &breaks, tolerance.relative(), MOST);
-    let spent = unsampled.map_or(spent, Err).map_err(failed)?;
+    let force = |x| loading.force.value(x);
+    let spent = fallible(force, |force| gauss_kronrod(force, &breaks, tolerance.relative(), MOST));
+    let spent = spent.flatten().map_err(failed)?;
     let back = loading.answer(w, f64::INFINITY, None, Asked::Returned).map_err(failed)?;
     Ok((back / spent.value).sqrt())
 }

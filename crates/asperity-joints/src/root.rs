@@ -1,7 +1,7 @@
 //! Where something that falls reaches 0, by functions that may fail.
 
 use asperity_core::ContactError;
-use asperity_quadrature::bracketed_root;
+use asperity_quadrature::{bracketed_root, fallible};
 
 /// Nothing is looked for beyond this \[σ_z\].
 pub(crate) const FARTHEST: f64 = 1e4;
@@ -22,14 +22,6 @@ pub(crate) fn falls_to_0(
             return Ok(None);
         }
     }
-    let mut failed = None;
     // An infinite fall (the logarithm of nothing) is as good as any.
-    let finite = |x| {
-        f(x).map(|y| y.max(-f64::MAX)).unwrap_or_else(|error| {
-            failed = Some(error);
-            f64::NAN
-        })
-    };
-    let root = bracketed_root(finite, low, high);
-    failed.map_or(Ok(root), Err)
+    fallible(|x| Ok(f(x)?.max(-f64::MAX)), |f| bracketed_root(f, low, high))
 }

@@ -4,7 +4,7 @@ use asperity_core::{
     At, Contact, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation,
     SeparationUnit, positive,
 };
-use asperity_quadrature::{QuadratureError, bracketed_root};
+use asperity_quadrature::{QuadratureError, bracketed_root, fallible};
 
 use crate::gap::{self, Gap};
 use crate::{Persson, Spectrum};
@@ -60,9 +60,10 @@ impl OnScene {
         let failed = integral(Quantity::Pressure, at);
         // Before a root of what is no number is looked for.
         let wanted = positive(field, wanted)?;
-        let off = |ln_b: f64| gap.mean_gap(ln_b.exp()).map_or(f64::NAN, |u| u / wanted - 1.0);
+        let off = |ln_b: f64| Ok(gap.mean_gap(ln_b.exp())? / wanted - 1.0);
         let [low, high] = LN_PRESSURES;
-        let Some(ln_b) = bracketed_root(off, low, high) else {
+        let found = fallible(off, |off| bracketed_root(off, low, high)).map_err(&failed)?;
+        let Some(ln_b) = found else {
             let required = "a mean gap that a pressure above 1e-300 E g holds open";
             return Err(ContactError::OutOfRange { field, value: wanted, required });
         };

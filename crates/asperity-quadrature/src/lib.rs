@@ -52,6 +52,6 @@ pub use kronrod::{Estimate, gauss_kronrod};
 pub use legendre::{Legendre, legendre};
 pub use nearby::Nearby;
 pub use overlap::{Cells, Overlap, Weight};
-pub use roots::bracketed_root;
+pub use roots::{bracketed_root, fallible, highest, last_place};
 pub use tanh_sinh::{Point, TanhSinh};
 pub use weight::reach;

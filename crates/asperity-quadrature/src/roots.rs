@@ -1,4 +1,23 @@
-//! A root of a continuous function between two points where its sign differs.
+//! Where a function of one number is 0, stops to hold or turns, between two places.
+
+/// Calls `of` with a function that cannot fail in place of one that may: what it returns once `f` has
+/// failed is thrown away, and the first failure comes out.
+///
+/// # Errors
+/// The first of `f`.
+pub fn fallible<T, E>(
+    mut f: impl FnMut(f64) -> Result<f64, E>,
+    of: impl FnOnce(&mut dyn FnMut(f64) -> f64) -> T,
+) -> Result<T, E> {
+    let mut first = None;
+    let found = of(&mut |x| {
+        f(x).unwrap_or_else(|error| {
+            first.get_or_insert(error);
+            f64::NAN
+        })
+    });
+    first.map_or(Ok(found), Err)
+}
 
 /// Finds x in [low, high] with f(x) = 0 to the last bits, by bisection sped up with the secant
 /// (the "Illinois" rule); `None` when the signs at both ends agree or a value is not finite.
@@ -28,6 +47,9 @@ pub fn bracketed_root(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64
         if value == 0.0 {
             return Some(x);
         }
+        if !value.is_finite() {
+            return None;
+        }
         if value.signum() * f_low.signum() > 0.0 {
             (low, f_low) = (x, value);
             if side == 1 {
@@ -45,9 +67,44 @@ pub fn bracketed_root(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64
     Some(0.5 * (low + high))
 }
 
+/// The last place on the way from one where something holds to one where it does not, by bisection:
+/// the next number does not hold.
+pub fn last_place(mut holds: impl FnMut(f64) -> bool, mut holding: f64, mut lost: f64) -> f64 {
+    loop {
+        let middle = lost + 0.5 * (holding - lost);
+        if [holding, lost].iter().any(|end| end.to_bits() == middle.to_bits()) {
+            return holding;
+        }
+        *(if holds(middle) { &mut holding } else { &mut lost }) = middle;
+    }
+}
+
+/// Where a function with one maximum between `low` and `high` has it, by golden sections, to 4e-9 of
+/// the way between them: no value tells it much better.
+pub fn highest(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    const SECTION: f64 = 0.618_033_988_749_894_9;
+    let inside =
+        |low: f64, high: f64| (high - SECTION * (high - low), low + SECTION * (high - low));
+    let (mut a, mut b) = inside(low, high);
+    let (mut at_a, mut at_b) = (f(a), f(b));
+    let narrow = 4e-9 * (high - low);
+    while high - low > narrow {
+        if at_a > at_b {
+            (high, b, at_b) = (b, a, at_a);
+            a = inside(low, high).0;
+            at_a = f(a);
+        } else {
+            (low, a, at_a) = (a, b, at_b);
+            b = inside(low, high).1;
+            at_b = f(b);
+        }
+    }
+    0.5 * (low + high)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::bracketed_root;
+    use super::*;
 
     #[test]
     fn finds_roots_and_refuses_where_there_is_none() {
@@ -57,5 +114,28 @@ mod tests {
         assert!((steep - 1e-9).abs() < 1e-15);
         assert!(bracketed_root(|x| x * x + 1.0, -1.0, 1.0).is_none());
         assert!(bracketed_root(|_| f64::NAN, -1.0, 1.0).is_none());
+        let broken = |x: f64| if x.abs() < 0.5 { f64::NAN } else { x };
+        assert!(bracketed_root(broken, -1.0, 1.0).is_none());
+    }
+
+    #[test]
+    fn what_fails_on_the_way_is_told() {
+        let f = |x: f64| if (0.5..0.9).contains(&x) { Err(x) } else { Ok(x - 0.7) };
+        let failed = fallible(f, |f| bracketed_root(f, 0.0, 1.0)).unwrap_err();
+        assert!((0.5..0.9).contains(&failed));
+        let root = fallible(|x| Ok::<_, f64>(x - 0.7), |f| bracketed_root(f, 0.0, 1.0));
+        assert_eq!(root, Ok(Some(0.7)));
+    }
+
+    #[test]
+    fn changes_and_turns_are_found_from_either_side() {
+        for (from, to) in [(0.0, 3.0), (-1.0, 7.0)] {
+            let last = last_place(|x| x * x < 2.0, from, to);
+            assert!(last * last < 2.0 && last.next_up() * last.next_up() >= 2.0, "{last}");
+        }
+        let first = last_place(|x| x * x > 2.0, 3.0, 0.0);
+        assert!(first * first > 2.0 && first.next_down() * first.next_down() <= 2.0, "{first}");
+        let top = highest(|x| x * (2.0 - x), -1.0, 5.0);
+        assert!((top - 1.0).abs() < 3e-8, "{top}");
     }
 }
