@@ -2,23 +2,15 @@
 
 use asperity_af::AbdoFarhang;
 use asperity_ceb::ChangEtsionBogy;
-use asperity_core::{
-    At, ContactModel, HeightDistribution, Interface, Quantity, Scene, Surface, TabulatedHeights,
-    Tolerance, WeibullHeights,
-};
+use asperity_core::{At, ContactModel, HeightDistribution, Quantity, Tolerance, WeibullHeights};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_joints::{Joint, UnloadingLaw};
 use asperity_ke::KogutEtsion;
 
-const SIGMA: f64 = 1e-6;
-
-fn scene() -> Scene {
-    let interface = Interface::new(116e9, 0.31, 1.12e9);
-    Scene::new(interface, Surface::new(3.6e-4, 1.1e8, SIGMA), 3e-5)
-}
+use crate::scenes::{SIGMA, flat, with_index};
 
 fn joint(model: &dyn ContactModel, skewness: f64) -> Joint {
-    let mut scene = scene();
+    let mut scene = with_index(6.0);
     scene.heights = HeightDistribution::Weibull(WeibullHeights::new(skewness).unwrap());
     Joint::new(model, &scene, UnloadingLaw::Hertz, Tolerance::default()).unwrap()
 }
@@ -75,26 +67,39 @@ fn what_has_yielded_opens_until_nothing_is_left() {
 
 #[test]
 fn flat_heights_open_up_to_the_last_contact() {
-    let points: Vec<(f64, f64)> = [-1.5, 1.5].map(|s| (s * SIGMA, 1.0 / (3.0 * SIGMA))).into();
-    let heights = TabulatedHeights::new("flat", &points).unwrap();
-    let models: [&dyn ContactModel; 3] = [&GreenwoodWilliamson, &ChangEtsionBogy, &KogutEtsion];
-    for model in models {
-        let mut scene = scene();
-        scene.heights = HeightDistribution::other(heights.clone());
-        scene.surface.asperity_height_std = heights.standard_deviation();
-        let tolerance = Tolerance::new(1e-9).unwrap();
-        let joint = Joint::new(model, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
-        for closest in [-0.5, 0.0, 0.7] {
+    let scene = flat(6.0);
+    let joint = |model: &dyn ContactModel, tolerance| {
+        Joint::new(model, &scene, UnloadingLaw::Hertz, Tolerance::new(tolerance).unwrap()).unwrap()
+    };
+    for closest in [-0.5, 0.0, 0.7] {
+        let top = (2.0 - closest) * SIGMA;
+        // Heights end at 2 σ_z: a sum of 4/3 E √R w^1.5 over those of 0 to h is 8/15 E √R h^2.5.
+        let way = joint(&GreenwoodWilliamson, 1e-9).unloading(At::metres(closest * SIGMA)).unwrap();
+        let (e, radius) = (scene.interface.equivalent_modulus, scene.surface.asperity_radius);
+        for h in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6].map(|h| h * top) {
+            let found = way.force(top - h).unwrap();
+            let hertz = 8.0 / 15.0 * e * radius.sqrt() * h.powf(2.5);
+            let wanted = scene.asperities() / (4.0 * SIGMA) * hertz;
+            // What the retreat itself, and the table's end, are rounded to.
+            let rounding = 2.5 * 8.0 * f64::EPSILON * top / h;
+            let error = (found.value() / wanted - 1.0).abs();
+            assert!(
+                error <= found.relative_error() + rounding,
+                "{closest} {h:e}: {error:e} {found:?}"
+            );
+        }
+        for model in [&ChangEtsionBogy as &dyn ContactModel, &KogutEtsion] {
+            let joint = joint(model, 1e-9);
             let way = joint.unloading(At::metres(closest * SIGMA)).unwrap();
             // To the last double at which anything touches.
-            let (mut touches, mut open) = (0.0, 3.0 * SIGMA);
+            let (mut touches, mut open) = (0.0, 4.0 * SIGMA);
             for _ in 0..80 {
                 let middle = 0.5 * (touches + open);
                 let force = way.force(middle).unwrap().value();
                 *(if force > 0.0 { &mut touches } else { &mut open }) = middle;
             }
             assert!(touches > 0.01 * SIGMA, "{} {closest} {touches}", model.name());
+            joint.table((0.0, SIGMA), 1e-5).unwrap();
         }
-        joint.table((0.0, SIGMA), 1e-5).unwrap();
     }
 }

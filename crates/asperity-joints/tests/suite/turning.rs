@@ -43,7 +43,8 @@ fn contacts_that_were_pressed_less_may_last_longer() {
             .sum();
         let wanted = sum * step / 2e-6 / (2.0 * PI).sqrt() * scene.asperities();
         let found = way.force(u).unwrap().value();
-        assert!((found / wanted - 1.0).abs() < 1e-5, "{share}: {found} {wanted}");
+        // The midpoint rule leaves some 4e-11.
+        assert!((found / wanted - 1.0).abs() < 2e-10, "{share}: {found} {wanted}");
     }
     assert!(way.force(1.001 * highest).unwrap().value() < 1e-20);
 }
