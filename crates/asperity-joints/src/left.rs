@@ -1,6 +1,7 @@
 //! What is left of a contact next to the interference at which it is lost, without cancellation.
 
 use asperity_core::QuadratureError;
+use asperity_quadrature::chebyshev_roots;
 
 /// Samples of the exponent.
 const NODES: usize = 12;
@@ -79,8 +80,7 @@ impl Left {
 
 /// Chebyshev's points of 0..1: none is 0.
 fn nodes() -> impl Iterator<Item = f64> {
-    let angle = |k: usize| std::f64::consts::PI * (2 * k + 1) as f64 / (2 * NODES) as f64;
-    (0..NODES).map(move |k| 0.5 * (1.0 + angle(k).cos()))
+    chebyshev_roots(NODES).map(|v| 0.5 + 0.5 * v)
 }
 
 #[cfg(test)]

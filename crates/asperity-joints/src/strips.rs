@@ -1,9 +1,8 @@
 //! The way back as a table of two numbers, the closest approach c and the separation d ≥ c: strips of c
 //! and cells of d - c with products of Chebyshev polynomials, halved until these have converged.
 
-use std::f64::consts::PI;
-
 use asperity_core::{At, ContactError, QuadratureError, Quantity, positive};
+use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
 use crate::one::Asked;
 use crate::{Joint, JointTable};
@@ -82,8 +81,9 @@ impl Joint {
         strips: &mut Vec<Strip>,
     ) -> Result<(), ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
-        let places: Vec<f64> =
-            nodes().map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma).collect();
+        let places: Vec<f64> = chebyshev_roots(TERMS)
+            .map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma)
+            .collect();
         let at = |u: f64| self.retreated(Asked::Force, u, &places);
         let whole = at(0.0)?.iter().fold(0.0, |m: f64, f| m.max(f.value()));
         // What is smaller than this at the largest c, too, is nothing.
@@ -114,7 +114,7 @@ impl Joint {
         let mut pending = vec![(0.0, last, 0)];
         while let Some((low, high, halved)) = pending.pop() {
             let mut samples = [[0.0; TERMS]; TERMS];
-            for (column, v) in samples.iter_mut().zip(nodes()) {
+            for (column, v) in samples.iter_mut().zip(chebyshev_roots(TERMS)) {
                 *column = values(at(low + 0.5 * (high - low) * (1.0 + v))?);
             }
             let terms = transformed(&samples);
@@ -150,11 +150,6 @@ impl Joint {
     }
 }
 
-/// cos(π (2k+1)/(2n)).
-fn nodes() -> impl Iterator<Item = f64> {
-    (0..TERMS).map(|k| (PI * (2 * k + 1) as f64 / (2 * TERMS) as f64).cos())
-}
-
 fn values(found: Vec<asperity_core::Evaluation>) -> [f64; TERMS] {
     let mut values = [0.0; TERMS];
     values.iter_mut().zip(found).for_each(|(value, found)| *value = found.value());
@@ -163,18 +158,11 @@ fn values(found: Vec<asperity_core::Evaluation>) -> [f64; TERMS] {
 
 /// From samples at the nodes, `samples[u][c]`, to the coefficients, `terms[c][u]`.
 fn transformed(samples: &[[f64; TERMS]; TERMS]) -> [[f64; TERMS]; TERMS] {
-    let term = |i: usize, k: usize| {
-        let norm = if i == 0 { 1.0 } else { 2.0 } / TERMS as f64;
-        norm * (PI * (i * (2 * k + 1)) as f64 / (2 * TERMS) as f64).cos()
-    };
+    let along: Vec<Vec<f64>> = samples.iter().map(|column| chebyshev_terms(column)).collect();
     let mut terms = [[0.0; TERMS]; TERMS];
     for (i, row) in terms.iter_mut().enumerate() {
-        for (j, coefficient) in row.iter_mut().enumerate() {
-            for (k, column) in samples.iter().enumerate() {
-                let along: f64 = column.iter().enumerate().map(|(l, f)| term(i, l) * f).sum();
-                *coefficient += term(j, k) * along;
-            }
-        }
+        let column: Vec<f64> = along.iter().map(|terms| terms[i]).collect();
+        row.copy_from_slice(&chebyshev_terms(&column));
     }
     terms
 }

@@ -4,8 +4,8 @@ use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use super::integral::{Found, Overlap, SCALED};
-use super::lobatto::chebyshev_sum;
 use super::weight::Weight;
+use crate::chebyshev::{chebyshev_roots, chebyshev_sum, chebyshev_terms};
 use crate::{Moments, QuadratureError};
 
 /// Terms of a series; the last few tell what is left,
@@ -80,12 +80,6 @@ struct Series {
     /// What the integration has left of value and slope, and the bound.
     reached: [f64; 2],
     error: f64,
-}
-
-/// The j-th Chebyshev coefficient of numbers at the roots.
-fn term(j: usize, numbers: impl Iterator<Item = f64>) -> f64 {
-    let sum: f64 = numbers.enumerate().map(|(k, f)| f * (j as f64 * angle(k)).cos()).sum();
-    sum * if j == 0 { 1.0 } else { 2.0 } / TERMS as f64
 }
 
 /// From d to v in [0, 1].
@@ -230,7 +224,7 @@ impl Cells {
             Ok((d, found))
         };
         let samples: Vec<Sample> =
-            (0..TERMS).map(|k| find(0.5 + 0.5 * angle(k).cos())).collect::<Result<_, _>>()?;
+            chebyshev_roots(TERMS).map(|v| find(0.5 + 0.5 * v)).collect::<Result<_, _>>()?;
         let (mut series, left) = Series::through(map, &samples);
         let most = |of: &dyn Fn(&Found) -> f64| {
             samples.iter().map(|(_, found)| of(found)).fold(0.0, f64::max)
@@ -254,11 +248,6 @@ impl Cells {
 
 /// The integral at one d.
 type Sample = (f64, Found);
-
-/// Of a root of the polynomial of degree TERMS.
-fn angle(k: usize) -> f64 {
-    std::f64::consts::PI * (k as f64 + 0.5) / TERMS as f64
-}
 
 impl Range {
     fn part(self, at: f64, meeting: Option<usize>, upper: bool) -> Self {
@@ -293,8 +282,8 @@ impl Series {
             let same = |f: &[f64; 4]| (f[n] - f[n + 2]).abs() <= 1e-13 * f[n + 2];
             let wanted = if numbers.iter().all(same) { vec![n] } else { vec![n, n + 2] };
             for n in wanted {
-                series.terms[n] =
-                    (0..TERMS).map(|j| term(j, numbers.iter().map(|f| f[n]))).collect();
+                let samples: Vec<f64> = numbers.iter().map(|f| f[n]).collect();
+                series.terms[n] = chebyshev_terms(&samples);
             }
         }
         let last = |n: usize| series.terms[n][TERMS - LAST..].iter().map(|t| t.abs()).sum();

@@ -61,17 +61,6 @@ pub(crate) fn centred(v: f64) -> f64 {
     (2.0 * v - 1.0) / (1.0 - 2.0 * INSET)
 }
 
-/// A Chebyshev series by Clenshaw's sum.
-#[inline]
-pub(crate) fn chebyshev_sum(terms: &[f64], y: f64) -> f64 {
-    let Some((first, rest)) = terms.split_first() else { return 0.0 };
-    let (mut now, mut before) = (0.0, 0.0);
-    for term in rest.iter().rev() {
-        (now, before) = (2.0 * y * now - before + term, now);
-    }
-    y * now - before + first
-}
-
 impl Lobatto {
     fn new() -> Self {
         let nodes: Samples =
@@ -137,6 +126,7 @@ pub(crate) fn dot(a: &Samples, b: &Samples) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::chebyshev::chebyshev_sum;
 
     #[test]
     fn polynomials_are_interpolated_differentiated_and_integrated() {

@@ -5,7 +5,8 @@ use std::sync::OnceLock;
 use nalgebra::DMatrix;
 
 use super::fit::RANGE;
-use super::lobatto::{NODES, Samples, centred, chebyshev_sum, coefficients, lobatto};
+use super::lobatto::{NODES, Samples, centred, coefficients, lobatto};
+use crate::chebyshev::chebyshev_sum;
 
 /// Terms of a series on a panel without a special end, at most; the four beyond tell its error.
 const TERMS: usize = 16;
