@@ -2,14 +2,9 @@
 
 use std::cmp::Ordering;
 
-use crate::legendre::{INSET, Legendre, legendre};
+use crate::panel::{POINTS, Panel};
 use crate::{Density, Piece, QuadratureError, Weighted};
 
-/// Points of the rule on each panel.
-const POINTS: usize = 20;
-/// Fractional powers at a panel's left end, (x-o)^p with p ≥ 0, become u^(5p+4): smooth enough
-/// for `POINTS` nodes to integrate to rounding.
-const MAP_POWER: i32 = 5;
 /// Without a known origin, panels grow by no more than this ratio.
 const RATIO: f64 = 4.0;
 /// Bisection stops here; a panel that thin carries less than any tolerance.
@@ -33,126 +28,6 @@ pub struct Discretised {
 /// And so does all bisection once the density was sampled this often: dozens of undeclared kinks
 /// take a tenth of it, and halving noise would never end.
 const MOST: usize = 200_000;
-
-/// One panel: x = origin + (v·span)^5-mapped, v in [low, high].
-struct Panel {
-    origin: f64,
-    span: f64,
-    low: f64,
-    high: f64,
-    /// Ends in x, by which the active pieces are chosen (never by the nodes).
-    ends: (f64, f64),
-    depth: u32,
-    /// How many halvings in a row have not helped.
-    stalled: u32,
-    points: [f64; POINTS],
-    masses: [f64; POINTS],
-    error: f64,
-}
-
-impl Panel {
-    fn new(origin: f64, from: f64, to: f64, ends: (f64, f64)) -> Self {
-        let span = to - origin;
-        let low = ((from - origin) / span).powf(1.0 / f64::from(MAP_POWER));
-        Self::mapped(origin, span, (low, 1.0), ends, 0)
-    }
-
-    fn mapped(
-        origin: f64,
-        span: f64,
-        (low, high): (f64, f64),
-        ends: (f64, f64),
-        depth: u32,
-    ) -> Self {
-        Self {
-            origin,
-            span,
-            low,
-            high,
-            ends,
-            depth,
-            stalled: 0,
-            points: [0.0; POINTS],
-            masses: [0.0; POINTS],
-            error: 0.0,
-        }
-    }
-
-    fn halves(&self) -> [Self; 2] {
-        let middle = 0.5 * (self.low + self.high);
-        [(self.low, middle), (middle, self.high)]
-            .map(|range| Self::mapped(self.origin, self.span, range, self.ends, self.depth + 1))
-    }
-
-    /// Samples the panel; returns the number of density evaluations.
-    fn sample(
-        &mut self,
-        density: &Density,
-        weight: &dyn Fn(f64) -> f64,
-    ) -> Result<usize, QuadratureError> {
-        let rule = legendre(POINTS);
-        let width = self.high - self.low;
-        let nodes = [INSET].into_iter().chain(rule.nodes.iter().copied()).chain([1.0 - INSET]);
-        let (mut x, mut slope) = ([0.0; POINTS + 2], [0.0; POINTS + 2]);
-        for ((x, slope), node) in x.iter_mut().zip(&mut slope).zip(nodes) {
-            let v = self.low + width * node;
-            let v4 = (v * v) * (v * v);
-            *x = self.origin + self.span * (v * v4);
-            *slope = self.span * f64::from(MAP_POWER) * v4;
-        }
-        // Kinks of formulas that are sums of powers are known: their ends need no look. Nor does the
-        // end where the map begins: next to nothing is there.
-        let (low, high) = self.ends;
-        // So are those of tables, whose own error, known only while they grow, must not decide.
-        let unknown =
-            |piece: &Piece| piece.origin.is_none() && piece.sampler.relative_error(&[]) <= 0.0;
-        let judged = density.active(low, high).any(unknown);
-        let range = match (judged, self.low > 0.0) {
-            (true, true) => 0..POINTS + 2,
-            (true, false) => 1..POINTS + 2,
-            (false, _) => 1..POINTS + 1,
-        };
-        let (mut scratch, mut values) = ([0.0; POINTS + 2], [0.0; POINTS + 2]);
-        let evaluations = density.sample(
-            self.ends,
-            &x[range.clone()],
-            &mut scratch[range.clone()],
-            &mut values[range.clone()],
-        )?;
-        for ((value, slope), &at) in values.iter_mut().zip(&slope).zip(&x) {
-            *value *= slope * weight(at);
-            if !value.is_finite() {
-                return Err(QuadratureError::NotFinite { at, value: *value });
-            }
-        }
-        let inner = 1..POINTS + 1;
-        self.points.copy_from_slice(&x[inner.clone()]);
-        self.masses.copy_from_slice(&values[inner]);
-        self.error = width * rule.error(&self.masses);
-        if judged {
-            let ends = [0, POINTS + 1].map(|k| range.contains(&k).then_some(values[k]));
-            self.error += width * hidden(rule, &self.masses, ends);
-        }
-        for (mass, w) in self.masses.iter_mut().zip(&rule.weights) {
-            *mass *= w * width;
-        }
-        Ok(evaluations)
-    }
-
-    fn size(&self) -> f64 {
-        self.masses.iter().map(|m| m.abs()).sum()
-    }
-}
-
-/// What a kink or jump beyond the outermost nodes hides, at most: the share of the panel out there
-/// times how far the function is, at its ends, from the series through the nodes.
-pub(crate) fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2]) -> f64 {
-    let largest = samples.iter().chain(ends.iter().flatten()).fold(0.0, |m: f64, f| m.max(f.abs()));
-    let rounding = 1e-12 * largest;
-    let off = |(series, value): (f64, Option<f64>)| value.map_or(0.0, |v| (series - v).abs());
-    let off = rule.at_ends(samples).into_iter().zip(ends).map(off).fold(0.0, f64::max);
-    if off > rounding { rule.nodes[0] * off } else { 0.0 }
-}
 
 /// How well masses are wanted, relative to the integral of the absolute value.
 #[derive(Debug, Clone, Copy)]

@@ -34,6 +34,7 @@ mod kronrod;
 mod legendre;
 mod nearby;
 mod overlap;
+mod panel;
 mod patch;
 mod roots;
 mod rules;
