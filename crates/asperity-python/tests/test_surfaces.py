@@ -43,6 +43,17 @@ def test_statistics_are_those_of_numpy() -> None:
     assert found["m2"] == pytest.approx((slope**2).mean(), rel=0.1)
 
 
+def test_of_a_periodic_surface_the_mean_alone_is_taken() -> None:
+    turn = 2 * np.pi * np.arange(96) / 96
+    waves = np.sin(3 * turn) + np.sin(2 * turn[:, None] + turn)
+    periodic = asperity.Topography(waves, 1.0, "um", periodic=True)
+    kept = periodic.statistics(level="none")["m4"]
+    assert periodic.statistics()["m4"] == pytest.approx(kept, rel=1e-9)
+    np.testing.assert_allclose(periodic.level().heights, periodic.heights, atol=1e-18)
+    with pytest.warns(UserWarning, match="level plane of a periodic surface"):
+        assert periodic.statistics(level="plane")["m4"] > 1.1 * kept
+
+
 def test_a_scan_becomes_a_surface_and_a_force() -> None:
     surface = asperity.Topography(HEIGHTS, 1.0, "um").surface()
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)

@@ -44,7 +44,7 @@ pub(crate) struct SurfaceKeys {
     pub(crate) unit: Option<LengthUnit>,
     pub(crate) pixel_size: Option<PixelSize>,
     pub(crate) estimator: Estimator,
-    pub(crate) level: Level,
+    pub(crate) level: Option<Level>,
     pub(crate) filter: Option<f64>,
     pub(crate) smooth: Option<f64>,
     pub(crate) periodic: bool,

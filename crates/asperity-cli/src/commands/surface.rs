@@ -47,9 +47,10 @@ pub struct Surface {
     /// their eight neighbours)
     #[arg(long, value_name = "NAME", default_value = "moments")]
     estimator: Estimator,
-    /// What is taken away before: none, plane or quadratic, by least squares
-    #[arg(long, value_name = "NAME", default_value = "plane")]
-    level: Level,
+    /// What is taken away before: none, mean, plane or quadratic, by least squares [default: plane;
+    /// mean where --periodic]
+    #[arg(long, value_name = "NAME")]
+    level: Option<Level>,
     /// Keep the roughness below this wavelength, in m (Gaussian filter, ISO 16610)
     #[arg(long, value_name = "CUTOFF", value_parser = length)]
     filter: Option<f64>,
@@ -90,6 +91,9 @@ impl Surface {
         self.check();
         for path in self.scene.iter().chain(&self.heights) {
             output::refuse_to_replace(path, self.force)?;
+        }
+        if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
+            say("warning", &tilted);
         }
         let working = progress("surface");
         if self.scales.is_asked() {
@@ -181,7 +185,7 @@ impl Surface {
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let options = ReadOptions { unit, pixel_size, max_missing };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
-        read.level(self.level).with_context(|| path.display().to_string())
+        read.levelled(self.level).with_context(|| path.display().to_string())
     }
 
     fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
@@ -196,7 +200,8 @@ impl Surface {
         let template = asperity_scene::parse(asperity_scene::template(), Path::new("."))?;
         let mut scene = template.scene;
         scene.surface = statistics.surface();
-        let mut how = format!("estimator {}, level {}", self.estimator, self.level);
+        let level = self.level.unwrap_or(Level::usual(self.periodic));
+        let mut how = format!("estimator {}, level {level}", self.estimator);
         for (what, cutoff) in [("smooth", self.smooth), ("filter", self.filter)] {
             how += &cutoff.map_or(String::new(), |cutoff| format!(", {what} {cutoff} m"));
         }

@@ -77,7 +77,7 @@ def bem(
     load: npt.ArrayLike | None = None,
     gap: npt.ArrayLike | None = None,
     interface: Interface | None = None,
-    level: str = "plane",
+    level: str | None = None,
     elastic: bool = False,
     boundary: Boundary = "periodic",
     maps: bool = True,
@@ -94,8 +94,8 @@ def bem(
         scan, or mean gaps [m].
     interface : Interface
         The two bodies; for a Topography, which has none.
-    level : "plane", "quadratic" or "none"
-        What is taken from a Topography before.
+    level : "plane", "quadratic", "mean" or "none"
+        What is taken from a Topography before; unless given the plane, of a periodic one the mean.
     elastic : bool
         No hardness: pressures may grow without end.
     boundary : "periodic" or "free"

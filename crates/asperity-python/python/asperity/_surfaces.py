@@ -25,7 +25,7 @@ class Topography(_asperity.Topography):
     """
 
     def surface(
-        self, level: str = "plane", estimator: str = "moments", cutoff: float | None = None
+        self, level: str | None = None, estimator: str = "moments", cutoff: float | None = None
     ) -> Surface:
         """The equivalent rough surface of this one on a flat; see ``statistics``."""
         return Surface(**self._surface(level, estimator, cutoff))
@@ -35,8 +35,9 @@ class Topography(_asperity.Topography):
         their moments add."""
         return Surface(**self._against(other))
 
-    def level(self, form: str = "plane") -> Topography:
-        """The same surface without its "plane" or "quadratic" form, by least squares."""
+    def level(self, form: str | None = None) -> Topography:
+        """The same surface without its "mean", "plane" or "quadratic" form, by least squares; unless
+        it is given the plane, of a periodic surface the mean."""
         return self._of(self._levelled(form))
 
     def filter(self, cutoff: float) -> Topography:
