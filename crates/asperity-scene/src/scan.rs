@@ -89,6 +89,22 @@ mod tests {
     }
 
     #[test]
+    fn a_hurst_exponent_beside_a_scan_counts_and_is_told() {
+        let own = scene("file = \"scan.txt\"");
+        let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
+        let told = "line 11: options.hurst_exponent: with it persson and persson-fudge take";
+        assert!(own.warnings.iter().all(|word| !word.contains("hurst")));
+        assert!(given.warnings.iter().any(|word| word.starts_with(told)), "{:?}", given.warnings);
+        let request =
+            asperity::Request::new([asperity::Quantity::Tangent]).at([asperity::At::Pressure(1e8)]);
+        let [a, b] = [own, given].map(|file| {
+            let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();
+            answer.columns[0].rows[0].as_ref().unwrap().value()
+        });
+        assert!((a / b - 1.0).abs() > 1e-3, "{a} {b}");
+    }
+
+    #[test]
     fn the_scan_is_levelled_and_goes_with_its_surface() {
         let file = scene("file = \"scan.txt\"");
         let levelled = scan().level(asperity_topography::Level::Plane).unwrap();
