@@ -52,7 +52,12 @@ impl Scan<'_> {
             Self::Topography(topography, interface, level) => {
                 let level = topography.level(py, level.as_deref())?;
                 let levelled = topography.0.clone().levelled(level).map_err(value_error)?;
-                let map = asperity_scene::height_map(&levelled).map_err(value_error)?;
+                let map = asperity_scene::height_map(&levelled).map_err(|error| {
+                    match levelled.missing_share() > 0.0 {
+                        true => value_error(format!("{error}: Topography.fill() does it")),
+                        false => value_error(error),
+                    }
+                })?;
                 Ok((Bem::new(map, boundary, elastic), (*interface).into()))
             }
         }

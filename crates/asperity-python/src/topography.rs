@@ -120,6 +120,12 @@ impl Topography {
         self.changed(py, |surface| surface.levelled(level))
     }
 
+    /// The same surface with heights where points are missing.
+    #[pyo3(name = "_filled")]
+    fn filled(&self, py: Python<'_>) -> PyResult<Self> {
+        self.changed(py, asperity_topography::Topography::fill)
+    }
+
     /// The same surface without waves that are longer than a cut-off [m].
     #[pyo3(name = "_filtered")]
     fn filtered(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {

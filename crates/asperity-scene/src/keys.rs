@@ -49,6 +49,7 @@ pub(crate) struct SurfaceKeys {
     pub(crate) smooth: Option<f64>,
     pub(crate) periodic: bool,
     pub(crate) max_missing: Option<f64>,
+    pub(crate) fill_missing: bool,
     pub(crate) separation_from: Datum,
     pub(crate) heights: HeightsKey,
     pub(crate) asperities: Option<Asperities>,

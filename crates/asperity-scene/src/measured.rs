@@ -132,9 +132,12 @@ fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> 
     Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
 }
 
-/// Levelled and filtered.
+/// Levelled, filled and filtered.
 fn prepared(read: Topography, keys: &SurfaceKeys) -> Result<Topography, TopographyError> {
     let mut topography = read.with_periodic(keys.periodic).levelled(keys.level)?;
+    if keys.fill_missing {
+        topography = topography.fill()?;
+    }
     if let Some(cutoff) = keys.smooth {
         topography = topography.smooth(cutoff)?;
     }

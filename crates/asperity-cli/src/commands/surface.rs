@@ -63,6 +63,10 @@ pub struct Surface {
     /// Largest share of missing points that is accepted
     #[arg(long, value_name = "SHARE", value_parser = number, default_value = "0.1")]
     max_missing: f64,
+    /// Fill missing points, up to 5 % of all, from those around them (harmonic: each the mean of its
+    /// neighbours)
+    #[arg(long)]
+    fill_missing: bool,
     #[command(flatten)]
     output: OutputArgs,
     /// Write a scene with this surface, ready to run: put your materials into it
@@ -170,7 +174,7 @@ impl Surface {
         self.scales.table(&surface, self.estimator, finish)
     }
 
-    /// Read, levelled and filtered.
+    /// Read, levelled, filled and filtered.
     fn prepared(&self, path: &Path) -> Result<Topography> {
         let mut surface = self.levelled(path)?;
         let of = || path.display().to_string();
@@ -185,7 +189,9 @@ impl Surface {
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let options = ReadOptions { unit, pixel_size, max_missing };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
-        read.levelled(self.level).with_context(|| path.display().to_string())
+        let levelled = read.levelled(self.level);
+        let filled = if self.fill_missing { levelled.and_then(Topography::fill) } else { levelled };
+        filled.with_context(|| path.display().to_string())
     }
 
     fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
@@ -202,6 +208,9 @@ impl Surface {
         scene.surface = statistics.surface();
         let level = self.level.unwrap_or(Level::usual(self.periodic));
         let mut how = format!("estimator {}, level {level}", self.estimator);
+        if self.fill_missing {
+            how += ", missing points filled";
+        }
         for (what, cutoff) in [("smooth", self.smooth), ("filter", self.filter)] {
             how += &cutoff.map_or(String::new(), |cutoff| format!(", {what} {cutoff} m"));
         }
