@@ -57,6 +57,22 @@ pub enum Warning {
     },
 }
 
+impl Warning {
+    /// Whether it is about the asperities that are made of the surface, and not about the surface.
+    #[must_use]
+    pub fn is_of_asperities(&self) -> bool {
+        match self {
+            Self::RoughnessParameter { .. }
+            | Self::EstimatorsDisagree { .. }
+            | Self::NoSecondEstimator { .. }
+            | Self::SummitsFollowSampling { .. } => true,
+            Self::CurvatureFollowsSampling { .. }
+            | Self::Filled { .. }
+            | Self::Anisotropic { .. } => false,
+        }
+    }
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
