@@ -201,6 +201,8 @@ pub(crate) fn truth(
         .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
         .collect();
     Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
+    let refused = found.iter().flat_map(|truth| &truth.refused);
+    refused.map(|(_, why)| &why.message).try_for_each(|why| warn(py, why, 1))?;
     let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
     let rows = |(k, truth): (usize, &Truth)| -> Vec<Row> {
         let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));

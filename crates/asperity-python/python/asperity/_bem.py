@@ -159,7 +159,8 @@ def truth(
     The scene is read from a file that names a scan ([surface] file = ...). For every pressure
     there is a row of "bem" and one of every model: all that the scene allows, or those that are
     named. Deviations are relative to bem; of the mean gap, over the rms height of the scan. What a
-    model cannot give is None. ``pandas.DataFrame(rows)`` makes a table of it, ``print(rows.nearest)``
+    model cannot give is None, and so are, with a warning, all numbers of one that would need more
+    area than there is, or more pressure on it than 1.5 times the hardness. ``pandas.DataFrame(rows)`` makes a table of it, ``print(rows.nearest)``
     says which models were nearest, and with ``refine`` the rows "bem-half-grid" say how far the
     answer depends on the grid.
     """
