@@ -62,15 +62,24 @@ impl Bem {
         Ok(Self { map: self.map.half_grid()?, ..self.clone() })
     }
 
+    /// What caps the pressures of these bodies \[Pa\]; nothing where all is elastic.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field of the interface that is out of range or missing.
+    pub fn hardness(&self, interface: &Interface) -> Result<Option<f64>, ContactError> {
+        let (hardness, ..) = interface.check()?;
+        Ok(hardness.filter(|_| !self.elastic))
+    }
+
     /// The solver for these bodies.
     ///
     /// # Errors
     /// [`ContactError`] naming the field of the interface that is out of range or missing.
     pub fn elements(&self, interface: &Interface) -> Result<BoundaryElements, ContactError> {
-        let (hardness, ..) = interface.check()?;
+        let hardness = self.hardness(interface)?;
         let elements = BoundaryElements::new(self.map.clone(), interface.equivalent_modulus);
         let elements = elements.map_err(refused)?.boundary(self.boundary);
-        match hardness.filter(|_| !self.elastic) {
+        match hardness {
             Some(hardness) => elements.hardness(hardness).map_err(refused),
             // What has no hardness is elastic.
             None => Ok(elements),
@@ -98,7 +107,7 @@ impl ContactModel for Bem {
 
     fn claims(&self) -> Claims {
         let valid_for = "the scan as it is, at small slopes; the hardness is a cap of the pressure";
-        Claims::default().without_hertz_limit().valid_for(valid_for)
+        Claims::without_asperities().valid_for(valid_for)
     }
 
     /// Solves the request's places, one from the other; others are solved when they are asked for.

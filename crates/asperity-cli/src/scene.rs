@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use asperity::{At, ContactError, ContactModel, Model, Quantity, Request, Severity};
+use asperity::{At, ContactError, ContactModel, Finding, Model, Quantity, Request, Severity};
 use asperity_scene::{LeftOut, SceneFile};
 
 use crate::ask::tell;
@@ -21,25 +21,49 @@ pub type NamedModel = (String, Model);
 impl LoadedScene {
     /// Reads the file; what deserves a word is said.
     pub fn load(path: &Path) -> Result<Self> {
-        let scene = Self::read(path)?;
-        scene.tell_findings();
+        Self::load_for(path, &[])
+    }
+
+    /// Reads the file for these models: where none of them knows asperities, what is said is not of
+    /// them.
+    pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
+        let knows = |id: &String| id.parse().map_or(id != "bem", |m: Model| m.claims().asperities);
+        let asperities = ids.is_empty() || ids.iter().any(knows);
+        let scene = Self::open(path)?;
+        scene.tell_files(asperities);
+        scene.tell_findings(asperities);
         Ok(scene)
     }
 
-    /// Says what is unusual about the scene.
-    pub fn tell_findings(&self) {
+    /// Says what is unusual about the scene; what is so about its asperities only where they matter.
+    pub fn tell_findings(&self, asperities: bool) {
         let found = self.file.findings();
-        for finding in found.iter().filter(|finding| finding.severity < Severity::Note) {
-            say("warning", &finding.message);
-        }
+        let matters =
+            |f: &&Finding| f.severity < Severity::Note && (asperities || !f.is_of_asperities());
+        found.iter().filter(matters).for_each(|finding| say("warning", &finding.message));
+    }
+
+    /// Says what the files of the scene deserve.
+    fn tell_files(&self, asperities: bool) {
+        let of_scan = self.file.measured.iter().flat_map(|m| &m.statistics.warnings);
+        let left_out: Vec<String> = of_scan
+            .filter(|warning| !asperities && warning.is_of_asperities())
+            .map(ToString::to_string)
+            .collect();
+        let told = |word: &&String| !left_out.iter().any(|out| word.ends_with(out));
+        self.file.warnings.iter().filter(told).for_each(|warning| say("warning", warning));
     }
 
     /// Reads the file; only what its files deserve is said.
     pub fn read(path: &Path) -> Result<Self> {
+        let scene = Self::open(path)?;
+        scene.tell_files(true);
+        Ok(scene)
+    }
+
+    fn open(path: &Path) -> Result<Self> {
         output::keep(path);
-        let file = asperity_scene::load(path)?;
-        file.warnings.iter().for_each(|warning| say("warning", warning));
-        Ok(Self { file, name: path.display().to_string() })
+        Ok(Self { file: asperity_scene::load(path)?, name: path.display().to_string() })
     }
 
     /// Says what is unusual about the answers of models at places.

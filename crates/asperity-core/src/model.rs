@@ -54,6 +54,9 @@ pub struct Claims {
     /// The ratio to Hertz' law for vanishing interference: 1, except where normals are spread
     /// over angles. `None` where there is none.
     pub hertz_limit: Option<f64>,
+    /// The surface is one of asperities that touch alone: false for theories of the whole surface, which
+    /// are made for areas of any size.
+    pub asperities: bool,
     /// Contact normals are spread over angles.
     pub angles: bool,
     /// The surfaces attract each other: forces may be negative, and jump where a contact begins.
@@ -85,6 +88,7 @@ impl Default for Claims {
         Self {
             force_monotone: true,
             hertz_limit: Some(1.0),
+            asperities: true,
             angles: false,
             adhesive: false,
             tabor: None,
@@ -106,6 +110,12 @@ impl Claims {
     #[must_use]
     pub fn without_hertz_limit(self) -> Self {
         Self { hertz_limit: None, ..self }
+    }
+
+    /// The model is one of the whole surface: no asperity has a law, and none a limit.
+    #[must_use]
+    pub fn without_asperities() -> Self {
+        Self { asperities: false, ..Self::default().without_hertz_limit() }
     }
 
     /// Contact normals are spread over angles: no limit, and the force may fall.

@@ -24,7 +24,7 @@ pub fn measure(name: &str, bytes: &[u8]) {
     };
     for options in [stated, given] {
         let Ok(surface) = read_bytes(name, bytes, &options) else { continue };
-        for level in [Level::None, Level::Plane, Level::Quadratic] {
+        for level in [Level::None, Level::Mean, Level::Plane, Level::Quadratic] {
             let Ok(levelled) = surface.clone().level(level) else { continue };
             for estimator in [Estimator::Moments, Estimator::Summits] {
                 if let Ok(statistics) = levelled.statistics(estimator) {

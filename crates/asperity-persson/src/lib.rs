@@ -109,7 +109,7 @@ impl ContactModel for Persson {
     }
 
     fn claims(&self) -> Claims {
-        Claims::default().without_hertz_limit().valid_for(
+        Claims::without_asperities().valid_for(
             "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent",
         )
     }

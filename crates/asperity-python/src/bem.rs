@@ -7,7 +7,6 @@ use std::time::Duration;
 
 use asperity::bem::{Bem, Boundary, Given, Note, Solution};
 use asperity::{ContactModel, ContactState, Model, Truth};
-use asperity_topography::Level;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -26,11 +25,16 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 #[derive(FromPyObject)]
 pub(crate) enum Scan<'py> {
     Scene(PyRef<'py, SceneFile>),
-    Topography(PyRef<'py, Topography>, Interface, String),
+    Topography(PyRef<'py, Topography>, Interface, Option<String>),
 }
 
 impl Scan<'_> {
-    fn bem(&self, boundary: &str, elastic: bool) -> PyResult<(Bem, asperity::Interface)> {
+    fn bem(
+        &self,
+        py: Python<'_>,
+        boundary: &str,
+        elastic: bool,
+    ) -> PyResult<(Bem, asperity::Interface)> {
         let boundary = match boundary {
             "periodic" => Boundary::Periodic,
             "free" => Boundary::Free,
@@ -46,9 +50,14 @@ impl Scan<'_> {
                 Ok((bem, file.0.scene.interface))
             }
             Self::Topography(topography, interface, level) => {
-                let level = level.parse::<Level>().map_err(value_error)?;
-                let levelled = topography.0.clone().level(level).map_err(value_error)?;
-                let map = asperity_scene::height_map(&levelled).map_err(value_error)?;
+                let level = topography.level(py, level.as_deref())?;
+                let levelled = topography.0.clone().levelled(level).map_err(value_error)?;
+                let map = asperity_scene::height_map(&levelled).map_err(|error| {
+                    match levelled.missing_share() > 0.0 {
+                        true => value_error(format!("{error}: Topography.fill() does it")),
+                        false => value_error(error),
+                    }
+                })?;
                 Ok((Bem::new(map, boundary, elastic), (*interface).into()))
             }
         }
@@ -82,7 +91,7 @@ pub(crate) fn bem<'py>(
     boundary: &str,
     maps: bool,
 ) -> PyResult<Contacts<'py>> {
-    let (bem, interface) = scan.bem(boundary, elastic)?;
+    let (bem, interface) = scan.bem(py, boundary, elastic)?;
     say_seam(py, &bem)?;
     let elements = bem.elements(&interface).map_err(refused)?;
     let area = scan.area(&bem);
@@ -166,7 +175,7 @@ pub(crate) fn truth(
     refine: bool,
 ) -> PyResult<(Vec<Row>, Option<String>)> {
     let scene = file.0.clone();
-    let (bem, _) = Scan::Scene(file).bem(boundary, elastic)?;
+    let (bem, _) = Scan::Scene(file).bem(py, boundary, elastic)?;
     say_seam(py, &bem)?;
     let models: Vec<Model> = match models {
         None => scene.models_beside_bem(),
@@ -192,6 +201,8 @@ pub(crate) fn truth(
         .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
         .collect();
     Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
+    let refused = found.iter().flat_map(|truth| &truth.refused);
+    refused.map(|(_, why)| &why.message).try_for_each(|why| warn(py, why, 1))?;
     let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
     let rows = |(k, truth): (usize, &Truth)| -> Vec<Row> {
         let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));

@@ -71,7 +71,8 @@ pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyRes
     let model = engine.on_all(&rows.files)?;
     let written = engine.is_written();
     Ok(py.detach(|| {
-        let mut found = of_scenes(&rows);
+        let asperities = model.claims().asperities;
+        let mut found = of_scenes(&rows, |f| asperities || !f.is_of_asperities());
         // What a user's own law raises belongs to the answer.
         if let (Some(file), false) = (rows.one_file(), written) {
             // Of millions of rows the closest and the lightest are enough.
@@ -93,11 +94,12 @@ fn steady(finding: &Finding) -> String {
 }
 
 /// Each finding once, of the first scene that shows it, with the number of scenes that do.
-fn of_scenes(rows: &View<'_>) -> Vec<String> {
+fn of_scenes(rows: &View<'_>, matters: impl Fn(&Finding) -> bool) -> Vec<String> {
     let mut found: Vec<(Finding, usize)> = vec![];
     let count = rows.scenes();
     for scene in 0..count {
-        for new in rows.findings(scene).into_iter().filter(|f| f.severity < Severity::Note) {
+        let serious = |f: &Finding| f.severity < Severity::Note && matters(f);
+        for new in rows.findings(scene).into_iter().filter(serious) {
             match found.iter_mut().find(|(f, _)| f.code == new.code && f.field == new.field) {
                 Some((_, scenes)) => *scenes += 1,
                 None => found.push((new, 1)),

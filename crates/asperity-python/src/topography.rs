@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity_topography::{Estimator, LengthUnit, ReadOptions, Statistics, TopographyError};
+use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, Statistics, TopographyError};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
@@ -113,11 +113,17 @@ impl Topography {
         Ok(heights.reshape([self.0.rows(), self.0.columns()])?.into_any())
     }
 
-    /// The same surface without its form: "none", "plane" or "quadratic" is taken away.
+    /// The same surface without its form: "none", "mean", "plane" or "quadratic" is taken away.
     #[pyo3(name = "_levelled")]
-    fn levelled(&self, py: Python<'_>, level: &str) -> PyResult<Self> {
-        let level = level.parse().map_err(|error: TopographyError| value_error(error))?;
-        self.changed(py, |surface| surface.level(level))
+    fn levelled(&self, py: Python<'_>, level: Option<&str>) -> PyResult<Self> {
+        let level = self.level(py, level)?;
+        self.changed(py, |surface| surface.levelled(level))
+    }
+
+    /// The same surface with heights where points are missing.
+    #[pyo3(name = "_filled")]
+    fn filled(&self, py: Python<'_>) -> PyResult<Self> {
+        self.changed(py, asperity_topography::Topography::fill)
     }
 
     /// The same surface without waves that are longer than a cut-off [m].
@@ -158,13 +164,14 @@ impl Topography {
     }
 
     /// What the surface comes to, in SI units: Sq, Ssk, Sku, moments, asperities by the estimator
-    /// ("moments" or "summits"), after levelling ("none", "plane" or "quadratic") and, where a
-    /// cut-off [m] is given, a Gaussian filter.
-    #[pyo3(signature = (level="plane", estimator="moments", cutoff=None))]
+    /// ("moments" or "summits"), after levelling ("none", "mean", "plane" or "quadratic";
+    /// unless given, the plane, of a periodic surface the mean) and, where a cut-off [m] is given, a
+    /// Gaussian filter.
+    #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
     fn statistics<'py>(
         &self,
         py: Python<'py>,
-        level: &str,
+        level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
@@ -176,7 +183,7 @@ impl Topography {
     fn surface(
         &self,
         py: Python<'_>,
-        level: &str,
+        level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Surface> {
@@ -195,6 +202,14 @@ impl Topography {
 }
 
 impl Topography {
+    /// What is to be taken away; that a periodic surface is tilted by it is said.
+    pub(crate) fn level(&self, py: Python<'_>, name: Option<&str>) -> PyResult<Option<Level>> {
+        let level: Option<Level> = name.map(str::parse).transpose().map_err(value_error)?;
+        let tilted = level.and_then(|level| level.tilts(self.0.is_periodic()));
+        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, 1))?;
+        Ok(level)
+    }
+
     fn changed(
         &self,
         py: Python<'_>,
@@ -209,13 +224,14 @@ impl Topography {
     fn found(
         &self,
         py: Python<'_>,
-        level: &str,
+        level: Option<&str>,
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Statistics> {
+        let level = self.level(py, level)?;
         let statistics = || {
-            let (level, estimator) = (level.parse()?, estimator.parse()?);
-            let levelled = self.0.clone().level(level)?;
+            let estimator = estimator.parse()?;
+            let levelled = self.0.clone().levelled(level)?;
             cutoff
                 .map_or(Ok(levelled.clone()), |cutoff| levelled.filter(cutoff))?
                 .statistics(estimator)

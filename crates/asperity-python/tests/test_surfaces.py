@@ -43,6 +43,39 @@ def test_statistics_are_those_of_numpy() -> None:
     assert found["m2"] == pytest.approx((slope**2).mean(), rel=0.1)
 
 
+def test_of_a_periodic_surface_the_mean_alone_is_taken() -> None:
+    turn = 2 * np.pi * np.arange(96) / 96
+    waves = np.sin(3 * turn) + np.sin(2 * turn[:, None] + turn)
+    periodic = asperity.Topography(waves, 1.0, "um", periodic=True)
+    kept = periodic.statistics(level="none")["m4"]
+    assert periodic.statistics()["m4"] == pytest.approx(kept, rel=1e-9)
+    np.testing.assert_allclose(periodic.level().heights, periodic.heights, atol=1e-18)
+    with pytest.warns(UserWarning, match="level plane of a periodic surface"):
+        assert periodic.statistics(level="plane")["m4"] > 1.1 * kept
+
+
+def test_a_few_missing_points_are_filled(tmp_path: Any) -> None:
+    holed = HEIGHTS.copy()
+    holed[5, 7:9] = np.nan
+    holed[60, 100] = np.nan
+    surface = asperity.Topography(holed, 1.0, "um")
+    steel = asperity.Interface(116e9, 0.3, hardness=7e9)
+    with pytest.raises(ValueError, match=r"Topography.fill\(\) does it"):
+        asperity.bem(surface, interface=steel, pressure=1e8)
+    filled = surface.fill()
+    beside = [holed[59, 100], holed[61, 100], holed[60, 99], holed[60, 101]]
+    assert filled.heights[60, 100] == pytest.approx(1e-6 * np.mean(beside), rel=1e-8)
+    assert filled.missing_share == 0.0
+    with pytest.warns(asperity.ContactWarning):
+        assert asperity.bem(filled, interface=steel, pressure=1e8).area_fraction > 0.0
+    np.save(tmp_path / "scan.npy", holed)
+    read = asperity.read(tmp_path / "scan.npy", unit="um", pixel_size=1.0, fill_missing=True)
+    np.testing.assert_allclose(read.heights, filled.heights, rtol=1e-12)
+    holed[:10] = np.nan
+    with pytest.raises(ValueError, match="the share of missing points is 0.0"):
+        asperity.Topography(holed, 1.0, "um").fill()
+
+
 def test_a_scan_becomes_a_surface_and_a_force() -> None:
     surface = asperity.Topography(HEIGHTS, 1.0, "um").surface()
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)

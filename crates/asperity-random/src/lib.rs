@@ -24,6 +24,11 @@
 //! [`Surface::moments`](asperity_core::Surface::moments): what the surface was made of, where it
 //! was made of moments.
 //!
+//! Broad surfaces do not come back to GW: for α → ∞ the summits are as high as the surface, whatever
+//! their curvature, but radii stay spread, so that with the single radius 1/⟨k_m⟩ of GW areas are too
+//! small by ⟨1/k⟩⟨k_m⟩ = 1.355 at a separation, forces by ⟨k^(-1/2)⟩⟨k_m⟩^(1/2) = 1.130, and areas at a
+//! load by 1.20, the ratio of the two. \[derived; tested against the integrals\]
+//!
 //! # Source
 //! Nayak 1971, "Random process model of rough surfaces", for the density \[derived\]; Greenwood
 //! 2006, "A simplified elliptic model of rough surface contact", for Hertz' law under it.

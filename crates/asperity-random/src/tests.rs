@@ -183,6 +183,50 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     assert!(refused.contains("heights must be Gaussian"), "{refused}");
 }
 
+/// Where height and curvature know nothing of each other, Hertz' laws are averaged over k alone: the
+/// density of k with that over k_m in closed form, k³ exp(k²/2) erfc(k √3/2). \[derived\]
+#[test]
+fn in_the_limit_of_broad_surfaces_radii_stay_spread() {
+    let moment = |power: i32| {
+        // k = t² makes half powers smooth.
+        let density = |t: f64| {
+            let k = t * t;
+            let tail = (0.5 * k * k).exp() * libm::erfc(0.75f64.sqrt() * k);
+            2.0 * t * k.powi(3) * tail * t.powi(power)
+        };
+        gauss_kronrod(density, &[0.0, 1.0, 2.0, 4.5], 1e-12, 10_000).unwrap().value
+    };
+    // In units of √(m₄/3); GW has R = (3/8) √(π/m₄).
+    let radius = 0.375 * (PI / 3.0).sqrt();
+    let [all, half, whole] = [0, -1, -2].map(moment);
+    let wanted = [half / all / radius.sqrt(), whole / all / radius];
+    assert!((wanted[0] - 1.130).abs() < 5e-4 && (wanted[1] - 1.355).abs() < 5e-4, "{wanted:?}");
+    let quantities = [Quantity::Force, Quantity::Area];
+    let asked = Request::new(quantities);
+    let random = RandomAsperities::new(GreenwoodWilliamson);
+    let contacts = |bandwidth: f64| {
+        let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: bandwidth * 1e4 };
+        let surface = Surface::from_moments(&moments).unwrap();
+        let scene = Scene::new(Interface::elastic(116e9, 0.31), surface, 3e-5);
+        let one = GreenwoodWilliamson.compile(&scene, &asked).unwrap();
+        [random.compile(&scene, &asked).unwrap(), one]
+    };
+    let [spread, one] = contacts(1e8);
+    for height in [-1e-6, 0.0, 2e-6, 4e-6] {
+        for (quantity, wanted) in quantities.into_iter().zip(wanted) {
+            let [a, b] = [&spread, &one].map(|c| c.evaluate(quantity, above(height)).unwrap());
+            let found = a.value() / b.value();
+            // A summit's height and curvature are correlated by √(3/(2α)) = 1.2e-4.
+            assert!((found / wanted - 1.0).abs() < 2e-3, "{quantity} {height}: {found} {wanted}");
+        }
+    }
+    let [area, of_one] = contacts(1e6).map(|contact| {
+        let load = 1e-6 * one.evaluate(Quantity::Force, above(0.0)).unwrap().value();
+        contact.evaluate(Quantity::Area, At::Load(load)).unwrap().value()
+    });
+    assert!((area / of_one - wanted[1] / wanted[0]).abs() < 0.02, "{}", area / of_one);
+}
+
 #[test]
 fn every_law_is_averaged_however_deep_its_parts_begin() {
     let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 7.5e4 };

@@ -54,6 +54,9 @@ impl SceneFile {
         let theirs = self.scene.findings();
         check.findings.retain(|finding| !theirs.contains(finding));
         check.extend(self.findings());
+        if let Some((model, _)) = asked {
+            check.keep_for(model);
+        }
         if let Some(Measured { statistics, pixel_size }) = &self.measured {
             let profile = "of the profiles that were measured";
             check.say("measured_height_std", statistics.sq, "m", "Sq");
@@ -71,7 +74,10 @@ impl SceneFile {
     /// is, as all else may follow from that.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
-        match self.findings().iter().any(|finding| finding.severity < Severity::Note) {
+        let asperities = model.claims().asperities;
+        let known = |found: &Finding| asperities || !found.is_of_asperities();
+        let serious = |found: &Finding| found.severity < Severity::Note && known(found);
+        match self.findings().iter().any(serious) {
             true => vec![],
             false => Check::answers(model, &self.scene, places),
         }

@@ -95,7 +95,11 @@ pub(crate) fn measured(
     let surface = statistics.surface();
     surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
-    let notes = statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
+    let mut notes: Vec<String> =
+        statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
+    if let Some(tilted) = keys.level.and_then(|level| level.tilts(keys.periodic)) {
+        notes.push(format!("{}: {tilted}", document.place("surface.level")));
+    }
     let heights = density.map(|points| {
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });
@@ -128,9 +132,12 @@ fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> 
     Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
 }
 
-/// Levelled and filtered.
+/// Levelled, filled and filtered.
 fn prepared(read: Topography, keys: &SurfaceKeys) -> Result<Topography, TopographyError> {
-    let mut topography = read.with_periodic(keys.periodic).level(keys.level)?;
+    let mut topography = read.with_periodic(keys.periodic).levelled(keys.level)?;
+    if keys.fill_missing {
+        topography = topography.fill()?;
+    }
     if let Some(cutoff) = keys.smooth {
         topography = topography.smooth(cutoff)?;
     }
@@ -163,6 +170,7 @@ mod tests {
     }
 
     fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
+        let level = Some(level);
         let keys = SurfaceKeys { level, filter, estimator, ..SurfaceKeys::default() };
         prepared(topography(192), &keys).unwrap().statistics(estimator).unwrap()
     }

@@ -51,7 +51,7 @@ pub struct ModelOptions {
     /// The pressure under AF's embedded plastic asperity.
     pub af_flow_pressure: FlowPressure,
     /// H, from 0.1 to 1: what the mean gaps and stiffnesses of `persson` and `persson-fudge` need where
-    /// there is no scan.
+    /// there is no scan. Beside a scan it counts, and its spectrum does not: scene files are told so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hurst_exponent: Option<f64>,
     /// Whether ids stand for their models on a random surface (`ke-random` stands for itself); a scene
@@ -184,6 +184,7 @@ impl ModelOptions {
         let at = |option: &str| format!("{section}{option}");
         self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
         if let Some(hurst) = self.hurst_exponent {
+            let section = section.trim_end_matches('.');
             Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
         }
         if let Displacement::Given { zeta, xi } = self.displacement {

@@ -33,6 +33,14 @@ impl SceneFile {
         };
         match height_map(scan) {
             Ok(map) => Ok(Bem::new(map, boundary, elastic)),
+            Err(_) if scan.missing_share() > 0.0 => {
+                let (percent, most) =
+                    (100.0 * scan.missing_share(), 100.0 * Topography::MOST_FILLED);
+                let reason = format!(
+                    "{percent:.3} % of the points are missing, and boundary elements need all: fill_missing = true in [surface] fills up to {most} %"
+                );
+                Err(SceneError::Measured { at, reason })
+            }
             Err(error) => Err(SceneError::Measured { at, reason: error.to_string() }),
         }
     }
@@ -86,6 +94,54 @@ mod tests {
             (map.heights()[1] - map.heights()[0] - scan().heights()[1] + scan().heights()[0]).abs()
                 < 1e-20
         );
+    }
+
+    #[test]
+    fn a_hurst_exponent_beside_a_scan_counts_and_is_told() {
+        let own = scene("file = \"scan.txt\"");
+        let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
+        let told = "line 11: options.hurst_exponent: with it persson and persson-fudge take";
+        assert!(own.warnings.iter().all(|word| !word.contains("hurst")));
+        assert!(given.warnings.iter().any(|word| word.starts_with(told)), "{:?}", given.warnings);
+        let request =
+            asperity::Request::new([asperity::Quantity::Tangent]).at([asperity::At::Pressure(1e8)]);
+        let [a, b] = [own, given].map(|file| {
+            let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();
+            answer.columns[0].rows[0].as_ref().unwrap().value()
+        });
+        assert!((a / b - 1.0).abs() > 1e-3, "{a} {b}");
+    }
+
+    #[test]
+    fn a_few_missing_points_are_filled_where_that_is_asked() {
+        let folder = tempfile::tempdir().unwrap();
+        let lines = |missing: usize| -> String {
+            let point = |(k, z): (usize, &f64)| {
+                let there = k % 19 != 5 || k >= 19 * missing;
+                let end = if k % 48 == 47 { "\n" } else { " " };
+                if there { format!("{z}{end}") } else { format!("nan{end}") }
+            };
+            scan().heights().iter().enumerate().map(point).collect()
+        };
+        std::fs::write(folder.path().join("few.txt"), lines(10)).unwrap();
+        let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
+             poissons_ratio = 0.3\n[surface]\nfile = \"few.txt\"\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n";
+        let read = |more: &str| crate::parse(&format!("{text}{more}"), folder.path()).unwrap();
+        let refused = read("").bem(Boundary::Free, true).unwrap_err().to_string();
+        let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all: fill_missing = true in [surface] fills up to 5 %";
+        assert_eq!(refused, wanted);
+        let filled = read("fill_missing = true");
+        let bem = filled.bem(Boundary::Free, true).unwrap();
+        let whole = scan().level(asperity_topography::Level::Plane).unwrap();
+        let largest = whole.heights().iter().fold(0.0, |m: f64, z| m.max(z.abs()));
+        let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
+        // A wave of 8 pixels is 0.3 of its height higher than the mean of its neighbours.
+        assert!(off.fold(0.0, f64::max) < 0.4 * largest);
+        assert!(filled.warnings.iter().any(|w| w.contains("0.651 % of the points were missing")));
+        std::fs::write(folder.path().join("few.txt"), lines(81)).unwrap();
+        let more = format!("{text}fill_missing = true\n");
+        let many = crate::parse(&more, folder.path()).unwrap_err().to_string();
+        assert!(many.contains("the share of missing points is 0.0527: at most 0.05"), "{many}");
     }
 
     #[test]

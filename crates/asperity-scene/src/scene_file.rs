@@ -15,6 +15,7 @@ use crate::document::{Document, text_of};
 use crate::heights::{compared, read_heights};
 use crate::interface::interface;
 use crate::keys::{HeightsKey, SceneKeys};
+use crate::scan::height_map;
 use crate::surface::surface;
 use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
@@ -138,6 +139,12 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
     scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
     let (scan, separation_from) = (described.scan, from);
+    if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
+        let at = document.place("options.hurst_exponent");
+        warnings.push(format!(
+            "{at}: with it persson and persson-fudge take gaps and stiffnesses from a power law, and not from the spectrum of the scan: leave it out for the scan's own"
+        ));
+    }
     Ok(SceneFile { scene, options, separation_from, table, bodies, measured, warnings, scan })
 }
 

@@ -22,8 +22,17 @@ const STD: &str = "asperity_height_std";
 const OF_SURFACE: &str = "surface_height_std";
 
 /// Keys that only measured files have.
-const OF_FILES: [&str; 8] =
-    ["unit", "pixel_size", "estimator", "level", "filter", "smooth", "periodic", "max_missing"];
+const OF_FILES: [&str; 9] = [
+    "unit",
+    "pixel_size",
+    "estimator",
+    "level",
+    "filter",
+    "smooth",
+    "periodic",
+    "max_missing",
+    "fill_missing",
+];
 
 /// `measured_std` is the standard deviation of a table of heights, where there is one: it may
 /// stand in for an `asperity_height_std` that was not given.

@@ -125,6 +125,24 @@ pub enum TopographyError {
         /// The largest that was allowed.
         limit: f64,
     },
+    /// More points are missing than may be filled.
+    #[error(
+        "the share of missing points is {share:.4}: at most {limit} was required, that more are filled would make the surface up; cut the scan"
+    )]
+    TooManyToFill {
+        /// The share of missing points.
+        share: f64,
+        /// The largest that is filled.
+        limit: f64,
+    },
+    /// The equations of the filled heights were not solved.
+    #[error(
+        "{points} missing points could not be filled: heights of like size around them were required"
+    )]
+    NotFilled {
+        /// How many points are missing.
+        points: usize,
+    },
     /// An input lies outside its range.
     #[error("{field} is {value:?}: {required} was required")]
     OutOfRange {

@@ -1,4 +1,4 @@
-//! Levelling: the least-squares plane or quadric is taken away.
+//! Levelling: the mean, the least-squares plane or quadric is taken away.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,13 +10,14 @@ use crate::error::named;
 use crate::{Topography, TopographyError};
 
 /// What is taken away before statistics are made.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Level {
     /// Nothing.
     None,
+    /// The mean height.
+    Mean,
     /// The least-squares plane (a line, for a profile).
-    #[default]
     Plane,
     /// The least-squares quadric z = a + bx + cy + dx² + exy + fy² (a parabola, for a profile).
     Quadratic,
@@ -37,10 +38,30 @@ impl FromStr for Level {
 }
 
 impl Level {
+    /// What is taken away where nobody says: the plane in which an instrument saw the surface. Of a
+    /// periodic surface the mean alone: a plane fitted to its waves would tilt it, so that its edges
+    /// no longer meet.
+    #[must_use]
+    pub fn usual(periodic: bool) -> Self {
+        if periodic { Self::Mean } else { Self::Plane }
+    }
+
+    /// What taking this away does to a periodic surface, in a sentence; nothing where it keeps one.
+    #[must_use]
+    pub fn tilts(self, periodic: bool) -> Option<String> {
+        let form = periodic && matches!(self, Self::Plane | Self::Quadratic);
+        form.then(|| {
+            format!(
+                "level {self} of a periodic surface: its edges no longer meet, which spoils slopes and curvatures; level mean, the usual one there, keeps them"
+            )
+        })
+    }
+
     /// Powers (a, b) of the terms u^a v^b that are fitted.
     fn terms(self, profile: bool) -> Vec<[usize; 2]> {
         let all: &[[usize; 2]] = match self {
             Self::None => &[],
+            Self::Mean => &[[0, 0]],
             Self::Plane => &[[0, 0], [1, 0], [0, 1]],
             Self::Quadratic => &[[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]],
         };
@@ -57,7 +78,16 @@ const DETERMINED: f64 = 1e-9;
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Topography {
-    /// The surface without its least-squares plane or quadric; missing points stay missing.
+    /// [Levelled](Self::level) as asked, or else as is [usual](Level::usual).
+    ///
+    /// # Errors
+    /// Those of [`level`](Self::level).
+    pub fn levelled(self, asked: Option<Level>) -> Result<Self, TopographyError> {
+        let level = asked.unwrap_or(Level::usual(self.is_periodic()));
+        self.level(level)
+    }
+
+    /// The surface without its mean, its least-squares plane or quadric; missing points stay missing.
     ///
     /// # Errors
     /// [`TopographyError::Level`] when the points do not determine the fit: all on one line, for
@@ -196,6 +226,27 @@ mod tests {
         let scale = (sums[3] * 1200.0).sqrt();
         assert!(sums[0].abs() < 1e-12 * scale, "{sums:?}");
         assert!(sums[1].abs() < 1e-11 * scale && sums[2].abs() < 1e-11 * scale, "{sums:?}");
+    }
+
+    #[test]
+    fn a_periodic_surface_keeps_its_slopes_unless_it_is_asked_otherwise() {
+        let turn = std::f64::consts::TAU / 48.0;
+        // A plane fitted to a sine is not level.
+        let height = |i: i32| 1e-7 * (turn * f64::from(i % 48)).sin() + 3e-6;
+        let wave = Topography::new((0..48 * 48).map(height).collect(), 48, [1e-6; 2]).unwrap();
+        let slopes = |surface: &Topography| surface.moments().unwrap().along_rows;
+        let periodic = wave.clone().with_periodic(true);
+        let usual = periodic.clone().levelled(None).unwrap();
+        assert!(usual.mean().abs() < 1e-20);
+        let [kept, asked] = [slopes(&periodic), slopes(&usual)];
+        assert!((0..2).all(|k| (asked[k] / kept[k] - 1.0).abs() < 1e-9), "{kept:?} {asked:?}");
+        let tilted = periodic.clone().levelled(Some(Level::Plane)).unwrap();
+        assert!(slopes(&tilted)[1] > 1.5 * kept[1]);
+        assert!(Level::Plane.tilts(true).unwrap().starts_with("level plane of a periodic surface"));
+        assert!(Level::Plane.tilts(false).is_none() && Level::Mean.tilts(true).is_none());
+        // One that ends at its edges lies in the plane of its instrument.
+        let level = wave.clone().level(Level::Plane).unwrap();
+        assert_eq!(wave.levelled(None).unwrap(), level);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod density;
 mod error;
 mod estimator;
+mod fill;
 mod filter;
 mod level;
 mod moments;

@@ -35,7 +35,7 @@ pub struct Statistics {
     pub beta: f64,
     /// β_z = η R σ_z.
     pub beta_z: f64,
-    /// Share of the points that are missing, 0 to 1.
+    /// Share of the points that are missing, 0 to 1; those that were filled among them.
     pub missing_share: f64,
     /// How far the mean of the asperity heights lies above the mean plane \[m\]: that of the summits
     /// found, or of a Gaussian surface with these moments.
@@ -87,7 +87,10 @@ impl Topography {
         let (surface, mean_plane_offset) = asked?;
         let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
         statistics.mean_plane_offset = mean_plane_offset;
-        statistics.missing_share = self.missing_share();
+        statistics.missing_share = self.missing_share() + self.filled_share();
+        if self.filled_share() > 0.0 {
+            statistics.warnings.push(Warning::Filled { share: self.filled_share() });
+        }
         statistics.warnings.extend(self.sampling());
         match other {
             Ok((other, _)) => statistics.compare(other),

@@ -23,6 +23,7 @@ pub struct Topography {
     pixel_size: [f64; 2],
     periodic: bool,
     missing: usize,
+    filled: usize,
 }
 
 impl Topography {
@@ -66,7 +67,7 @@ impl Topography {
             1 => (heights.len(), [pixel_size[1]; 2]),
             _ => (columns, pixel_size),
         };
-        Ok(Self { heights, columns, pixel_size, periodic: false, missing })
+        Ok(Self { heights, columns, pixel_size, periodic: false, missing, filled: 0 })
     }
 
     /// The same, from heights and distances in another unit.
@@ -131,6 +132,19 @@ impl Topography {
     #[must_use]
     pub fn missing_share(&self) -> f64 {
         self.missing as f64 / self.heights.len() as f64
+    }
+
+    /// Share of the points that were missing and have been [filled](Self::fill), 0 to 1.
+    #[must_use]
+    pub fn filled_share(&self) -> f64 {
+        self.filled as f64 / self.heights.len() as f64
+    }
+
+    /// The same with heights for all points that are missing, by their index.
+    pub(crate) fn filled(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
+        points.for_each(|(at, height)| self.heights[at] = height);
+        self.filled += std::mem::take(&mut self.missing);
+        self
     }
 
     /// How many points have a height: at least 1.

@@ -43,6 +43,11 @@ pub enum Warning {
         /// m₄ \[1/m²\] of every second point.
         coarse: f64,
     },
+    /// Missing points were filled.
+    Filled {
+        /// Their share.
+        share: f64,
+    },
     /// The rms slopes along rows and columns differ by more than a factor 2.
     Anisotropic {
         /// Along rows.
@@ -50,6 +55,22 @@ pub enum Warning {
         /// Along columns.
         slope_y: f64,
     },
+}
+
+impl Warning {
+    /// Whether it is about the asperities that are made of the surface, and not about the surface.
+    #[must_use]
+    pub fn is_of_asperities(&self) -> bool {
+        match self {
+            Self::RoughnessParameter { .. }
+            | Self::EstimatorsDisagree { .. }
+            | Self::NoSecondEstimator { .. }
+            | Self::SummitsFollowSampling { .. } => true,
+            Self::CurvatureFollowsSampling { .. }
+            | Self::Filled { .. }
+            | Self::Anisotropic { .. } => false,
+        }
+    }
 }
 
 impl fmt::Display for Warning {
@@ -77,6 +98,11 @@ impl fmt::Display for Warning {
             Self::CurvatureFollowsSampling { fine, coarse } => write!(
                 f,
                 "m4 of {fine:.4e} 1/m2 becomes {coarse:.4e} when every second point is left out: noise, or structure down to the pixel size, makes the asperities; smooth the scan or choose the pixel size for the contact that is meant"
+            ),
+            Self::Filled { share } => write!(
+                f,
+                "{:.3} % of the points were missing and are filled from those around them (harmonic): smoother than the surface, and without summits",
+                100.0 * share
             ),
             Self::Anisotropic { slope_x, slope_y } => write!(
                 f,

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use crate::bem::{Bem, BemError, Given, Note, Progress, Solution};
 use crate::{
-    At, Contact, ContactError, ContactModel, Datum, Model, Quantity, Request, Scene,
-    SeparationUnit, ranking,
+    At, Check, Contact, ContactError, ContactModel, Datum, Finding, Model, Quantity, Request,
+    Scene, SeparationUnit, ranking,
 };
 
 /// Share of the pressure to either side of it between which the stiffness is a difference: enough
@@ -27,6 +27,9 @@ pub struct Truth {
     pub notes: Vec<Note>,
     /// What the models say, in the order in which they were given.
     pub models: Vec<(Model, ContactState)>,
+    /// Why models have no numbers here that would mean nothing: more area than there is, more pressure
+    /// on it than the hardness bears.
+    pub refused: Vec<(Model, Finding)>,
 }
 
 /// Three numbers of a contact; none where it has no such number.
@@ -105,6 +108,7 @@ pub fn truth(
     let contacts: Vec<(&Model, Option<Box<dyn Contact>>)> =
         models.iter().map(|model| (model, model.compile(scene, &request).ok())).collect();
     let rms_height = bem.map().rms_height();
+    let hardness = bem.hardness(&scene.interface)?;
     let answer = |(pressure, around): (&f64, &[Result<Kept, BemError>])| {
         let here = around[1].clone()?;
         let gaps = around[0].as_ref().ok().zip(around[2].as_ref().ok());
@@ -112,15 +116,26 @@ pub fn truth(
         let bem = ContactState {
             area_fraction: Some(here.area),
             mean_gap: Some(here.gap),
-            stiffness: gaps.map(|(light, heavy)| force / (light.gap - heavy.gap)),
+            // Where all touches, gaps no longer fall.
+            stiffness: gaps
+                .map(|(light, heavy)| force / (light.gap - heavy.gap))
+                .filter(|stiffness| stiffness.is_finite() && *stiffness > 0.0),
         };
         let state = |contact: &Option<Box<dyn Contact>>| {
             contact.as_ref().map_or_else(ContactState::default, |contact| {
                 asked(contact.as_ref(), At::Pressure(*pressure))
             })
         };
-        let models = contacts.iter().map(|(model, c)| ((*model).clone(), state(c))).collect();
-        Ok(Truth { pressure: *pressure, bem, rms_height, notes: here.notes, models })
+        let (mut models, mut refused) = (vec![], vec![]);
+        for (model, contact) in &contacts {
+            let state = state(contact);
+            let area = state.area_fraction;
+            let why = area.and_then(|area| Check::no_answer(*model, *pressure, area, hardness));
+            models
+                .push(((*model).clone(), why.as_ref().map_or(state, |_| ContactState::default())));
+            refused.extend(why.map(|why| ((*model).clone(), why)));
+        }
+        Ok(Truth { pressure: *pressure, bem, rms_height, notes: here.notes, models, refused })
     };
     Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
 }
@@ -205,11 +220,41 @@ mod tests {
             assert_eq!(none.area_fraction, Some(0.0));
             // gao and at need a shear modulus.
             let answered = found.models.iter().filter(|(_, m)| m.area_fraction.is_some()).count();
+            // gw, elastic, would need pressures of 1.5 times the hardness and more.
+            assert!(found.refused.iter().all(|(model, _)| model.id() == "gw"));
             assert_eq!(
-                (found.models.len(), answered),
+                (found.models.len(), answered + found.refused.len()),
                 (Model::all().len(), Model::all_random().len())
             );
         }
+    }
+
+    #[test]
+    fn more_area_than_there_is_and_more_pressure_than_the_hardness_are_no_answers() {
+        let (mut scene, bem) = scan();
+        let models = ["gw", "ke", "persson"].map(|id| id.parse::<Model>().unwrap());
+        let solve = |scene: &Scene, bem: &Bem| {
+            let mut found = truth(scene, bem, &[1e8], &models, |_| GO_ON).unwrap();
+            found.remove(0).unwrap()
+        };
+        let refused = |truth: &Truth| -> Vec<(String, &str)> {
+            truth.refused.iter().map(|(model, why)| (model.id().into(), why.code)).collect()
+        };
+        scene.interface.hardness = Some(1e10);
+        let usual = solve(&scene, &bem);
+        assert!(usual.models.iter().all(|(_, state)| state.area_fraction.is_some()));
+        scene.interface = Interface::elastic(1e6, 0.3);
+        let soft = solve(&scene, &bem);
+        assert_eq!(refused(&soft), [("gw".to_string(), "above-nominal")]);
+        assert_eq!(soft.models[0].1, ContactState::default());
+        assert!(soft.models[2].1.area_fraction.is_some_and(|area| area <= 1.0));
+        assert!(!told(&[soft]).contains("gw"));
+        scene.interface = Interface::new(1e14, 0.3, 1e10);
+        let stiff = solve(&scene, &bem);
+        let hard = |id: &str| (id.to_string(), "above-hardness");
+        assert_eq!(refused(&stiff), [hard("gw"), hard("persson")]);
+        let elastic = Bem::new(bem.map().clone(), Boundary::Periodic, true);
+        assert!(solve(&scene, &elastic).refused.is_empty());
     }
 
     #[test]

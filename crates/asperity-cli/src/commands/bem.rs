@@ -129,7 +129,7 @@ impl Way {
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene)?;
+        let scene = LoadedScene::load_for(&self.scene, &["bem".into()])?;
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.way.bem(&scene)?;

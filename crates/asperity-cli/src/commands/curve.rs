@@ -49,7 +49,7 @@ pub struct Curve {
 impl Curve {
     pub fn run(self) -> Result<()> {
         self.output.check("curve");
-        let scene = LoadedScene::load(&self.asked.scene)?;
+        let scene = LoadedScene::load_for(&self.asked.scene, &self.asked.models)?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);

@@ -48,7 +48,7 @@ impl PullOff {
         let work = &mut scene.file.scene.interface.work_of_adhesion;
         *work = self.work_of_adhesion.or(*work);
         // With the work of adhesion that was given.
-        scene.tell_findings();
+        scene.tell_findings(true);
         let (contact, from) = (&scene.file.scene, scene.file.separation_from);
         let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
         let ids: Vec<String> = self.models.iter().map(parting).collect();

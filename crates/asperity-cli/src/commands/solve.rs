@@ -41,7 +41,7 @@ pub struct Solve {
 
 impl Solve {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.asked.scene)?;
+        let scene = LoadedScene::load_for(&self.asked.scene, &self.asked.models)?;
         let request = self.asked.request(&scene.file, &[], &USUAL);
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);

@@ -47,9 +47,10 @@ pub struct Surface {
     /// their eight neighbours)
     #[arg(long, value_name = "NAME", default_value = "moments")]
     estimator: Estimator,
-    /// What is taken away before: none, plane or quadratic, by least squares
-    #[arg(long, value_name = "NAME", default_value = "plane")]
-    level: Level,
+    /// What is taken away before: none, mean, plane or quadratic, by least squares [default: plane;
+    /// mean where --periodic]
+    #[arg(long, value_name = "NAME")]
+    level: Option<Level>,
     /// Keep the roughness below this wavelength, in m (Gaussian filter, ISO 16610)
     #[arg(long, value_name = "CUTOFF", value_parser = length)]
     filter: Option<f64>,
@@ -62,6 +63,10 @@ pub struct Surface {
     /// Largest share of missing points that is accepted
     #[arg(long, value_name = "SHARE", value_parser = number, default_value = "0.1")]
     max_missing: f64,
+    /// Fill missing points, up to 5 % of all, from those around them (harmonic: each the mean of its
+    /// neighbours)
+    #[arg(long)]
+    fill_missing: bool,
     #[command(flatten)]
     output: OutputArgs,
     /// Write a scene with this surface, ready to run: put your materials into it
@@ -90,6 +95,9 @@ impl Surface {
         self.check();
         for path in self.scene.iter().chain(&self.heights) {
             output::refuse_to_replace(path, self.force)?;
+        }
+        if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
+            say("warning", &tilted);
         }
         let working = progress("surface");
         if self.scales.is_asked() {
@@ -166,7 +174,7 @@ impl Surface {
         self.scales.table(&surface, self.estimator, finish)
     }
 
-    /// Read, levelled and filtered.
+    /// Read, levelled, filled and filtered.
     fn prepared(&self, path: &Path) -> Result<Topography> {
         let mut surface = self.levelled(path)?;
         let of = || path.display().to_string();
@@ -181,7 +189,9 @@ impl Surface {
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let options = ReadOptions { unit, pixel_size, max_missing };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
-        read.level(self.level).with_context(|| path.display().to_string())
+        let levelled = read.levelled(self.level);
+        let filled = if self.fill_missing { levelled.and_then(Topography::fill) } else { levelled };
+        filled.with_context(|| path.display().to_string())
     }
 
     fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
@@ -196,7 +206,11 @@ impl Surface {
         let template = asperity_scene::parse(asperity_scene::template(), Path::new("."))?;
         let mut scene = template.scene;
         scene.surface = statistics.surface();
-        let mut how = format!("estimator {}, level {}", self.estimator, self.level);
+        let level = self.level.unwrap_or(Level::usual(self.periodic));
+        let mut how = format!("estimator {}, level {level}", self.estimator);
+        if self.fill_missing {
+            how += ", missing points filled";
+        }
         for (what, cutoff) in [("smooth", self.smooth), ("filter", self.filter)] {
             how += &cutoff.map_or(String::new(), |cutoff| format!(", {what} {cutoff} m"));
         }

@@ -8,6 +8,7 @@ use asperity::{ContactModel, ContactState, Model, Truth, told, truth};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
+use crate::ask::tell;
 use crate::commands::bem::Way;
 use crate::interrupt;
 use crate::numbers::{Numbers, loads, pressures};
@@ -21,6 +22,8 @@ use crate::table::{Cell, Table};
     after_help = "The scene names a scan: [surface] file = \"scan.txt\". It is solved as by `asperity bem`,
 and what the models make of its asperities stands beside it.
 Deviations are relative to bem; of the mean gap, over the rms height of the scan.
+A model that would need more area than there is, or more pressure on it than 1.5 times
+the hardness, has no answer: its row is blank, and said why.
 The stiffness of bem is a difference between pressures 5 % to either side.
 
 Examples:
@@ -107,8 +110,15 @@ impl TruthCommand {
             .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
             .collect();
         Note::summary(&notes).iter().for_each(|text| say("warning", text));
+        let refused = found.iter().flat_map(|truth| &truth.refused);
+        let refused: Vec<_> = refused.map(|(m, why)| (m.id().to_string(), why.clone())).collect();
+        tell(&refused);
         say("note", &told(&found));
         self.output.write(&table(&found, &half, area))?;
+        let asked: usize = found.iter().map(|truth| truth.models.len()).sum();
+        if !refused.is_empty() && refused.len() == asked {
+            bail!("{}: no model has an answer", scene.name);
+        }
         if interrupt::asked() {
             bail!("stopped: {} of {} loads were done", found.len(), pressures.len());
         }

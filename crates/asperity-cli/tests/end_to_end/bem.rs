@@ -25,6 +25,47 @@ pub fn bench() -> Bench {
 }
 
 #[test]
+fn a_scan_with_a_few_holes_is_pressed_once_they_may_be_filled() {
+    let bench = bench();
+    let scan = bench.read("scan.txt");
+    let mut words: Vec<&str> = scan.split(' ').collect();
+    words[500] = "nan";
+    words[7000] = "nan";
+    bench.write("scan.txt", &words.join(" "));
+    for command in ["bem", "truth"] {
+        let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
+        let why = "are missing, and boundary elements need all: fill_missing = true in [surface]";
+        assert!(refused.code == Some(1) && refused.words.contains(why), "{}", refused.words);
+    }
+    bench.write("scan.toml", &format!("{SCAN}fill_missing = true\n"));
+    let run = bench.run("bem scan.toml --pressure 1e8 --format csv");
+    assert!(
+        run.words.contains("0.022 % of the points were missing and are filled"),
+        "{}",
+        run.words
+    );
+    bench.write("whole.txt", &scan);
+    bench.write("whole.toml", &SCAN.replace("scan.txt", "whole.txt"));
+    let whole = bench.data("bem whole.toml --pressure 1e8 --format csv");
+    let [filled, whole] = [run.out, whole].map(|data| column(&data, "area_fraction")[0]);
+    assert!((filled / whole - 1.0).abs() < 0.03, "{filled} {whole}");
+    let surface = "surface scan.txt --unit um --pixel-size 0.5 --fill-missing";
+    let words = bench.run(surface).words;
+    assert!(words.contains("0.022 % of the points were missing and are filled"), "{words}");
+    fn holed(word: &str) -> &str {
+        if word.starts_with("0.1") { "nan" } else { word }
+    }
+    let row = |line: &str| line.split(' ').map(holed).collect::<Vec<_>>().join(" ");
+    bench.write("scan.txt", &scan.lines().map(row).collect::<Vec<_>>().join("\n"));
+    let many = bench.run(&format!("{surface} --max-missing 0.5"));
+    assert!(
+        many.code == Some(1) && many.words.contains("at most 0.05 was required"),
+        "{}",
+        many.words
+    );
+}
+
+#[test]
 fn rows_are_those_of_the_library() {
     let bench = bench();
     for (words, boundary, elastic) in [
@@ -138,7 +179,7 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
     bench.write("scan.txt", &format!("{}\n{rest}", first.join(" ")));
     let run = bench.run("bem scan.toml --pressure 1e6");
     assert_eq!(run.code, Some(1), "{}", run.words);
-    assert!(run.words.contains("the height in row 0, column 1 is NaN"), "{}", run.words);
+    assert!(run.words.contains("0.011 % of the points are missing, and"), "{}", run.words);
     for (words, said) in [
         ("bem scan.toml", "--pressure"),
         ("bem scan.toml --pressure 1 --load 1", "cannot be used with"),

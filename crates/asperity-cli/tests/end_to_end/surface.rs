@@ -49,6 +49,30 @@ fn json(bench: &Bench, words: &str) -> serde_json::Value {
 }
 
 #[test]
+fn of_a_periodic_scan_the_mean_alone_is_taken() {
+    let bench = Bench::new();
+    let turn = std::f64::consts::TAU / 64.0;
+    let height = |x: f64, y: f64| (3.0 * turn * x).sin() + (2.0 * turn * y + turn * x).sin();
+    let row = |y| (0..64).map(|x| format!("{:.6}", height(f64::from(x), y))).collect::<Vec<_>>();
+    let rows: Vec<String> = (0..64).map(|y| row(f64::from(y)).join(" ")).collect();
+    bench.write("waves.txt", &rows.join("\n"));
+    let words = "waves.txt --unit um --pixel-size 5 --periodic";
+    let [usual, mean, plane] = ["", " --level mean", " --level plane"]
+        .map(|level| json(&bench, &format!("{words}{level}"))["m4"].as_f64().unwrap());
+    assert_eq!(usual, mean);
+    assert!(plane > 1.1 * usual, "{plane} {usual}");
+    let tilted = bench.run(&format!("surface {words} --level plane"));
+    assert!(
+        tilted.words.contains("warning: level plane of a periodic surface"),
+        "{}",
+        tilted.words
+    );
+    assert!(!bench.run(&format!("surface {words}")).words.contains("level"));
+    bench.data(&format!("surface {words} --scene waves.toml"));
+    assert!(bench.read("waves.toml").contains("level mean"));
+}
+
+#[test]
 fn the_numbers_are_the_librarys_under_the_names_asked_for() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));

@@ -161,6 +161,36 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
 }
 
 #[test]
+fn models_of_the_whole_surface_are_not_held_to_what_asperities_may_do() {
+    let bench = Bench::new();
+    // Few asperities on the nominal area, heavy loads, a broad surface: nothing to Persson.
+    let surface = "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 1e7\n";
+    let head = NO_SHEAR.split_once("[surface]").unwrap().0.replace("3e-5", "1e-12");
+    bench.write("broad.toml", &format!("{head}{surface}"));
+    let words = |model: &str| {
+        let ask = "--pressure 2e8 --quantity area-fraction";
+        bench.run(&format!("curve broad.toml --model {model} {ask}")).words
+    };
+    let (gw, persson) = (words("gw"), words("persson-fudge"));
+    assert!(gw.contains("roughness_parameter") && !persson.contains("roughness"), "{gw}{persson}");
+    bench.write("few.toml", &NO_SHEAR.replace("3e-5", "1e-10"));
+    for (scene, load, said) in
+        [("scene.toml", "2e9", "area_fraction is"), ("few.toml", "1e7", "asperities, and averages")]
+    {
+        let words = |model: &str| {
+            let ask = format!("--pressure {load} --quantity area-fraction");
+            bench.run(&format!("curve {scene} --model {model} {ask}")).words
+        };
+        let (ke, fudge) = (words("ke"), words("persson-fudge"));
+        assert!(ke.contains(said) && !fudge.contains(said), "{ke}\n{fudge}");
+        let check = format!("check {scene} --pressure {load} --format csv");
+        let [ke, fudge] = ["ke", "persson-fudge"]
+            .map(|model| bench.run(&format!("{check} --model {model}")).words);
+        assert!(ke.contains(said) && !fudge.contains(said), "{ke}\n{fudge}");
+    }
+}
+
+#[test]
 fn advice_and_tables_come_with_what_is_unusual_about_them() {
     let bench = Bench::new();
     let words = |line: &str| {

@@ -38,6 +38,7 @@ impl Check {
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
         let mut check = scene.check()?;
         let answer = Self::of_answer(model, scene, at, true)?;
+        check.keep_for(model);
         check.numbers.extend(answer.numbers);
         check.extend(answer.findings);
         Ok(check)
@@ -54,6 +55,39 @@ impl Check {
             }
         }
         check.findings
+    }
+
+    /// Leaves out what a model of the whole surface knows nothing of.
+    pub fn keep_for(&mut self, model: &dyn ContactModel) {
+        let asperities = model.claims().asperities;
+        self.findings.retain(|finding| asperities || !finding.is_of_asperities());
+    }
+
+    /// Why a real area is no answer of a model at a pressure: there is more of it than of the surface, or
+    /// so little that no contact carries the pressure on it (by 1.5 times the hardness, which models
+    /// that rise on in plastic contact stay below).
+    #[must_use]
+    pub fn no_answer(
+        model: &dyn ContactModel,
+        pressure: f64,
+        area_fraction: f64,
+        hardness: Option<f64>,
+    ) -> Option<Finding> {
+        let at = At::Pressure(pressure);
+        if area_fraction > 1.0 {
+            let message = format!(
+                "area_fraction is {} at {at} by {}, more than there is: no answer; are modulus and load in their units? else the load is too heavy for asperities: ask persson-fudge, or bem",
+                short(area_fraction),
+                model.name()
+            );
+            let (field, usual) = ("area_fraction", [0.0, CROWDED[0]]);
+            let (code, severity) = ("above-nominal", Severity::Error);
+            return Some(Finding::new(code, severity, field, area_fraction, usual, message));
+        }
+        let ratio = pressure / area_fraction / hardness?;
+        let mut finding = above_hardness(model, at, ratio)?;
+        finding.severity = Severity::Error;
+        Some(finding)
     }
 
     /// With all numbers, or with those alone that warnings come of: models over angles are then
@@ -122,7 +156,7 @@ impl Check {
         }
         check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.say("area_fraction", fraction, "", "real over nominal area");
-        check.extend(crowded(model, at, fraction));
+        check.extend(crowded(model, at, fraction).filter(|_| model.claims().asperities));
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
             check.say("contacts", contacts, "", "asperities that touch");

@@ -27,6 +27,9 @@ impl fmt::Display for Severity {
     }
 }
 
+/// The code of an area that holds few asperities.
+pub(super) const FEW_ASPERITIES: &str = "few-asperities";
+
 /// One finding: which number, how large, what was to be expected, and what follows.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -57,6 +60,14 @@ impl Finding {
         message: String,
     ) -> Self {
         Self { code, severity, field: field.into(), value, usual, message }
+    }
+
+    /// Whether it is about asperities, of which [models of the whole surface](crate::Claims::asperities)
+    /// know nothing.
+    #[must_use]
+    pub fn is_of_asperities(&self) -> bool {
+        let shape = ["roughness_parameter", "height_std_over_radius"];
+        self.code == FEW_ASPERITIES || shape.contains(&&*self.field)
     }
 
     /// The same finding of a field that stands in a section: `body[1].hardness`.

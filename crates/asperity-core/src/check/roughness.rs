@@ -1,6 +1,6 @@
 //! Whether the asperities, and how many there are, are those of any surface.
 
-use super::finding::{Finding, Severity, short};
+use super::finding::{FEW_ASPERITIES, Finding, Severity, short};
 use super::materials::{severity, within};
 use super::units::{AREAS, DENSITIES, LENGTHS, Unit, slip};
 use crate::{Scene, Surface};
@@ -167,6 +167,9 @@ pub(crate) fn of_area(scene: &Scene) -> Option<Finding> {
         return None;
     }
     let question = slip(area, AREAS, "m2", |a| within(a, [1000.0 / density, AREA[1]]));
+    // Another unit is of the area itself.
+    let few = within(area, AREA) && question.is_none();
+    let code = if few { FEW_ASPERITIES } else { CODE };
     let (severity, why) = match area {
         a if a > FIELD => (severity(a, [0.0, FIELD]), "no joint is so large".to_string()),
         a if a > AREA[1] => (Severity::Note, "few joints are so large".to_string()),
@@ -179,5 +182,5 @@ pub(crate) fn of_area(scene: &Scene) -> Option<Finding> {
     };
     let question = question.map_or(String::new(), |question| format!(": {question}"));
     let message = format!("nominal_area is {} m2, {why}{question}", short(area));
-    Some(Finding::new(CODE, severity, "nominal_area", area, usual, message))
+    Some(Finding::new(code, severity, "nominal_area", area, usual, message))
 }

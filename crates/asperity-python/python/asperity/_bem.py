@@ -77,7 +77,7 @@ def bem(
     load: npt.ArrayLike | None = None,
     gap: npt.ArrayLike | None = None,
     interface: Interface | None = None,
-    level: str = "plane",
+    level: str | None = None,
     elastic: bool = False,
     boundary: Boundary = "periodic",
     maps: bool = True,
@@ -94,8 +94,8 @@ def bem(
         scan, or mean gaps [m].
     interface : Interface
         The two bodies; for a Topography, which has none.
-    level : "plane", "quadratic" or "none"
-        What is taken from a Topography before.
+    level : "plane", "quadratic", "mean" or "none"
+        What is taken from a Topography before; unless given the plane, of a periodic one the mean.
     elastic : bool
         No hardness: pressures may grow without end.
     boundary : "periodic" or "free"
@@ -159,7 +159,8 @@ def truth(
     The scene is read from a file that names a scan ([surface] file = ...). For every pressure
     there is a row of "bem" and one of every model: all that the scene allows, or those that are
     named. Deviations are relative to bem; of the mean gap, over the rms height of the scan. What a
-    model cannot give is None. ``pandas.DataFrame(rows)`` makes a table of it, ``print(rows.nearest)``
+    model cannot give is None, and so are, with a warning, all numbers of one that would need more
+    area than there is, or more pressure on it than 1.5 times the hardness. ``pandas.DataFrame(rows)`` makes a table of it, ``print(rows.nearest)``
     says which models were nearest, and with ``refine`` the rows "bem-half-grid" say how far the
     answer depends on the grid.
     """

@@ -25,7 +25,7 @@ class Topography(_asperity.Topography):
     """
 
     def surface(
-        self, level: str = "plane", estimator: str = "moments", cutoff: float | None = None
+        self, level: str | None = None, estimator: str = "moments", cutoff: float | None = None
     ) -> Surface:
         """The equivalent rough surface of this one on a flat; see ``statistics``."""
         return Surface(**self._surface(level, estimator, cutoff))
@@ -35,9 +35,15 @@ class Topography(_asperity.Topography):
         their moments add."""
         return Surface(**self._against(other))
 
-    def level(self, form: str = "plane") -> Topography:
-        """The same surface without its "plane" or "quadratic" form, by least squares."""
+    def level(self, form: str | None = None) -> Topography:
+        """The same surface without its "mean", "plane" or "quadratic" form, by least squares; unless
+        it is given the plane, of a periodic surface the mean."""
         return self._of(self._levelled(form))
+
+    def fill(self) -> Topography:
+        """The same surface with heights where points are missing: harmonic ones, each the mean of its
+        four neighbours. At most 5 % of the points are filled; ``level`` the surface first."""
+        return self._of(self._filled())
 
     def filter(self, cutoff: float) -> Topography:
         """The roughness below a wavelength [m] (Gaussian filter, ISO 16610)."""
@@ -63,14 +69,16 @@ def read(
     unit: str | None = None,
     pixel_size: float | tuple[float, float] | None = None,
     max_missing: float = 0.1,
+    fill_missing: bool = False,
 ) -> Topography:
     """A scan from a file: ASCII matrix, XYZ points, CSV profile, NumPy .npy or .npz, X3P or SUR.
 
     What the file does not say of its unit and pixels must be said here, nothing is guessed;
-    ``pixel_size`` is in that unit. A scan of which more than ``max_missing`` is missing is refused.
+    ``pixel_size`` is in that unit. A scan of which more than ``max_missing`` is missing is refused;
+    with ``fill_missing`` missing points, up to 5 % of all, get the heights of ``Topography.fill``.
     """
     found: Topography = Topography.read(path, unit, pixel_size, max_missing)
-    return found
+    return found.fill() if fill_missing else found
 
 
 def topography(surface: Any, unit: str | None = None) -> Topography:

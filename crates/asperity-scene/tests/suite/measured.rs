@@ -107,6 +107,43 @@ fn scan(phase: f64) -> String {
 }
 
 #[test]
+fn a_periodic_scan_keeps_its_moments_unless_a_plane_is_asked_for() {
+    let directory = tempfile::tempdir().unwrap();
+    let rough = asperity_bem::RandomSurface::new(2.0, 2.0, 12.0).unwrap();
+    let rough = rough.side(96e-6).unwrap().gradient(0.02).unwrap().seed(2);
+    let map = rough.heights(96).unwrap();
+    let lines: Vec<String> = map
+        .heights()
+        .chunks(96)
+        .map(|row| row.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+        .collect();
+    std::fs::write(directory.path().join("scan.txt"), lines.join("\n")).unwrap();
+    let read = |more: &str| {
+        let keys = "file = \"scan.txt\"\nunit = \"m\"\npixel_size = 1e-6\nperiodic = true\n";
+        scene(directory.path(), &format!("{keys}{more}")).unwrap()
+    };
+    let moments = |file: &asperity_scene::SceneFile| {
+        let statistics = &file.measured.as_ref().unwrap().statistics;
+        (statistics.m2, statistics.m4)
+    };
+    let (usual, mean) = (read(""), read("level = \"mean\""));
+    let (m2, m4) = moments(&usual);
+    assert_eq!((m2, m4), moments(&mean));
+    // Differences see the shortest waves, of 8 pixels, 2.5 and 5 % too low.
+    let exact = rough.moments();
+    assert!((m2 / exact.m2 - 1.0).abs() < 0.04 && (m4 / exact.m4 - 1.0).abs() < 0.06, "{m2} {m4}");
+    let tilted = read("level = \"plane\"");
+    assert!(moments(&tilted).1 > 1.1 * m4);
+    let told = |file: &asperity_scene::SceneFile| {
+        file.warnings.iter().any(|word| word.contains("level plane of a periodic surface"))
+    };
+    assert!(told(&tilted) && !told(&usual) && !told(&mean), "{:?}", tilted.warnings);
+    // Boundary elements are pressed on what was measured.
+    let bem = usual.bem(asperity_bem::Boundary::Periodic, true).unwrap();
+    assert!(bem.seam().is_none());
+}
+
+#[test]
 fn files_become_the_surfaces_that_topography_makes_of_them() {
     let directory = directory("measured-files");
     let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";

@@ -100,6 +100,17 @@ fn models_that_a_scene_does_not_allow_are_left_out_with_the_reason() {
 }
 
 #[test]
+fn a_hurst_exponent_that_is_none_is_refused_at_its_own_line() {
+    let text = format!("{}hurst_exponent = 2.0\n", template());
+    let line = text.lines().count();
+    let message = parse(&text, Path::new(".")).unwrap_err().to_string();
+    let wanted = "options.hurst_exponent is 2.0: a number from 0.1 to 1 was required";
+    assert_eq!(message, format!("line {line}: {wanted}"));
+    let message = ModelOptions::default().set("hurst_exponent", &2.0.into()).unwrap_err();
+    assert!(message.to_string().starts_with("hurst_exponent is 2.0"), "{message}");
+}
+
+#[test]
 fn keywords_serde_and_scene_files_are_one_door() {
     let text = "at_reading = \"additive\"
         angle_density = \"upright\"

@@ -1,0 +1,205 @@
+//! Filling: a few missing points get heights from what lies around them.
+
+use crate::{Topography, TopographyError};
+
+/// What the residual of the equations has come down to, of what it was.
+const TOLERANCE: f64 = 1e-10;
+
+impl Topography {
+    /// The largest share of the points that is [filled](Self::fill): beyond it the surface would be
+    /// made up rather than mended.
+    pub const MOST_FILLED: f64 = 0.05;
+
+    /// The surface with heights where points are missing: harmonic ones, each the mean of its four
+    /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and without
+    /// summits of their own. At an edge the surface is level, or goes on beyond it where it is
+    /// periodic: [level](Self::level) it first. Of a profile it is the straight line over a gap.
+    ///
+    /// # Errors
+    /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
+    /// [`TopographyError::NotFilled`] when the equations are not solved to 1e-10.
+    pub fn fill(self) -> Result<Self, TopographyError> {
+        let (share, limit) = (self.missing_share(), Self::MOST_FILLED);
+        if share > limit {
+            return Err(TopographyError::TooManyToFill { share, limit });
+        }
+        let places: Vec<usize> =
+            (0..self.heights().len()).filter(|at| self.heights()[*at].is_nan()).collect();
+        let mean = self.mean();
+        let points: Vec<Point> = places.iter().map(|at| Point::of(&self, &places, *at)).collect();
+        let right = points.iter().map(|point| point.known - point.known_weight * mean).collect();
+        let found = solve(&points, right)?;
+        Ok(self.filled(places.into_iter().zip(found.into_iter().map(|height| height + mean))))
+    }
+}
+
+/// A missing point: the sum of the weights of its neighbours, the part of the known ones in it and
+/// in the height, and the missing ones by their number.
+struct Point {
+    weight: f64,
+    known_weight: f64,
+    known: f64,
+    missing: [Option<(usize, f64)>; 4],
+}
+
+impl Point {
+    fn of(surface: &Topography, places: &[usize], at: usize) -> Self {
+        let (columns, rows) = (surface.columns(), surface.rows());
+        let (x, y) = (at % columns, at / columns);
+        let [wx, wy] = surface.pixel_size().map(|step| (step / surface.pixel_size()[0]).powi(-2));
+        // The index before or behind one of n, if there is one.
+        let step = |k: usize, n: usize, on: bool| match (on, surface.is_periodic()) {
+            (true, _) if k + 1 < n => Some(k + 1),
+            (false, _) if k > 0 => Some(k - 1),
+            (on, true) if n > 1 => Some(if on { 0 } else { n - 1 }),
+            _ => None,
+        };
+        let along = [false, true].map(|on| Some((y * columns + step(x, columns, on)?, wx)));
+        let across = [false, true].map(|on| Some((step(y, rows, on)? * columns + x, wy)));
+        let mut point = Self { weight: 0.0, known_weight: 0.0, known: 0.0, missing: [None; 4] };
+        for (k, (beside, weight)) in along.into_iter().chain(across).flatten().enumerate() {
+            point.weight += weight;
+            match places.binary_search(&beside) {
+                Ok(number) => point.missing[k] = Some((number, weight)),
+                Err(_) => {
+                    point.known_weight += weight;
+                    point.known += weight * surface.heights()[beside];
+                }
+            }
+        }
+        point
+    }
+
+    /// What the equation of the point makes of these heights, its own among them.
+    fn apply(&self, own: f64, heights: &[f64]) -> f64 {
+        let beside = self.missing.iter().flatten().map(|(number, w)| w * heights[*number]);
+        self.weight * own - beside.sum::<f64>()
+    }
+}
+
+/// Conjugate gradients from 0: the equations are symmetric, and positive as every hole has a rim.
+fn solve(points: &[Point], right: Vec<f64>) -> Result<Vec<f64>, TopographyError> {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let (mut found, mut way) = (vec![0.0; right.len()], right.clone());
+    let (mut rest, mut square) = (right.clone(), dot(&right, &right));
+    let enough = TOLERANCE * TOLERANCE * square;
+    // Exact arithmetic needs as many steps as there are points, and far fewer are usual.
+    for _ in 0..10 * points.len() + 10 {
+        if square <= enough {
+            return Ok(found);
+        }
+        let applied: Vec<f64> =
+            points.iter().zip(&way).map(|(p, own)| p.apply(*own, &way)).collect();
+        let length = square / dot(&way, &applied);
+        for ((found, rest), (way, applied)) in
+            found.iter_mut().zip(&mut rest).zip(way.iter().zip(&applied))
+        {
+            *found += length * way;
+            *rest -= length * applied;
+        }
+        let last = std::mem::replace(&mut square, dot(&rest, &rest));
+        for (way, rest) in way.iter_mut().zip(&rest) {
+            *way = rest + square / last * *way;
+        }
+    }
+    Err(TopographyError::NotFilled { points: points.len() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: [usize; 2] = [40, 30];
+
+    /// A map of heights by column and row, without those in some holes.
+    fn holed(height: impl Fn(f64, f64) -> f64, pixel: [f64; 2], edges: bool) -> Topography {
+        let [columns, rows] = SIZE;
+        let missing = |x: usize, y: usize| {
+            let inside = (12..18).contains(&x) && (10..15).contains(&y) || (x, y) == (30, 20);
+            inside || edges && ((x, y) == (0, 0) || x == 39 && y > 26)
+        };
+        let at = |k: usize| match (k % columns, k / columns) {
+            (x, y) if missing(x, y) => f64::NAN,
+            (x, y) => height(x as f64 * pixel[0], y as f64 * pixel[1]),
+        };
+        Topography::new((0..columns * rows).map(at).collect(), columns, pixel).unwrap()
+    }
+
+    #[test]
+    fn what_is_harmonic_is_found_again() {
+        // x² - y² on pixels that are no squares, xy and a plane: differences are exact.
+        for height in [|x: f64, y: f64| x * x - y * y, |x, y| 3.0 * x * y + 5.0 * x - y + 7.0] {
+            let pixel = [1e-6, 1.5e-6];
+            let filled = holed(height, pixel, false).fill().unwrap();
+            for (k, found) in filled.heights().iter().enumerate() {
+                let exact = height((k % 40) as f64 * pixel[0], (k / 40) as f64 * pixel[1]);
+                assert!(
+                    (found - exact).abs() < 1e-9 * exact.abs().max(1e-9),
+                    "{k} {found} {exact}"
+                );
+            }
+            assert!((filled.filled_share() - 31.0 / 1200.0).abs() < 1e-15);
+            assert_eq!((filled.missing_share(), filled.measured()), (0.0, 1200));
+        }
+    }
+
+    #[test]
+    fn every_filled_point_is_the_mean_of_its_neighbours_at_edges_and_over_them() {
+        let height = |x: f64, y: f64| (0.7 * x + 0.2 * y * y).sin();
+        for periodic in [false, true] {
+            let holed = holed(height, [1.0; 2], true).with_periodic(periodic);
+            let filled = holed.clone().fill().unwrap();
+            let z = |x: i32, y: i32| match periodic {
+                true => Some(filled.heights()[(y.rem_euclid(30) * 40 + x.rem_euclid(40)) as usize]),
+                false => ((0..40).contains(&x) && (0..30).contains(&y))
+                    .then(|| filled.heights()[(y * 40 + x) as usize]),
+            };
+            for (k, before) in holed.heights().iter().enumerate() {
+                let (x, y) = ((k % 40) as i32, (k / 40) as i32);
+                if !before.is_nan() {
+                    assert_eq!(z(x, y), Some(*before));
+                    continue;
+                }
+                let beside: Vec<f64> = [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)]
+                    .into_iter()
+                    .filter_map(|(x, y)| z(x, y))
+                    .collect();
+                let mean = beside.iter().sum::<f64>() / beside.len() as f64;
+                assert!((z(x, y).unwrap() - mean).abs() < 1e-8, "{x} {y} {mean}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_gap_in_a_profile_is_a_line_and_too_much_is_refused() {
+        let heights = |gap: std::ops::Range<usize>| {
+            let at = |k: usize| if gap.contains(&k) { f64::NAN } else { (k * k) as f64 };
+            Topography::new((0..100).map(at).collect(), 100, [1.0; 2]).unwrap()
+        };
+        let filled = heights(10..14).fill().unwrap();
+        // From 81 to 196 in five steps.
+        assert!(
+            (10..14).all(|k| (filled.heights()[k] - (81.0 + 23.0 * (k - 9) as f64)).abs() < 1e-6)
+        );
+        let whole = heights(0..0);
+        assert_eq!(whole.clone().fill().unwrap(), whole);
+        let error = heights(10..16).fill().unwrap_err().to_string();
+        assert!(
+            error.starts_with("the share of missing points is 0.0600: at most 0.05"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn that_points_were_filled_is_told() {
+        let height = |x: f64, y: f64| (0.7 * x + 0.2 * y).sin() + (0.3 * x - 0.8 * y).cos();
+        let statistics = |surface: Topography| surface.statistics(crate::Estimator::Moments);
+        let holed = holed(height, [1.0; 2], false);
+        let [open, filled] = [holed.clone(), holed.fill().unwrap()].map(|s| statistics(s).unwrap());
+        assert_eq!(open.missing_share, filled.missing_share);
+        assert!((filled.m2 / open.m2 - 1.0).abs() < 0.03);
+        let told =
+            |of: &crate::Statistics| of.warnings.iter().any(|w| w.to_string().contains("filled"));
+        assert!(told(&filled) && !told(&open), "{:?}", filled.warnings);
+    }
+}
