@@ -67,11 +67,11 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// What is unusual about the answers of a model at these places; nothing where the scene itself
-    /// is, as all else may follow from that.
+    /// What is unusual about the answers of a model at these places; nothing where a number of the
+    /// scene makes no sense, as all else may follow from that.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
-        match self.findings().iter().any(|finding| finding.severity < Severity::Note) {
+        match self.findings().iter().any(|finding| finding.severity == Severity::Error) {
             true => vec![],
             false => Check::answers(model, &self.scene, places),
         }
