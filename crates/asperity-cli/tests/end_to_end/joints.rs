@@ -239,3 +239,24 @@ fn a_model_that_lacks_a_quantity_leaves_it_blank() {
     assert!(column(&run.out, "force_N")[1] > 0.0);
     assert!(run.words.contains("gao: no unloading-stiffness: Gao cannot"), "{}", run.words);
 }
+
+#[test]
+fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
+    let bench = Bench::new();
+    let rail = include_str!("../../../asperity-scene/examples/wheel-rail.toml");
+    let heights = "heights = \"exponential\"";
+    bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
+    let run = bench.run("unload scene.toml --model jg-cosine --load 20kN --retreat 0,100nm");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let forces = column(&run.out, "force_N");
+    assert!((forces[0] / 2e4 - 1.0).abs() < 1e-9 && forces[1] < forces[0], "{forces:?}");
+    // Where contact ends is told to 1e-6 where 1e-10 is not reached.
+    let (_, end) = run.words.split_once("contact ends at a retreat of ").unwrap();
+    let end: f64 = end.split(' ').next().unwrap().parse().unwrap();
+    let [before, after] = [0.9999, 1.0001].map(|share| {
+        let words =
+            format!("unload scene.toml --model jg-cosine --load 20kN --retreat {}", share * end);
+        column(&bench.data(&format!("{words} --retreat-unit m")), "contacts")[0]
+    });
+    assert!(after < 1.0 && before > 1.0, "{before} {after}");
+}
