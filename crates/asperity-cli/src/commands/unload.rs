@@ -5,6 +5,7 @@ use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
+use clap::error::ErrorKind;
 
 use crate::args::{Closed, DrawnArgs, separation_unit};
 use crate::commands::history;
@@ -75,7 +76,7 @@ impl Unload {
         let (scene, model) = self.closed.open()?;
         let turns = self.turns(&scene);
         let place = match turns {
-            None => Some(self.closed.place(&scene, &model)?),
+            None => Some(self.place(&scene, &model)),
             Some(_) => None,
         };
         let mut joints = vec![];
@@ -91,6 +92,15 @@ impl Unload {
             (None, Some(place)) => self.back(&scene, &model, &joints, place),
             (None, None) => Ok(()),
         }
+    }
+
+    /// The one place from which it goes back.
+    fn place(&self, scene: &LoadedScene, model: &NamedModel) -> At {
+        let [place] = self.closed.places(scene, model)[..] else {
+            let text = "one closest approach, --load or --pressure was expected: --history or --history-load takes several";
+            crate::usage_error("unload", ErrorKind::TooManyValues, text)
+        };
+        place
     }
 
     fn turns(&self, scene: &LoadedScene) -> Option<Vec<At>> {

@@ -260,3 +260,30 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     });
     assert!(after < 1.0 && before > 1.0, "{before} {after}");
 }
+
+#[test]
+fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
+    let bench = Bench::new();
+    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";
+    let data = bench.data(&format!("{words} --load 100:10000:3:log --plot losses.svg"));
+    let (head, rows) = csv(&data);
+    let columns = "model,load_N,pressure_Pa,separation_over_sigma,force_N,secant_stiffness_N_per_m,loss_J,loss_factor,sliding_m";
+    assert!(head.join(",") == columns && rows.len() == 3, "{data}");
+    for (k, load) in [100.0, 1000.0, 10000.0].into_iter().enumerate() {
+        let joint = joint(&bench, "ke", At::Load(load), UnloadingLaw::Hertz);
+        let slip = PartialSlip::new(&joint, 0.3).unwrap();
+        let force = slip.force(1e-7).unwrap().value();
+        let loss = slip.loss(1e-7).unwrap().value();
+        let factor = slip.loss_factor(1e-7).unwrap();
+        let wanted = [load, load / 1e-4, joint.closest().value, force, force / 1e-7, loss, factor];
+        for (name, wanted) in head[1..].iter().zip(wanted) {
+            let found = column(&data, name)[k];
+            assert!((found / wanted - 1.0).abs() < 1e-9, "{name} at {load}: {found} {wanted}");
+        }
+    }
+    assert!(bench.read("losses.svg").contains("loss factor"));
+    // One preload has its loop; unloading goes back from one place.
+    assert!(bench.data(&format!("{words} --load 100 --points 3")).starts_with("model,shift_m"));
+    let run = bench.run("unload scene.toml --model ke --load 100,200");
+    assert!(run.code == Some(2) && run.words.contains("--history-load takes"), "{}", run.words);
+}
