@@ -104,7 +104,7 @@ def contact_table(
     scene: SceneFile,
     ends: tuple[str, _Float, _Float],
     spacing: tuple[int, _Float | None, _Float],
-    form: str,
+    form: tuple[str, str],
     beside: tuple[str | None, _Float | None],
 ) -> tuple[list[float], list[float], list[float], float, float, str]: ...
 
