@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -12,8 +12,8 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::distances::{Distance, Distances, ask_unit};
-use crate::numbers::{Numbers, load, loads_or_tensions, number, pressure, pressures_or_tensions};
+use crate::distances::{Distances, ask_unit};
+use crate::numbers::{Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions};
 use crate::output::{self, once};
 use crate::scene::{LoadedScene, NamedModel};
 use crate::table::{Format, Table};
@@ -74,13 +74,13 @@ pub struct Closed {
 struct Place {
     /// The closest approach, in sigma (of the asperity heights), or with a unit as 2um
     #[arg(long, value_name = "D")]
-    closest: Option<Distance>,
+    closest: Option<Distances>,
     /// The largest load, in N, or with a unit as 2kN
-    #[arg(long, value_name = "P", value_parser = load)]
-    load: Option<f64>,
+    #[arg(long, value_name = "P", value_parser = loads)]
+    load: Option<Numbers>,
     /// The largest load as a pressure on the nominal area, in Pa, or with a unit as 5MPa
-    #[arg(long, value_name = "P", value_parser = pressure)]
-    pressure: Option<f64>,
+    #[arg(long, value_name = "P", value_parser = pressures)]
+    pressure: Option<Numbers>,
 }
 
 impl Closed {
@@ -91,19 +91,23 @@ impl Closed {
         Ok((scene, model))
     }
 
-    /// Where the joint was closed to; what is unusual about it is said.
-    pub fn place(&self, scene: &LoadedScene, model: &NamedModel) -> Result<At> {
+    /// Where the joint was closed to, once or, for one each, several times; what is unusual about it
+    /// is said.
+    pub fn places(&self, scene: &LoadedScene, model: &NamedModel) -> Vec<At> {
         let file = &scene.file;
-        let separation = |closest: Distance| {
-            let unit = closest.unit(SeparationUnit::Sigma);
-            ask_unit("closest", &[closest.value], unit, file.scene.surface.asperity_height_std);
-            At::from(file.separation(closest.value, unit))
-        };
-        let Place { closest, load, pressure } = self.place;
-        let place = closest.map(separation).or(load.map(At::Load)).or(pressure.map(At::Pressure));
-        let place = place.context("a closest approach was required")?;
-        scene.tell(&[model], &[place]);
-        Ok(place)
+        let Place { closest, load, pressure } = &self.place;
+        let separations = closest.iter().flat_map(|list| {
+            let unit = list.unit(SeparationUnit::Sigma);
+            ask_unit("closest", &list.values, unit, file.scene.surface.asperity_height_std);
+            list.values.iter().map(move |value| At::from(file.separation(*value, unit)))
+        });
+        let [loads, pressures] = [load, pressure].map(|list| list.iter().flat_map(|l| &l.0));
+        let places: Vec<At> = separations
+            .chain(loads.copied().map(At::Load))
+            .chain(pressures.copied().map(At::Pressure))
+            .collect();
+        scene.tell(&[model], &places);
+        places
     }
 }
 

@@ -134,7 +134,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
+        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None, |_| None)
     }
 
     /// Whether a quantity was asked for, and is one of those that this model knows: for models that

@@ -72,6 +72,21 @@ pub enum Warning {
         /// Where first, as it was asked.
         at: At,
     },
+    /// Parts of a law cancel next to a separation where the force crosses 0, or turns: what is
+    /// asked there is known less well than the input.
+    IllConditioned {
+        /// The model.
+        model: String,
+        /// In how many rows.
+        count: usize,
+        /// Where worst, as it was asked.
+        at: At,
+        /// What cancels there: the force or, where a load was given, the tangent.
+        cancels: Quantity,
+        /// Relative change of the force for a change of the separation by σ_z; where the tangent
+        /// cancels, change of the separation over σ_z for a relative change of the load.
+        condition: f64,
+    },
     /// The angle density that a model's paper prints is negative for some directions. No result
     /// depends on the terms that make it so.
     NegativeAngleDensity {
@@ -120,6 +135,19 @@ impl fmt::Display for Warning {
                 "{model}: no asperity touches in {}, first at {at}: logarithms, shares and the mean pressure have no value there",
                 rows(*count)
             ),
+            Self::IllConditioned { model, count, at, cancels, condition } => {
+                let (count, to) = (rows(*count), KNOWN * condition);
+                match cancels {
+                    Quantity::Force => write!(
+                        f,
+                        "{model}: the force crosses 0 near {at}: in {count}, a separation known to {KNOWN:e} asperity_height_std gives the force to {to:.0e} of itself there"
+                    ),
+                    _ => write!(
+                        f,
+                        "{model}: the force turns near {at}: in {count}, a load known to {KNOWN:e} of itself gives the separation to {to:.0e} asperity_height_std there"
+                    ),
+                }
+            }
             Self::NegativeAngleDensity { model, minimum } => write!(
                 f,
                 "{model}: the angle density falls to 4 pi psi = {minimum:.5}; its a21 and b21 terms average out and change no result"
@@ -127,6 +155,11 @@ impl fmt::Display for Warning {
         }
     }
 }
+
+/// The sentence on conditioning takes an input that is known so well.
+const KNOWN: f64 = 1e-6;
+/// A sum that is so much smaller than what is added and subtracted is ill-conditioned.
+const CANCELLED: f64 = 0.01;
 
 fn rows(count: usize) -> String {
     if count == 1 { "1 row".into() } else { format!("{count} rows") }
@@ -189,6 +222,27 @@ impl Warnings {
         }
     }
 
+    /// Looks at force and tangent at one place: at a separation the force may cancel, at a load
+    /// the tangent.
+    pub(crate) fn look_at_condition(
+        &mut self,
+        model: &str,
+        (force, tangent): &(Evaluation, Evaluation),
+        at: At,
+        scene: &Scene,
+    ) {
+        let per_sigma = tangent.value() * scene.surface.asperity_height_std / force.value();
+        let (cancels, of, condition) = match at {
+            At::Separation(_) => (Quantity::Force, force, per_sigma.abs()),
+            _ => (Quantity::Tangent, tangent, per_sigma.abs().recip()),
+        };
+        if of.scaled.abs() < CANCELLED * of.size && condition.is_finite() {
+            let (model, count) = (model.to_string(), 1);
+            let new = Warning::IllConditioned { model, count, at, cancels, condition };
+            self.append([new]);
+        }
+    }
+
     /// Adds what was odd about the rows that follow.
     pub fn append(&mut self, following: impl IntoIterator<Item = Warning>) {
         for mut new in following {
@@ -223,7 +277,8 @@ impl Warning {
             | Self::Adhesion { count, .. }
             | Self::Underflow { count, .. }
             | Self::AreaAboveNominal { count, .. }
-            | Self::NoContact { count, .. } => Some(count),
+            | Self::NoContact { count, .. }
+            | Self::IllConditioned { count, .. } => Some(count),
             Self::NegativeAngleDensity { .. } => None,
         }
     }
@@ -231,6 +286,14 @@ impl Warning {
     fn add(&mut self, other: &mut Self) {
         if let (Some(count), Some(more)) = (self.rows(), other.rows()) {
             *count += *more;
+        }
+        if let (
+            Self::IllConditioned { at, condition, .. },
+            Self::IllConditioned { at: other, condition: worse, .. },
+        ) = (self, other)
+            && *worse > *condition
+        {
+            (*at, *condition) = (*other, *worse);
         }
     }
 
@@ -240,6 +303,7 @@ impl Warning {
             Self::Negative { quantity, .. }
             | Self::Adhesion { quantity, .. }
             | Self::Underflow { quantity, .. } => Some(*quantity),
+            Self::IllConditioned { cancels, .. } => Some(*cancels),
             _ => None,
         };
         (std::mem::discriminant(self), quantity.map(cause_of))

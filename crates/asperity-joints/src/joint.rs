@@ -47,6 +47,12 @@ impl Joint {
         })
     }
 
+    /// The same to this tolerance, unless its own is the larger one.
+    pub(crate) fn roughly(&self, tolerance: Tolerance) -> Self {
+        let tolerance = if self.tolerance > tolerance { self.tolerance } else { tolerance };
+        Self { tolerance, ..self.clone() }
+    }
+
     /// The curve of first loading, compiled for force and tangent.
     #[must_use]
     pub fn virgin(&self) -> &dyn Contact {

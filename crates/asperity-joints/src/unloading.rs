@@ -57,6 +57,9 @@ impl FromStr for UnloadingLaw {
     }
 }
 
+/// What a count of contacts may be off where its integral does not reach the tolerance.
+const ROUGH: f64 = 1e-6;
+
 /// A contact that has come to its closest approach, and now goes back.
 #[derive(Debug, Clone)]
 pub struct Unloading {
@@ -137,7 +140,8 @@ impl Unloading {
     }
 
     /// The retreat \[m\] from which on fewer than one asperity touches on average: where contact ends.
-    /// 0 where no more than one has touched.
+    /// 0 where no more than one has touched. Where integrals do not reach the tolerance on the way
+    /// there, 1e-6 is enough.
     ///
     /// # Errors
     /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity
@@ -145,7 +149,14 @@ impl Unloading {
     pub fn last_contact(&self) -> Result<f64, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
         // Logarithms: the number falls faster than any power.
-        let over_one = |u: f64| Ok(self.contacts(u)?.ln_value());
+        let rough = Self { joint: self.joint.roughly(Tolerance::new(ROUGH)?), ..self.clone() };
+        let over_one = |u: f64| {
+            let contacts = match self.contacts(u) {
+                Err(ContactError::Integral { .. }) => rough.contacts(u),
+                contacts => contacts,
+            };
+            Ok(contacts?.ln_value())
+        };
         let found = falls_to_0(over_one, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
         match found {
             Some(retreat) => Ok(retreat),

@@ -11,7 +11,7 @@ use pyo3::types::{PyFloat, PyTuple};
 use crate::answer::{Aspect, Question, Source};
 use crate::engine::{Engine, quantities_of, tolerance};
 use crate::error::{value_error, warn};
-use crate::numbers::{floats, scalar};
+use crate::numbers::{floats, in_si, scalar};
 use crate::places::Axis;
 use crate::rows::View;
 use crate::scene::SceneFile;
@@ -173,6 +173,11 @@ impl Contact {
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
+        let told = in_si(numbers, axis.si())?;
+        let (numbers, axis) = match &told {
+            Some(told) => (told, axis.in_si()),
+            None => (numbers, axis),
+        };
         if let Some(number) = scalar(numbers) {
             let slip = axis.slip("separation", number, file.scene.surface.asperity_height_std);
             slip.map_or(Ok(()), |slip| warn(py, &slip, 0))?;

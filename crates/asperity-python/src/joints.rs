@@ -11,20 +11,20 @@ use pyo3::types::{PyFloat, PyTuple};
 use crate::engine::{Engine, tolerance};
 use crate::error::{value_error, warn};
 use crate::long::{pool, stretches};
-use crate::numbers::{floats, scalar};
+use crate::numbers::{floats, in_si, scalar};
 use crate::places::Axis;
 use crate::scene::SceneFile;
 
 /// The unit of multiples of σ_z.
 pub(crate) const SIGMAS: Axis = Axis::Separation(SeparationUnit::Sigma);
-
 /// Rows that one thread does at a time: each is an integral of its own.
 const TOGETHER: usize = 4;
 
 /// A joint that was closed for the first time, and opens again.
 ///
 /// Made by ``Model.unloading``. Retreats are distances back from the closest approach, in
-/// ``separation_unit``; a float gives floats, an array gives arrays of its shape.
+/// ``separation_unit`` or with their own, as "100 nm"; a float gives floats, an array gives arrays
+/// of its shape.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct Unloading {
     model: Py<Engine>,
@@ -165,8 +165,12 @@ impl Unloading {
         one: impl Fn(&joints::Unloading, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let sigma = self.joint.scene().surface.asperity_height_std;
-        let metres = self.metres();
-        let slipped = |value: f64| self.unit.slip("retreat", value, sigma);
+        let told = in_si(retreat, "m")?;
+        let (retreat, unit, metres) = match &told {
+            Some(told) => (told, SIGMAS.in_si(), 1.0),
+            None => (retreat, self.unit, self.metres()),
+        };
+        let slipped = |value: f64| unit.slip("retreat", value, sigma);
         let one = |u: f64| one(&self.joint, metres * u);
         over(retreat, "retreat", slipped, one, |error| self.model.get().raise(retreat.py(), error))
     }
@@ -174,8 +178,8 @@ impl Unloading {
 
 /// A joint that is sheared at a constant separation, from virgin or in cycles.
 ///
-/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres; a float gives floats, an array
-/// gives arrays of its shape. The asperities answer as elastically as in the unloading.
+/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or with their unit, as "100 nm"; a
+/// float gives floats, an array gives arrays of its shape. The asperities answer as elastically as in the unloading.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct PartialSlip {
     /// The joint that is sheared.
@@ -207,9 +211,10 @@ impl PartialSlip {
     fn loop_force<'py>(
         &self,
         shift: &Bound<'py, PyAny>,
-        amplitude: f64,
+        amplitude: &Bound<'py, PyAny>,
         forth: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let amplitude: f64 = in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
         self.over(shift, "shift", |slip, u| slip.loop_force(u, amplitude, forth))
     }
 
@@ -256,6 +261,8 @@ impl PartialSlip {
         one: impl Fn(&joints::PartialSlip, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let one = |u: f64| one(&self.slip, u);
+        let told = in_si(numbers, "m")?;
+        let numbers = told.as_ref().unwrap_or(numbers);
         over(numbers, name, |_| None, one, |error| self.raise(numbers.py(), error))
     }
 }

@@ -3,7 +3,7 @@
 use numpy::{PyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyFloat;
+use pyo3::types::{PyFloat, PyList, PyString, PyTuple};
 
 use crate::error::value_error;
 
@@ -13,6 +13,21 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
         return number.extract().ok();
     }
     None
+}
+
+/// Texts with a unit, as "100 nm" or a list of them, as numbers in an SI unit; none of numbers.
+pub(crate) fn in_si<'py>(
+    numbers: &Bound<'py, PyAny>,
+    si: &str,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    let may_be = numbers.is_instance_of::<PyString>()
+        || numbers.is_instance_of::<PyList>()
+        || numbers.is_instance_of::<PyTuple>();
+    if !may_be {
+        return Ok(None);
+    }
+    let read = numbers.py().import("asperity._arguments")?.call_method1("in_si", (numbers, si))?;
+    Ok((!read.is(numbers)).then_some(read))
 }
 
 /// A contiguous array of doubles. Masks, which would be lost, complex numbers, and texts, which

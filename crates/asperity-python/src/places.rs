@@ -30,6 +30,23 @@ impl<'py> FromPyObject<'_, 'py> for Axis {
 }
 
 impl Axis {
+    /// The SI unit of its numbers, as texts say it.
+    pub(crate) fn si(self) -> &'static str {
+        match self {
+            Self::Separation(_) => "m",
+            Self::Load => "N",
+            Self::Pressure => "Pa",
+        }
+    }
+
+    /// The same for numbers in that unit.
+    pub(crate) fn in_si(self) -> Self {
+        match self {
+            Self::Separation(_) => Self::Separation(SeparationUnit::Metres),
+            other => other,
+        }
+    }
+
     /// A number, from a scene's plane.
     pub(crate) fn at(self, value: f64, from: Datum) -> At {
         match self {

@@ -1,6 +1,8 @@
 //! Contact tables for finite-element codes.
 
-use asperity::{ConductanceAgainst, ContactTable, SeparationUnit, TableFormat, Tolerance};
+use asperity::{
+    ConductanceAgainst, ContactTable, SeparationUnit, TableFormat, Tolerance, UnitSystem,
+};
 use pyo3::prelude::*;
 
 use crate::engine::Engine;
@@ -45,10 +47,11 @@ pub(crate) fn contact_table(
     scene: &SceneFile,
     ends: (Axis, f64, f64),
     spacing: (usize, Option<f64>, f64),
-    form: &str,
+    form: (&str, &str),
     beside: (Option<String>, Option<f64>),
 ) -> PyResult<Table> {
-    let (model, format, file) = (engine.on(&scene.0)?, format_of(form)?, &scene.0);
+    let (model, format, file) = (engine.on(&scene.0)?, format_of(form.0)?, &scene.0);
+    let units: UnitSystem = form.1.parse().map_err(|e| value_error(format!("units is {e}")))?;
     let (from, contact) = (file.separation_from, &file.scene);
     let (nodes, max_error, rtol) = spacing;
     let tolerance = Tolerance::new(rtol).map_err(refused)?;
@@ -61,15 +64,15 @@ pub(crate) fn contact_table(
     });
     let table = table.map_err(value_error)?;
     let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), model_name(&model));
-    let mut text = table.text(format, contact, from, &title).map_err(value_error)?;
+    let mut text = table.text((format, units), contact, from, &title).map_err(value_error)?;
     let (conductance, friction) = beside;
     if let Some(against) = conductance {
         let (against, place) = (against_of(&against)?, (&model as _, contact, from));
-        let added = table.conductance_text(format, against, place, tolerance);
+        let added = table.conductance_text((format, units), against, place, tolerance);
         text += &added.map_err(value_error)?;
     }
     if let Some(friction) = friction {
-        let added = table.friction_text(format, friction, (&model, contact), tolerance);
+        let added = table.friction_text((format, units), friction, (&model, contact), tolerance);
         text += &added.map_err(value_error)?;
     }
     let clearance = |node: &asperity::ContactNode| {

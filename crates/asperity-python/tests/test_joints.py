@@ -52,6 +52,28 @@ def test_units_and_places_mean_the_same(scene: asperity.Scene) -> None:
         assert one.scene in (scene, plane) and one.rtol == 1e-10
 
 
+def test_lengths_may_say_their_unit(scene: asperity.Scene) -> None:
+    joint = asperity.model("ke").unloading(scene, load="1 kN")
+    metres = asperity.model("ke").unloading(scene, load=1e3, separation_unit="m")
+    assert joint.force("100 nm") == pytest.approx(metres.force(1e-7), rel=1e-12)
+    assert metres.force("100 nm") == metres.force(1e-7)
+    found = joint.area(["0 m", "0.1 um"])
+    np.testing.assert_allclose(found, metres.area([0.0, 1e-7]), rtol=1e-12)
+    slip = joint.slip(0.3)
+    assert slip.force("50nm") == slip.force(5e-8)
+    assert slip.loop_force("50 nm", "0.1 um") == slip.loop_force(5e-8, 1e-7)
+    np.testing.assert_array_equal(slip.loss(["50 nm", "0.1 um"]), slip.loss([5e-8, 1e-7]))
+    contact = asperity.model("ke").compile(scene, quantities=("force", "area"))
+    assert contact.evaluate("area", load="1 kN") == contact.evaluate("area", load=1e3)
+    assert contact.force("1 um") == contact.force(1e-6 / scene.surface.asperity_height_std)
+    calls = [(joint.force, "2 kN"), (joint.stiffness, "100"), (slip.loss, ["1 nm", 2e-9])]
+    for call, wrong in calls:
+        with pytest.raises(TypeError, match=r"m\b|unit"):
+            call(wrong)
+    with pytest.raises(TypeError, match="unit"):
+        slip.loop_force(0.0, "100")
+
+
 def test_stiffness_is_the_slope_and_begins_as_the_quantity_of_that_name(
     scene: asperity.Scene,
 ) -> None:

@@ -70,14 +70,14 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// What is unusual about the answers of a model at these places; nothing where the scene itself
-    /// is, as all else may follow from that.
+    /// What is unusual about the answers of a model at these places; nothing where a number of the
+    /// scene makes no sense, as all else may follow from that.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
         let asperities = model.claims().asperities;
         let known = |found: &Finding| asperities || !found.is_of_asperities();
-        let serious = |found: &Finding| found.severity < Severity::Note && known(found);
-        match self.findings().iter().any(serious) {
+        let wrong = |found: &Finding| found.severity == Severity::Error && known(found);
+        match self.findings().iter().any(wrong) {
             true => vec![],
             false => Check::answers(model, &self.scene, places),
         }

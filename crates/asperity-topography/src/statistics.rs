@@ -3,7 +3,7 @@
 use asperity_core::Surface;
 use serde::Serialize;
 
-use crate::{Estimator, Moments, Topography, TopographyError, Warning};
+use crate::{Disagreement, Estimator, Moments, Topography, TopographyError, Warning};
 
 /// What a surface comes to, in SI units.
 ///
@@ -161,18 +161,23 @@ impl Statistics {
     /// Keeps the asperities by the other estimator, and says where the two disagree.
     fn compare(&mut self, other: Surface) {
         let asked = self.surface();
-        for (parameter, asked, other) in [
+        let parameters: Vec<Disagreement> = [
             ("asperity_density", asked.asperity_density, other.asperity_density),
             ("asperity_radius", asked.asperity_radius, other.asperity_radius),
             ("asperity_height_std", asked.asperity_height_std, other.asperity_height_std),
-        ] {
-            if apart(asked, other) {
-                let (moments, summits) = match self.estimator {
-                    Estimator::Moments => (asked, other),
-                    Estimator::Summits => (other, asked),
-                };
-                self.warnings.push(Warning::EstimatorsDisagree { parameter, moments, summits });
-            }
+        ]
+        .into_iter()
+        .filter(|(_, asked, other)| apart(*asked, *other))
+        .map(|(parameter, asked, other)| {
+            let (moments, summits) = match self.estimator {
+                Estimator::Moments => (asked, other),
+                Estimator::Summits => (other, asked),
+            };
+            Disagreement { parameter, moments, summits }
+        })
+        .collect();
+        if !parameters.is_empty() {
+            self.warnings.push(Warning::EstimatorsDisagree { parameters });
         }
         self.other = Some(other);
     }

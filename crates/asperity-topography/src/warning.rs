@@ -14,14 +14,10 @@ pub enum Warning {
         /// β.
         beta: f64,
     },
-    /// The two estimators of an asperity parameter differ by more than a factor 2.
+    /// The two estimators of asperity parameters differ by more than a factor 2.
     EstimatorsDisagree {
-        /// The parameter, named as in [`Statistics`](crate::Statistics).
-        parameter: &'static str,
-        /// Its value by the spectral moments.
-        moments: f64,
-        /// Its value by the summits.
-        summits: f64,
+        /// Where they do.
+        parameters: Vec<Disagreement>,
     },
     /// The estimator that was not asked for could not be applied.
     NoSecondEstimator {
@@ -73,6 +69,17 @@ impl Warning {
     }
 }
 
+/// A parameter that two estimators tell differently.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Disagreement {
+    /// Its name, as in [`Statistics`](crate::Statistics).
+    pub parameter: &'static str,
+    /// Its value by the spectral moments.
+    pub moments: f64,
+    /// Its value by the summits.
+    pub summits: f64,
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -84,10 +91,22 @@ impl fmt::Display for Warning {
                 f,
                 "beta = eta R Sq is {beta:.4}, rough surfaces are found between 0.02 and 0.1: the scan is smoothed, too coarse for the asperities, or of a regular surface; scan finer, with more points to the asperity"
             ),
-            Self::EstimatorsDisagree { parameter, moments, summits } => write!(
-                f,
-                "{parameter} is {moments:.4e} by the spectral moments and {summits:.4e} by the summits, more than a factor 2 apart: the surface is not an isotropic Gaussian one at this sampling; compare the results of both estimators"
-            ),
+            Self::EstimatorsDisagree { parameters } => {
+                for (k, Disagreement { parameter, moments, summits }) in
+                    parameters.iter().enumerate()
+                {
+                    match k {
+                        0 => write!(
+                            f,
+                            "{parameter} is {moments:.4e} by the spectral moments and {summits:.4e} by the summits"
+                        )?,
+                        _ => write!(f, ", {parameter} {moments:.4e} and {summits:.4e}")?,
+                    }
+                }
+                f.write_str(
+                    ", more than a factor 2 apart: the surface is not an isotropic Gaussian one at this sampling; compare the results of both estimators",
+                )
+            }
             Self::NoSecondEstimator { reason } => {
                 write!(f, "the two estimators could not be compared: {reason}")
             }

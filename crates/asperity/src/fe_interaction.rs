@@ -9,7 +9,7 @@ use crate::fe_tables::{Head, exact};
 use crate::table_builder::PROBES;
 use crate::{
     ContactError, ContactModel, ContactNode, ContactTable, Datum, Quantity, Request, Scene,
-    TableError, TableFormat, Tolerance,
+    TableError, TableFormat, Tolerance, UnitSystem,
 };
 
 /// What a conductance is a function of.
@@ -37,7 +37,7 @@ impl ContactTable {
         }
     }
 
-    /// Thermal conductance per nominal area \[W/(m² K)\] at the nodes of this table of a model on a
+    /// Thermal conductance per nominal area at the nodes of this table of a model on a
     /// scene, as `*GAP CONDUCTANCE`, for straight lines. It begins with 0 where the pressure does.
     ///
     /// # Errors
@@ -45,7 +45,7 @@ impl ContactTable {
     /// in CalculiX; those of [`Quantity::ThermalConductance`].
     pub fn conductance_text(
         &self,
-        format: TableFormat,
+        (format, units): (TableFormat, UnitSystem),
         against: ConductanceAgainst,
         (model, scene, from): (&dyn ContactModel, &Scene, Datum),
         tolerance: Tolerance,
@@ -69,7 +69,7 @@ impl ContactTable {
                 |quantity| Ok(contact.evaluate(quantity, separation)?.value() / scene.nominal_area);
             Ok([per_area(asked[0])?, per_area(asked[1])?])
         };
-        let head = Head { title: "", table: self, scene, from };
+        let head = Head { title: "", table: self, scene, from, units };
         self.ends()?;
         let mut pairs = vec![];
         for node in &self.nodes {
@@ -92,11 +92,15 @@ impl ContactTable {
         }
         let (nodes, named) = (pairs.len(), if by_pressure { "pressure" } else { "clearance" });
         let mut text = format!(
-            "** thermal conductance against {named}, in W/(m2 K) and {}, of contacts in vacuum that are
+            "** thermal conductance against {named}, in {} and {}, of contacts in vacuum that are
 ** far from each other; straight lines between {nodes} nodes: largest relative error {error:.3e}
 ",
-            if by_pressure { "Pa" } else { "m" }
+            units.of_conductance(),
+            if by_pressure { units.of_pressure() } else { units.of_length() }
         );
+        if units != UnitSystem::Si {
+            text += "** 1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are\n";
+        }
         text += match (calculix, by_pressure) {
             (true, _) => "** constant beyond the last pair; heat flows where ccx makes contact elements, as the
 ** *SURFACE BEHAVIOR before it says; the third number is a temperature, and of no effect
@@ -112,11 +116,12 @@ impl ContactTable {
         };
         let mut lines = vec![];
         for (separation, [pressure, conductance]) in pairs {
-            let place = if by_pressure { pressure } else { head.metres(separation)? };
-            lines.push((place, conductance));
+            let place =
+                if by_pressure { units.pressure(pressure) } else { head.length(separation)? };
+            lines.push((place, units.conductance(conductance)));
         }
         let end = match (by_pressure, self.cut_off()) {
-            (false, Some(separation)) => head.metres(separation)?,
+            (false, Some(separation)) => head.length(separation)?,
             _ => 0.0,
         };
         lines.push((end, 0.0));
@@ -141,7 +146,7 @@ impl ContactTable {
     /// [`ContactError::OutOfRange`] unless μ > 0; those of [`Quantity::TangentialStiffness`].
     pub fn friction_text(
         &self,
-        format: TableFormat,
+        (format, units): (TableFormat, UnitSystem),
         friction: f64,
         (model, scene): (&dyn ContactModel, &Scene),
         tolerance: Tolerance,
@@ -155,18 +160,20 @@ impl ContactTable {
         let contact = model.compile(scene, &Request::new([stiffness]).within(tolerance))?;
         let of = |node: &ContactNode| -> Result<_> {
             let slope = contact.evaluate(stiffness, node.separation)?.value() / scene.nominal_area;
-            Ok((node.pressure, slope, friction * node.pressure / slope))
+            let slip = units.length(friction * node.pressure / slope);
+            Ok((units.pressure(node.pressure), units.slope(slope), slip))
         };
         let [first, last] = self.ends()?;
         let ((pressure, slope, slip), (light, light_slope, light_slip)) = (of(first)?, of(last)?);
+        let (stress, length) = (units.of_pressure(), units.of_length());
         let from = format!(
-            "** friction with the stiffness in stick at {pressure:.3e} Pa, {slope:.3e} Pa/m; the asperities' own
+            "** friction with the stiffness in stick at {pressure:.3e} {stress}, {slope:.3e} {stress}/{length}; the asperities' own
 ** curve bends from the beginning on, up to the same limit\n"
         );
         Ok(match format {
             TableFormat::Abaqus => format!(
-                "{from}** Abaqus/Standard takes the stiffness as mu p over the elastic slip, which is {slip:.3e} m there
-** and {light_slip:.3e} m at {light:.3e} Pa; for Abaqus/Explicit, in its place (one stiffness for all pressures):
+                "{from}** Abaqus/Standard takes the stiffness as mu p over the elastic slip, which is {slip:.3e} {length} there
+** and {light_slip:.3e} {length} at {light:.3e} {stress}; for Abaqus/Explicit, in its place (one stiffness for all pressures):
 ** *FRICTION, SHEAR TRACTION SLOPE={slope:.9e}
 *FRICTION, ELASTIC SLIP={slip:.9e}
 {}
@@ -174,7 +181,7 @@ impl ContactTable {
                 exact(friction)
             ),
             _ => format!(
-                "{from}** ccx has one stick slope for all pressures; at {light:.3e} Pa it would be {light_slope:.3e} Pa/m
+                "{from}** ccx has one stick slope for all pressures; at {light:.3e} {stress} it would be {light_slope:.3e} {stress}/{length}
 *FRICTION
 {friction:.9e}, {slope:.9e}
 "
@@ -207,10 +214,11 @@ mod tests {
         for (table, told) in
             [(none, "0 nodes: two"), (one, "1 nodes: two"), (same, "9 nodes"), (nan, "9 nodes")]
         {
-            let refused = table.friction_text(abaqus, 0.2, (&model, &scene), tolerance);
+            let refused =
+                table.friction_text((abaqus, UnitSystem::Si), 0.2, (&model, &scene), tolerance);
             assert!(refused.unwrap_err().to_string().starts_with(told));
             let asked = (&model as &dyn ContactModel, &scene, Datum::AsperityMean);
-            let refused = table.conductance_text(abaqus, by, asked, tolerance);
+            let refused = table.conductance_text((abaqus, UnitSystem::Si), by, asked, tolerance);
             assert!(refused.unwrap_err().to_string().starts_with(told));
         }
     }

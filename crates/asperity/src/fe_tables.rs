@@ -3,7 +3,9 @@
 //! What is said of a code's format was read in its public manual or source. No code was run on
 //! these files here.
 
-use crate::{ContactTable, Datum, Interpolation, Scene, Separation, SeparationUnit, TableError};
+use crate::{
+    ContactTable, Datum, Interpolation, Scene, Separation, SeparationUnit, TableError, UnitSystem,
+};
 
 /// The words in which a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,19 +45,19 @@ impl TableFormat {
 
 impl ContactTable {
     /// The table of a scene in the words of a code, with clearances from a plane; `title` goes to
-    /// its comments. SI units.
+    /// its comments.
     ///
     /// # Errors
     /// [`ContactError::NoMeanPlane`](crate::ContactError::NoMeanPlane), and
     /// [`TableError::TooMany`] where the code takes fewer nodes.
     pub fn text(
         &self,
-        format: TableFormat,
+        (format, units): (TableFormat, UnitSystem),
         scene: &Scene,
         from: Datum,
         title: &str,
     ) -> Result<String, TableError> {
-        let head = Head { title, table: self, scene, from };
+        let head = Head { title, table: self, scene, from, units };
         match format {
             TableFormat::Csv => csv(&head),
             TableFormat::Abaqus => abaqus(&head),
@@ -72,15 +74,17 @@ pub(crate) struct Head<'h> {
     pub(crate) scene: &'h Scene,
     /// The plane that clearances are measured from.
     pub(crate) from: Datum,
+    pub(crate) units: UnitSystem,
 }
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
 
 impl Head<'_> {
-    /// A separation of the table in metres, from the scene's own plane.
-    pub(crate) fn metres(&self, sigmas: f64) -> Result<f64> {
+    /// A separation of the table as a length, from the scene's own plane.
+    pub(crate) fn length(&self, sigmas: f64) -> Result<f64> {
         let separation = Separation::sigmas(sigmas);
-        Ok(separation.measured_in(SeparationUnit::Metres, self.from, self.scene)?.value)
+        let metres = separation.measured_in(SeparationUnit::Metres, self.from, self.scene)?.value;
+        Ok(self.units.length(metres))
     }
 
     /// Relative errors of the pressure and of its slope between the nodes.
@@ -88,12 +92,13 @@ impl Head<'_> {
         [self.table.pressure_error, self.table.stiffness_error].map(|x| format!("{x:.3e}"))
     }
 
-    /// Clearances \[m\] and pressures \[Pa\] for straight lines, the lightest first: from where the
+    /// Clearances and pressures for straight lines, the lightest first: from where the
     /// tangent of the first node reaches 0.
     fn lines(&self) -> Result<Vec<(f64, f64)>> {
         let end = self.table.cut_off().map(|separation| (separation, 0.0));
         let nodes = self.table.nodes.iter().rev().map(|node| (node.separation, node.pressure));
-        end.into_iter().chain(nodes).map(|(s, pressure)| Ok((self.metres(s)?, pressure))).collect()
+        let pair = |(s, pressure)| Ok((self.length(s)?, self.units.pressure(pressure)));
+        end.into_iter().chain(nodes).map(pair).collect()
     }
 }
 
@@ -106,20 +111,22 @@ pub(crate) fn exact(x: f64) -> String {
 
 /// Clearance, pressure and tangent.
 fn csv(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, .. } = head;
+    let Head { title, from, table, units, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
+    let (length, stress, converted) = (units.of_length(), units.of_pressure(), units.told("#"));
     let mut text = format!(
         "# {title}: contact pressure against clearance
-# clearance is the separation from {from}
+{converted}# clearance is the separation from {from}
 # tangent is -dp/dclearance: cubics through both (Hermite) are continuous with
 # their slope and fall all the way
 # interpolation error, measured at 7 points between any two of {nodes} nodes: pressure {pressure}, tangent {slope} (relative)
-clearance_m,pressure_Pa,tangent_Pa_per_m
+clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
 "
     );
     for node in &table.nodes {
-        let clearance = head.metres(node.separation)?;
-        let [clearance, pressure, tangent] = [clearance, node.pressure, node.stiffness].map(exact);
+        let (pressure, tangent) = (units.pressure(node.pressure), units.slope(node.stiffness));
+        let [clearance, pressure, tangent] =
+            [head.length(node.separation)?, pressure, tangent].map(exact);
         text += &format!("{clearance},{pressure},{tangent}\n");
     }
     Ok(text)
@@ -127,11 +134,12 @@ clearance_m,pressure_Pa,tangent_Pa_per_m
 
 /// `*SURFACE BEHAVIOR`: pairs of pressure and overclosure.
 fn abaqus(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, .. } = head;
+    let Head { title, from, table, units, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
+    let (length, stress, converted) = (units.of_length(), units.of_pressure(), units.told("**"));
     let mut text = format!(
-        "** {title}: contact pressure against overclosure, in Pa and m
-** overclosure = -(separation from {from})
+        "** {title}: contact pressure against overclosure, in {stress} and {length}
+{converted}** overclosure = -(separation from {from})
 ** so that a negative overclosure is a clearance and 0 is where the nominal surfaces meet
 ** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
 ** measured at 7 points between any two; the slope jumps at the nodes
@@ -152,15 +160,16 @@ const CURVE: usize = 200;
 
 /// The same for CalculiX, which reads no more than 20 characters of a number.
 fn calculix(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, .. } = head;
+    let Head { title, from, table, units, .. } = head;
     let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
     let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
     if lines.len() > CURVE {
         return Err(TableError::TooMany { nodes, most: CURVE - 1, format: "CalculiX" });
     }
+    let (length, stress, converted) = (units.of_length(), units.of_pressure(), units.told("**"));
     let mut text = format!(
-        "** {title}: contact pressure against overclosure, in Pa and m
-** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} m
+        "** {title}: contact pressure against overclosure, in {stress} and {length}
+{converted}** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} {length}
 ** from {from}: put the surfaces there, or move them by that
 ** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
 ** measured at 7 points between any two; the slope jumps at the nodes
@@ -179,17 +188,18 @@ const POINTS: usize = 20;
 
 /// Real constants of COMBIN39: deflections and forces, from compression to tension.
 fn ansys(head: &Head<'_>) -> Result<String> {
-    let Head { title, from, table, scene, .. } = head;
+    let Head { title, from, table, scene, units } = head;
     let ([pressure, slope], nodes, lines) = (head.errors(), table.nodes.len(), head.lines()?);
     let begins = lines.first().map_or(0.0, |(clearance, _)| *clearance);
     if lines.len() + 1 > POINTS {
         return Err(TableError::TooMany { nodes, most: POINTS - 2, format: "COMBIN39" });
     }
-    let area = scene.nominal_area;
+    let area = units.area(scene.nominal_area);
+    let (length, converted) = (units.of_length(), units.told("!"));
     let mut text = format!(
-        "! {title}: force against deflection, in N and m, of a spring COMBIN39
-! that stands for the nominal area, {area:e} m2: scale the forces to the area of each spring
-! deflection 0 is where the force begins, at a separation of {begins:.9e} m
+        "! {title}: force against deflection, in N and {length}, of a spring COMBIN39
+{converted}! that stands for the nominal area, {area:e} {length}2: scale the forces to the area of each spring
+! deflection 0 is where the force begins, at a separation of {begins:.9e} {length}
 ! from {from}; compression is negative
 ! straight lines between {nodes} nodes: largest relative error {pressure} of the force, {slope} of its slope,
 ! measured at 7 points between any two; beyond the ends the last slope goes on

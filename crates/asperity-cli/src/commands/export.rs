@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result};
 use asperity::{
     At, ConductanceAgainst, ContactModel, ContactTable, SeparationUnit, TableFormat, Tolerance,
+    UnitSystem,
 };
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
@@ -34,6 +35,7 @@ Examples:
   asperity export scene.toml --model ke --as csv --pressure 1e4:1e7 --max-error 1e-3
   asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 1e-3 --output ke.inp
   asperity export scene.toml --model ke --as calculix --load 1:1e4 --max-error 0.01 --friction 0.2
+  asperity export scene.toml --model ke --as abaqus --load 1:1e4 --max-error 0.01 --units mm-N-MPa
   asperity export scene.toml --model ke --as ansys --load 100:1e4 --max-error 0.05"
 )]
 pub struct Export {
@@ -62,6 +64,10 @@ pub struct Export {
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
     #[arg(long, value_name = "MU", value_parser = positive_number)]
     friction: Option<f64>,
+    /// Units of the table: SI, or those of models in mm: mm-N-MPa (or mm-tonne-s, the same; powers in
+    /// mW)
+    #[arg(long, value_name = "SYSTEM", default_value = "SI")]
+    units: UnitSystem,
     /// Write to a file in place of the standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -132,7 +138,7 @@ impl Export {
             Form::Calculix => TableFormat::Calculix,
             Form::Ansys => TableFormat::Ansys,
         };
-        let interpolation = format.interpolation();
+        let (interpolation, units) = (format.interpolation(), self.units);
         let (working, tolerance) = (progress("nodes"), Tolerance::default());
         let table = match self.max_error {
             Some(error) => {
@@ -144,18 +150,19 @@ impl Export {
         let table = table.with_context(|| format!("{}: {id}", scene.name))?;
         let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
         let from = scene.file.separation_from;
-        let mut text = table.text(format, contact, from, &title)?;
+        let mut text = table.text((format, units), contact, from, &title)?;
         if let Some(against) = self.conductance {
             let against = match against {
                 Against::Pressure => ConductanceAgainst::Pressure,
                 Against::Clearance => ConductanceAgainst::Clearance,
             };
             let place = (&model as &dyn ContactModel, contact, from);
-            let added = table.conductance_text(format, against, place, tolerance);
+            let added = table.conductance_text((format, units), against, place, tolerance);
             text += &added.with_context(|| format!("{}: {id}", scene.name))?;
         }
         if let Some(friction) = self.friction {
-            let added = table.friction_text(format, friction, (&model, contact), tolerance);
+            let added =
+                table.friction_text((format, units), friction, (&model, contact), tolerance);
             text += &added.with_context(|| format!("{}: {id}", scene.name))?;
         }
         if table.pressure_error > 0.1 {

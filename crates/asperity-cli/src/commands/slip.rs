@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
-use asperity::{ContactError, Tolerance, linspace};
+use asperity::{ContactError, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -12,6 +12,7 @@ use crate::number::rounded;
 use crate::numbers::{length, positive_number};
 use crate::output::say;
 use crate::plot;
+use crate::scene::LoadedScene;
 use crate::table::{Cell, Table};
 
 /// The share of μ F beyond which everything all but slides.
@@ -32,6 +33,10 @@ const FAR: f64 = 1000.0;
 the energy it loses, and that over 2 pi times half of force times shift (4/pi where all
 slides). Beside the data it is said from which shift on everything slides: where 99 % of
 mu F is reached.
+With several loads, pressures or closest approaches (100:1e4:20:log, v,v): one row for each
+and a cycle of the amplitude, with columns model, load_N, pressure_Pa,
+separation_over_sigma, force_N at the amplitude, secant_stiffness_N_per_m (that over the
+amplitude), loss_J, loss_factor, sliding_m (the shift from which on everything slides).
 Partial slip of every asperity (Cattaneo, Mindlin), which answers as elastically as in
 unloading by --law: exact for gw; for models that yield, at constant normal load on each.
 Needs equivalent_shear_modulus, or the bodies. Models of equal, upright asperities only.
@@ -39,6 +44,7 @@ Needs equivalent_shear_modulus, or the bodies. Models of equal, upright asperiti
 Examples:
   asperity slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7
   asperity slip scene.toml --model ke --friction 0.3 --closest 2 --amplitude 1e-6 --points 11 --format table
+  asperity slip scene.toml --model ke --friction 0.3 --load 100:1e4:20:log --amplitude 100nm
   asperity slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 2e-7 --output loop.csv --plot loop.svg"
 )]
 pub struct Slip {
@@ -65,15 +71,26 @@ impl Slip {
     pub fn run(self) -> Result<()> {
         self.output.check("slip");
         let (scene, named) = self.closed.open()?;
-        let (id, context) = (&named.0, || format!("{}: {}", scene.name, named.0));
-        let place = self.closed.place(&scene, &named)?;
-        let tolerance = Tolerance::default();
-        let joint = Unloading::new(&named.1, &scene.file.scene, place, self.law, tolerance);
-        let joint = joint.with_context(context)?;
-        let slip = PartialSlip::new(&joint, self.friction).with_context(context)?;
+        let context = || format!("{}: {}", scene.name, named.0);
+        let mut joints = vec![];
+        for place in self.closed.places(&scene, &named) {
+            let tolerance = Tolerance::default();
+            let joint = Unloading::new(&named.1, &scene.file.scene, place, self.law, tolerance);
+            let joint = joint.with_context(context)?;
+            let slip = PartialSlip::new(&joint, self.friction).with_context(context)?;
+            joints.push((joint, slip));
+        }
+        match &joints[..] {
+            [one] => self.loops(&named.0, one).with_context(context),
+            several => self.preloads(&scene, &named.0, several).with_context(context),
+        }
+    }
+
+    /// The first shift and a steady cycle at one preload.
+    fn loops(&self, id: &str, (joint, slip): &(Unloading, PartialSlip)) -> Result<()> {
         // First, so that an amplitude beyond all numbers is refused by its own name.
-        let loss = rounded(slip.loss(self.amplitude).with_context(context)?.value());
-        let factor = rounded(slip.loss_factor(self.amplitude).with_context(context)?);
+        let loss = rounded(slip.loss(self.amplitude)?.value());
+        let factor = rounded(slip.loss_factor(self.amplitude)?);
         let mut table = Table::new(&[
             "model",
             "shift_m",
@@ -97,7 +114,7 @@ impl Slip {
                 first(&|| Ok(slip.loss(shift)?.value()))?,
                 first(&factor)?,
             ];
-            let mut row = vec![Cell::from(&**id)];
+            let mut row = vec![Cell::from(id)];
             row.extend(numbers.map(Cell::Number));
             table.rows.push(row);
         }
@@ -105,7 +122,64 @@ impl Slip {
             "note",
             &format!("{id}: a cycle of this amplitude loses {loss} J (loss factor {factor})"),
         );
-        let sliding = slip.shift_at(SLIDING).with_context(context)?;
+        let sliding = slip.shift_at(SLIDING)?;
+        self.ask_amplitude(sliding);
+        let limit = self.friction * joint.force(0.0)?.value();
+        let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
+        let text = format!(
+            "{id}: everything slides from a shift of {sliding} m on, where {percent} % of mu F = {limit} N is reached"
+        );
+        say("note", &text);
+        self.output.write(&table, || picture(&table))
+    }
+
+    /// A cycle of the amplitude at each of several preloads.
+    fn preloads(
+        &self,
+        scene: &LoadedScene,
+        id: &str,
+        joints: &[(Unloading, PartialSlip)],
+    ) -> Result<()> {
+        let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+        let head = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
+        let cycle = ["force_N", "secant_stiffness_N_per_m", "loss_J", "loss_factor", "sliding_m"];
+        let mut table = Table::new(&[&head[..], &cycle[..]].concat());
+        let mut farthest = 0.0_f64;
+        for (joint, slip) in joints {
+            let load = joint.force(0.0)?.value();
+            let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
+            let (force, loss) = (slip.force(self.amplitude)?, slip.loss(self.amplitude)?);
+            let sliding = slip.shift_at(SLIDING)?;
+            farthest = farthest.max(sliding);
+            let numbers = [
+                load,
+                load / contact.nominal_area,
+                separation.value,
+                force.value(),
+                force.value() / self.amplitude,
+                loss.value(),
+                slip.loss_factor(self.amplitude)?,
+                sliding,
+            ];
+            let mut row = vec![Cell::from(id)];
+            row.extend(numbers.map(|number| Cell::Number(Some(number))));
+            table.rows.push(row);
+        }
+        self.ask_amplitude(farthest);
+        self.output.write(&table, || {
+            let x = Axis::new("load_N", "load (N)").log();
+            let columns = [
+                ("secant_stiffness_N_per_m", "secant stiffness (N/m)"),
+                ("loss_J", "energy lost a cycle (J)"),
+                ("loss_factor", "loss factor"),
+            ];
+            let what = format!("{id}, cycles of ±{:e} m", self.amplitude);
+            plot::against(&table, &x, &columns, &[Curve::new(0, id, &what)])
+        })
+    }
+
+    /// Asks about an amplitude far beyond the shift from which on everything slides.
+    fn ask_amplitude(&self, sliding: f64) {
         if self.amplitude > FAR * sliding {
             let (amplitude, times) = (self.amplitude, rounded((self.amplitude / sliding).round()));
             say(
@@ -115,13 +189,6 @@ impl Slip {
                 ),
             );
         }
-        let limit = self.friction * joint.force(0.0)?.value();
-        let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
-        let text = format!(
-            "{id}: everything slides from a shift of {sliding} m on, where {percent} % of mu F = {limit} N is reached"
-        );
-        say("note", &text);
-        self.output.write(&table, || picture(&table))
     }
 }
 

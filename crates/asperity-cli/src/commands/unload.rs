@@ -5,6 +5,7 @@ use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
+use clap::error::ErrorKind;
 
 use crate::args::{Closed, DrawnArgs, separation_unit};
 use crate::commands::history;
@@ -75,7 +76,7 @@ impl Unload {
         let (scene, model) = self.closed.open()?;
         let turns = self.turns(&scene);
         let place = match turns {
-            None => Some(self.closed.place(&scene, &model)?),
+            None => Some(self.place(&scene, &model)),
             Some(_) => None,
         };
         let mut joints = vec![];
@@ -91,6 +92,15 @@ impl Unload {
             (None, Some(place)) => self.back(&scene, &model, &joints, place),
             (None, None) => Ok(()),
         }
+    }
+
+    /// The one place from which it goes back.
+    fn place(&self, scene: &LoadedScene, model: &NamedModel) -> At {
+        let [place] = self.closed.places(scene, model)[..] else {
+            let text = "one closest approach, --load or --pressure was expected: --history or --history-load takes several";
+            crate::usage_error("unload", ErrorKind::TooManyValues, text)
+        };
+        place
     }
 
     fn turns(&self, scene: &LoadedScene) -> Option<Vec<At>> {
@@ -114,18 +124,20 @@ impl Unload {
         place: At,
     ) -> Result<()> {
         let context = || named(scene, model);
-        let mut ways = vec![];
+        let (mut ways, mut ends) = (vec![], vec![]);
         for joint in joints {
             let way = joint.unloading(place).with_context(context)?;
             if way.force(0.0).with_context(context)?.value() == 0.0 {
                 let (told, at) = (context(), way.closest());
                 bail!("{told}: nothing touches at a separation of {at}: a closer one was required");
             }
-            let end = way.last_contact().with_context(context)?;
-            tell_work(&model.0, joint, place, end);
-            ways.push((way, end));
+            let end = way.last_contact();
+            tell_work(&model.0, joint, place, &end);
+            // Nothing but a default depends on it.
+            ends.extend(end.ok());
+            ways.push(way);
         }
-        let retreats = self.retreats(scene, ways.iter().map(|(_, end)| *end).fold(0.0, f64::max));
+        let retreats = self.retreats(scene, ends.iter().copied().reduce(f64::max))?;
         let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
         let (table, left_out) = of(&retreats)?;
         for error in left_out {
@@ -143,16 +155,17 @@ impl Unload {
         })
     }
 
-    /// In metres.
-    fn retreats(&self, scene: &LoadedScene, end: f64) -> Vec<f64> {
+    /// In metres; up to the end of contact unless some are given.
+    fn retreats(&self, scene: &LoadedScene, end: Option<f64>) -> Result<Vec<f64>> {
         let Some(given) = &self.retreat else {
-            return if end > 0.0 { linspace(0.0, end, POINTS) } else { vec![0.0] };
+            let end = end.context("where contact ends is not known: --retreat was required")?;
+            return Ok(if end > 0.0 { linspace(0.0, end, POINTS) } else { vec![0.0] });
         };
         let sigma = scene.file.scene.surface.asperity_height_std;
         let unit = given.unit(self.unit);
         ask_unit("retreat", &given.values, unit, sigma);
         let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
-        given.values.iter().map(|value| metres * value).collect()
+        Ok(given.values.iter().map(|value| metres * value).collect())
     }
 }
 
@@ -161,7 +174,7 @@ pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
 }
 
 /// What closing and opening take and give, and where contact ends.
-fn tell_work(id: &str, joint: &Joint, place: At, end: f64) {
+fn tell_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>) {
     let work = || -> Result<[f64; 3], ContactError> {
         Ok([joint.spent(place)?, joint.dissipated(place)?, joint.loss_factor(place)?])
     };
@@ -180,6 +193,13 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: f64) {
         }
         Err(error) => say("warning", &format!("{id} by {law}: no work: {error}")),
     }
+    let end = match end {
+        Ok(end) => *end,
+        Err(error) => {
+            let text = "where contact ends is not known";
+            return say("note", &format!("{id} by {law}: {text}: {error}"));
+        }
+    };
     if end == 0.0 {
         let text = "fewer than one asperity touches on average at the closest approach already";
         return say("warning", &format!("{id} by {law}: {text}"));
@@ -197,18 +217,18 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: f64) {
 fn of_ways(
     scene: &LoadedScene,
     (id, _): &NamedModel,
-    ways: &[(Unloading, f64)],
+    ways: &[Unloading],
     retreats: &[f64],
 ) -> Result<(Table, Vec<ContactError>), ContactError> {
     let (contact, from) = (&scene.file.scene, scene.file.separation_from);
     let sigma = contact.surface.asperity_height_std;
     let has_area = |way: &Unloading| way.law() != UnloadingLaw::Etsion;
-    let with_area = ways.iter().any(|(way, _)| has_area(way));
+    let with_area = ways.iter().any(has_area);
     let head = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
     let mut table = Table::new(&[&head[..], area, &["stiffness_N_per_m", "contacts"]].concat());
     let mut left_out = vec![];
-    for (way, _) in ways {
+    for way in ways {
         let mut reason = None;
         let closest = way.closest().measured_in(SeparationUnit::Sigma, from, contact)?.value;
         for &retreat in retreats {

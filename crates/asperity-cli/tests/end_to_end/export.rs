@@ -228,3 +228,59 @@ fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
         assert!(run.code == Some(1) && run.words.contains(said), "{words}: {}", run.words);
     }
 }
+
+#[test]
+fn tables_in_mm_hold_the_same_numbers_in_their_units() {
+    let bench = Bench::new();
+    bench.write("scene.toml", &conducting());
+    let of = |words: &str| {
+        let words = format!("export scene.toml --model ke --load 10:1000:9 {words}");
+        let [si, mm] =
+            ["SI", "mm-N-MPa"].map(|units| bench.data(&format!("{words} --units {units}")));
+        assert_eq!(bench.data(&words), si);
+        assert_eq!(bench.data(&format!("{words} --units mm-tonne-s")), mm);
+        assert!(
+            mm.contains(" units: mm, N, MPa (tonne, s), converted from SI") && !si.contains("mm")
+        );
+        [si, mm]
+    };
+    let same = |[si, mm]: [Vec<Vec<f64>>; 2], factors: &[f64]| {
+        assert!(si.len() == mm.len() && !si.is_empty());
+        for (si, mm) in si.iter().flatten().zip(mm.iter().flatten()).zip(factors.iter().cycle()) {
+            let ((si, mm), factor) = (si, mm);
+            assert!((mm - si * factor).abs() <= 1e-9 * mm.abs(), "{si} {mm} {factor}");
+        }
+    };
+    let rows = |text: &String| {
+        let lines = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        let number = |word: &str| word.parse::<f64>().unwrap();
+        lines.map(|line| line.split(',').map(number).collect()).collect::<Vec<Vec<f64>>>()
+    };
+    same(of("--as csv").each_ref().map(rows), &[1e3, 1e-6, 1e-9]);
+    let springs = of("--as ansys");
+    let points = |text: &String| {
+        let lines = text.lines().filter(|line| line.starts_with('R'));
+        lines.map(|line| line.split(',').filter_map(|word| word.parse().ok()).collect()).collect()
+    };
+    same(springs.each_ref().map(points), &[1e3, 1.0]);
+    assert!(springs[1].contains("nominal area, 1e2 mm2"));
+    for form in ["abaqus", "calculix"] {
+        let texts = of(&format!("--as {form} --conductance pressure --friction 0.2"));
+        let blocks = |keyword: &str| texts.each_ref().map(|text| block(text, keyword));
+        same(blocks("*SURFACE BEHAVIOR"), &[1e-6, 1e3]);
+        // 1 W/(m² K) is 1e-3 mW/(mm² K).
+        let conductance = if form == "abaqus" { &[1e-3, 1e-6][..] } else { &[1e-3, 1e-6, 1.0] };
+        same(blocks("*GAP CONDUCTANCE"), conductance);
+        assert!(texts[1].contains("in mW/(mm2 K) and MPa"));
+        if form == "calculix" {
+            same(blocks("*FRICTION"), &[1.0, 1e-9]);
+        } else {
+            let slip = |text: &String| vec![vec![stated_error(text, "*FRICTION, ELASTIC SLIP=")]];
+            same(texts.each_ref().map(slip), &[1e3]);
+        }
+    }
+    let texts = of("--as abaqus --conductance clearance");
+    same(texts.each_ref().map(|text| block(text, "*GAP CONDUCTANCE")), &[1e-3, 1e3]);
+    let run = bench.run("export scene.toml --model ke --as csv --load 1:10:5 --units inch");
+    assert!(run.code == Some(2) && run.words.contains("none of SI, mm-N-MPa, mm-tonne-s"));
+}

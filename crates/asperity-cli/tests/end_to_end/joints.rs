@@ -239,3 +239,51 @@ fn a_model_that_lacks_a_quantity_leaves_it_blank() {
     assert!(column(&run.out, "force_N")[1] > 0.0);
     assert!(run.words.contains("gao: no unloading-stiffness: Gao cannot"), "{}", run.words);
 }
+
+#[test]
+fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
+    let bench = Bench::new();
+    let rail = include_str!("../../../asperity-scene/examples/wheel-rail.toml");
+    let heights = "heights = \"exponential\"";
+    bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
+    let run = bench.run("unload scene.toml --model jg-cosine --load 20kN --retreat 0,100nm");
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let forces = column(&run.out, "force_N");
+    assert!((forces[0] / 2e4 - 1.0).abs() < 1e-9 && forces[1] < forces[0], "{forces:?}");
+    // Where contact ends is told to 1e-6 where 1e-10 is not reached.
+    let (_, end) = run.words.split_once("contact ends at a retreat of ").unwrap();
+    let end: f64 = end.split(' ').next().unwrap().parse().unwrap();
+    let [before, after] = [0.9999, 1.0001].map(|share| {
+        let words =
+            format!("unload scene.toml --model jg-cosine --load 20kN --retreat {}", share * end);
+        column(&bench.data(&format!("{words} --retreat-unit m")), "contacts")[0]
+    });
+    assert!(after < 1.0 && before > 1.0, "{before} {after}");
+}
+
+#[test]
+fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
+    let bench = Bench::new();
+    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";
+    let data = bench.data(&format!("{words} --load 100:10000:3:log --plot losses.svg"));
+    let (head, rows) = csv(&data);
+    let columns = "model,load_N,pressure_Pa,separation_over_sigma,force_N,secant_stiffness_N_per_m,loss_J,loss_factor,sliding_m";
+    assert!(head.join(",") == columns && rows.len() == 3, "{data}");
+    for (k, load) in [100.0, 1000.0, 10000.0].into_iter().enumerate() {
+        let joint = joint(&bench, "ke", At::Load(load), UnloadingLaw::Hertz);
+        let slip = PartialSlip::new(&joint, 0.3).unwrap();
+        let force = slip.force(1e-7).unwrap().value();
+        let loss = slip.loss(1e-7).unwrap().value();
+        let factor = slip.loss_factor(1e-7).unwrap();
+        let wanted = [load, load / 1e-4, joint.closest().value, force, force / 1e-7, loss, factor];
+        for (name, wanted) in head[1..].iter().zip(wanted) {
+            let found = column(&data, name)[k];
+            assert!((found / wanted - 1.0).abs() < 1e-9, "{name} at {load}: {found} {wanted}");
+        }
+    }
+    assert!(bench.read("losses.svg").contains("loss factor"));
+    // One preload has its loop; unloading goes back from one place.
+    assert!(bench.data(&format!("{words} --load 100 --points 3")).starts_with("model,shift_m"));
+    let run = bench.run("unload scene.toml --model ke --load 100,200");
+    assert!(run.code == Some(2) && run.words.contains("--history-load takes"), "{}", run.words);
+}

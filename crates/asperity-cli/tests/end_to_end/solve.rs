@@ -98,3 +98,39 @@ fn models_are_compared_at_every_load_and_what_is_equal_deviates_by_0() {
     let area = cells(&data, "area_deviation");
     assert!(area[1] == "0" && area[0].starts_with('-') && !area[2].is_empty(), "{area:?}");
 }
+
+/// The number between two pieces of a sentence.
+fn told(words: &str, before: &str, after: &str) -> f64 {
+    let (_, rest) = words.split_once(before).unwrap_or_else(|| panic!("{words}"));
+    rest.split_once(after).unwrap().0.parse().unwrap()
+}
+
+#[test]
+fn what_cancels_is_told_with_what_it_does_to_the_answer() {
+    let bench = Bench::new();
+    bench.write("scene.toml", NEGATIVE);
+    let run = |words: &str| bench.run(&format!("{words} --model at,jg,ke"));
+    // Next to a zero crossing: the force at two separations a millionth apart says the same.
+    let near = run("curve scene.toml --separation 3.4637,3.463701,0 --quantity force");
+    let force = column(&near.out, "force_N");
+    let to = told(&near.words, "gives the force to ", " of itself there");
+    let change = (force[1] / force[0] - 1.0).abs();
+    assert!((change / to - 1.0).abs() < 0.5 && to > 1e-3, "{change} {to}");
+    assert!(near.words.contains("the force crosses 0 near a separation of 3.4637"));
+    assert_eq!(near.words.matches("crosses 0").count(), 1, "{}", near.words);
+    // Below the top, at a load: likewise two loads a millionth apart.
+    let force =
+        column(&bench.data("curve scene.toml --model at --separation 3.69:3.71:2001"), "force_N");
+    let load = 0.9999999 * force.iter().copied().fold(0.0, f64::max);
+    let top = run(&format!("solve scene.toml --load {load:e},{:e},20", load * (1.0 - 1e-6)));
+    let found = column(&top.out, "separation_m");
+    let to = told(&top.words, "gives the separation to ", " asperity_height_std there");
+    let change = (found[1] - found[0]).abs() / 1e-6;
+    assert!((1e-4..1e-2).contains(&to) && (0.3..3.0).contains(&(change / to)), "{change} {to}");
+    assert!(!top.words.contains("crosses 0"), "{}", top.words);
+    // Nothing is said elsewhere.
+    for words in ["curve scene.toml --separation 0,2,5", "solve scene.toml --load 1e-3,1"] {
+        let words = run(words).words;
+        assert!(!words.contains("known to"), "{words}");
+    }
+}

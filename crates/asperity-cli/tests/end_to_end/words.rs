@@ -210,3 +210,25 @@ fn advice_and_tables_come_with_what_is_unusual_about_them() {
     assert!(slip.contains("yielding_share is "), "{slip}");
     assert_eq!(words("compare scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
 }
+
+#[test]
+fn what_is_unusual_about_the_scene_hides_nothing_about_its_answers() {
+    let bench = Bench::new();
+    let dense = asperity_scene::template().replace("_density = 2e8 ", "_density = 2e9 ");
+    bench.write("dense.toml", &dense);
+    let forgotten = dense.replacen("\nhardness = 2e9\n\n# ...", "\n# ...", 1);
+    bench.write("forgotten.toml", &forgotten);
+    let warnings = |words: &str| {
+        let run = bench.run(&format!("{words} --load 50kN"));
+        assert_eq!(run.code, Some(0), "{words}: {}", run.words);
+        let lines = run.words.lines().filter_map(|line| line.strip_prefix("warning: "));
+        lines.map(ToString::to_string).collect::<Vec<_>>()
+    };
+    for command in ["curve", "solve", "compare", "unload"] {
+        let of_answer = warnings(&format!("{command} dense.toml --model ke"));
+        assert!(of_answer.len() == 1 && of_answer[0].starts_with("area_fraction is 0.3104"));
+        let both = warnings(&format!("{command} forgotten.toml --model ke"));
+        assert!(both.len() == 2 && both[0].starts_with("body[2].youngs_modulus"), "{both:?}");
+        assert_eq!(both[1], of_answer[0]);
+    }
+}

@@ -48,6 +48,7 @@ def export(
     rtol: float = 1e-10,
     conductance: str | None = None,
     friction: float | None = None,
+    units: str = "SI",
 ) -> ContactTable:
     """Pressure against clearance for a finite-element code, from one separation, load [N] or
     pressure [Pa] to another: with ``nodes`` at equal distances of clearance, or with as many as
@@ -56,7 +57,8 @@ def export(
     The format is "csv" (for cubics), "abaqus", "calculix" (both for straight lines) or "ansys" (a
     nonlinear spring that stands for the nominal area). To the text of "abaqus" and "calculix",
     ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
-    ``friction`` a coefficient of friction with the stiffness in stick at the largest pressure.
+    ``friction`` a coefficient of friction with the stiffness in stick at the largest pressure. The
+    text is in ``units`` "SI", or "mm-N-MPa" (or "mm-tonne-s", the same, with powers in mW).
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -79,9 +81,9 @@ def export(
         raise TypeError("nodes or max_error was required")
     (axis, (first, last)), count = given[0], 2 if nodes is None else nodes
     ends = axis, float(first), float(last)
-    spacing = count, max_error, rtol
+    spacing, form = (count, max_error, rtol), (format, units)
     beside = conductance, None if friction is None else float(friction)
-    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, format, beside)
+    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, form, beside)
     clearance, pressures, tangent, pressure_error, tangent_error, text = found
     columns = np.array(clearance), np.array(pressures), np.array(tangent)
     return ContactTable(*columns, pressure_error, tangent_error, text)

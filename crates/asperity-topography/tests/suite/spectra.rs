@@ -164,6 +164,21 @@ fn noise_is_warned_of_and_smoothing_takes_it_away() {
     assert!(warnings.iter().any(follows), "{warnings:?}");
 }
 
+#[test]
+fn estimators_that_disagree_are_one_cause_however_many_parameters_show_it() {
+    // Few high summits on what is all but flat.
+    let heights = broad().surface(7).heights().iter().map(|z| (4e6 * z).exp()).collect();
+    let peaked = Topography::new(heights, 768, [1e-6; 2]).unwrap();
+    let warnings = peaked.statistics(Estimator::Moments).unwrap().warnings;
+    let apart = warnings.iter().filter_map(|warning| match warning {
+        Warning::EstimatorsDisagree { parameters } => Some((warning, parameters.len())),
+        _ => None,
+    });
+    let apart: Vec<_> = apart.collect();
+    let [(warning, 2..=3)] = apart[..] else { panic!("{warnings:?}") };
+    assert_eq!(warning.to_string().matches("more than a factor 2 apart").count(), 1, "{warning}");
+}
+
 fn noisy_row() -> Vec<f64> {
     noisy(2e-7).heights()[..768].to_vec()
 }
