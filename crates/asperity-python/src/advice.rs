@@ -97,7 +97,7 @@ pub(crate) fn recommend<'py>(
             Ok((off.collect::<PyResult<_>>()?, None))
         }
     };
-    let places = advice.evidence.iter().map(|(_, near)| place(near)).collect::<PyResult<_>>()?;
+    let places = advice.evidence.iter().map(|at| place(&at.nearest)).collect::<PyResult<_>>()?;
     let simplest = advice.simplest.as_ref().map(|model| model.id().to_string());
     Ok((advice.to_string(), simplest, advice.told().join("\n"), places, rows))
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     At, Check, ContactError, ContactModel, Deviation, Evaluation, Evidence, Finding, Model,
-    Nearest, Quantity, Request, Scene, Severity, ranking,
+    Nearest, Quantity, Request, Scene, Separation, Severity, ranking,
 };
 
 /// How far one model is from the reference.
@@ -54,7 +54,17 @@ pub struct Recommendation {
     pub comparisons: Vec<Comparison>,
     /// For each separation or load, where boundary elements were nearest to the scene; or why there is
     /// no such case.
-    pub evidence: Vec<(At, Result<Nearest<'static>, ContactError>)>,
+    pub evidence: Vec<EvidenceAt>,
+}
+
+/// What boundary elements say of a separation or load.
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
+pub struct EvidenceAt {
+    /// The place.
+    pub at: At,
+    /// The nearest case; or why there is none.
+    pub nearest: Result<Nearest<'static>, ContactError>,
 }
 
 /// Compares all models with `reference` at the request's separations, and names the simplest that
@@ -116,7 +126,7 @@ pub fn recommend_among(
                 columns.map(|(q, (a, b))| (*q, largest_deviation(*q, a, b))).collect()
             });
             let regimes = regimes(&model, scene, request);
-            let cases = evidence.iter().filter_map(|(_, near)| near.as_ref().ok());
+            let cases = evidence.iter().filter_map(|place| place.nearest.as_ref().ok());
             let off = cases.filter_map(|near| near.deviation(model.id())).reduce(Deviation::worse);
             let mut found = Comparison { model, deviations, regimes, outside: None, off };
             if found.largest() <= within {
@@ -147,7 +157,7 @@ fn evidence(
     scene: &Scene,
     request: &Request,
     reference: &Model,
-) -> Result<Vec<(At, Result<Nearest<'static>, ContactError>)>, ContactError> {
+) -> Result<Vec<EvidenceAt>, ContactError> {
     let places = || request.at.iter().copied();
     let pressed = Request::new([Quantity::Pressure]).within(request.tolerance).at(places());
     let contact = reference.compile(scene, &pressed)?;
@@ -165,7 +175,7 @@ fn evidence(
         )?;
         Evidence::committed()?.nearest(scene, pressure)
     };
-    Ok(places().map(|at| (at, near(at))).collect())
+    Ok(places().map(|at| EvidenceAt { at, nearest: near(at) }).collect())
 }
 
 impl Recommendation {
@@ -174,44 +184,65 @@ impl Recommendation {
     /// where there is none.
     #[must_use]
     pub fn told(&self) -> Vec<String> {
-        let mut groups: Vec<Vec<&(At, Result<Nearest<'_>, ContactError>)>> = vec![];
+        let mut groups: Vec<Vec<&EvidenceAt>> = vec![];
         for place in &self.evidence {
-            match groups.iter_mut().find(|group| alike(&group[0].1, &place.1)) {
+            match groups.iter_mut().find(|group| alike(&group[0].nearest, &place.nearest)) {
                 Some(group) => group.push(place),
                 None => groups.push(vec![place]),
             }
         }
-        groups.iter().map(|group| self.told_of(group)).collect()
+        let mut told: Vec<String> = groups.iter().map(|group| self.told_of(group)).collect();
+        let near: Vec<_> =
+            self.evidence.iter().filter_map(|place| place.nearest.as_ref().ok()).collect();
+        if groups.iter().filter(|group| group[0].nearest.is_ok()).count() > 1 {
+            told.push(format!("over these {} places, {}", near.len(), self.nearest(&near)));
+        }
+        told
+    }
+
+    /// Which of the models were nearest to boundary elements in all of these cases.
+    fn nearest(&self, near: &[&Nearest<'_>]) -> String {
+        let off = |id: &str| {
+            let of = |near: &&Nearest<'_>| {
+                near.deviation(id).map_or([None; 2], |off| [off.area, off.stiffness])
+            };
+            near.iter().map(of).collect()
+        };
+        ranking::nearest(self.comparisons.iter().map(|c| c.model.id()), off)
     }
 
     /// Of places that are near to the same case, or have none for the same reason.
-    fn told_of(&self, group: &[&(At, Result<Nearest<'_>, ContactError>)]) -> String {
-        let (first, last) = (group[0].0, group[group.len() - 1].0);
+    fn told_of(&self, group: &[&EvidenceAt]) -> String {
+        let [first, last] = [0, group.len() - 1].map(|k| short(group[k].at));
         let places = match (group.len(), self.evidence.len()) {
             (some, all) if some == all => String::new(),
             (1, _) => format!(" at {first}"),
             (some, _) => format!(" at {some} places from {first} to {last}"),
         };
-        let away = |place: &&&(At, Result<Nearest<'_>, ContactError>)| {
-            place.1.as_ref().map_or(0.0, |near| near.away)
-        };
+        let away = |place: &&&EvidenceAt| place.nearest.as_ref().map_or(0.0, |near| near.away);
         let far = group.iter().max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(&group[0]);
-        match &far.1 {
+        match &far.nearest {
             Err(reason) if places.is_empty() => reason.to_string(),
             Err(reason) => {
                 let reason = reason.to_string();
                 format!("no evidence{places}{}", reason.trim_start_matches("no evidence here"))
             }
             Ok(far) => {
-                let off = |id: &str| {
-                    let off = far.deviation(id).map(|off| [off.area, off.stiffness]);
-                    vec![off.unwrap_or_default()]
-                };
-                let models = self.comparisons.iter().map(|c| c.model.id());
-                let nearest = ranking::nearest(models, off);
+                let nearest = self.nearest(&[far]);
                 format!("boundary elements on surfaces like this one{places}, {far}: {nearest}")
             }
         }
+    }
+}
+
+/// The place to four digits, for a sentence.
+fn short(at: At) -> At {
+    let four = |x: f64| format!("{x:.3e}").parse().unwrap_or(x);
+    match at {
+        At::Separation(place) => Separation { value: four(place.value), ..place }.into(),
+        At::Load(load) => At::Load(four(load)),
+        At::Pressure(pressure) => At::Pressure(four(pressure)),
+        other => other,
     }
 }
 
@@ -271,8 +302,10 @@ impl fmt::Display for Recommendation {
             None => writeln!(f, "no model that holds is within {within:.3} % of {reference}")?,
         }
         self.told().iter().try_for_each(|told| writeln!(f, "{told}"))?;
+        let width =
+            self.comparisons.iter().map(|c| c.model.name().len()).max().unwrap_or(0).max(12);
         for Comparison { model, deviations, outside, off, .. } in &self.comparisons {
-            write!(f, "  {:12}", model.name())?;
+            write!(f, "  {:width$}", model.name())?;
             match deviations {
                 Ok(all) => {
                     for (quantity, deviation) in all {
@@ -369,10 +402,11 @@ mod tests {
         let ke: Model = "ke".parse().unwrap();
         let models = vec![ke.clone(), "jg".parse().unwrap()];
         let advice = recommend_among(models, &scene, &request, &ke, 0.1).unwrap();
-        let there: Vec<bool> = advice.evidence.iter().map(|(_, near)| near.is_ok()).collect();
+        let there: Vec<bool> = advice.evidence.iter().map(|place| place.nearest.is_ok()).collect();
         assert_eq!(there, [false, false, true, true, true]);
         let told = advice.told();
-        assert_eq!(told.len(), 3, "{told:?}");
+        assert_eq!(told.len(), 4, "{told:?}");
+        assert!(told[3].starts_with("over these 3 places, nearest in area were "), "{told:?}");
         assert!(told[0].starts_with("no evidence at 2 places from a pressure of "), "{told:?}");
         assert!(
             told[1].starts_with("boundary elements on surfaces like this one at 2 places from")
