@@ -205,7 +205,7 @@ impl DrawnArgs {
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
     if name.trim().is_empty() {
-        return Err("a name is empty: models are separated by single commas, as gw,ke".into());
+        return Err("a name is empty: models are separated by single commas, as gw,ke, and `asperity models` lists them".into());
     }
     // No model of the registry: it belongs to the scene's scan.
     if name.trim().eq_ignore_ascii_case("bem") {
@@ -226,6 +226,15 @@ pub fn svg_file(name: PathBuf) -> Result<PathBuf, &'static str> {
     match is_svg || output::is_standard(Some(&name)) {
         true => Ok(name),
         false => Err("pictures are svg: a name that ends with .svg was expected"),
+    }
+}
+
+/// The name of a matrix.
+pub fn npy_file(name: PathBuf) -> Result<PathBuf, &'static str> {
+    let is_npy = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy"));
+    match is_npy || output::is_standard(Some(&name)) {
+        true => Ok(name),
+        false => Err("maps are matrices of NumPy: a name that ends with .npy was expected"),
     }
 }
 

@@ -190,11 +190,18 @@ impl FromStr for Quantity {
         let near = Self::ALL.into_iter().map(|q| (distance(&q), q)).min();
         match near {
             Some((0, quantity)) => Ok(quantity),
-            _ => Err(ContactError::UnknownQuantity {
-                name: name.into(),
-                near: near.filter(|(far, _)| *far <= 2).map(|(_, q)| q),
-                known: Self::ALL.map(|q| q.to_string()).join(", "),
-            }),
+            _ => {
+                let separation = ["separation", "gap", "mean-gap", "distance"];
+                let beside = match separation.iter().any(|word| wanted.starts_with(word)) {
+                    true => " (separations come with every answer, unasked)",
+                    false => "",
+                };
+                Err(ContactError::UnknownQuantity {
+                    name: name.into(),
+                    near: near.filter(|(far, _)| *far <= 2).map(|(_, q)| q),
+                    known: Self::ALL.map(|q| q.to_string()).join(", ") + beside,
+                })
+            }
         }
     }
 }
@@ -202,6 +209,20 @@ impl FromStr for Quantity {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_separation_is_no_quantity_and_comes_unasked() {
+        let refused = |name: &str| name.parse::<Quantity>().unwrap_err().to_string();
+        for name in ["separation", "mean_gap", "Separation_m"] {
+            let text = refused(name);
+            assert!(text.ends_with("plastic-share (separations come with every answer, unasked)"));
+            assert!(
+                text.starts_with(&format!("quantity {name:?} is not known: the quan")),
+                "{text}"
+            );
+        }
+        assert!(!refused("forse").contains("unasked"));
+    }
 
     #[test]
     fn names_read_back_and_are_those_of_serde() {

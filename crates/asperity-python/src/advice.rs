@@ -1,6 +1,11 @@
 //! What is done for a request, and which model a scene needs.
 
-use asperity::{Comparison, ContactModel, Quantity, Request, Scene, recommend_among};
+use std::collections::BTreeMap;
+
+use asperity::{
+    Comparison, ContactError, ContactModel, Model, Nearest, Quantity, Request, Scene,
+    recommend_among,
+};
 use pyo3::prelude::*;
 
 use crate::engine::{Engine, quantities_of, tolerance};
@@ -37,7 +42,13 @@ pub(crate) fn plan<'py>(
 /// it was from boundary elements.
 type Row<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
 
-/// A text, the simplest model's id, what the evidence says, and every model against the reference.
+/// What is known at a place: by models how far they were off, or why nothing is.
+type Place<'py> = (BTreeMap<String, Bound<'py, PyAny>>, Option<String>);
+/// A text, the simplest model's id, what the evidence says and place by place, and every model against
+/// the reference.
+type Advice<'py> = (String, Option<String>, String, Vec<Place<'py>>, Vec<Row<'py>>);
+
+/// The models of a scene, or those named, against the reference.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
@@ -47,12 +58,19 @@ pub(crate) fn recommend<'py>(
     within: f64,
     rtol: f64,
     models: Option<Vec<String>>,
-) -> PyResult<(String, String, String, Vec<Row<'py>>)> {
+) -> PyResult<Advice<'py>> {
     let rows = rows.view()?;
     let (model, (scene, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
     let file = &rows.files[0];
     let among = match models {
-        None => file.options.models(),
+        None => {
+            let mut models = file.options.models();
+            // The evidence is of these as well.
+            let new = |other: &Model| !models.iter().any(|model| model.id() == other.id());
+            let others: Vec<Model> = file.models_beside_bem().into_iter().filter(new).collect();
+            models.extend(others);
+            models
+        }
         Some(ids) => {
             let models = ids.iter().map(|id| file.model(id).map_err(value_error));
             models.collect::<PyResult<_>>()?
@@ -70,5 +88,16 @@ pub(crate) fn recommend<'py>(
         })
     };
     let rows = advice.comparisons.iter().map(row).collect::<PyResult<_>>()?;
-    Ok((advice.to_string(), advice.simplest.id().into(), advice.told(), rows))
+    let ids = || advice.comparisons.iter().map(|comparison| comparison.model.id());
+    let place = |near: &Result<Nearest<'_>, ContactError>| match near {
+        Err(reason) => Ok((BTreeMap::new(), Some(reason.to_string()))),
+        Ok(near) => {
+            let off = ids().filter_map(|id| Some((id.to_string(), near.deviation(id)?)));
+            let off = off.map(|(id, off)| Ok((id, object(py, &off)?)));
+            Ok((off.collect::<PyResult<_>>()?, None))
+        }
+    };
+    let places = advice.evidence.iter().map(|at| place(&at.nearest)).collect::<PyResult<_>>()?;
+    let simplest = advice.simplest.as_ref().map(|model| model.id().to_string());
+    Ok((advice.to_string(), simplest, advice.told().join("\n"), places, rows))
 }

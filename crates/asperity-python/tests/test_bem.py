@@ -54,6 +54,7 @@ def scene(tmp_path: Path) -> asperity.Scene:
         file = "scan.npy"
         unit = "m"
         pixel_size = {SIDE / 96!r}
+        periodic = true
         """,
         tmp_path,
     )

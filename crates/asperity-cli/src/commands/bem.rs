@@ -9,7 +9,7 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args, ValueEnum};
 
-use crate::args::{OutputArgs, svg_file};
+use crate::args::{OutputArgs, npy_file, svg_file};
 use crate::contact_map;
 use crate::interrupt;
 use crate::numbers::{Numbers, lengths, loads, pressures};
@@ -47,7 +47,7 @@ pub struct BemCommand {
     #[arg(long)]
     refine: bool,
     /// Write the pressures in Pa, a matrix of NumPy; of several loads, one after another
-    #[arg(long, value_name = "FILE.npy")]
+    #[arg(long, value_name = "FILE.npy", value_parser = PathBufValueParser::new().try_map(npy_file))]
     map: Option<PathBuf>,
     /// Draw where it touches and how hard; of one load
     #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]

@@ -2,7 +2,7 @@
 //! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Evidence, Quantity, linspace, recommend_among};
+use asperity::{At, ContactModel, Evidence, Model, Quantity, linspace, recommend_among};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
@@ -33,15 +33,17 @@ pub struct Recommend {
 fn help() -> String {
     let solved = Evidence::committed().map_or_else(|e| e.to_string(), Evidence::solved);
     format!(
-        "Simple is, in this order: upright asperities before asperities at all angles; a
-force law of few parts before one of many; an older model before a newer one.
-The models are listed so. Deviations are the largest over the separations or
+        "Simple is, in this order: upright asperities of one radius before random ones, none
+(Persson) and asperities at all angles; a force law of few parts before one of many; an
+older model before a newer one. The models are listed so, and the simplest is the first
+that is near enough and made for the scene (a model without yielding is not, where
+asperities yield). Deviations are the largest over the separations or
 loads, relative to the reference (differences, for logarithms and shares).
 Near the reference is not near the truth: columns .._off_bem hold how far a model
 was from boundary elements in the nearest case that was solved (random surfaces of
 {solved}),
-the farthest of the places; .._spread is what one such surface differs from the next.
-Blank, with a note, where no case is near. `asperity truth` solves the scene's own scan.
+the farthest of the places that have one; .._spread is what one such surface differs
+from the next. Notes say it place by place, and where no case is near. `asperity truth` solves the scene's own scan.
 Unless something is given: force and area (at loads, the area) at separations of
 0:4:401 in sigma.
 
@@ -60,10 +62,16 @@ impl Recommend {
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
         let models = scene.models(&self.asked.models, &request.quantities)?;
-        let models = models.into_iter().map(|(_, model)| model);
+        let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
+        if self.asked.models.is_empty() {
+            // The evidence is of these as well.
+            let new = |other: &Model| !models.iter().any(|model| model.id() == other.id());
+            let others = scene.file.models_beside_bem();
+            models.extend(others.into_iter().filter(new).collect::<Vec<_>>());
+        }
         let working = progress("comparing models");
         let scene_of = &scene.file.scene;
-        let advice = recommend_among(models.collect(), scene_of, &request, &reference, self.within)
+        let advice = recommend_among(models, scene_of, &request, &reference, self.within)
             .with_context(|| format!("{}: the reference {id}", scene.name))?;
         drop(working);
 
@@ -71,9 +79,15 @@ impl Recommend {
         table.head.extend(request.quantities.iter().map(|q| named(*q, "deviation")));
         table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
         table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
+        let simplest = advice.simplest.as_ref().map(ContactModel::id);
         for found in &advice.comparisons {
-            let at_angles = found.model.claims().angles;
-            let asperities = if at_angles { "at angles" } else { "upright" };
+            let claims = found.model.claims();
+            let asperities = match (claims.asperities, claims.angles) {
+                (false, _) => "none",
+                (true, true) => "at angles",
+                (true, false) if found.model.equal().id() != found.model.id() => "random",
+                (true, false) => "upright",
+            };
             let parts = Cell::Number(Some(found.regimes as f64));
             let mut row = vec![found.model.id().into(), asperities.into(), parts];
             let deviations = match &found.deviations {
@@ -83,7 +97,8 @@ impl Recommend {
             row.extend(deviations.into_iter().map(Cell::Number));
             row.push(match &found.deviations {
                 Err(error) => error.to_string().as_str().into(),
-                Ok(_) if found.model.id() == advice.simplest.id() => "simplest".into(),
+                Ok(_) if simplest == Some(found.model.id()) => "simplest".into(),
+                Ok(_) if found.outside.is_some() => "does not hold".into(),
                 Ok(_) if found.largest() <= advice.within => "near enough".into(),
                 Ok(_) => "too far".into(),
             });
@@ -93,18 +108,23 @@ impl Recommend {
             table.rows.push(row);
         }
         let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };
-        let both = [&advice.reference, &advice.simplest].map(|m| (m.id().to_string(), m.clone()));
-        scene.tell(&both.iter().collect::<Vec<_>>(), &places);
-        let [simplest, reference] = [&advice.simplest, &advice.reference].map(ContactModel::id);
-        let asked = advice.comparisons.iter().any(|found| found.model.id() == simplest);
+        let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());
+        let told = [&advice.reference].into_iter().chain(&advice.simplest);
+        let told = told.chain(outside.map(|found| &found.model));
+        let told: Vec<_> = told.map(|m| (m.id().to_string(), m.clone())).collect();
+        scene.tell(&told.iter().collect::<Vec<_>>(), &places);
+        let reference = advice.reference.id();
+        let compared = |id: &&str| advice.comparisons.iter().any(|found| found.model.id() == *id);
         let within = rounded(100.0 * self.within);
-        let chosen = match asked {
-            true => format!("{simplest} is the simplest model within {within} % of {reference}"),
-            false => format!("none of these models is within {within} % of {reference}"),
+        let chosen = match simplest.filter(compared) {
+            Some(id) => {
+                format!("{id} is the simplest model that holds, within {within} % of {reference}")
+            }
+            None => format!("none of these models holds within {within} % of {reference}"),
         };
-        let order = "simplest first: upright asperities before all angles, few parts of the force law before many, old before new";
+        let order = "simplest first: upright asperities before random ones, none, and all angles, few parts of the force law before many, old before new";
         say("note", &format!("{chosen}; {order}"));
-        say("note", &advice.told());
+        advice.told().iter().for_each(|told| say("note", told));
         self.output.write(&table)
     }
 }

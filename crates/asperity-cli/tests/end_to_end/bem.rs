@@ -187,6 +187,7 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
         ("bem scan.toml --pressure 1e6 --boundary open", "[possible values: periodic, free]"),
         ("bem scan.toml --pressure 1e6,1e7 --picture a.svg", "--picture draws one load"),
         ("bem scan.toml --pressure 1e6 --picture a.png", "ends with .svg"),
+        ("bem scan.toml --pressure 1e6 --map x.txt", "'x.txt' for '--map <FILE.npy>': maps are"),
         ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
     ] {
         let run = bench.run(words);

@@ -3,6 +3,20 @@
 use crate::bench::Bench;
 
 #[test]
+fn a_model_without_a_name_is_told_where_names_are() {
+    let bench = Bench::new();
+    for command in ["curve", "recommend", "check"] {
+        let mut run = bench.command();
+        let found = run.args([command, "scene.toml", "--model", "", "--load", "5"]).output();
+        let found = found.unwrap();
+        let words = String::from_utf8_lossy(&found.stderr);
+        assert_eq!(found.status.code(), Some(2), "{words}");
+        assert!(words.contains("invalid value '' for '--model <M>': a name is empty"), "{words}");
+        assert!(words.contains("`asperity models` lists them"), "{words}");
+    }
+}
+
+#[test]
 fn bad_usage_ends_with_2_and_says_what_is_expected() {
     let bench = Bench::new();
     for (words, said) in [
@@ -15,6 +29,7 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --model gw,,ke", "a name is empty"),
         ("curve scene.toml --model", "a value is required"),
         ("curve scene.toml --model --errors", "a value is required"),
+        ("curve scene.toml --quantity separation", "separations come with every answer, unasked"),
         ("curve scene.toml --quantity stifness", "did you mean \"stiffness\"?"),
         ("curve scene.toml --separation", "a value is required"),
         ("curve scene.toml --separation --errors", "a value is required"),

@@ -70,6 +70,12 @@ impl Finding {
         self.code == FEW_ASPERITIES || shape.contains(&&*self.field)
     }
 
+    /// Whether it says that a model is not made for what it is asked, where others may be.
+    #[must_use]
+    pub fn is_of_model(&self) -> bool {
+        ["yields", "above-hardness", "fit-misses", "sticks", "tabor"].contains(&self.code)
+    }
+
     /// The same finding of a field that stands in a section: `body[1].hardness`.
     #[must_use]
     pub fn within(mut self, section: &str) -> Self {

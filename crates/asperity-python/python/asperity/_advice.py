@@ -44,8 +44,8 @@ class Plan:
 class Recommendation:
     """All models against a reference; ``print`` it."""
 
-    #: Id of the simplest model that is near enough.
-    simplest: str
+    #: Id of the simplest model that is near enough and made for the scene there; None where none is.
+    simplest: str | None
     #: Id of the model that the others are compared with.
     reference: str
     #: Largest relative deviation that was allowed.
@@ -54,10 +54,14 @@ class Recommendation:
     deviations: dict[str, dict[str, float]]
     #: Why a model could not answer, by model.
     refused: dict[str, str]
-    #: What boundary elements on surfaces like this one say, or that there is no evidence here.
+    #: What boundary elements on surfaces like this one say, or that there is no evidence here: a line
+    #: for each case that places are near to.
     evidence: str
+    #: Place by place, as ``off``; or why there is no evidence there.
+    evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]
     #: How far models were from boundary elements there, relatively, and by how much one surface
-    #: differs from the next: area, area_spread, stiffness, stiffness_spread, by model.
+    #: differs from the next: area, area_spread, stiffness, stiffness_spread, by model; the farthest of
+    #: the places that have evidence.
     off: dict[str, dict[str, float | None]]
     text: str = field(repr=False)
 
@@ -138,7 +142,7 @@ def recommend(
     yields = scene.interface.hardness is not None or scene.interface.yield_strength is not None
     against = _model(reference or ("ke" if yields else "gw"))
     ids = None if models is None else list(models)
-    text, simplest, evidence, found = _asperity.recommend(
+    text, simplest, evidence, places, found = _asperity.recommend(
         against, rows, quantity_names(quantities), within, rtol, ids
     )
     return Recommendation(
@@ -148,6 +152,7 @@ def recommend(
         deviations={model: dict(far) for model, far, refusal, _ in found if refusal is None},
         refused={model: refusal for model, _, refusal, _ in found if refusal is not None},
         evidence=evidence,
+        evidence_at=tuple(off if reason is None else reason for off, reason in places),
         off={model: off for model, _, _, off in found if off is not None},
         text=text.rstrip("\n"),
     )

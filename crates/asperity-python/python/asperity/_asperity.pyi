@@ -316,8 +316,9 @@ def recommend(
     models: Sequence[str] | None,
 ) -> tuple[
     str,
+    str | None,
     str,
-    str,
+    list[tuple[dict[str, dict[str, float | None]], str | None]],
     list[tuple[str, list[tuple[str, float]], str | None, dict[str, float | None] | None]],
 ]: ...
 def bem(

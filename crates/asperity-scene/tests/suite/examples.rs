@@ -12,7 +12,7 @@ fn example(name: &str) -> SceneFile {
 fn simplest(file: &SceneFile) -> String {
     let request = Request::new([Quantity::Force, Quantity::Area]).at(linspace(0.0, 4.0, 9));
     let ke = file.model("ke").unwrap();
-    recommend(&file.scene, &request, &ke, 0.05).unwrap().simplest.id().to_string()
+    recommend(&file.scene, &request, &ke, 0.05).unwrap().simplest.unwrap().id().to_string()
 }
 
 #[test]
