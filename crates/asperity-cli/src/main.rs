@@ -24,8 +24,8 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use commands::{
-    bem, check, compare, curve, export, init, models, plan, pull_off, recommend, slip, solve,
-    surface, truth, unload,
+    bem, check, compare, conductance, curve, export, init, models, plan, pull_off, recommend, slip,
+    solve, surface, truth, unload,
 };
 
 /// Rough surfaces in contact: force, real area and stiffness by published models, beside boundary elements
@@ -60,6 +60,7 @@ enum Command {
     Unload(unload::Unload),
     Slip(slip::Slip),
     PullOff(pull_off::PullOff),
+    Conductance(conductance::Conductance),
 }
 
 fn main() -> ExitCode {
@@ -79,6 +80,7 @@ fn main() -> ExitCode {
         Command::Unload(command) => command.run(),
         Command::Slip(command) => command.run(),
         Command::PullOff(command) => command.run(),
+        Command::Conductance(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

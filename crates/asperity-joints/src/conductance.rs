@@ -18,7 +18,7 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use asperity_core::{ContactError, ProfileMoments, positive};
+use asperity_core::{ContactError, ProfileMoments, Scene, positive};
 use serde::Serialize;
 
 /// The roughness of a gap, as the correlations take it.
@@ -112,6 +112,81 @@ pub fn mikic_elastic(
     let stiffness = positive("equivalent_modulus", modulus)? * slope;
     let relative = 2f64.sqrt() * positive("pressure", pressure)? / stiffness;
     correlated(1.55, conductivity, roughness, (relative, 0.94, ELASTIC))
+}
+
+/// A correlation between nominally flat rough surfaces in vacuum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Correlation {
+    /// [`cooper_mikic_yovanovich`]: contacts that yield.
+    CooperMikicYovanovich,
+    /// [`mikic_elastic`]: contacts that do not.
+    MikicElastic,
+}
+
+impl Correlation {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::CooperMikicYovanovich, Self::MikicElastic];
+
+    /// Short name in lower case.
+    #[must_use]
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::CooperMikicYovanovich => "cmy",
+            Self::MikicElastic => "mikic",
+        }
+    }
+
+    /// Who, when, and for which contacts.
+    #[must_use]
+    pub fn source(self) -> &'static str {
+        match self {
+            Self::CooperMikicYovanovich => "Cooper, Mikic & Yovanovich 1969, plastic contacts",
+            Self::MikicElastic => "Mikic 1974, elastic contacts",
+        }
+    }
+
+    /// What it is a power of, [`Correlated::relative_pressure`].
+    #[must_use]
+    pub fn relative_pressure(self) -> &'static str {
+        match self {
+            Self::CooperMikicYovanovich => "p/H",
+            Self::MikicElastic => "sqrt(2) p/(E m)",
+        }
+    }
+
+    /// From where to where in [`relative_pressure`](Self::relative_pressure) it
+    /// [holds](Correlated::holds).
+    #[must_use]
+    pub fn range(self) -> [f64; 2] {
+        let range = if self == Self::MikicElastic { ELASTIC } else { PLASTIC };
+        [*range.start(), *range.end()]
+    }
+
+    /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its gap.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] without a thermal conductivity or, for plastic contacts, a
+    /// hardness; [`ContactError::OutOfRange`] naming what is not above 0.
+    pub fn at(
+        self,
+        scene: &Scene,
+        roughness: &GapRoughness,
+        pressure: f64,
+    ) -> Result<Correlated, ContactError> {
+        let (field, needed_by) = ("thermal_conductivity", self.source().to_string());
+        let conductivity = scene.interface.thermal_conductivity;
+        let conductivity = conductivity.ok_or(ContactError::Missing { field, needed_by })?;
+        let asperity = scene.asperity()?;
+        match self {
+            Self::CooperMikicYovanovich => {
+                cooper_mikic_yovanovich(conductivity, roughness, pressure, asperity.hardness()?)
+            }
+            Self::MikicElastic => {
+                mikic_elastic(conductivity, roughness, pressure, asperity.equivalent_modulus)
+            }
+        }
+    }
 }
 
 /// h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean width `gap` Y \[m\], the

@@ -16,6 +16,7 @@ mod answer;
 mod ask;
 mod bem;
 mod check;
+mod conductance;
 mod contact;
 mod engine;
 mod error;
@@ -44,6 +45,8 @@ mod _asperity {
     use crate::bem::{bem, truth};
     #[pymodule_export]
     use crate::check::{check, findings, pull_off, quantity};
+    #[pymodule_export]
+    use crate::conductance::{correlated, gap_conductance};
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]

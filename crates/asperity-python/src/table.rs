@@ -51,7 +51,7 @@ pub(crate) fn contact_table(
     beside: (Option<String>, Option<f64>),
 ) -> PyResult<Table> {
     let (model, format, file) = (engine.on(&scene.0)?, format_of(form.0)?, &scene.0);
-    let units: UnitSystem = form.1.parse().map_err(|e| value_error(format!("units is {e}")))?;
+    let units: UnitSystem = form.1.parse().map_err(|e| value_error(format!("units: {e}")))?;
     let (from, contact) = (file.separation_from, &file.scene);
     let (nodes, max_error, rtol) = spacing;
     let tolerance = Tolerance::new(rtol).map_err(refused)?;

@@ -266,3 +266,28 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
     for ends, said in [((1.0, 0.0), "open, less deepest"), ((0.0, float("nan")), "open")]:
         with pytest.raises(ValueError, match=said):
             ke.joint_table(scene, *ends)
+
+
+def test_correlations_of_conductance_are_those_of_their_formulas() -> None:
+    body = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
+    interface = asperity.Interface.between(body, body)
+    scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
+    by = asperity.correlated_conductance
+    pressure = np.geomspace(1e5, 1e7, 6).reshape(2, 3)
+    plastic = by("cmy", scene, pressure=pressure)
+    assert plastic.conductance.shape == (2, 3) and plastic.holds.all()
+    np.testing.assert_allclose(plastic.relative_pressure, pressure / 2e9, rtol=1e-14)
+    numbers = scene.check().numbers
+    slope = numbers["rms_slope"] / math.sqrt(math.pi)  # mean absolute slope of profiles
+    wanted = 1.25 * 50.0 * slope / numbers["surface_height_std"] * (pressure / 2e9) ** 0.95
+    np.testing.assert_allclose(plastic.conductance, wanted, rtol=1e-12)
+    load = by("cmy", scene, load="1 kN").conductance
+    assert load == pytest.approx(by("cmy", scene, pressure=1e7).conductance, rel=1e-14)
+    with pytest.warns(asperity.ContactWarning, match=r"cmy: relative pressure is 0\.05"):
+        assert not by("cmy", scene, pressure=1e8).holds
+    elastic = by("mikic", scene, pressure=1e6).conductance
+    assert 0.5 < elastic / by("cmy", scene, pressure=1e6).conductance < 2.0
+    with pytest.raises(ValueError, match="cmy"):
+        by("cooper", scene, pressure=1e6)
+    with pytest.raises(ValueError, match="gap is -1"):
+        asperity.gap_conductance(0.026, -1.0)

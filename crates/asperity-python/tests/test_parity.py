@@ -93,9 +93,13 @@ def test_tables_for_solvers_are_those_of_the_library(scene: asperity.Scene) -> N
         ("ansys", "RMORE,"),
     ]:
         assert words in str(asperity.export("ke", scene, form, load=(10.0, 1e3), nodes=8))
+    mm = asperity.export("ke", scene, load=(1.0, 1e3), max_error=1e-4, units="mm-N-MPa")
+    assert "clearance_mm,pressure_MPa,tangent_MPa_per_mm" in mm.text
+    np.testing.assert_array_equal(mm.pressure, table.pressure)
     wrongs: list[tuple[dict[str, Any], str]] = [
         ({"format": "nastran"}, "format is \"nastran\""),
         ({"load": (10.0, 1.0)}, "range"),
+        ({"units": "inch"}, 'units: "inch" is none of'),
         ({"max_error": -1.0}, "error is -1.0"),
     ]
     for wrong, words in wrongs:

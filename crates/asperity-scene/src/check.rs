@@ -1,7 +1,10 @@
 //! A scene file that is looked at before it is believed: the library's findings, by the names of
 //! the file, and what a scan shows.
 
-use asperity::{At, Check, ContactError, ContactModel, Finding, HeightDistribution, Severity};
+use asperity::joints::conductance::GapRoughness;
+use asperity::{
+    At, Check, ContactError, ContactModel, Finding, HeightDistribution, ProfileMoments, Severity,
+};
 use asperity_topography::Statistics;
 
 use crate::SceneFile;
@@ -40,6 +43,15 @@ impl SceneFile {
         found.extend(self.measured.iter().flat_map(|measured| self.of_scan(measured)));
         found.sort_by_key(|finding| finding.severity);
         found
+    }
+
+    /// The roughness of the gap, as correlations of its conductance take it: of the scan or, without
+    /// one, of an isotropic Gaussian surface with these asperities.
+    #[must_use]
+    pub fn gap_roughness(&self) -> GapRoughness {
+        let measured = self.measured.as_ref().map(|measured| &measured.statistics);
+        let measured = measured.map(|s| ProfileMoments { m0: s.m0, m2: s.m2, m4: s.m4 });
+        GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
     }
 
     /// What follows from the scene and, for a model, from a place, with what is unusual about it.

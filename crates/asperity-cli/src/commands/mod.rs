@@ -3,6 +3,7 @@
 pub mod bem;
 pub mod check;
 pub mod compare;
+pub mod conductance;
 pub mod curve;
 pub mod export;
 pub mod history;

@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 17] = [
     "",
     "check",
     "curve",
@@ -22,6 +22,7 @@ const COMMANDS: [&str; 16] = [
     "unload",
     "slip",
     "pull-off",
+    "conductance",
 ];
 
 #[test]

@@ -32,6 +32,7 @@ from asperity._asperity import (
 )
 from asperity._bem import BemContacts, TruthRow, TruthRows, bem, truth
 from asperity._check import Check, Finding
+from asperity._conductance import Correlated, correlated_conductance, gap_conductance
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
@@ -51,6 +52,7 @@ __all__ = [
     "Contact",
     "ContactTable",
     "ContactWarning",
+    "Correlated",
     "Curve",
     "Finding",
     "Interface",
@@ -72,7 +74,9 @@ __all__ = [
     "TruthRows",
     "Unloading",
     "bem",
+    "correlated_conductance",
     "export",
+    "gap_conductance",
     "model",
     "models",
     "plan",

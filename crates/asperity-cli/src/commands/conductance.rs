@@ -1,0 +1,150 @@
+//! `asperity conductance`: models beside the correlations of thermal contact conductance.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use asperity::joints::conductance::{Correlation, gap_conductance};
+use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
+use clap::{ArgGroup, Args};
+
+use crate::args::{OutputArgs, model_id};
+use crate::number::rounded;
+use crate::numbers::{Numbers, length, loads, of_unit, positive, pressures};
+use crate::output::say;
+use crate::scene::LoadedScene;
+use crate::table::{Cell, Table};
+
+const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
+
+/// Thermal conductance per area by models and by the correlations that people know
+#[derive(Debug, Args)]
+#[command(
+    group(ArgGroup::new("given").required(true)),
+    after_help = "Columns: model, load_N, pressure_Pa, relative_pressure,
+thermal_conductance_per_area_W_per_m2_per_K, holds and, with --gas, the same of the gas
+beside the contacts, at the model's own separation from the mean plane (they add).
+cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for contacts that yield
+(plasticity_index above about 1); mikic: Mikic 1974, 1.55 k (m/sigma) (sqrt(2) p/(E m))^0.94,
+for elastic ones. sigma and m, the standard deviation of the heights and the mean absolute
+slope, are the scan's or, without one, those of a Gaussian surface with the scene's
+asperities. holds: whether the power is within 2.1 % of the theory that it was fitted to
+(p/H of 1e-6 to 0.023, sqrt(2) p/(E m) of 1e-5 to 0.012).
+All are of contacts in vacuum; models take them as far from each other.
+
+Examples:
+  asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
+  asperity conductance scene.toml --conductivity 50 --load 1kN --model ke,gw,jg --format csv
+  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um"
+)]
+pub struct Conductance {
+    /// Scene file; `asperity init` writes one to start from
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Models [default: ke; gw where there is no hardness]
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
+    models: Vec<String>,
+    /// Loads in N, or with a unit as 2kN
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = loads, group = "given")]
+    load: Option<Numbers>,
+    /// Loads as pressures on the nominal area, in Pa, or with a unit as 5MPa
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = pressures, group = "given")]
+    pressure: Option<Numbers>,
+    /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2) in W/(m K), in place of the scene's
+    #[arg(long, value_name = "K", value_parser = conductivity)]
+    conductivity: Option<f64>,
+    /// Thermal conductivity of a gas in the gap, in W/(m K)
+    #[arg(long, value_name = "K", value_parser = conductivity)]
+    gas: Option<f64>,
+    /// Its jump of temperature at the walls as a length, some free paths, in m, or with a unit
+    #[arg(long, value_name = "M", value_parser = length, requires = "gas")]
+    gas_parameter: Option<f64>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+impl Conductance {
+    pub fn run(self) -> Result<()> {
+        let mut scene = LoadedScene::load(&self.scene)?;
+        let known = &mut scene.file.scene.interface.thermal_conductivity;
+        *known = self.conductivity.or(*known);
+        let (contact, roughness) = (&scene.file.scene, scene.file.gap_roughness());
+        let flat = |list: &Option<Numbers>| list.iter().flat_map(|l| l.0.clone()).collect();
+        let (loads, pressures): (Vec<f64>, Vec<f64>) = (flat(&self.load), flat(&self.pressure));
+        let places = loads.into_iter().map(At::Load).chain(pressures.into_iter().map(At::Pressure));
+        let places: Vec<At> = places.collect();
+        let head = ["model", "load_N", "pressure_Pa", "relative_pressure"];
+        let mut table = Table::new(&head);
+        table.head.extend([CONDUCTANCE.column(), "holds".into()]);
+        table.head.extend(self.gas.map(|_| format!("gas_{}", CONDUCTANCE.column())));
+        let row = |id: &str, at: &At, relative: Option<f64>, found: Option<f64>, holds: &str| {
+            let numbers = [at.load(contact), at.pressure(contact), relative, found];
+            let mut row = vec![Cell::from(id)];
+            row.extend(numbers.map(Cell::Number));
+            row.push(holds.into());
+            row
+        };
+
+        let models = match &self.models[..] {
+            [] => vec![scene.reference(None)?],
+            asked => scene.models(asked, &[CONDUCTANCE])?,
+        };
+        for (id, model) in &models {
+            let context = || format!("{}: {id}", scene.name);
+            let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
+            let compiled = model.compile(contact, &request).with_context(context)?;
+            for at in &places {
+                let found = compiled.evaluate(CONDUCTANCE, *at).with_context(context)?.value();
+                let mut row = row(id, at, None, Some(found), "");
+                if let Some(gas) = self.gas {
+                    let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
+                    let gap = compiled.separation(*at)?.measured_in(unit, plane, contact);
+                    let gap = gap.with_context(context)?.value.max(0.0);
+                    let found = gap_conductance(gas, gap, self.gas_parameter.unwrap_or(0.0));
+                    row.push(Cell::Number(Some(found.with_context(context)?)));
+                }
+                table.rows.push(row);
+            }
+        }
+        scene.tell(&models.iter().collect::<Vec<_>>(), &places);
+
+        for correlation in Correlation::ALL {
+            let (id, mut outside) = (correlation.id(), None);
+            for at in &places {
+                let pressure = at.pressure(contact).unwrap_or(f64::NAN);
+                let found = match correlation.at(contact, &roughness, pressure) {
+                    Ok(found) => found,
+                    Err(reason) => {
+                        say("note", &format!("left out: {id}: {reason}"));
+                        break;
+                    }
+                };
+                if !found.holds {
+                    outside = outside.or(Some((found.relative_pressure, *at)));
+                }
+                let (relative, holds) = (found.relative_pressure, found.holds);
+                let holds = if holds { "yes" } else { "no" };
+                let mut row = row(id, at, Some(relative), Some(found.conductance), holds);
+                row.extend(self.gas.map(|_| Cell::Number(None)));
+                table.rows.push(row);
+            }
+            if let Some((relative, at)) = outside {
+                let ([from, to], relative) = (correlation.range(), rounded(relative));
+                let what = correlation.relative_pressure();
+                let text =
+                    format!("{id}: {what} is {relative} at {at}: it holds from {from:e} to {to}");
+                say("warning", &text);
+            }
+        }
+        let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
+        let of = match scene.file.measured {
+            Some(_) => "of the scan",
+            None => "of a Gaussian surface with these asperities: measure yours",
+        };
+        say("note", &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"));
+        self.output.write(&table)
+    }
+}
+
+fn conductivity(text: &str) -> Result<f64, String> {
+    of_unit(text, "W/(m K)").and_then(positive)
+}

@@ -1,0 +1,78 @@
+"""The correlations of thermal contact conductance that people know."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from asperity import _asperity
+from asperity._arguments import in_si, place
+from asperity._asperity import ContactWarning, floats
+from asperity._scene import Floats, Scene
+
+
+@dataclass(frozen=True)
+class Correlated:
+    """What a correlation says, in the shape of the pressures."""
+
+    #: Thermal conductance over the nominal area [W/(m^2 K)].
+    conductance: Floats
+    #: p/H ("cmy"), or sqrt(2) p/(E m) ("mikic"): what it is a power of.
+    relative_pressure: Floats
+    #: Whether the power is within 2.1 % of the theory that it was fitted to.
+    holds: npt.NDArray[np.bool_]
+
+
+def correlated_conductance(
+    correlation: str,
+    scene: Scene,
+    *,
+    load: npt.ArrayLike | None = None,
+    pressure: npt.ArrayLike | None = None,
+) -> Correlated:
+    """Thermal contact conductance by a correlation, to stand beside the models'
+    "thermal-conductance-per-area".
+
+    "cmy" is Cooper, Mikic & Yovanovich 1969, for contacts that yield; "mikic" Mikic 1974, for
+    elastic ones. Both are of nominally flat rough surfaces in vacuum, and take heights and slopes of
+    the scan or, without one, of a Gaussian surface with the scene's asperities. The interface needs
+    a ``thermal_conductivity``; a warning says where the correlation does not hold.
+
+    >>> import asperity
+    >>> steel = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
+    >>> interface = asperity.Interface.between(steel, steel)
+    >>> scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
+    >>> asperity.correlated_conductance("cmy", scene, pressure=[1e5, 1e6]).conductance.round()
+    array([ 152., 1351.])
+    """
+    axis, given = place(None, load, pressure, "m")
+    numbers = floats(given, axis)
+    pressures = numbers / scene.nominal_area if axis == "load" else numbers
+    columns, (first, last) = _asperity.correlated(correlation, scene._file, pressures.ravel())
+    conductance, relative, holds = (np.array(c).reshape(numbers.shape) for c in columns)
+    if not holds.all():
+        worst = relative[~holds].ravel()[0]
+        words = (
+            f"{correlation}: relative pressure is {worst:.4g}: it holds from {first:g} to {last:g}"
+        )
+        warnings.warn(words, ContactWarning, stacklevel=2)
+    return Correlated(conductance, relative, holds)
+
+
+def gap_conductance(
+    conductivity: float, gap: float | str, gas_parameter: float | str = 0.0
+) -> float:
+    """Conductance over the nominal area [W/(m^2 K)] of a gas beside the contacts: its conductivity
+    [W/(m K)] over the mean gap and its gas parameter [m], the jump of temperature at the walls.
+
+    The mean gap is the separation from the mean plane of the surface; lengths may say their unit.
+
+    >>> import asperity
+    >>> round(asperity.gap_conductance(0.026, "3 um", "0.37 um"), 1)
+    7715.1
+    """
+    lengths = in_si(gap, "m"), in_si(gas_parameter, "m")
+    return _asperity.gap_conductance(conductivity, *lengths)
