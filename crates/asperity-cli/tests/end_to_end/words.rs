@@ -129,7 +129,7 @@ fn each_load_has_its_own_evidence_and_what_does_not_hold_is_not_recommended() {
         .iter()
         .filter_map(|text| text.split_whitespace().last())
         .collect();
-    assert!(named.len() > 3 && named.iter().all(|id| ids.contains(&(*id).into())), "{named:?}");
+    assert!(named.len() > 3 && named.iter().all(|id| ids.contains(id)), "{named:?}");
     let off = cells(&run.out, "area_off_bem");
     assert!(off.iter().filter(|cell| !cell.is_empty()).count() > 15, "{}", run.out);
     // gw is near, and yet asperities yield.
