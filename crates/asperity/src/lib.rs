@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod advice;
 mod contact_table;
 mod cubic;
 mod evidence;
