@@ -1,7 +1,8 @@
 //! Plain arrays of values: those of one at a time, to the last digits, whatever the model and place.
 
 use asperity::{
-    Contact, ContactError, HeightDistribution, Model, Quantity, Request, Tolerance, WeibullHeights,
+    Contact, ContactError, Filled, HeightDistribution, Model, Quantity, Request, Tolerance,
+    WeibullHeights,
 };
 
 use crate::scenes::{named, with_index};
@@ -21,11 +22,11 @@ fn filled(
     contact: &dyn Contact,
     asked: &[Quantity],
     s: &[f64],
-) -> Result<(Vec<Vec<f64>>, f64), ContactError> {
+) -> Result<(Vec<Vec<f64>>, Filled), ContactError> {
     let mut columns = vec![vec![f64::NAN; s.len()]; asked.len()];
     let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-    let bound = contact.fill(asked, s, &mut out)?;
-    Ok((columns, bound))
+    let known = contact.fill(asked, s, &mut out)?;
+    Ok((columns, known))
 }
 
 #[test]
@@ -49,7 +50,7 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
             let contact = model.compile(&scene, &request).unwrap();
             let both = |s| [(&ASKED[..6], s), (&ASKED[6..], s)];
             for (asked, s) in [both(&near), both(&far)].concat() {
-                let Ok((columns, bound)) = filled(&*contact, asked, s) else {
+                let Ok((columns, known)) = filled(&*contact, asked, s) else {
                     // Then one of them is refused by itself, too.
                     let refused =
                         |q: &Quantity| s.iter().any(|s| contact.evaluate(*q, *s).is_err());
@@ -57,16 +58,26 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
                     assert!(!std::ptr::eq(s, &near), "{id}: the near ones are known");
                     continue;
                 };
-                let mut largest = 0.0_f64;
+                let (mut largest, mut condition) = (0.0_f64, 1.0_f64);
                 for (quantity, column) in asked.iter().zip(&columns) {
                     for (s, value) in s.iter().zip(column) {
                         let wanted = contact.evaluate(*quantity, *s).unwrap();
                         largest = largest.max(wanted.bound(*quantity));
+                        condition = condition.max(wanted.condition());
                         let same = value.to_bits() == wanted.value().to_bits();
                         assert!(same, "{id} {quantity} {s}: {value} {wanted:?}");
                     }
                 }
-                assert!(bound >= 0.999 * largest, "{id}: {bound:e} {largest:e}");
+                // The bound is no smaller, and not much larger; what cancels is the same.
+                let Filled { bound, .. } = known;
+                assert!(
+                    bound >= 0.999 * largest && bound <= 3.0 * largest,
+                    "{id}: {bound:e} {largest:e}"
+                );
+                assert!(
+                    (known.condition / condition - 1.0).abs() < 1e-12,
+                    "{id}: {known:?} {condition}"
+                );
             }
         }
     }

@@ -3,6 +3,7 @@
 use asperity_quadrature::Moments;
 
 use crate::compiled::Compiled;
+use crate::warning::CANCELLED;
 use crate::{At, Contact, ContactError, Quantity};
 
 /// Rows whose integrals are taken together: they stay in the fastest memory.
@@ -21,22 +22,48 @@ struct Read {
     per: f64,
 }
 
+/// What is known of all values of plain arrays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Filled {
+    /// The largest [bound](crate::Evaluation::bound).
+    pub bound: f64,
+    /// The largest [condition](crate::Evaluation::condition).
+    pub condition: f64,
+}
+
+impl Filled {
+    /// Whether parts cancel in some value so far that an answer would warn of it.
+    #[must_use]
+    pub fn cancels(&self) -> bool {
+        self.condition > CANCELLED
+    }
+
+    const NONE: Self = Self { bound: 0.0, condition: 1.0 };
+
+    fn with(self, other: Self) -> Self {
+        let (bound, condition) = (self.bound.max(other.bound), self.condition.max(other.condition));
+        Self { bound, condition }
+    }
+}
+
 /// The way that any contact has: one row after the other.
 pub(crate) fn one_by_one(
     contact: &(impl Contact + ?Sized),
     quantities: &[Quantity],
     separations: &[f64],
     columns: &mut [&mut [f64]],
-) -> Result<f64, ContactError> {
-    let mut bound = 0.0_f64;
+) -> Result<Filled, ContactError> {
+    let mut all = Filled::NONE;
     for (quantity, column) in quantities.iter().zip(columns) {
         for (s, value) in separations.iter().zip(column.iter_mut()) {
             let found = contact.evaluate_at(*quantity, At::from(*s))?;
             *value = found.value();
-            bound = bound.max(found.bound(*quantity));
+            let (bound, condition) = (found.bound(*quantity), found.condition());
+            all = all.with(Filled { bound, condition });
         }
     }
-    Ok(bound)
+    Ok(all)
 }
 
 /// Whether the columns are as many as the quantities, and as long as the separations.
@@ -64,13 +91,13 @@ impl Compiled {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<f64, ContactError> {
+    ) -> Result<Filled, ContactError> {
         let reads: Option<Vec<Read>> = quantities.iter().map(|q| self.read(*q)).collect();
         let Some(reads) = reads else {
             return one_by_one(self, quantities, separations, columns);
         };
         let slopes = reads.iter().any(|read| read.slope);
-        let mut bound = 0.0_f64;
+        let mut all = Filled::NONE;
         let (mut moments, mut scales) = ([Moments::NONE; TOGETHER], [0.0; TOGETHER]);
         for (k, s) in separations.chunks(TOGETHER).enumerate() {
             let (moments, scales) = (&mut moments[..s.len()], &mut scales[..s.len()]);
@@ -84,13 +111,13 @@ impl Compiled {
                     scales.iter_mut().zip(ln_scales).for_each(|(scale, ln)| *scale = ln.exp());
                 }
                 let filled = known.then(|| read.fill(s, moments, scales, out)).flatten();
-                bound = bound.max(match filled {
-                    Some(bound) => bound,
+                all = all.with(match filled {
+                    Some(filled) => filled,
                     None => one_by_one(self, &quantities[j..=j], s, &mut [out])?,
                 });
             }
         }
-        Ok(bound)
+        Ok(all)
     }
 
     fn read(&self, quantity: Quantity) -> Option<Read> {
@@ -112,10 +139,17 @@ impl Compiled {
 }
 
 impl Read {
-    /// The values, and the largest bound; none where one of them is to be looked at by itself.
-    fn fill(&self, s: &[f64], moments: &[Moments], scales: &[f64], out: &mut [f64]) -> Option<f64> {
+    /// The values, and what is known of them; none where one is to be looked at by itself.
+    fn fill(
+        &self,
+        s: &[f64],
+        moments: &[Moments],
+        scales: &[f64],
+        out: &mut [f64],
+    ) -> Option<Filled> {
         let n = usize::from(self.slope);
-        let (mut plain, mut error, mut deepest, mut least) = (true, 0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut plain, mut error, mut condition) = (true, 0.0_f64, 1.0_f64);
+        let (mut deepest, mut least) = (0.0_f64, 0.0_f64);
         for (k, of) in moments.iter().enumerate() {
             let value = if self.slope { of.slope } else { of.value };
             let size = of.sizes[n];
@@ -127,12 +161,15 @@ impl Read {
             };
             out[k] = scaled * scales[k];
             plain &= out[k].abs() >= f64::MIN_POSITIVE && out[k].abs() < f64::INFINITY;
-            error = error.max(if value >= size { of.error } else { of.error * size / value.abs() });
+            let cancelled = if value >= size { 1.0 } else { size / value.abs() };
+            condition = condition.max(cancelled);
+            error = error.max(of.error * cancelled);
             deepest = deepest.min(s[k]);
             least = least.min(of.ln_scale);
         }
         let plain = plain && least > LEAST && !(self.slope && deepest < DEEP);
         // The rounding of the scale's logarithm, as of one value.
-        plain.then_some(error + (0.5 * least.abs() + 3.0) * f64::EPSILON)
+        let bound = error + (0.5 * least.abs() + 3.0) * f64::EPSILON;
+        plain.then_some(Filled { bound, condition })
     }
 }

@@ -229,7 +229,7 @@ impl Contact for Compiled {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<f64, ContactError> {
+    ) -> Result<crate::Filled, ContactError> {
         arrays::check(quantities, separations, columns)?;
         self.filled(quantities, separations, columns)
     }
@@ -295,10 +295,7 @@ impl Contact for Compiled {
         let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
         let adhesive = self.facts.adhesive;
-        // What only falls has nothing that cancels, and adhesion has its own words.
-        let may_cancel = !self.facts.monotone && !adhesive;
-        let both = |at| if may_cancel { self.force_and_tangent_at(at).ok() } else { None };
-        respond((self.model(), &self.scene, adhesive), request, cells, shares, behind, both)
+        respond((self.model(), &self.scene, adhesive), request, cells, shares, behind)
     }
 }
 

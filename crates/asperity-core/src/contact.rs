@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::arrays;
+use crate::arrays::{self, Filled};
 use crate::response::{Cell, Response, respond};
 use crate::{
     At, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share, Warning,
@@ -45,8 +45,8 @@ pub trait Contact: fmt::Debug + Send + Sync {
     }
 
     /// Plain values of many separations \[σ_z from the mean of the asperity heights\], a column for
-    /// each quantity, and the largest [bound](Evaluation::bound) of all: for inner loops over arrays.
-    /// There are no warnings, and what no double holds reads 0.
+    /// each quantity, and what is known of all of them: for inner loops over arrays. There are no
+    /// warnings, and what no double holds reads 0.
     ///
     /// # Errors
     /// Those of [`evaluate_at`](Self::evaluate_at), of the first row that is refused; what the columns
@@ -57,13 +57,13 @@ pub trait Contact: fmt::Debug + Send + Sync {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<f64, ContactError> {
+    ) -> Result<Filled, ContactError> {
         arrays::check(quantities, separations, columns)?;
         arrays::one_by_one(self, quantities, separations, columns)
     }
 
-    /// All separations at which the force is `load` \[N\], ascending, over σ_z from the mean of
-    /// the asperity heights: one for a model whose force falls all the way, possibly several for
+    /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane (of
+    /// models of asperities in σ_z from the mean of the asperity heights): one for a model whose force falls all the way, possibly several for
     /// others (AT as printed rises and falls).
     ///
     /// # Errors
@@ -134,7 +134,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let cells = |places: &[At]| crate::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None, |_| None)
+        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
     }
 
     /// Whether a quantity was asked for, and is one of those that this model knows: for models that
@@ -252,7 +252,7 @@ impl Contact for Box<dyn Contact> {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<f64, ContactError> {
+    ) -> Result<Filled, ContactError> {
         (**self).fill(quantities, separations, columns)
     }
 

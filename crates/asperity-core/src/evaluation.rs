@@ -130,6 +130,25 @@ impl Evaluation {
         if quantity.is_absolute() { self.error * self.size } else { self.relative_error() }
     }
 
+    /// How many times larger what is added and subtracted is than what it leaves: near a zero
+    /// crossing, an input known to a part of itself gives the value to so many times that part. 1
+    /// where nothing cancels.
+    #[must_use]
+    pub fn condition(&self) -> f64 {
+        if self.size == 0.0 { 1.0 } else { self.size / self.scaled.abs() }
+    }
+
+    /// This value less another: the bound is one on the error relative to both together.
+    #[must_use]
+    pub fn less(&self, other: &Self) -> Self {
+        let [own, others] = [self, other].map(Self::value);
+        let size = own.abs() + others.abs();
+        let of = |value: f64, error: f64| if value == 0.0 { 0.0 } else { value.abs() * error };
+        let off = of(own, self.relative_error()) + of(others, other.relative_error());
+        let error = if size > 0.0 { off / size + f64::EPSILON } else { 0.0 };
+        Self { scaled: own - others, ln_scale: 0.0, size, error }
+    }
+
     /// The error relative to the scaled value.
     pub(crate) fn cancelled(&self) -> f64 {
         if self.size == 0.0 { 0.0 } else { self.error * self.size / self.scaled.abs() }

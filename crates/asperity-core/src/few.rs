@@ -69,13 +69,5 @@ pub(crate) fn few(
     let behind = |q, at| if signed { Some(one(q, at).ok()?.value()) } else { None };
     let none = |_, _| Ok(vec![]);
     let named = (model.name(), scene, laws.adhesive);
-    let both = |at: At| {
-        let mut case = OfCase::alone(scene, &laws, tolerance).ok()?;
-        let reading = case.reading(at).ok()?;
-        let force = reading.of(Quantity::Force, &mut case).ok()?;
-        Some((force, reading.of(Quantity::Tangent, &mut case).ok()?))
-    };
-    let may_cancel = !laws.monotone && !laws.adhesive;
-    let both = |at| if may_cancel { both(at) } else { None };
-    Ok(Some(respond(named, request, cells, none, behind, both)))
+    Ok(Some(respond(named, request, cells, none, behind)))
 }

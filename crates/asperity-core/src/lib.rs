@@ -56,6 +56,7 @@ pub mod testkit;
 mod tolerance;
 mod warning;
 
+pub use arrays::Filled;
 pub use asperity::Asperity;
 pub use asperity_quadrature::{Density, Moments, Piece, QuadratureError, Sampler};
 pub use check::{Check, Finding, Number, Severity};

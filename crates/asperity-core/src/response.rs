@@ -91,15 +91,13 @@ pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 const TOGETHER: usize = 8192;
 
 /// Puts columns of runs of rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
-/// or share hides, where it may be negative; `adhesive` says whether adhesion makes it so; `both` tells
-/// force and tangent where they may cancel.
+/// or share hides, where it may be negative; `adhesive` says whether adhesion makes it so.
 pub(crate) fn respond(
     (model, scene, adhesive): (&str, &Scene, bool),
     request: &Request,
     cells: impl Fn(&[At]) -> Vec<Vec<Cell>>,
     shares: impl Fn(Quantity, At) -> Result<Vec<Share>, ContactError>,
     behind: impl Fn(Quantity, At) -> Option<f64>,
-    both: impl Fn(At) -> Option<(Evaluation, Evaluation)>,
 ) -> Response {
     let new = |quantity: &Quantity| {
         let rows = Vec::with_capacity(request.at.len());
@@ -121,11 +119,6 @@ pub(crate) fn respond(
         if request.shares {
             let of = |at: &At| shares(column.quantity, *at).map_err(Box::new);
             column.shares = Some(request.at.iter().map(of).collect());
-        }
-    }
-    for &at in &request.at {
-        if let Some(both) = both(at) {
-            seen.look_at_condition(model, &both, at, scene);
         }
     }
     Response { model: model.into(), at: request.at.clone(), columns, warnings: seen.into_vec() }

@@ -72,19 +72,18 @@ pub enum Warning {
         /// Where first, as it was asked.
         at: At,
     },
-    /// Parts of a law cancel next to a separation where the force crosses 0, or turns: what is
-    /// asked there is known less well than the input.
-    IllConditioned {
+    /// Parts of different sign cancel, as next to where a force crosses 0 or turns: what is left is
+    /// known less well than what went in.
+    Cancelled {
         /// The model.
         model: String,
+        /// What they leave.
+        quantity: Quantity,
         /// In how many rows.
         count: usize,
         /// Where worst, as it was asked.
         at: At,
-        /// What cancels there: the force or, where a load was given, the tangent.
-        cancels: Quantity,
-        /// Relative change of the force for a change of the separation by σ_z; where the tangent
-        /// cancels, change of the separation over σ_z for a relative change of the load.
+        /// The [condition](Evaluation::condition) there.
         condition: f64,
     },
     /// The angle density that a model's paper prints is negative for some directions. No result
@@ -135,18 +134,22 @@ impl fmt::Display for Warning {
                 "{model}: no asperity touches in {}, first at {at}: logarithms, shares and the mean pressure have no value there",
                 rows(*count)
             ),
-            Self::IllConditioned { model, count, at, cancels, condition } => {
-                let (count, to) = (rows(*count), KNOWN * condition);
-                match cancels {
-                    Quantity::Force => write!(
-                        f,
-                        "{model}: the force crosses 0 near {at}: in {count}, a separation known to {KNOWN:e} asperity_height_std gives the force to {to:.0e} of itself there"
-                    ),
-                    _ => write!(
-                        f,
-                        "{model}: the force turns near {at}: in {count}, a load known to {KNOWN:e} of itself gives the separation to {to:.0e} asperity_height_std there"
-                    ),
-                }
+            Self::Cancelled { model, quantity, count, at, condition } => {
+                let known = match KNOWN * condition {
+                    part if part < 1.0 => format!("only to {part:.0e} of itself"),
+                    _ => "to no digit at all".into(),
+                };
+                let turns = match quantity {
+                    Quantity::Tangent => {
+                        ": the force turns near there, and a load says little of where"
+                    }
+                    _ => "",
+                };
+                write!(
+                    f,
+                    "{model}: parts of the {quantity} cancel in {}, most at {at}: inputs known to {KNOWN:e} of themselves give it {known} there{turns}",
+                    rows(*count)
+                )
             }
             Self::NegativeAngleDensity { model, minimum } => write!(
                 f,
@@ -158,8 +161,8 @@ impl fmt::Display for Warning {
 
 /// The sentence on conditioning takes an input that is known so well.
 const KNOWN: f64 = 1e-6;
-/// A sum that is so much smaller than what is added and subtracted is ill-conditioned.
-const CANCELLED: f64 = 0.01;
+/// Conditions beyond this are told.
+pub(crate) const CANCELLED: f64 = 100.0;
 
 fn rows(count: usize) -> String {
     if count == 1 { "1 row".into() } else { format!("{count} rows") }
@@ -215,31 +218,15 @@ impl Warnings {
             let (model, ln_value) = (name(), evaluation.ln_value());
             self.count(quantity, Warning::Underflow { model, quantity, count: 1, at, ln_value });
         }
+        let condition = evaluation.condition();
+        if condition > CANCELLED && !quantity.is_absolute() && !self.adhesive {
+            let model = name();
+            self.count(quantity, Warning::Cancelled { model, quantity, count: 1, at, condition });
+        }
         let nominal = if quantity == Quantity::Area { scene.nominal_area } else { 1.0 };
         if matches!(quantity, Quantity::Area | Quantity::AreaFraction) && value > nominal {
             let (model, fraction) = (name(), value / nominal);
             self.count(quantity, Warning::AreaAboveNominal { model, count: 1, at, fraction });
-        }
-    }
-
-    /// Looks at force and tangent at one place: at a separation the force may cancel, at a load
-    /// the tangent.
-    pub(crate) fn look_at_condition(
-        &mut self,
-        model: &str,
-        (force, tangent): &(Evaluation, Evaluation),
-        at: At,
-        scene: &Scene,
-    ) {
-        let per_sigma = tangent.value() * scene.surface.asperity_height_std / force.value();
-        let (cancels, of, condition) = match at {
-            At::Separation(_) => (Quantity::Force, force, per_sigma.abs()),
-            _ => (Quantity::Tangent, tangent, per_sigma.abs().recip()),
-        };
-        if of.scaled.abs() < CANCELLED * of.size && condition.is_finite() {
-            let (model, count) = (model.to_string(), 1);
-            let new = Warning::IllConditioned { model, count, at, cancels, condition };
-            self.append([new]);
         }
     }
 
@@ -278,7 +265,7 @@ impl Warning {
             | Self::Underflow { count, .. }
             | Self::AreaAboveNominal { count, .. }
             | Self::NoContact { count, .. }
-            | Self::IllConditioned { count, .. } => Some(count),
+            | Self::Cancelled { count, .. } => Some(count),
             Self::NegativeAngleDensity { .. } => None,
         }
     }
@@ -288,8 +275,8 @@ impl Warning {
             *count += *more;
         }
         if let (
-            Self::IllConditioned { at, condition, .. },
-            Self::IllConditioned { at: other, condition: worse, .. },
+            Self::Cancelled { at, condition, .. },
+            Self::Cancelled { at: other, condition: worse, .. },
         ) = (self, other)
             && *worse > *condition
         {
@@ -302,8 +289,8 @@ impl Warning {
         let quantity = match self {
             Self::Negative { quantity, .. }
             | Self::Adhesion { quantity, .. }
-            | Self::Underflow { quantity, .. } => Some(*quantity),
-            Self::IllConditioned { cancels, .. } => Some(*cancels),
+            | Self::Underflow { quantity, .. }
+            | Self::Cancelled { quantity, .. } => Some(*quantity),
             _ => None,
         };
         (std::mem::discriminant(self), quantity.map(cause_of))

@@ -210,7 +210,7 @@ impl Question<'_> {
         let places: Vec<f64> = range.map(place).collect::<Option<_>>()?;
         let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
         let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        contact.fill(quantities, &places, &mut out).ok()?;
+        let known = contact.fill(quantities, &places, &mut out).ok()?;
         let usual = |(quantity, column): (&Quantity, &Vec<f64>)| {
             let most = match quantity {
                 Quantity::Area => contact.scene().nominal_area,
@@ -221,7 +221,7 @@ impl Question<'_> {
         };
         let usual = quantities.iter().zip(&columns).all(usual);
         let rows = (0..places.len()).flat_map(|row| columns.iter().map(move |column| column[row]));
-        usual.then(|| rows.collect())
+        (usual && !known.cancels()).then(|| rows.collect())
     }
 
     /// Of a response to rows from `first` on.
