@@ -13,11 +13,13 @@ pub struct PullOff {
     pub separation: Separation,
 }
 
-/// The search begins between these separations \[σ_z\], and goes on twice as far where need be.
+/// The search looks between these separations \[σ_z\], and on twice as far each time where need be.
 const NEAR: f64 = 8.0;
-/// No separation beyond is looked at \[σ_z\].
-const FARTHEST: f64 = 1e6;
-/// Looks between both ends: on ordinary scenes four for each σ_z, and nothing is narrower.
+/// No separation beyond these is looked at \[σ_z\].
+const DEEPEST: f64 = -1e6;
+const FARTHEST: f64 = 1e9;
+/// Looks within: four for each σ_z, and nothing is narrower there. Further out only adhesion itself
+/// is as wide as it is far.
 const LOOKS: usize = 64;
 
 /// The least force of a contact that was compiled for force and tangent; `None` where it falls all the
@@ -35,26 +37,34 @@ pub fn pull_off(contact: &dyn Contact) -> Result<Option<PullOff>, ContactError> 
         let tangent = tangent(s)?;
         Ok(if tangent.size > 0.0 { tangent.scaled / tangent.size } else { -1.0 })
     };
-    let (mut low, mut high) = (-NEAR, NEAR);
-    while rises(low)? <= 0.0 {
-        if 2.0 * low < -FARTHEST {
+    let mut places = vec![-NEAR];
+    while rises(places[0])? <= 0.0 {
+        if 2.0 * places[0] < DEEPEST {
             let required = "one above 0 where the surfaces are pressed together";
-            let value = tangent(low)?.value();
+            let value = tangent(places[0])?.value();
             return Err(ContactError::OutOfRange { field: "tangent", value, required });
         }
-        low *= 2.0;
+        places.insert(0, 2.0 * places[0]);
     }
-    while rises(high)? >= 0.0 {
-        high *= 2.0;
-        if high > FARTHEST {
-            return Ok(None);
+    places.extend((1..=LOOKS).map(|k| NEAR * (2.0 * k as f64 / LOOKS as f64 - 1.0)));
+    let mut farthest = NEAR;
+    while rises(farthest)? >= 0.0 {
+        if farthest >= FARTHEST {
+            let force = contact.evaluate(Quantity::Force, Separation::sigmas(farthest))?;
+            // Without an end the force falls, but stays above 0; pulling, it must turn.
+            let (field, value) = ("force at the farthest separation", force.value());
+            let required = "one that has turned within 1e9 asperity_height_std";
+            let pulls = force.scaled < 0.0;
+            let beyond = ContactError::OutOfRange { field, value, required };
+            return if pulls { Err(beyond) } else { Ok(None) };
         }
+        farthest = (2.0 * farthest).min(FARTHEST);
+        places.push(farthest);
     }
-    let place = |k: usize| low + (high - low) * k as f64 / LOOKS as f64;
-    let looks: Vec<f64> = (0..=LOOKS).map(|k| rises(place(k))).collect::<Result<_, _>>()?;
+    let looks: Vec<f64> = places.iter().map(|place| rises(*place)).collect::<Result<_, _>>()?;
     let mut least: Option<PullOff> = None;
-    for k in (0..LOOKS).filter(|k| looks[*k] > 0.0 && looks[*k + 1] <= 0.0) {
-        let root = fallible(rises, |rises| bracketed_root(rises, place(k), place(k + 1)))?;
+    for k in (1..places.len()).filter(|k| looks[*k - 1] > 0.0 && looks[*k] <= 0.0) {
+        let root = fallible(rises, |rises| bracketed_root(rises, places[k - 1], places[k]))?;
         // Between a rise and a fall there is one, where no error was.
         let Some(s) = root else { continue };
         let separation = Separation::sigmas(s);

@@ -249,7 +249,7 @@ fn works_in_another_unit_are_asked_about_and_tabors_parameter_is_told() {
 
 #[test]
 fn far_from_the_mean_the_bound_knows_how_a_separation_rounds() {
-    // w_p is 4e5 σ_z: one unit in the last place of s moves the count by 3e-10.
+    // w_p is 4e6 σ_z: one unit in the last place of s moves the count by 3e-10.
     let mut scene = scene(1e4);
     scene.surface.asperity_height_std = 1e-11;
     let asked = Request::new([Quantity::Contacts]).within(Tolerance::new(1e-13).unwrap());
@@ -265,6 +265,31 @@ fn far_from_the_mean_the_bound_knows_how_a_separation_rounds() {
     let moved = (one.value() / next.value() - 1.0).abs();
     let known = one.relative_error() + next.relative_error();
     assert!(moved > 1e-11 && moved < known && known < 100.0 * moved, "{moved:e} {known:e}");
+}
+
+#[test]
+fn of_surfaces_next_to_smooth_all_asperities_pull_as_one() {
+    // The higher the adhesion and the smoother the surface, the further out in σ_z the largest
+    // tension is held: up to 4e6 σ_z here.
+    for (work, height_std) in [(1.0, 1e-9), (1e2, 1e-10), (1e4, 1e-11)] {
+        let mut scene = scene(work);
+        scene.surface.asperity_height_std = height_std;
+        let asked = Request::new([Quantity::Force, Quantity::Tangent]);
+        let contact = SEPARATION.compile(&scene, &asked).unwrap();
+        let held = pull_off(&*contact).unwrap().unwrap();
+        // 3/2 π w_a R each (JKR), less what the heights spread.
+        let each = 1.5 * PI * work * scene.surface.asperity_radius;
+        let share = -held.force.value() / (each * scene.asperities());
+        assert!((0.9..1.0 + 1e-9).contains(&share), "{work}: {share} {held:?}");
+        // By steps of a ten-thousandth around it, there is no larger tension.
+        for k in -50..=50 {
+            let s = held.separation.value * (1.0 + 1e-4 * f64::from(k));
+            let there = contact.evaluate(Quantity::Force, s).unwrap();
+            let known = held.force.relative_error() + there.relative_error();
+            let least = held.force.value() * (1.0 + known);
+            assert!(there.value() >= least, "{work} {k}: {there:?} {held:?}");
+        }
+    }
 }
 
 /// A contact that fails between two of its separations.

@@ -61,7 +61,10 @@ impl Target {
                 break;
             }
             let left = match self.excess(curve, (right.s - step).max(LOWEST)) {
-                Err(ContactError::Integral { .. }) if deep => break,
+                // The force has fallen from its top, and a load above that is out of reach.
+                Err(ContactError::Integral { .. }) if deep && !pending && largest.s > right.s => {
+                    break;
+                }
                 other => other?,
             };
             self.between(curve, left, right, &mut found)?;
