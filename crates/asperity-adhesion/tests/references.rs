@@ -285,7 +285,9 @@ fn of_surfaces_next_to_smooth_all_asperities_pull_as_one() {
         for k in -50..=50 {
             let s = held.separation.value * (1.0 + 1e-4 * f64::from(k));
             let there = contact.evaluate(Quantity::Force, s).unwrap();
-            let known = held.force.relative_error() + there.relative_error();
+            // As far out, where a slope is 0 is known to a few ten-thousandths, and the force of the
+            // minimum to the square of that.
+            let known = held.force.relative_error() + there.relative_error() + 1e-7;
             let least = held.force.value() * (1.0 + known);
             assert!(there.value() >= least, "{work} {k}: {there:?} {held:?}");
         }
