@@ -225,6 +225,10 @@ fn an_answer_says_how_deep_and_how_crowded_it_is() {
     let found = Check::answers(&model("gw"), &scene, &places);
     let found: Vec<_> = found.iter().map(|f| f.code).collect();
     assert_eq!(found, ["yields", "few-contacts"]);
+    // In whatever unit: -1 σ_z is closer than 4e-6 m, a smaller number.
+    let places = [At::from(-1.0), At::metres(4e-6)];
+    let found = Check::answers(&model("ke"), &scene, &places);
+    assert_eq!(found.first().map(|f| f.code), Some("crowded"));
 }
 
 #[test]

@@ -92,7 +92,7 @@ pub enum ContactError {
         "the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew"
     )]
     OtherAsperity,
-    /// A model from outside this project refused.
+    /// A model, or what stands beside models, refuses for a reason of its own.
     #[error("{model}: {reason}")]
     Refused {
         /// The model.

@@ -12,7 +12,7 @@
 //! scene + request → model.law(asperity, quantity) → compiled → response
 //! ```
 //!
-//! This crate names no model. SI units everywhere; separations are multiples of σ_z.
+//! This crate holds no model; findings and warnings advise some by their ids. SI units everywhere; separations are multiples of σ_z.
 
 mod arrays;
 mod asperity;

@@ -6,13 +6,10 @@ use asperity_core::{
     At, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution, Quantity,
     Request, Scene, Separation, SeparationUnit, Source, Tolerance,
 };
-use asperity_quadrature::{fallible, gauss_kronrod};
 
-use crate::one::{Asked, Loading, MOST, Retreated};
+use crate::left::ROUNDED;
+use crate::one::{Asked, Loading, Retreated};
 use crate::{Unloading, UnloadingLaw};
-
-/// No force is looked at beyond this separation \[σ_z\].
-const FARTHEST: f64 = 1e8;
 
 /// The first closing, and the way back from any closest approach.
 #[derive(Debug, Clone)]
@@ -71,6 +68,15 @@ impl Joint {
         self.loading.unloading
     }
 
+    pub(crate) fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
+    /// Whether any asperity comes back another way than it went.
+    pub(crate) fn yields(&self) -> bool {
+        self.loading.critical.is_finite()
+    }
+
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
@@ -81,66 +87,6 @@ impl Joint {
     /// Those of finding a load.
     pub fn unloading(&self, closest: At) -> Result<Unloading, ContactError> {
         Unloading::of_joint(self.clone(), self.virgin.separation(closest)?)
-    }
-
-    /// The work \[J\] of first closing, from no contact to `closest`.
-    ///
-    /// # Errors
-    /// Those of the contact's evaluations, [`ContactError::Integral`], and [`ContactError::OutOfRange`]
-    /// under heights with a tail so heavy that work is left beyond 1e8 σ_z.
-    pub fn spent(&self, closest: At) -> Result<f64, ContactError> {
-        let way = self.unloading(closest)?;
-        let sigma = self.scene().surface.asperity_height_std;
-        // Twice as far each time, until nothing is left.
-        let (mut from, mut step, mut work) = (sigma * way.place(), sigma, 0.0);
-        loop {
-            let panel = self.closing(from + step, from)?;
-            work += panel;
-            (from, step) = (from + step, 2.0 * step);
-            if panel <= 1e-3 * self.tolerance.relative() * work {
-                return Ok(work);
-            }
-            if from > FARTHEST * sigma {
-                let field = "share of the work beyond 1e8 asperity_height_std";
-                let required = "next to none, as heights with a lighter tail leave it,";
-                return Err(ContactError::OutOfRange { field, value: panel / work, required });
-            }
-        }
-    }
-
-    /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of the
-    /// asperity heights.
-    pub(crate) fn closing(&self, from: f64, to: f64) -> Result<f64, ContactError> {
-        let quantity = Quantity::Force;
-        let force =
-            |d| Ok::<_, ContactError>(self.virgin.evaluate(quantity, At::metres(d))?.value());
-        let goal = self.tolerance.relative();
-        let work = fallible(force, |force| gauss_kronrod(force, &[to, from], goal, MOST))?;
-        let at = At::metres(to);
-        Ok(work.map_err(|source| ContactError::Integral { quantity, at, source })?.value)
-    }
-
-    /// The work \[J\] that yielding has taken for good, where the contact has been closed as far as
-    /// `closest` and open again: what is spent less what comes back. A cycle between fixed
-    /// separations loses it once; after that, it retraces.
-    ///
-    /// Below 0 where a loading law jumps up (CEB: by half of Hertz' force at w_c) and the way back is
-    /// longer than the way there: such a pair of laws makes energy, and is none for dynamics.
-    ///
-    /// # Errors
-    /// Those of [`spent`](Self::spent).
-    pub fn dissipated(&self, closest: At) -> Result<f64, ContactError> {
-        let returned = self.unloading(closest)?.returned(f64::INFINITY)?;
-        Ok(self.spent(closest)? - returned.value())
-    }
-
-    /// The loss factor of closing as far as `closest` for the first time and opening again: what is
-    /// [dissipated](Self::dissipated) over 2π times what was [spent](Self::spent).
-    ///
-    /// # Errors
-    /// Those of [`spent`](Self::spent).
-    pub fn loss_factor(&self, closest: At) -> Result<f64, ContactError> {
-        Ok(self.dissipated(closest)? / (2.0 * std::f64::consts::PI * self.spent(closest)?))
     }
 
     /// Where a history turns, as separations \[m\] from the mean of the asperity heights for
@@ -195,7 +141,13 @@ impl Joint {
                 return Ok(Evaluation::new(0.0, 0.0));
             }
             let missing = ContactError::NotRequested { quantity: Quantity::Force };
-            rows.next().unwrap_or_else(|| Err(missing.into())).map_err(|error| *error)
+            let mut found =
+                rows.next().unwrap_or_else(|| Err(missing.into())).map_err(|error| *error)?;
+            // The first contact that lasts is known as well as δ is, and the tail falls as steeply as
+            // that of a Gaussian density.
+            let first = model.first / scene.surface.asperity_height_std;
+            found.error += ROUNDED * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
+            Ok(found)
         };
         closest.iter().map(next).collect()
     }

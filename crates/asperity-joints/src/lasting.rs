@@ -64,7 +64,7 @@ pub(crate) fn lasting(
     let first = lasts(begin)?;
     let mut last = lasts(end)?;
     if range[1] == f64::INFINITY && !first {
-        // δ grows at least as √w: what needs more than this is out of anybody's reach.
+        // Where δ grows, it does as √w at least: what needs more than this is out of anybody's reach.
         let mut doublings = 0;
         while !last && doublings < 200 {
             (end, doublings) = (2.0 * end, doublings + 1);

@@ -217,6 +217,10 @@ pub fn restitution(
     let force = |x| loading.force.value(x);
     let spent = fallible(force, |force| gauss_kronrod(force, &breaks, tolerance.relative(), MOST));
     let spent = spent.flatten().map_err(failed)?;
+    if spent.value < f64::MIN_POSITIVE {
+        let required = "one whose work a double holds (2.2e-308 J)";
+        return Err(ContactError::OutOfRange { field: "interference", value: w, required });
+    }
     let back = loading.answer(w, f64::INFINITY, None, Asked::Returned).map_err(failed)?;
     Ok((back / spent.value).sqrt())
 }

@@ -35,7 +35,7 @@ pub struct Path {
 
 impl Joint {
     /// The path through turning points: separations \[m\] from the mean of the asperity heights, with
-    /// `steps` ≥ 1 points on each way. The contact is new at the first of them.
+    /// `steps` points on each way, at least one. The contact is new at the first of them.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a turning point that is no finite number; those of the
@@ -80,7 +80,7 @@ impl Joint {
                 }
             }
             if to < closest {
-                work += self.closing(closest, to)?;
+                work += self.closing(closest, to)?.value;
                 (closest, way) = (to, self.unloading(At::metres(to))?);
             }
             path.work.push(work);

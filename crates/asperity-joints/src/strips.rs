@@ -85,12 +85,12 @@ impl Joint {
             .map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma)
             .collect();
         let at = |u: f64| self.retreated(Asked::Force, u, &places);
-        let whole = at(0.0)?.iter().fold(0.0, |m: f64, f| m.max(f.value()));
         // What is smaller than this at the largest c, too, is nothing.
         let nothing = |forces: &[f64; TERMS], start: &[f64; TERMS]| {
             forces.iter().zip(start).all(|(force, start)| *force <= 0.2 * tolerance * start)
         };
         let start = values(at(0.0)?);
+        let whole = start.iter().fold(0.0, |m: f64, f| m.max(*f));
         let mut last = sigma;
         while !nothing(&values(at(last)?), &start) {
             last *= 1.5;

@@ -57,7 +57,8 @@ impl FromStr for UnloadingLaw {
     }
 }
 
-/// What a count of contacts may be off where its integral does not reach the tolerance.
+/// What contacts or force may be off where a place is looked for and their integral does not reach the
+/// tolerance.
 const ROUGH: f64 = 1e-6;
 
 /// A contact that has come to its closest approach, and now goes back.
@@ -149,30 +150,39 @@ impl Unloading {
     pub fn last_contact(&self) -> Result<f64, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
         // Logarithms: the number falls faster than any power.
-        let rough = Self { joint: self.joint.roughly(Tolerance::new(ROUGH)?), ..self.clone() };
-        let over_one = |u: f64| {
-            let contacts = match self.contacts(u) {
-                Err(ContactError::Integral { .. }) => rough.contacts(u),
-                contacts => contacts,
-            };
-            Ok(contacts?.ln_value())
-        };
+        let contacts = self.at_least_roughly(Asked::Contacts)?;
+        let over_one = |u: f64| Ok(contacts(u)?.ln_value());
         let found = falls_to_0(over_one, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
         match found {
             Some(retreat) => Ok(retreat),
             None => Err(ContactError::OutOfRange {
                 field: "contacts",
-                value: self.contacts(0.0)?.value(),
+                value: contacts(0.0)?.value(),
                 required: "so few that one is left within 1e4 asperity_height_std of retreat",
             }),
         }
     }
 
-    /// The retreat \[m\] that leaves a force \[N\], smaller than that at the closest approach.
+    /// What is asked after a retreat, to the tolerance or, where its integral does not reach that, to
+    /// 1e-6.
+    fn at_least_roughly(
+        &self,
+        asked: Asked,
+    ) -> Result<impl Fn(f64) -> Result<Evaluation, ContactError>, ContactError> {
+        let rough = Self { joint: self.joint.roughly(Tolerance::new(ROUGH)?), ..self.clone() };
+        Ok(move |u| match self.of(asked, u) {
+            Err(ContactError::Integral { .. }) => rough.of(asked, u),
+            found => found,
+        })
+    }
+
+    /// The retreat \[m\] that leaves a force \[N\], smaller than that at the closest approach. Where
+    /// integrals do not reach the tolerance on the way there, 1e-6 is enough.
     pub(crate) fn retreat_to(&self, load: f64) -> Result<f64, ContactError> {
         let load = positive("load", load)?;
         let sigma = self.scene().surface.asperity_height_std;
-        let over = |u: f64| Ok(self.force(u)?.ln_value() - load.ln());
+        let force = self.at_least_roughly(Asked::Force)?;
+        let over = |u: f64| Ok(force(u)?.ln_value() - load.ln());
         let found = falls_to_0(over, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
         let required = "a load that is left within 1e4 asperity_height_std of retreat";
         found.ok_or(ContactError::OutOfRange { field: "load", value: load, required })

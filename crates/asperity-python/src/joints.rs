@@ -112,14 +112,15 @@ impl Unloading {
 
     /// Loss factor of closing and opening: what is dissipated over 2 pi times the work of closing.
     fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
-        let found = py.detach(|| self.whole.loss_factor(self.joint.closest().into()));
+        let work = || self.whole.work(self.joint.closest().into())?.loss_factor();
+        let found = py.detach(work);
         found.map_err(|error| self.model.get().raise(py, error))
     }
 
     /// Work [J] that the first closing took and opening does not give back.
     fn dissipated(&self, py: Python<'_>) -> PyResult<f64> {
-        let found = py.detach(|| self.whole.dissipated(self.joint.closest().into()));
-        found.map_err(|error| self.model.get().raise(py, error))
+        let work = py.detach(|| self.whole.work(self.joint.closest().into()));
+        work.map(|work| work.lost().value()).map_err(|error| self.model.get().raise(py, error))
     }
 
     /// The same joint, sheared at its closest approach with a coefficient of friction.

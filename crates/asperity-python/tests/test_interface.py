@@ -434,3 +434,19 @@ def test_threads_share_a_contact(scene: asperity.Scene) -> None:
         thread.join()
     for values in found.values():
         np.testing.assert_array_equal(values, wanted)
+
+
+def test_what_cancels_is_told_however_many_rows_there_are(soft_steel: asperity.Scene) -> None:
+    printed = asperity.model("at")
+    low, high = 2.5, 6.0
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        while high - low > 1e-5:
+            middle = 0.5 * (low + high)
+            below = printed.solve(soft_steel, middle, ["force"]).force < 0.0
+            low, high = (middle, high) if below else (low, middle)
+    for count in (1, 300, 3000):
+        places = np.append(np.linspace(5.0, 6.0, count - 1), high)
+        for scenes in (soft_steel, [soft_steel]):
+            with pytest.warns(asperity.ContactWarning, match="parts of the force cancel in 1 row"):
+                printed.solve(scenes, places, ["force"])

@@ -76,8 +76,8 @@ pub fn write(
 fn tell_work(id: &str, joint: &Joint, path: &Path) {
     let Some(first) = path.points.first() else { return };
     let name = format!("{id} by {}", joint.law());
-    let first = match joint.spent(At::metres(first.separation)) {
-        Ok(spent) => spent,
+    let first = match joint.work(At::metres(first.separation)) {
+        Ok(work) => work.spent.value(),
         Err(error) => {
             return say("warning", &format!("{name}: no work: {error}"));
         }

@@ -175,15 +175,19 @@ pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
 
 /// What closing and opening take and give, and where contact ends.
 fn tell_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>) {
-    let work = || -> Result<[f64; 3], ContactError> {
-        Ok([joint.spent(place)?, joint.dissipated(place)?, joint.loss_factor(place)?])
-    };
     let law = joint.law();
-    match work() {
-        Ok(work) => {
-            // What the integrals do not tell from nothing is nothing.
-            let lost = if work[1].abs() > 1e-9 * work[0] { work } else { [work[0], 0.0, 0.0] };
-            let [spent, lost, factor] = lost.map(rounded);
+    let works = || -> Result<[f64; 3], ContactError> {
+        let work = joint.work(place)?;
+        let lost = work.lost();
+        // What the integrals do not tell from nothing is nothing.
+        Ok(match lost.relative_error() < 1.0 {
+            true => [work.spent.value(), lost.value(), work.loss_factor()?],
+            false => [work.spent.value(), 0.0, 0.0],
+        })
+    };
+    match works() {
+        Ok(works) => {
+            let [spent, lost, factor] = works.map(rounded);
             say(
                 "note",
                 &format!(

@@ -191,8 +191,10 @@ fn histories_turn_at_separations_and_at_loads() {
         Tolerance::default(),
     )
     .unwrap()
-    .spent(At::Load(10.0))
-    .unwrap();
+    .work(At::Load(10.0))
+    .unwrap()
+    .spent
+    .value();
     assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
     let one = bench.run("unload scene.toml --model ke --history-load 100").words;
     assert!(one.contains("J, to the one turning point"), "{one}");

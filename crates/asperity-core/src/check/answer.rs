@@ -5,8 +5,8 @@ use super::finding::{Finding, Severity, short};
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::{
-    At, Contact, ContactError, ContactModel, Misses, Quantity, Request, Separation, SeparationUnit,
-    Tolerance,
+    At, Contact, ContactError, ContactModel, Datum, Misses, Quantity, Request, Separation,
+    SeparationUnit, Tolerance,
 };
 
 /// So many numbers are enough for a word.
@@ -49,7 +49,7 @@ impl Check {
     #[must_use]
     pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Vec<Finding> {
         let mut check = Self::default();
-        for at in extremes(places) {
+        for at in extremes(places, scene) {
             if let Ok(answer) = Self::of_answer(model, scene, at, false) {
                 check.extend(answer.findings);
             }
@@ -348,10 +348,13 @@ fn few(at: At, contacts: f64) -> Finding {
 }
 
 /// The closest place and, of loads, the lightest.
-fn extremes(places: &[At]) -> Vec<At> {
+fn extremes(places: &[At], scene: &Scene) -> Vec<At> {
     let mut found: Vec<At> = vec![];
     let number = |at: &At| match at {
-        At::Separation(Separation { value, .. }) => -value,
+        // One that is no place is refused elsewhere.
+        At::Separation(place) => place
+            .measured_in(SeparationUnit::Metres, Datum::AsperityMean, scene)
+            .map_or(f64::NEG_INFINITY, |place| -place.value),
         At::Load(load) => *load,
         At::Pressure(pressure) => *pressure,
     };

@@ -6,6 +6,7 @@ use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{At, ContactModel, HeightDistribution, Quantity, Tolerance};
 use asperity_etsion::EtsionKligermanKadin;
 use asperity_gw::GreenwoodWilliamson;
+use asperity_jg::JacksonGreen;
 use asperity_joints::{Joint, UnloadingLaw, restitution};
 use asperity_ke::KogutEtsion;
 
@@ -77,8 +78,8 @@ fn the_work_of_each_way_is_the_area_under_its_points() {
         }
         // What the whole history takes is what the closest approach has cost, but for the force that
         // was there at its beginning and is left at its end.
-        let lost = joint.dissipated(At::metres(0.2 * SIGMA)).unwrap();
-        let before = joint.spent(At::metres(turns[0])).unwrap();
+        let lost = joint.work(At::metres(0.2 * SIGMA)).unwrap().lost().value();
+        let before = joint.work(At::metres(turns[0])).unwrap().spent.value();
         let way = joint.unloading(At::metres(0.2 * SIGMA)).unwrap();
         let rest = way.returned(f64::INFINITY).unwrap().value()
             - way.returned(5.8 * SIGMA).unwrap().value();
@@ -96,8 +97,17 @@ fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
         scene.heights = heights.clone();
         let joint = Joint::new(&GreenwoodWilliamson, &scene, UnloadingLaw::Hertz, tight()).unwrap();
         let at = At::from(0.5);
-        let spent = joint.spent(at).unwrap();
-        assert!((joint.dissipated(at).unwrap() / spent).abs() < 1e-10);
+        let work = joint.work(at).unwrap();
+        let lost = work.lost();
+        assert!(lost.value() == 0.0 && lost.error < 3e-10 && work.loss_factor().unwrap() == 0.0);
+        let spent = work.spent.value();
+        let returned = joint.unloading(at).unwrap().returned(f64::INFINITY).unwrap();
+        let known = work.spent.relative_error() + returned.relative_error();
+        assert!((returned.value() / spent - 1.0).abs() < known && known < 1e-10);
+        // Where nothing touches that a double holds, there is no factor, and no number in its place.
+        let nothing = joint.work(At::sigmas(800.0)).unwrap();
+        let refused = nothing.loss_factor().unwrap_err().to_string();
+        assert!(refused.starts_with("work of closing is 0.0"), "{refused}");
         if matches!(heights, HeightDistribution::Exponential) {
             // ∫ F dd = σ F.
             let force = joint.virgin().evaluate(Quantity::Force, at).unwrap().value();
@@ -119,6 +129,16 @@ fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
         assert!((of(0.7, law) - 1.0).abs() < 1e-10, "{law}");
         assert!(of(5.0, law) < 1.0 && of(50.0, law) < of(5.0, law), "{law}");
     }
+    // JG is elastic up to 1.9 w_c, and goes back as it came but by Etsion's fit, which begins at w_c.
+    for law in [UnloadingLaw::Hertz, UnloadingLaw::Brake] {
+        let of = |x: f64| {
+            restitution(&JacksonGreen::default(), &asperity, x * critical, law, tight()).unwrap()
+        };
+        assert!((of(1.5) - 1.0).abs() < 1e-10 && of(2.5) < 1.0, "{law}: {} {}", of(1.5), of(2.5));
+    }
+    let small = restitution(&KogutEtsion, &asperity, 1e-300, UnloadingLaw::Hertz, tight());
+    let small = small.unwrap_err().to_string();
+    assert!(small.contains("interference is 1e-300") && small.contains("2.2e-308 J"), "{small}");
     let refused = restitution(&EtsionKligermanKadin, &asperity, -1.0, UnloadingLaw::Hertz, tight());
     assert!(refused.unwrap_err().to_string().starts_with("interference is -1.0"));
 }

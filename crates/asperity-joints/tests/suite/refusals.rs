@@ -96,6 +96,6 @@ fn work_that_has_no_end_is_refused() {
     scene.heights = HeightDistribution::other(Heavy(2.2));
     let tolerance = Tolerance::new(1e-6).unwrap();
     let joint = Joint::new(&GreenwoodWilliamson, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
-    let refused = joint.spent(At::from(1.0)).unwrap_err().to_string();
+    let refused = joint.work(At::from(1.0)).unwrap_err().to_string();
     assert!(refused.starts_with("share of the work beyond 1e8"), "{refused}");
 }
