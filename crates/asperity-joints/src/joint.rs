@@ -7,9 +7,12 @@ use asperity_core::{
     Request, Scene, Separation, SeparationUnit, Source, Tolerance,
 };
 
-use crate::left::ROUNDED;
 use crate::one::{Asked, Loading, Retreated};
 use crate::{Unloading, UnloadingLaw};
+
+/// Units in the last place that the place of the first contact that lasts may be off by: δ is some ten
+/// operations, as steep as a root at least. 26 were seen.
+const FIRST_ROUNDED: f64 = 40.0;
 
 /// The first closing, and the way back from any closest approach.
 #[derive(Debug, Clone)]
@@ -146,7 +149,7 @@ impl Joint {
             // The first contact that lasts is known as well as δ is, and the tail falls as steeply as
             // that of a Gaussian density.
             let first = model.first / scene.surface.asperity_height_std;
-            found.error += ROUNDED * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
+            found.error += FIRST_ROUNDED * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
             Ok(found)
         };
         closest.iter().map(next).collect()

@@ -10,7 +10,7 @@ const SPAN: f64 = 0.25;
 /// or so many times an eighth of that, where a kink below is near.
 const SHORTER: i32 = 5;
 /// Rounding of δ, in units of its last place.
-pub(crate) const ROUNDED: f64 = 8.0;
+const ROUNDED: f64 = 8.0;
 /// δ is met at the first contact that lasts but for rounding, unless it jumps there.
 const MET: f64 = 1e-12;
 
