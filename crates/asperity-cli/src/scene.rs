@@ -82,11 +82,9 @@ impl LoadedScene {
         found.into_iter().for_each(|found| say("note", &found.message));
     }
 
-    /// The model that others are held against: ke unless another is asked for, or gw where there
-    /// is no hardness.
+    /// The model that others are held against: the usual one unless another is asked for.
     pub fn reference(&self, asked: Option<&str>) -> Result<NamedModel> {
-        let yields = self.file.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_some());
-        self.model(asked.unwrap_or(if yields { "ke" } else { "gw" }))
+        self.model(asked.unwrap_or(asperity::usual_reference(&self.file.scene)))
     }
 
     /// The models asked for, or all that the scene allows: those it does not are named.
@@ -113,27 +111,32 @@ impl LoadedScene {
         left_out.extend(refused.into_iter().filter_map(|(model, refusal)| {
             Some(LeftOut { id: model.id().into(), reason: refusal? })
         }));
-        let mut reasons: Vec<(String, Vec<&str>)> = vec![];
-        for model in &left_out {
-            // Of models that lack the same, each has its name in it.
-            let reason = match &model.reason {
-                ContactError::Unsupported { what, .. } => format!("cannot give {what}"),
-                reason => format!(": {reason}"),
-            };
-            match reasons.iter_mut().find(|(known, _)| *known == reason) {
-                Some((_, ids)) => ids.push(&model.id),
-                None => reasons.push((reason, vec![&model.id])),
-            }
-        }
-        for (reason, ids) in &reasons {
-            let gap = if reason.starts_with(':') { "" } else { " " };
-            say("note", &format!("left out: {}{gap}{reason}", ids.join(", ")));
-        }
+        tell_left_out(&left_out);
         if models.is_empty() {
             bail!("{}: no model can use this scene", self.name);
         }
         self.tell_adhesion();
         Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
+    }
+
+    /// The models asked for, or all that can stand beside boundary elements: those that cannot are
+    /// named.
+    pub fn models_beside_bem(
+        &self,
+        asked: &[String],
+        quantities: &[Quantity],
+    ) -> Result<Vec<Model>> {
+        let models = self.models(asked, quantities)?;
+        let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
+        if asked.is_empty() {
+            let (all, mut left_out) = self.file.models_beside_bem();
+            let (allowed, told) = self.file.models();
+            left_out.retain(|model| !told.contains(model));
+            tell_left_out(&left_out);
+            let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
+            models.extend(all.into_iter().filter(|model| !known(model)));
+        }
+        Ok(models)
     }
 
     /// A model with the scene's options, under the name it was asked for.
@@ -148,4 +151,30 @@ impl LoadedScene {
         }
         Ok((id.to_string(), model))
     }
+}
+
+/// Says what models lack, those of one reason together.
+fn tell_left_out(left_out: &[LeftOut]) {
+    let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
+    for told in told_together(&left_out.iter().map(reason).collect::<Vec<_>>()) {
+        say("note", &format!("left out: {told}"));
+    }
+}
+
+/// Models and what they lack, in words: those of one reason together.
+pub fn told_together(lacking: &[(String, ContactError)]) -> Vec<String> {
+    let mut reasons: Vec<(String, Vec<&str>)> = vec![];
+    for (id, reason) in lacking {
+        // Of models that lack the same, each has its name in it.
+        let reason = match reason {
+            ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
+            reason => format!(": {reason}"),
+        };
+        match reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, ids)) if ids.contains(&id.as_str()) => {}
+            Some((_, ids)) => ids.push(id),
+            None => reasons.push((reason, vec![id])),
+        }
+    }
+    reasons.into_iter().map(|(reason, ids)| format!("{}{reason}", ids.join(", "))).collect()
 }

@@ -22,6 +22,9 @@ const GAMMA: f64 = 0.45;
 const STEPS: usize = 8;
 
 impl Variance {
+    /// Both, the simpler one first.
+    pub const ALL: [Self; 2] = [Self::Full, Self::Fudge];
+
     /// A/A_n at the pressure p = `over_std` √V > 0.
     pub(crate) fn area_fraction(self, over_std: f64) -> f64 {
         let p = over_std / SQRT_2;

@@ -25,7 +25,7 @@ const QUANTITIES: [Quantity; 9] = [
     Quantity::LnArea,
 ];
 
-/// ln b of the pressures that mean gaps are looked for at: those of doubles that are no gap of 0.
+/// ln b of the pressures that have mean gaps: those of doubles that are no gap of 0.
 const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
 #[derive(Debug)]
@@ -64,7 +64,10 @@ impl OnScene {
         let [low, high] = LN_PRESSURES;
         let found = fallible(off, |off| bracketed_root(off, low, high)).map_err(&failed)?;
         let Some(ln_b) = found else {
-            let required = "a mean gap that a pressure above 1e-300 E g holds open";
+            let required = match gap.mean_gap(high.exp()).map_err(&failed)? >= wanted {
+                true => "a mean gap that a pressure of 17 E g still leaves open",
+                false => "a mean gap that a pressure above 1e-300 E g closes",
+            };
             return Err(ContactError::OutOfRange { field, value: wanted, required });
         };
         let b = ln_b.exp();
@@ -122,8 +125,12 @@ impl Contact for OnScene {
     /// The mean gap, from the mean plane of the surface.
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
         let b = self.reduced(positive("load", load)? / self.scene.nominal_area);
-        let failed = integral(Quantity::Force, At::Load(load));
-        let gap = self.gap()?.mean_gap(b).map_err(failed)?;
+        let (failed, gap) = (integral(Quantity::Force, At::Load(load)), self.gap()?);
+        if b.ln() > LN_PRESSURES[1] {
+            let required = "at most 17 E g on the nominal area: beyond it no mean gap is left,";
+            return Err(ContactError::OutOfRange { field: "load", value: load, required });
+        }
+        let gap = gap.mean_gap(b).map_err(failed)?;
         Ok(vec![Separation::metres(gap).from_surface_mean()])
     }
 }
@@ -191,8 +198,52 @@ mod tests {
         exponential.heights = HeightDistribution::Exponential;
         let text = on(&exponential, Variance::Fudge).unwrap_err().to_string();
         assert!(text.contains("Persson fudge") && text.contains("exponential"), "{text}");
+        let points = [(-2e-6, 0.0), (0.0, 1e6), (1e-6, 0.0)];
+        let mut table = scene();
+        let skewed = asperity_core::TabulatedHeights::new("skewed", &points).unwrap();
+        table.heights = HeightDistribution::other(skewed);
+        let waves = [(1e4, 1e-12), (2e4, 1e-13)];
+        let spectrum = Some(Ok(std::sync::Arc::new(Spectrum::of_waves(waves).unwrap())));
+        let beside = Persson { spectrum, ..Persson::default() };
+        let of_law = Persson { hurst_exponent: Some(0.8), ..beside.clone() };
+        let all = Request::new(Quantity::ALL);
+        for refused in [Persson::default().compile(&table, &all), of_law.compile(&table, &all)] {
+            let text = refused.unwrap_err().to_string();
+            assert!(text.starts_with("Persson cannot give areas of skewed heights"), "{text}");
+        }
+        assert!(beside.compile(&table, &all).is_ok());
         let mut bad = scene();
         bad.surface.asperity_density = -1.0;
         assert!(on(&bad, Variance::Full).unwrap_err().to_string().contains("asperity_density"));
+    }
+
+    #[test]
+    fn where_all_is_closed_both_ways_say_so() {
+        let persson = Persson { hurst_exponent: Some(0.8), ..Persson::default() };
+        let scene = scene();
+        let contact = persson.compile(&scene, &Request::new(Quantity::ALL)).unwrap();
+        let gap = |metres| At::Separation(Separation::metres(metres).from_surface_mean());
+        let refused =
+            |metres| contact.evaluate(Quantity::Force, gap(metres)).unwrap_err().to_string();
+        let (small, large) = (refused(1e-290), refused(1.0));
+        assert!(small.contains("that a pressure of 17 E g still leaves open"), "{small}");
+        assert!(large.contains("that a pressure above 1e-300 E g closes"), "{large}");
+        // g = 0.02, E = 2e6 Pa.
+        let load = |over: f64| over * 4e4 * scene.nominal_area;
+        let closed = contact.separation(At::Load(load(20.0))).unwrap_err().to_string();
+        assert!(closed.starts_with("load is 24.0: at most 17 E g"), "{closed}");
+        // What has a gap is found again from it.
+        let last = contact.separation(At::Load(load(17.0))).unwrap();
+        let force = contact.evaluate(Quantity::Force, last).unwrap().value();
+        assert!((force / load(17.0) - 1.0).abs() < 1e-8, "{force}");
+    }
+
+    #[test]
+    fn why_a_scan_has_no_spectrum_is_told() {
+        let spectrum = Some(Err("1 % of its points are missing".to_string()));
+        let persson = Persson { spectrum, ..Persson::default() };
+        let contact = persson.compile(&scene(), &Request::new(Quantity::ALL)).unwrap();
+        let told = contact.evaluate(Quantity::Tangent, At::Load(1.0)).unwrap_err().to_string();
+        assert!(told.ends_with("(the scan has none: 1 % of its points are missing) needs it"));
     }
 }

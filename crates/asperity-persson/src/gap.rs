@@ -141,7 +141,7 @@ mod tests {
             [0, 2].map(|n| waves.iter().map(|(q, square)| q.powi(n) * square).sum::<f64>());
         let scale = (2.0 * moments.m2 / moments.m0 * heights / gradients).sqrt();
         let waves = waves.iter().map(|(q, h)| (q * scale, h / heights * moments.m0));
-        let spectrum = Some(Arc::new(Spectrum::of_waves(waves).unwrap()));
+        let spectrum = Some(Ok(Arc::new(Spectrum::of_waves(waves).unwrap())));
         for variance in [Variance::Full, Variance::Fudge] {
             let of_waves = Persson { variance, spectrum: spectrum.clone(), ..Persson::default() };
             for load in [1e-4, 1e-2, 0.3] {

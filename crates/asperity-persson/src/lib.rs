@@ -26,9 +26,10 @@
 //! between two wave numbers, which follow from m₀, m₂, m₄ and a Hurst exponent.
 //!
 //! # Valid for
-//! Elastic contact: hardness does not enter. Against independent solutions for an elastic half-space,
+//! Elastic contact of surfaces with Gaussian slopes: hardness does not enter, and heights of any other
+//! density are refused, unless the spectrum of a scan answers for them. Against independent solutions for an elastic half-space,
 //! the area of `persson-fudge` is within 5 % up to A/A_n = 0.43 and within 3 % beyond. \[seen\] Beyond
-//! p/(E g) of about 18 gaps are below 1e-280 of the heights, and stiffnesses are refused.
+//! p/(E g) of 17 gaps are below 1e-250 of the heights and refused, beyond 19 stiffnesses as well.
 //!
 //! # Source
 //! Persson 2001, "Theory of rubber friction and contact mechanics"; the energy with γ = 1 is that of
@@ -77,9 +78,9 @@ pub struct Persson {
     /// fractured, ground or blasted have some 0.8.
     #[serde(default)]
     pub hurst_exponent: Option<f64>,
-    /// The spectrum, where there is no Hurst exponent.
+    /// The spectrum, where there is no Hurst exponent; or why a scan has none.
     #[serde(skip)]
-    pub spectrum: Option<Arc<Spectrum>>,
+    pub spectrum: Option<Result<Arc<Spectrum>, String>>,
 }
 
 const FULL: Source = Source {
@@ -96,9 +97,18 @@ const FUDGE: Source = Source {
     name: "Persson fudge",
     authors: "Persson, corrected by Xu and others",
     year: 2024,
-    title: "(title not known; read in public programs)",
+    title: "Persson_LE_Area_Xu24 (a program)",
     provenance: Provenance::Seen,
 };
+
+impl Persson {
+    /// The variance that an id stands for.
+    #[must_use]
+    pub fn variance_of(id: &str) -> Option<Variance> {
+        let model = |variance| Self { variance, ..Self::default() };
+        Variance::ALL.into_iter().find(|variance| model(*variance).id() == id)
+    }
+}
 
 impl ContactModel for Persson {
     fn source(&self) -> &Source {
@@ -110,26 +120,34 @@ impl ContactModel for Persson {
 
     fn claims(&self) -> Claims {
         Claims::without_asperities().valid_for(
-            "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent",
+            "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent or a scan",
         )
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         scene.asperity()?;
-        let heights = &scene.heights;
-        if matches!(heights, HeightDistribution::Exponential | HeightDistribution::Weibull(_)) {
-            let name = heights.name();
-            let what = format!("areas of {name} heights: no Gaussian surface has them");
+        let of_scan = self.hurst_exponent.is_none() && matches!(self.spectrum, Some(Ok(_)));
+        let gaussian = match &scene.heights {
+            HeightDistribution::Gaussian => true,
+            // What was measured of a scan, beside the spectrum of that scan.
+            HeightDistribution::Other(_) => of_scan,
+            _ => false,
+        };
+        if !gaussian {
+            let name = scene.heights.name();
+            let what = format!("areas of {name} heights: it is of Gaussian surfaces, or of a scan");
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
         let moments = scene.surface.moments();
-        let missing = || ContactError::Missing {
-            field: "hurst_exponent",
-            needed_by: format!("the stiffness of {}, or its mean gap,", self.name()),
-        };
-        let spectrum = match self.hurst_exponent {
-            Some(hurst) => Ok(Arc::new(Spectrum::power_law(&moments, hurst)?)),
-            None => self.spectrum.clone().ok_or_else(missing),
+        let spectrum = match (self.hurst_exponent, &self.spectrum) {
+            (Some(hurst), _) => Ok(Arc::new(Spectrum::power_law(&moments, hurst)?)),
+            (None, Some(Ok(spectrum))) => Ok(spectrum.clone()),
+            (None, none) => {
+                let scan = none.as_ref().and_then(|none| none.as_ref().err());
+                let scan = scan.map_or(String::new(), |why| format!(" (the scan has none: {why})"));
+                let needed_by = format!("the stiffness of {}, or its mean gap,{scan}", self.name());
+                Err(ContactError::Missing { field: "hurst_exponent", needed_by })
+            }
         };
         Ok(Box::new(OnScene {
             model: self.clone(),

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    Comparison, ContactError, ContactModel, Model, Nearest, Quantity, Request, Scene,
-    recommend_among,
+    Comparison, ContactError, ContactModel, Nearest, Quantity, Request, Scene, recommend_among,
 };
+use asperity_scene::LeftOut;
 use pyo3::prelude::*;
 
 use crate::engine::{Engine, quantities_of, tolerance};
@@ -62,18 +62,20 @@ pub(crate) fn recommend<'py>(
     let rows = rows.view()?;
     let (model, (scene, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
     let file = &rows.files[0];
-    let among = match models {
+    let (among, left_out) = match models {
         None => {
             let mut models = file.options.models();
+            let known: Vec<String> = models.iter().map(|model| model.id().into()).collect();
             // The evidence is of these as well.
-            let new = |other: &Model| !models.iter().any(|model| model.id() == other.id());
-            let others: Vec<Model> = file.models_beside_bem().into_iter().filter(new).collect();
+            let (mut others, mut left_out) = file.models_beside_bem();
+            others.retain(|model| !known.iter().any(|id| id == model.id()));
+            left_out.retain(|model| !known.contains(&model.id));
             models.extend(others);
-            models
+            (models, left_out)
         }
         Some(ids) => {
             let models = ids.iter().map(|id| file.model(id).map_err(value_error));
-            models.collect::<PyResult<_>>()?
+            (models.collect::<PyResult<_>>()?, vec![])
         }
     };
     let advice = py.detach(|| recommend_among(among, scene, &request, &model, within));
@@ -87,7 +89,9 @@ pub(crate) fn recommend<'py>(
             Err(refusal) => (id, vec![], Some(refusal.to_string()), off),
         })
     };
-    let rows = advice.comparisons.iter().map(row).collect::<PyResult<_>>()?;
+    let mut rows = advice.comparisons.iter().map(row).collect::<PyResult<Vec<_>>>()?;
+    let refused = |model: LeftOut| (model.id, vec![], Some(model.reason.to_string()), None);
+    rows.extend(left_out.into_iter().map(refused));
     let ids = || advice.comparisons.iter().map(|comparison| comparison.model.id());
     let place = |near: &Result<Nearest<'_>, ContactError>| match near {
         Err(reason) => Ok((BTreeMap::new(), Some(reason.to_string()))),

@@ -1,11 +1,12 @@
 //! Boundary elements on a scan, and the models beside them.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use asperity::bem::{Bem, Boundary, Given, Note, Solution};
+use asperity::bem::{Bem, BemError, Boundary, Given, Note, Solution};
 use asperity::{ContactModel, ContactState, Model, Truth};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
@@ -72,12 +73,13 @@ impl Scan<'_> {
     }
 }
 
-/// Numbers of one contact after another, by name; pressures and gaps of all pixels, where they are
-/// kept; rows and columns.
+/// Numbers of one contact after another, by name, none where it failed; pressures and gaps of all
+/// pixels, where they are kept; rows and columns; why contacts failed, by their place.
 type Contacts<'py> = (
     Bound<'py, PyDict>,
     Option<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)>,
     [usize; 2],
+    BTreeMap<usize, String>,
 );
 
 /// Solves contacts at mean pressures, loads or mean gaps.
@@ -89,8 +91,9 @@ pub(crate) fn bem<'py>(
     values: Vec<f64>,
     elastic: bool,
     boundary: &str,
-    maps: bool,
+    maps_and_mask: (bool, bool),
 ) -> PyResult<Contacts<'py>> {
+    let (maps, mask) = maps_and_mask;
     let (bem, interface) = scan.bem(py, boundary, elastic)?;
     say_seam(py, &bem)?;
     let elements = bem.elements(&interface).map_err(refused)?;
@@ -102,7 +105,7 @@ pub(crate) fn bem<'py>(
     };
     let all: Vec<Given> = values.into_iter().map(of).collect();
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
-    let (mut notes, mut failed) = (vec![], None);
+    let (mut notes, mut failed, mut failures) = (vec![], None, BTreeMap::new());
     interruptible(py, |stop| {
         elements.solve_each(
             &all,
@@ -115,8 +118,11 @@ pub(crate) fn bem<'py>(
                     }
                     solved[index] = Some(solution);
                 }
+                Err(error) if mask => {
+                    failures.insert(index, error.to_string());
+                }
                 Err(error) => {
-                    // One that cannot be is no reason to let the others run for nothing.
+                    // It is raised: the others would run for nothing.
                     stop.store(true, Ordering::Relaxed);
                     failed.get_or_insert(error);
                 }
@@ -127,9 +133,9 @@ pub(crate) fn bem<'py>(
         return Err(value_error(error));
     }
     Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
-    let solved: Vec<Solution> = solved.into_iter().flatten().collect();
     let numbers = PyDict::new(py);
     let add = |name: &str, of: &dyn Fn(&Solution) -> f64| {
+        let of = |solution: &Option<Solution>| solution.as_ref().map_or(f64::NAN, of);
         numbers.set_item(name, PyArray1::from_vec(py, solved.iter().map(of).collect()))
     };
     add("load", &|s| s.mean_pressure * area)?;
@@ -146,7 +152,10 @@ pub(crate) fn bem<'py>(
         let all = PyArray1::zeros(py, solved.len() * pixels, false);
         let mut numbers = all.readwrite();
         for (part, solution) in numbers.as_slice_mut()?.chunks_mut(pixels).zip(&solved) {
-            part.copy_from_slice(of(solution));
+            match solution {
+                Some(solution) => part.copy_from_slice(of(solution)),
+                None => part.fill(f64::NAN),
+            }
         }
         drop(numbers);
         PyResult::Ok(all)
@@ -155,13 +164,15 @@ pub(crate) fn bem<'py>(
         true => Some((map(&|s| &s.pressures)?, map(&|s| &s.gaps)?)),
         false => None,
     };
-    Ok((numbers, maps, bem.map().shape()))
+    Ok((numbers, maps, bem.map().shape(), failures))
 }
 
 /// Area fraction, mean gap [m] and stiffness [N/m].
 type State = (Option<f64>, Option<f64>, Option<f64>);
 /// Pressure [Pa], a model's id, its numbers and their deviations.
 type Row = (f64, String, State, State);
+/// Rows, which models were nearest, why a model cannot answer, and why pressures failed, by their place.
+type Truths = (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>);
 
 /// Every model of a scene beside boundary elements on its scan.
 #[pyfunction]
@@ -172,30 +183,42 @@ pub(crate) fn truth(
     elastic: bool,
     boundary: &str,
     models: Option<Vec<String>>,
-    refine: bool,
-) -> PyResult<(Vec<Row>, Option<String>)> {
+    refine_and_mask: (bool, bool),
+) -> PyResult<Truths> {
+    let (refine, mask) = refine_and_mask;
     let scene = file.0.clone();
     let (bem, _) = Scan::Scene(file).bem(py, boundary, elastic)?;
     say_seam(py, &bem)?;
-    let models: Vec<Model> = match models {
+    let (models, left_out) = match models {
         None => scene.models_beside_bem(),
         Some(ids) => {
             let all = ids.iter().map(|id| scene.model(id));
-            all.collect::<Result<_, _>>().map_err(value_error)?
+            (all.collect::<Result<_, _>>().map_err(value_error)?, vec![])
         }
     };
-    let solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Truth>> {
+    let mut failures = BTreeMap::new();
+    let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
         let found = interruptible(py, |stop| {
             asperity::truth(&scene.scene, bem, &pressures, models, |_| unless(stop))
         })?;
-        let found: Result<Vec<Truth>, _> = found.map_err(refused)?.into_iter().collect();
-        found.map_err(value_error)
+        let found = found.map_err(refused)?.into_iter().enumerate();
+        let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
+            Err(error) if !mask => Err(value_error(error)),
+            Err(error) => {
+                failures.entry(k).or_insert(error.to_string());
+                Ok(None)
+            }
+            Ok(one) => Ok(Some(one)),
+        };
+        found.map(kept).collect()
     };
     let found = solved(&bem, &models)?;
     let half = match refine {
         true => solved(&bem.half_grid().map_err(value_error)?, &[])?,
-        false => vec![],
+        false => vec![None; found.len()],
     };
+    let (found, half): (Vec<Truth>, Vec<_>) =
+        found.into_iter().zip(half).filter_map(|(found, half)| Some((found?, half))).unzip();
     let notes: Vec<_> = found
         .iter()
         .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
@@ -203,18 +226,26 @@ pub(crate) fn truth(
     Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
     let refused = found.iter().flat_map(|truth| &truth.refused);
     refused.map(|(_, why)| &why.message).try_for_each(|why| warn(py, why, 1))?;
+    let mut refused: BTreeMap<String, String> =
+        left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
+    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
+        if !refused.contains_key(model.id()) {
+            warn(py, &format!("{model}: {why}"), 1)?;
+            refused.insert(model.id().into(), why.to_string());
+        }
+    }
     let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
     let rows = |(k, truth): (usize, &Truth)| -> Vec<Row> {
         let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));
-        let half = half.get(k).map(|half| ("bem-half-grid", &half.bem));
+        let half = half[k].as_ref().map(|half| ("bem-half-grid", &half.bem));
         let all = std::iter::once(("bem", &truth.bem)).chain(half).chain(models);
         let row = |(id, numbers): (&str, &ContactState)| {
             (truth.pressure, id.into(), state(*numbers), state(truth.deviation(numbers)))
         };
         all.map(row).collect()
     };
-    let told = (!models.is_empty()).then(|| asperity::told(&found));
-    Ok((found.iter().enumerate().flat_map(rows).collect(), told))
+    let told = (!models.is_empty() && !found.is_empty()).then(|| asperity::told(&found));
+    Ok((found.iter().enumerate().flat_map(rows).collect(), told, refused, failures))
 }
 
 fn say_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {

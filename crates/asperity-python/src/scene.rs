@@ -208,6 +208,11 @@ impl SceneFile {
         })
     }
 
+    /// The id of the model that others are held against where none is named.
+    fn usual_reference(&self) -> &'static str {
+        asperity::usual_reference(&self.0.scene)
+    }
+
     /// The ids of the models that this scene allows, simplest first.
     fn models(&self) -> Vec<String> {
         self.0.models().0.iter().map(|model| model.id().to_string()).collect()

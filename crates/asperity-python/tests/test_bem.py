@@ -176,6 +176,32 @@ def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
         asperity.bem(asperity.Topography(hole[5], 1e-6, "m"), interface=STEEL, pressure=1e7)
 
 
+def test_what_is_solved_is_kept_beside_what_cannot_be(scene: asperity.Scene) -> None:
+    pressures = [8e9, 1e7, 2e8]
+    kept = asperity.bem(scene, pressure=pressures, errors="mask")
+    assert np.ma.getmaskarray(kept.patches).tolist() == [True, False, False]
+    assert list(kept.failures) == [0] and "the hardness, 2e9 Pa" in kept.failures[0]
+    alone = asperity.bem(scene, pressure=pressures[1:])
+    np.testing.assert_allclose(kept.area_fraction[1:], alone.area_fraction, rtol=1e-6)
+    assert kept.patches[2] == alone.patches[1] and alone.failures == {}
+    assert kept.pressures is not None and np.ma.getmaskarray(kept.pressures)[0].all()
+    rows = asperity.truth(scene, pressure=pressures, models=["ke"], errors="mask", refine=True)
+    assert [row["model"] for row in rows] == ["bem", "bem-half-grid", "ke"] * 2
+    assert list(rows.failures) == [0] and rows[0]["pressure"] == 1e7
+    none = asperity.truth(scene, pressure=8e9, models=["ke"], errors="mask")
+    assert none == [] and none.nearest is None and list(none.failures) == [0]
+    with pytest.raises(ValueError, match="errors is 'skip': 'raise' or 'mask' was required"):
+        asperity.bem(scene, pressure=1e7, errors="skip")
+
+
+def test_why_models_have_no_numbers_is_told(scene: asperity.Scene) -> None:
+    rows = asperity.truth(scene, pressure=1e8)
+    assert "equivalent_shear_modulus" in rows.refused["gao"]
+    with pytest.warns(asperity.ContactWarning, match="gao: equivalent_shear_modulus is missing"):
+        named = asperity.truth(scene, pressure=1e8, models=["gao", "ke"])
+    assert set(named.refused) == {"gao"} and named[1]["area_fraction"] is None
+
+
 def test_what_is_not_resolved_warns(scene: asperity.Scene) -> None:
     with pytest.warns(asperity.ContactWarning, match="patches are in contact: at least 30") as said:
         asperity.bem(scene, pressure=[1e5, 2e5])

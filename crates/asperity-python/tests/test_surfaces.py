@@ -77,6 +77,16 @@ def test_a_few_missing_points_are_filled(tmp_path: Any) -> None:
         asperity.Topography(holed, 1.0, "um").fill()
 
 
+def test_a_hole_at_the_edge_of_a_tilted_plane_is_filled_by_the_plane(tmp_path: Any) -> None:
+    y, x = np.mgrid[:60, :80]
+    plane = 0.3 * x - 0.5 * y + 7.0
+    holed = plane.copy()
+    holed[:4, 20:30] = holed[-1, -1] = np.nan
+    np.save(tmp_path / "tilted.npy", holed)
+    read = asperity.read(tmp_path / "tilted.npy", unit="um", pixel_size=1.0, fill_missing=True)
+    np.testing.assert_allclose(read.heights, 1e-6 * plane, rtol=0, atol=1e-15)
+
+
 def test_a_scan_becomes_a_surface_and_a_force() -> None:
     surface = asperity.Topography(HEIGHTS, 1.0, "um").surface()
     interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)

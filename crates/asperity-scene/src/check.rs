@@ -25,6 +25,17 @@ const KURTOSIS: [f64; 2] = [2.0, 5.0];
 /// rms slopes of scans: from polished to blasted.
 const SLOPE: [f64; 2] = [5e-4, 1.0];
 
+/// Fields of the interface that are odd where this one of a body is: the same thing, under another
+/// name. Modulus and hardness are held against each other, so that either may be blamed.
+fn follows(of_body: &str) -> Vec<&str> {
+    match of_body.rsplit('.').next().unwrap_or(of_body) {
+        "youngs_modulus" | "hardness" | "yield_strength" => {
+            vec!["equivalent_modulus", "hardness", "yield_strength"]
+        }
+        field => vec![field],
+    }
+}
+
 impl SceneFile {
     /// What is unusual about the scene: of bodies each by its own name, and of a scan.
     #[must_use]
@@ -34,11 +45,10 @@ impl SceneFile {
             body.findings().into_iter().map(move |finding| finding.within(&section))
         };
         let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(of_body).collect();
-        let mut found = match (&of_bodies[..], &self.bodies[..]) {
-            // What is wrong with a body is wrong with the interface, under another name.
-            ([_, ..], _) => [of_bodies, self.scene.surface.findings()].concat(),
-            _ => self.scene.findings(),
-        };
+        let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
+        let mut found = self.scene.findings();
+        found.retain(|of_interface| !shown.contains(&&*of_interface.field));
+        found.extend(of_bodies);
         found.extend(self.of_elastic_body());
         found.extend(self.measured.iter().flat_map(|measured| self.of_scan(measured)));
         found.sort_by_key(|finding| finding.severity);

@@ -2,17 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Arc;
 
 use asperity::{
     AbdoFarhang, AminiTehrani, AngleDensity, ContactError, Displacement, FlowPressure,
     ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Reading,
-    Spectrum, Stick, Variance,
+    Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
 use crate::document::Document;
+use crate::scan::ScanSpectrum;
 use crate::{Place, SceneError};
 
 /// What the ids `jg`, `af`, `gao` and `at` stand for; the defaults are the models' own.
@@ -204,6 +204,16 @@ impl ModelOptions {
     /// # Errors
     /// [`SceneError::Contact`] for an unknown id, with a near match and all ids.
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
+        self.model_beside(|| None, id)
+    }
+
+    /// The model of an id, with these options; a theory of the whole surface with the spectrum of a
+    /// scan, or why it has none, where there is one.
+    pub(crate) fn model_beside(
+        &self,
+        spectrum: impl FnOnce() -> Option<ScanSpectrum>,
+        id: &str,
+    ) -> Result<Model, SceneError> {
         let at = |reading| Model::known(AminiTehrani { reading, options: self.lateral() });
         let jg = |hardness| Model::known(JacksonGreen { hardness });
         let known: Model = id
@@ -217,17 +227,16 @@ impl ModelOptions {
             "at" => at(self.at_reading),
             "at-additive" => at(Reading::Additive),
             "at-overlap" => at(Reading::Overlap),
-            "persson" => self.persson(Variance::Full, None),
-            "persson-fudge" => self.persson(Variance::Fudge, None),
-            _ => known.equal().clone(),
+            id => match Persson::variance_of(id) {
+                Some(variance) => {
+                    let hurst_exponent = self.hurst_exponent;
+                    Model::known(Persson { variance, hurst_exponent, spectrum: spectrum() })
+                }
+                None => known.equal().clone(),
+            },
         };
         let named_so = known.equal().id() != known.id();
         Ok(if named_so { model.random() } else { self.on_surface(model) })
-    }
-
-    /// A theory of the whole surface, with the spectrum of a scan where there is one.
-    pub(crate) fn persson(&self, variance: Variance, spectrum: Option<Arc<Spectrum>>) -> Model {
-        Model::known(Persson { variance, hurst_exponent: self.hurst_exponent, spectrum })
     }
 
     /// The model on asperities as these options have them.

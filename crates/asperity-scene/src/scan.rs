@@ -31,28 +31,39 @@ impl SceneFile {
             let needed = "boundary elements (bem) need the scan of one surface".into();
             return Err(SceneError::Missing { at, needed });
         };
-        match height_map(scan) {
-            Ok(map) => Ok(Bem::new(map, boundary, elastic)),
-            Err(_) if scan.missing_share() > 0.0 => {
-                let (percent, most) =
-                    (100.0 * scan.missing_share(), 100.0 * Topography::MOST_FILLED);
-                let reason = format!(
-                    "{percent:.3} % of the points are missing, and boundary elements need all: fill_missing = true in [surface] fills up to {most} %"
-                );
-                Err(SceneError::Measured { at, reason })
-            }
-            Err(error) => Err(SceneError::Measured { at, reason: error.to_string() }),
-        }
+        let map = whole_map(scan, "boundary elements need");
+        let map = map.map_err(|reason| SceneError::Measured { at, reason })?;
+        Ok(Bem::new(map, boundary, elastic))
+    }
+
+    /// The spectrum of the scene's scan, repeated, or why it has none; nothing without a scan. The
+    /// waves are looked for once.
+    pub(crate) fn spectrum(&self) -> Option<ScanSpectrum> {
+        let of = |scan: &Topography| {
+            let map = whole_map(scan, "its spectrum needs")?;
+            let map = if map.edges_meet() { map } else { map.periodic_part() };
+            let spectrum = Spectrum::of_waves(map.waves()).map_err(|error| error.to_string())?;
+            Ok(Arc::new(spectrum))
+        };
+        let scan = self.scan.as_deref()?;
+        Some(self.spectrum.get_or_init(|| of(scan)).clone())
     }
 }
 
-impl SceneFile {
-    /// The spectrum of the scene's scan, repeated; none of a profile or with missing points.
-    pub(crate) fn spectrum(&self) -> Option<Arc<Spectrum>> {
-        let map = height_map(self.scan.as_deref()?).ok()?;
-        let map = if map.edges_meet() { map } else { map.periodic_part() };
-        Spectrum::of_waves(map.waves()).ok().map(Arc::new)
-    }
+/// The waves of a scan, or why there are none.
+pub(crate) type ScanSpectrum = Result<Arc<Spectrum>, String>;
+
+/// A scan without missing points, or what to do about them.
+fn whole_map(scan: &Topography, needing: &str) -> Result<HeightMap, String> {
+    height_map(scan).map_err(|error| match scan.missing_share() {
+        missing if missing > 0.0 => {
+            let (percent, most) = (100.0 * missing, 100.0 * Topography::MOST_FILLED);
+            format!(
+                "{percent:.3} % of the points are missing, and {needing} all: fill_missing = true in [surface] fills up to {most} %"
+            )
+        }
+        _ => error.to_string(),
+    })
 }
 
 #[cfg(test)]
@@ -110,6 +121,30 @@ mod tests {
             answer.columns[0].rows[0].as_ref().unwrap().value()
         });
         assert!((a / b - 1.0).abs() > 1e-3, "{a} {b}");
+    }
+
+    #[test]
+    fn the_waves_of_a_scan_are_looked_for_once_and_why_there_are_none_is_told() {
+        let file = scene("file = \"scan.txt\"");
+        let [first, again] = [&file, &file.clone()].map(|file| file.spectrum().unwrap().unwrap());
+        assert!(Arc::ptr_eq(&first, &again));
+        let mut surface = file.scene.surface;
+        surface.asperity_height_std *= 2.0;
+        let other = file.with_numbers(file.scene.interface, surface, 1e-6).unwrap();
+        assert!(other.spectrum().is_none());
+        let profile = Topography::new(scan().heights()[..48].to_vec(), 48, [1e-6; 2]).unwrap();
+        let mut heights = scan().heights().to_vec();
+        heights[100] = f64::NAN;
+        let holed = Topography::new(heights, 48, [1e-6, 2e-6]).unwrap();
+        for (scan, said) in [(profile, "rows is 1"), (holed, "fill_missing = true in [surface]")] {
+            let mut file = SceneFile::from(file.scene.clone());
+            file.scan = Some(Arc::new(scan));
+            let request = asperity::Request::new([asperity::Quantity::Tangent]);
+            let request = request.at([asperity::At::Pressure(1e8)]);
+            let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();
+            let told = answer.columns[0].rows[0].as_ref().unwrap_err().to_string();
+            assert!(told.starts_with("hurst_exponent is missing") && told.contains(said), "{told}");
+        }
     }
 
     #[test]

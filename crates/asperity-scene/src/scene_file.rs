@@ -1,12 +1,11 @@
 //! A scene file, read.
 
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use asperity::{
     Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights, Variance,
-    WeibullHeights,
+    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
@@ -15,7 +14,7 @@ use crate::document::{Document, text_of};
 use crate::heights::{compared, read_heights};
 use crate::interface::interface;
 use crate::keys::{HeightsKey, SceneKeys};
-use crate::scan::height_map;
+use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
@@ -39,6 +38,8 @@ pub struct SceneFile {
     pub warnings: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
     pub scan: Option<Arc<Topography>>,
+    /// Its spectrum, once it was asked for.
+    pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
 }
 
 /// A model that a scene does not allow.
@@ -145,7 +146,18 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
             "{at}: with it persson and persson-fudge take gaps and stiffnesses from a power law, and not from the spectrum of the scan: leave it out for the scan's own"
         ));
     }
-    Ok(SceneFile { scene, options, separation_from, table, bodies, measured, warnings, scan })
+    let spectrum = Arc::default();
+    Ok(SceneFile {
+        scene,
+        options,
+        separation_from,
+        table,
+        bodies,
+        measured,
+        warnings,
+        scan,
+        spectrum,
+    })
 }
 
 impl From<Scene> for SceneFile {
@@ -161,6 +173,7 @@ impl From<Scene> for SceneFile {
             measured: None,
             warnings: vec![],
             scan: None,
+            spectrum: Arc::default(),
         }
     }
 }
@@ -181,14 +194,10 @@ impl SceneFile {
     /// # Errors
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
-        let persson = |variance| options.persson(variance, self.spectrum());
-        let model = match id.trim().to_lowercase().as_str() {
-            "bem" => Model::new(self.bem(Boundary::Periodic, false)?),
-            "persson" if self.scan.is_some() => persson(Variance::Full),
-            "persson-fudge" if self.scan.is_some() => persson(Variance::Fudge),
-            _ => return options.model(id),
-        };
-        Ok(options.on_surface(model))
+        match id.trim().to_lowercase().as_str() {
+            "bem" => Ok(options.on_surface(Model::new(self.bem(Boundary::Periodic, false)?))),
+            _ => options.model_beside(|| self.spectrum(), id),
+        }
     }
 
     /// All models that the scene allows, with its options, simplest first; and those it does not,
@@ -205,19 +214,26 @@ impl SceneFile {
         (allowed, left_out)
     }
 
-    /// What can stand beside boundary elements on the scene's scan: the models that the scene allows,
-    /// and those of random asperities and of the whole surface, whatever it says of its asperities.
+    /// What can stand beside boundary elements on the scene's scan: [`models`](Self::models), and those
+    /// of random asperities and of the whole surface, whatever it says of its asperities; and those
+    /// that the scene does not allow, each with what it lacks.
     #[must_use]
-    pub fn models_beside_bem(&self) -> Vec<Model> {
-        let (mut models, _) = self.models();
+    pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
+        let (mut models, mut left_out) = self.models();
         let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
         let request = Request::new([Quantity::Area]);
         for other in [Model::all_random(), Model::whole_surface()].concat() {
-            let new = !models.iter().any(|model| model.id() == other.id());
-            let model = self.model_with(&plain, other.id()).ok().filter(|_| new);
-            models.extend(model.filter(|model| model.compile(&self.scene, &request).is_ok()));
+            let known = models.iter().any(|model| model.id() == other.id());
+            if known || left_out.iter().any(|model| model.id == other.id()) {
+                continue;
+            }
+            let model = self.model_with(&plain, other.id()).unwrap_or(other);
+            match model.compile(&self.scene, &request) {
+                Ok(_) => models.push(model),
+                Err(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+            }
         }
-        models
+        (models, left_out)
     }
 
     /// A separation as the users of this scene count it.

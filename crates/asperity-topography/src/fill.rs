@@ -1,6 +1,6 @@
 //! Filling: a few missing points get heights from what lies around them.
 
-use crate::{Topography, TopographyError};
+use crate::{Level, Topography, TopographyError};
 
 /// What the residual of the equations has come down to, of what it was.
 const TOLERANCE: f64 = 1e-10;
@@ -12,8 +12,8 @@ impl Topography {
 
     /// The surface with heights where points are missing: harmonic ones, each the mean of its four
     /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and without
-    /// summits of their own. At an edge the surface is level, or goes on beyond it where it is
-    /// periodic: [level](Self::level) it first. Of a profile it is the straight line over a gap.
+    /// summits of their own. At an edge the surface goes on as its least-squares plane does, or beyond
+    /// the edge where it is periodic. Of a profile it is the straight line over a gap.
     ///
     /// # Errors
     /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
@@ -25,19 +25,27 @@ impl Topography {
         }
         let places: Vec<usize> =
             (0..self.heights().len()).filter(|at| self.heights()[*at].is_nan()).collect();
-        let mean = self.mean();
-        let points: Vec<Point> = places.iter().map(|at| Point::of(&self, &places, *at)).collect();
-        let right = points.iter().map(|point| point.known - point.known_weight * mean).collect();
-        let found = solve(&points, right)?;
-        Ok(self.filled(places.into_iter().zip(found.into_iter().map(|height| height + mean))))
+        if places.is_empty() {
+            return Ok(self);
+        }
+        // A tilt that nobody took away yet is no part of what is level at an edge.
+        let form = self.form(Level::usual(self.is_periodic()));
+        let form = form.or_else(|_| self.form(Level::Mean))?;
+        let flat = self.clone().without(&form);
+        let points: Vec<Point> = places.iter().map(|at| Point::of(&flat, &places, *at)).collect();
+        let found = solve(&points, points.iter().map(|point| point.known).collect())?;
+        let columns = self.columns();
+        let height =
+            |(at, rest): (usize, f64)| (at, rest + form.along_row(at / columns)(at % columns));
+        let found: Vec<(usize, f64)> = places.into_iter().zip(found).map(height).collect();
+        Ok(self.filled(found.into_iter()))
     }
 }
 
-/// A missing point: the sum of the weights of its neighbours, the part of the known ones in it and
-/// in the height, and the missing ones by their number.
+/// A missing point: the sum of the weights of its neighbours, the part of the known ones in the
+/// height, and the missing ones by their number.
 struct Point {
     weight: f64,
-    known_weight: f64,
     known: f64,
     missing: [Option<(usize, f64)>; 4],
 }
@@ -56,15 +64,12 @@ impl Point {
         };
         let along = [false, true].map(|on| Some((y * columns + step(x, columns, on)?, wx)));
         let across = [false, true].map(|on| Some((step(y, rows, on)? * columns + x, wy)));
-        let mut point = Self { weight: 0.0, known_weight: 0.0, known: 0.0, missing: [None; 4] };
+        let mut point = Self { weight: 0.0, known: 0.0, missing: [None; 4] };
         for (k, (beside, weight)) in along.into_iter().chain(across).flatten().enumerate() {
             point.weight += weight;
             match places.binary_search(&beside) {
                 Ok(number) => point.missing[k] = Some((number, weight)),
-                Err(_) => {
-                    point.known_weight += weight;
-                    point.known += weight * surface.heights()[beside];
-                }
+                Err(_) => point.known += weight * surface.heights()[beside],
             }
         }
         point
@@ -144,10 +149,31 @@ mod tests {
     }
 
     #[test]
+    fn a_hole_at_the_edge_of_a_tilted_plane_is_filled_by_the_plane() {
+        let height = |x: f64, y: f64| 3e-2 * x - 5e-2 * y + 1e-6;
+        let pixel = [1e-6, 1.5e-6];
+        let filled = holed(height, pixel, true).fill().unwrap();
+        for (k, found) in filled.heights().iter().enumerate() {
+            let exact = height((k % 40) as f64 * pixel[0], (k / 40) as f64 * pixel[1]);
+            assert!((found - exact).abs() < 1e-18, "{k} {found} {exact}");
+        }
+        // Levelled before or after, it is the same surface but for what filled points do to the plane.
+        let wavy = |x: f64, y: f64| height(x, y) + 1e-7 * (3e5 * x + 4e5 * y).sin();
+        let level = |surface: Topography| surface.level(Level::Plane).unwrap();
+        let before = level(holed(wavy, pixel, true)).fill().unwrap();
+        let after = level(holed(wavy, pixel, true).fill().unwrap());
+        for (a, b) in before.heights().iter().zip(after.heights()) {
+            assert!((a - b).abs() < 2e-9, "{a} {b}");
+        }
+    }
+
+    #[test]
     fn every_filled_point_is_the_mean_of_its_neighbours_at_edges_and_over_them() {
         let height = |x: f64, y: f64| (0.7 * x + 0.2 * y * y).sin();
         for periodic in [false, true] {
             let holed = holed(height, [1.0; 2], true).with_periodic(periodic);
+            // What is left over the plane, or the mean.
+            let holed = holed.levelled(None).unwrap();
             let filled = holed.clone().fill().unwrap();
             let z = |x: i32, y: i32| match periodic {
                 true => Some(filled.heights()[(y.rem_euclid(30) * 40 + x.rem_euclid(40)) as usize]),

@@ -92,12 +92,24 @@ impl Topography {
     /// # Errors
     /// [`TopographyError::Level`] when the points do not determine the fit: all on one line, for
     /// example.
-    pub fn level(mut self, level: Level) -> Result<Self, TopographyError> {
-        let terms = level.terms(self.is_profile());
-        if terms.is_empty() {
+    pub fn level(self, level: Level) -> Result<Self, TopographyError> {
+        if level == Level::None {
             return Ok(self);
         }
         let largest = self.largest();
+        let form = self.form(level)?;
+        let mut levelled = self.without(&form);
+        if levelled.largest() <= ROUNDING * largest {
+            // An exact plane leaves rounding, which has summits of its own.
+            let there = levelled.heights_mut().iter_mut().filter(|height| !height.is_nan());
+            there.for_each(|height| *height = 0.0);
+        }
+        Ok(levelled)
+    }
+
+    /// The least-squares form.
+    pub(crate) fn form(&self, level: Level) -> Result<Form, TopographyError> {
+        let terms = level.terms(self.is_profile());
         let (columns, rows) = (self.columns(), self.rows());
         let along: Vec<f64> = (0..columns).map(|x| scaled(x, columns)).collect();
         let mean = self.mean();
@@ -119,28 +131,48 @@ impl Topography {
         }
         let weights = eigen.eigenvectors.tr_mul(&right).component_div(&eigen.eigenvalues);
         let fit = eigen.eigenvectors * weights;
+        let terms = terms.into_iter().zip(fit.iter().copied()).collect();
+        Ok(Form { mean, terms, shape: [rows, columns] })
+    }
+
+    /// The surface without a form.
+    pub(crate) fn without(mut self, form: &Form) -> Self {
+        let columns = self.columns();
         for (y, row) in self.heights_mut().chunks_mut(columns).enumerate() {
-            // The terms of this row as a polynomial in u alone.
-            let mut polynomial = [mean, 0.0, 0.0];
-            for ([a, b], coefficient) in terms.iter().zip(fit.iter()) {
-                polynomial[*a] += coefficient * scaled(y, rows).powi(*b as i32);
-            }
-            let [c0, c1, c2] = polynomial;
-            for (height, u) in row.iter_mut().zip(&along) {
-                *height -= c0 + u * (c1 + u * c2);
+            let form = form.along_row(y);
+            for (x, height) in row.iter_mut().enumerate() {
+                *height -= form(x);
             }
         }
-        if self.largest() <= ROUNDING * largest {
-            // An exact plane leaves rounding, which has summits of its own.
-            let there = self.heights_mut().iter_mut().filter(|height| !height.is_nan());
-            there.for_each(|height| *height = 0.0);
-        }
-        Ok(self)
+        self
     }
 
     /// Size of the height furthest from 0 \[m\].
     fn largest(&self) -> f64 {
         self.heights().iter().fold(0.0, |largest, height| f64::max(largest, height.abs()))
+    }
+}
+
+/// A least-squares form of a surface: its mean, and coefficients of powers u^a v^b.
+pub(crate) struct Form {
+    mean: f64,
+    terms: Vec<([usize; 2], f64)>,
+    shape: [usize; 2],
+}
+
+impl Form {
+    /// The heights of a row by their column: a polynomial in u alone.
+    pub(crate) fn along_row(&self, y: usize) -> impl Fn(usize) -> f64 {
+        let [rows, columns] = self.shape;
+        let mut polynomial = [self.mean, 0.0, 0.0];
+        for ([a, b], coefficient) in &self.terms {
+            polynomial[*a] += coefficient * scaled(y, rows).powi(*b as i32);
+        }
+        let [c0, c1, c2] = polynomial;
+        move |x| {
+            let u = scaled(x, columns);
+            c0 + u * (c1 + u * c2)
+        }
     }
 }
 

@@ -8,7 +8,7 @@
 use crate::fe_tables::{Head, exact};
 use crate::table_builder::PROBES;
 use crate::{
-    ContactError, ContactModel, ContactNode, ContactTable, Datum, Quantity, Request, Scene,
+    At, ContactError, ContactModel, ContactNode, ContactTable, Datum, Quantity, Request, Scene,
     TableError, TableFormat, Tolerance, UnitSystem,
 };
 
@@ -62,45 +62,53 @@ impl ContactTable {
                 return Err(TableError::NoSuchTable { format, what, known });
             }
         };
-        let asked = [Quantity::Force, Quantity::ThermalConductance];
+        let asked = [Quantity::Pressure, Quantity::ThermalConductancePerArea];
         let contact = model.compile(scene, &Request::new(asked).within(tolerance))?;
-        let of = |separation| -> Result<[f64; 2], ContactError> {
-            let per_area =
-                |quantity| Ok(contact.evaluate(quantity, separation)?.value() / scene.nominal_area);
-            Ok([per_area(asked[0])?, per_area(asked[1])?])
+        let of = |at: At| -> Result<[f64; 2], ContactError> {
+            let [pressure, conductance] = asked.map(|quantity| contact.evaluate(quantity, at));
+            Ok([pressure?.value(), conductance?.value()])
         };
         let head = Head { title: "", table: self, scene, from, units };
         self.ends()?;
         let mut pairs = vec![];
         for node in &self.nodes {
-            pairs.push((node.separation, of(node.separation)?));
+            pairs.push((node.separation, of(node.separation.into())?));
         }
+        let few = TableError::TooFew { nodes: pairs.len() };
+        // Without pressure or conductance there is nothing to be off from.
+        let off = |line: f64, h: f64| Some((line / h - 1.0).abs()).filter(|off| off.is_finite());
+        let probes = || (1..=PROBES).map(|k| k as f64 / (PROBES + 1) as f64);
         let mut error = 0.0_f64;
         for pair in pairs.windows(2) {
             let [(s0, [p0, h0]), (s1, [p1, h1])] = [pair[0], pair[1]];
-            for k in 1..=PROBES {
-                let t = k as f64 / (PROBES + 1) as f64;
-                let [p, h] = of(s0 + t * (s1 - s0))?;
+            for t in probes() {
+                let [p, h] = of((s0 + t * (s1 - s0)).into())?;
                 let t = if by_pressure { (p - p0) / (p1 - p0) } else { t };
-                let off = ((h0 + t * (h1 - h0)) / h - 1.0).abs();
-                // Without pressure or conductance there is nothing to be off from.
-                if !off.is_finite() {
-                    return Err(TableError::TooFew { nodes: pairs.len() });
-                }
-                error = error.max(off);
+                error = error.max(off(h0 + t * (h1 - h0), h).ok_or(few.clone())?);
+            }
+        }
+        // The line to the pair without conductance, of which the model knows nothing.
+        let mut last_error = 0.0_f64;
+        if let (Some((s0, [p0, h0])), Some(s1)) = (pairs.last().copied(), self.cut_off()) {
+            for t in probes() {
+                let at = match by_pressure {
+                    true => At::Pressure((1.0 - t) * p0),
+                    false => (s0 + t * (s1 - s0)).into(),
+                };
+                let [_, h] = of(at)?;
+                last_error = last_error.max(off((1.0 - t) * h0, h).ok_or(few.clone())?);
             }
         }
         let (nodes, named) = (pairs.len(), if by_pressure { "pressure" } else { "clearance" });
         let mut text = format!(
             "** thermal conductance against {named}, in {} and {}, of contacts in vacuum that are
-** far from each other; straight lines between {nodes} nodes: largest relative error {error:.3e}
+** far from each other; straight lines between {nodes} nodes: largest relative error {error:.3e},
+** and {last_error:.3e} on the line from the lightest of them to no conductance
 ",
             units.of_conductance(),
             if by_pressure { units.of_pressure() } else { units.of_length() }
         );
-        if units != UnitSystem::Si {
-            text += "** 1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are\n";
-        }
+        text += &units.told_of_conductance("**");
         text += match (calculix, by_pressure) {
             (true, _) => "** constant beyond the last pair; heat flows where ccx makes contact elements, as the
 ** *SURFACE BEHAVIOR before it says; the third number is a temperature, and of no effect

@@ -13,55 +13,102 @@ pub enum UnitSystem {
     MmTonneS,
 }
 
+/// What a system is made of. Both ways numbers are changed by powers of ten above 1, which are exact.
+struct Units {
+    /// Lengths in a metre.
+    per_metre: f64,
+    /// The pressure \[Pa\].
+    pascals: f64,
+    /// The conductance \[W/(m² K)\].
+    watts: f64,
+    length: &'static str,
+    pressure: &'static str,
+    conductance: &'static str,
+    /// What was converted, in words; nothing for SI.
+    converted: Option<[&'static str; 2]>,
+}
+
+const SI: Units = Units {
+    per_metre: 1.0,
+    pascals: 1.0,
+    watts: 1.0,
+    length: "m",
+    pressure: "Pa",
+    conductance: "W/(m2 K)",
+    converted: None,
+};
+
+const MM_TONNE_S: Units = Units {
+    per_metre: 1e3,
+    pascals: 1e6,
+    watts: 1e3,
+    length: "mm",
+    pressure: "MPa",
+    conductance: "mW/(mm2 K)",
+    converted: Some([
+        "units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa",
+        "1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are",
+    ]),
+};
+
 impl UnitSystem {
+    fn units(self) -> &'static Units {
+        match self {
+            Self::Si => &SI,
+            Self::MmTonneS => &MM_TONNE_S,
+        }
+    }
+
     /// A length of so many metres.
     pub(crate) fn length(self, metres: f64) -> f64 {
-        if self == Self::Si { metres } else { metres * 1e3 }
+        metres * self.units().per_metre
     }
 
     /// An area of so many m².
     pub(crate) fn area(self, square_metres: f64) -> f64 {
-        if self == Self::Si { square_metres } else { square_metres * 1e6 }
+        square_metres * self.units().per_metre.powi(2)
     }
 
     /// A pressure of so many Pa.
     pub(crate) fn pressure(self, pascals: f64) -> f64 {
-        if self == Self::Si { pascals } else { pascals / 1e6 }
+        pascals / self.units().pascals
     }
 
     /// A pressure over a length, of so many Pa/m.
     pub(crate) fn slope(self, pascals_per_metre: f64) -> f64 {
-        if self == Self::Si { pascals_per_metre } else { pascals_per_metre / 1e9 }
+        pascals_per_metre / (self.units().pascals * self.units().per_metre)
     }
 
     /// A conductance of so many W/(m² K).
     pub(crate) fn conductance(self, watts: f64) -> f64 {
-        if self == Self::Si { watts } else { watts / 1e3 }
+        watts / self.units().watts
     }
 
     /// What lengths are in.
     pub(crate) fn of_length(self) -> &'static str {
-        if self == Self::Si { "m" } else { "mm" }
+        self.units().length
     }
 
     /// What pressures are in.
     pub(crate) fn of_pressure(self) -> &'static str {
-        if self == Self::Si { "Pa" } else { "MPa" }
+        self.units().pressure
     }
 
     /// What conductances are in.
     pub(crate) fn of_conductance(self) -> &'static str {
-        if self == Self::Si { "W/(m2 K)" } else { "mW/(mm2 K)" }
+        self.units().conductance
     }
 
     /// A comment that says what was converted; nothing for SI.
     pub(crate) fn told(self, comment: &str) -> String {
-        if self == Self::Si {
-            return String::new();
-        }
-        format!(
-            "{comment} units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa\n"
-        )
+        let told = |[lengths, _]: [&str; 2]| format!("{comment} {lengths}\n");
+        self.units().converted.map(told).unwrap_or_default()
+    }
+
+    /// The same of conductances.
+    pub(crate) fn told_of_conductance(self, comment: &str) -> String {
+        let told = |[_, conductances]: [&str; 2]| format!("{comment} {conductances}\n");
+        self.units().converted.map(told).unwrap_or_default()
     }
 }
 

@@ -40,7 +40,9 @@ pub use evidence::{Deviation, Evidence, EvidenceCase, EvidenceRow, Nearest};
 pub use fe_interaction::ConductanceAgainst;
 pub use fe_tables::TableFormat;
 pub use fe_units::UnitSystem;
-pub use recommend::{Comparison, EvidenceAt, Recommendation, recommend, recommend_among};
+pub use recommend::{
+    Comparison, EvidenceAt, Recommendation, recommend, recommend_among, usual_reference,
+};
 pub use registry::Model;
 pub use table_error::TableError;
 pub use truth::{ContactState, Truth, told, truth};

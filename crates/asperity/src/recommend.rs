@@ -7,6 +7,24 @@ use crate::{
     Nearest, Quantity, Request, Scene, Severity,
 };
 
+/// The id of the model that others are held against where none is named: `ke`, or `gw` where there is
+/// no hardness.
+///
+/// ```
+/// use asperity::{Interface, Scene, Surface, usual_reference};
+///
+/// let surface = Surface::new(3.6e-4, 1.11e8, 1e-6);
+/// assert_eq!(usual_reference(&Scene::new(Interface::new(116e9, 0.31, 1e9), surface, 3e-5)), "ke");
+/// assert_eq!(usual_reference(&Scene::new(Interface::elastic(1e7, 0.49), surface, 3e-5)), "gw");
+/// ```
+#[must_use]
+pub fn usual_reference(scene: &Scene) -> &'static str {
+    match scene.asperity() {
+        Ok(asperity) if asperity.hardness.is_some() => "ke",
+        _ => "gw",
+    }
+}
+
 /// How far one model is from the reference.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]

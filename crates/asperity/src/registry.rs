@@ -165,12 +165,13 @@ impl Model {
         upright.map(|model| model.random()).collect()
     }
 
-    /// Theories of the whole surface, which answer at loads and know no separations: they stand
-    /// beside the others where they are asked for by name.
+    /// Theories of the whole surface, which know no asperities; they answer at loads, and at
+    /// separations where they have a spectrum. They stand beside the others where they are asked for
+    /// by name.
     #[must_use]
     pub fn whole_surface() -> Vec<Self> {
         let persson = |variance| Self::known(Persson { variance, ..Persson::default() });
-        vec![persson(Variance::Full), persson(Variance::Fudge)]
+        Variance::ALL.map(persson).to_vec()
     }
 
     /// Elastic asperities that stick: they need the scene's work of adhesion, and stand beside the

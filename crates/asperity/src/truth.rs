@@ -30,6 +30,8 @@ pub struct Truth {
     /// Why models have no numbers here that would mean nothing: more area than there is, more pressure
     /// on it than the hardness bears.
     pub refused: Vec<(Model, Finding)>,
+    /// Why models lack all of their numbers, or else the first of them that they lack.
+    pub missing: Vec<(Model, ContactError)>,
 }
 
 /// Three numbers of a contact; none where it has no such number.
@@ -105,8 +107,8 @@ pub fn truth(
         solved[index] = solution.map(Kept::from);
     });
     let request = Request::new([Quantity::AreaFraction, Quantity::Tangent]);
-    let contacts: Vec<(&Model, Option<Box<dyn Contact>>)> =
-        models.iter().map(|model| (model, model.compile(scene, &request).ok())).collect();
+    let contacts: Vec<_> =
+        models.iter().map(|model| (model, model.compile(scene, &request))).collect();
     let rms_height = bem.map().rms_height();
     let hardness = bem.hardness(&scene.interface)?;
     let answer = |(pressure, around): (&f64, &[Result<Kept, BemError>])| {
@@ -121,21 +123,23 @@ pub fn truth(
                 .map(|(light, heavy)| force / (light.gap - heavy.gap))
                 .filter(|stiffness| stiffness.is_finite() && *stiffness > 0.0),
         };
-        let state = |contact: &Option<Box<dyn Contact>>| {
-            contact.as_ref().map_or_else(ContactState::default, |contact| {
-                asked(contact.as_ref(), At::Pressure(*pressure))
-            })
-        };
-        let (mut models, mut refused) = (vec![], vec![]);
+        let (mut models, mut refused, mut missing) = (vec![], vec![], vec![]);
         for (model, contact) in &contacts {
-            let state = state(contact);
+            let (state, lacks) = match contact {
+                Ok(contact) => asked(contact.as_ref(), At::Pressure(*pressure)),
+                Err(reason) => (ContactState::default(), Some(reason.clone())),
+            };
             let area = state.area_fraction;
             let why = area.and_then(|area| Check::no_answer(*model, *pressure, area, hardness));
-            models
-                .push(((*model).clone(), why.as_ref().map_or(state, |_| ContactState::default())));
-            refused.extend(why.map(|why| ((*model).clone(), why)));
+            let state = why.as_ref().map_or(state, |_| ContactState::default());
+            models.push(((*model).clone(), state));
+            match why {
+                Some(why) => refused.push(((*model).clone(), why)),
+                None => missing.extend(lacks.map(|lacks| ((*model).clone(), lacks))),
+            }
         }
-        Ok(Truth { pressure: *pressure, bem, rms_height, notes: here.notes, models, refused })
+        let (pressure, notes) = (*pressure, here.notes);
+        Ok(Truth { pressure, bem, rms_height, notes, models, refused, missing })
     };
     Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
 }
@@ -171,16 +175,26 @@ impl From<Solution> for Kept {
     }
 }
 
-fn asked(contact: &dyn Contact, at: At) -> ContactState {
-    let value = |quantity| contact.evaluate(quantity, at).ok().map(|found| found.value());
+/// What a model says, and why it lacks the first number that it lacks.
+fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) {
+    let mut lacks = None;
+    let mut told = |found: Result<f64, ContactError>| match found {
+        Ok(found) => Some(found),
+        Err(reason) => {
+            lacks.get_or_insert(reason);
+            None
+        }
+    };
+    let value = |quantity| contact.evaluate(quantity, at).map(|found| found.value());
     let gap = contact.separation(at).and_then(|separation| {
         separation.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, contact.scene())
     });
-    ContactState {
-        area_fraction: value(Quantity::AreaFraction),
-        mean_gap: gap.ok().map(|gap| gap.value),
-        stiffness: value(Quantity::Tangent),
-    }
+    let state = ContactState {
+        area_fraction: told(value(Quantity::AreaFraction)),
+        mean_gap: told(gap.map(|gap| gap.value)),
+        stiffness: told(value(Quantity::Tangent)),
+    };
+    (state, lacks)
 }
 
 #[cfg(test)]
@@ -218,8 +232,14 @@ mod tests {
             assert_eq!(found.notes, here.notes);
             let none = found.deviation(&found.bem);
             assert_eq!(none.area_fraction, Some(0.0));
-            // gao and at need a shear modulus.
             let answered = found.models.iter().filter(|(_, m)| m.area_fraction.is_some()).count();
+            // gao and at need a shear modulus, and say so.
+            let lacking: Vec<&str> = found.missing.iter().map(|(model, _)| model.id()).collect();
+            assert_eq!(lacking, ["gao", "at", "at-additive", "at-overlap"]);
+            let told = |(_, why): &(Model, ContactError)| {
+                why.to_string().starts_with("equivalent_shear_modulus is missing")
+            };
+            assert!(found.missing.iter().all(told));
             // gw, elastic, would need pressures of 1.5 times the hardness and more.
             assert!(found.refused.iter().all(|(model, _)| model.id() == "gw"));
             assert_eq!(
@@ -255,6 +275,20 @@ mod tests {
         assert_eq!(refused(&stiff), [hard("gw"), hard("persson")]);
         let elastic = Bem::new(bem.map().clone(), Boundary::Periodic, true);
         assert!(solve(&scene, &elastic).refused.is_empty());
+    }
+
+    #[test]
+    fn a_model_that_knows_some_of_its_numbers_says_what_it_lacks() {
+        let (mut scene, bem) = scan();
+        scene.interface = Interface::elastic(1e11, 0.3);
+        // Without a spectrum there is an area, and nothing else.
+        let persson = ["persson".parse::<Model>().unwrap()];
+        let found = truth(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
+        let (_, state) = &found.models[0];
+        assert!(state.area_fraction.is_some() && state.mean_gap.or(state.stiffness).is_none());
+        let told = found.missing[0].1.to_string();
+        assert!(told.starts_with("hurst_exponent is missing: the stiffness of Persson"), "{told}");
+        assert!(found.refused.is_empty());
     }
 
     #[test]

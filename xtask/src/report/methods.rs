@@ -222,9 +222,9 @@ impl Method {
     ) -> Result<Option<usize>> {
         match (self, setting) {
             (Self::Compiled, Setting::Tolerance(t)) => {
-                ours::compiled_nodes(laws, problem, t).map(Some)
+                ours::compiled_terms(laws, problem, t).map(Some)
             }
-            (Self::Rule, Setting::Tolerance(t)) => ours::rule_nodes(laws, problem, t).map(Some),
+            (Self::Rule, Setting::Tolerance(t)) => ours::rule_terms(laws, problem, t).map(Some),
             _ => Ok(self.prepare(laws, problem, setting)?().ok().and_then(|o| o.evaluations)),
         }
     }

@@ -123,8 +123,8 @@ fn outcome(found: Result<asperity::Evaluation, ContactError>) -> Result<Outcome,
     Ok(Outcome { value: found.scaled, scaled: true, evaluations: None })
 }
 
-/// Nodes of the rule; exponential heights have one integral for all separations.
-pub fn compiled_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
+/// Terms of a value; exponential heights have one integral for all separations.
+pub fn compiled_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
     let quantity = problem.asked.quantity;
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
     let compiled = laws.scene(&problem.asked, tolerance)?;
@@ -133,9 +133,9 @@ pub fn compiled_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<
     Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
 }
 
-/// Nodes of the rule, from rules of our own that are the same; samples of the law where none
+/// Terms of a value, from rules of our own that are the same; samples of the law where none
 /// serves and the point is integrated anew.
-pub fn rule_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
+pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
     let separation = problem.asked.separation;
     let rules = laws.rules(&problem.asked, tolerance)?;
     match rules.terms(separation, problem.scale())? {
@@ -144,7 +144,7 @@ pub fn rule_nodes(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usiz
             rules.value(separation, problem.scale())?;
             Ok(rules.evaluations() - before)
         }
-        nodes => Ok(nodes),
+        terms => Ok(terms),
     }
 }
 

@@ -91,7 +91,7 @@ fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
 #[must_use]
 pub fn models() -> Vec<Model> {
     let hurst_exponent = Some(RandomSurface::HURST);
-    let whole = [Variance::Full, Variance::Fudge]
+    let whole = Variance::ALL
         .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
     [Model::all(), Model::all_random(), whole.to_vec()].concat()
 }

@@ -2,7 +2,7 @@
 //! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Evidence, Model, Quantity, linspace, recommend_among};
+use asperity::{At, ContactModel, Evidence, Quantity, linspace, recommend_among};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
@@ -61,14 +61,8 @@ impl Recommend {
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
-        let models = scene.models(&self.asked.models, &request.quantities)?;
-        let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
-        if self.asked.models.is_empty() {
-            // The evidence is of these as well.
-            let new = |other: &Model| !models.iter().any(|model| model.id() == other.id());
-            let others = scene.file.models_beside_bem();
-            models.extend(others.into_iter().filter(new).collect::<Vec<_>>());
-        }
+        // The evidence is of these as well.
+        let models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
         let working = progress("comparing models");
         let scene_of = &scene.file.scene;
         let advice = recommend_among(models, scene_of, &request, &reference, self.within)

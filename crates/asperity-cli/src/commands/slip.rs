@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
-use asperity::{ContactError, SeparationUnit, Tolerance, linspace};
+use asperity::{At, ContactError, Model, SeparationUnit, Tolerance, linspace};
 use asperity_plot::{Axis, Curve};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -12,7 +12,7 @@ use crate::number::rounded;
 use crate::numbers::{length, positive_number};
 use crate::output::say;
 use crate::plot;
-use crate::scene::LoadedScene;
+use crate::scene::{LoadedScene, NamedModel};
 use crate::table::{Cell, Table};
 
 /// The share of μ F beyond which everything all but slides.
@@ -36,7 +36,8 @@ mu F is reached.
 With several loads, pressures or closest approaches (100:1e4:20:log, v,v): one row for each
 and a cycle of the amplitude, with columns model, load_N, pressure_Pa,
 separation_over_sigma, force_N at the amplitude, secant_stiffness_N_per_m (that over the
-amplitude), loss_J, loss_factor, sliding_m (the shift from which on everything slides).
+amplitude), loss_J, loss_factor, sliding_m (the shift from which on everything slides);
+the row of a preload that has no answer is blank, and said why.
 Partial slip of every asperity (Cattaneo, Mindlin), which answers as elastically as in
 unloading by --law: exact for gw; for models that yield, at constant normal load on each.
 Needs equivalent_shear_modulus, or the bodies. Models of equal, upright asperities only.
@@ -72,18 +73,25 @@ impl Slip {
         self.output.check("slip");
         let (scene, named) = self.closed.open()?;
         let context = || format!("{}: {}", scene.name, named.0);
-        let mut joints = vec![];
-        for place in self.closed.places(&scene, &named) {
-            let tolerance = Tolerance::default();
-            let joint = Unloading::new(&named.1, &scene.file.scene, place, self.law, tolerance);
-            let joint = joint.with_context(context)?;
-            let slip = PartialSlip::new(&joint, self.friction).with_context(context)?;
-            joints.push((joint, slip));
+        match &self.closed.places(&scene, &named)[..] {
+            [one] => {
+                let joint = self.joint(&scene, &named.1, *one).with_context(context)?;
+                self.loops(&named.0, &joint).with_context(context)
+            }
+            several => self.preloads(&scene, &named, several).with_context(context),
         }
-        match &joints[..] {
-            [one] => self.loops(&named.0, one).with_context(context),
-            several => self.preloads(&scene, &named.0, several).with_context(context),
-        }
+    }
+
+    fn joint(
+        &self,
+        scene: &LoadedScene,
+        model: &Model,
+        place: At,
+    ) -> Result<(Unloading, PartialSlip), ContactError> {
+        let tolerance = Tolerance::default();
+        let joint = Unloading::new(model, &scene.file.scene, place, self.law, tolerance)?;
+        let slip = PartialSlip::new(&joint, self.friction)?;
+        Ok((joint, slip))
     }
 
     /// The first shift and a steady cycle at one preload.
@@ -133,37 +141,33 @@ impl Slip {
         self.output.write(&table, || picture(&table))
     }
 
-    /// A cycle of the amplitude at each of several preloads.
-    fn preloads(
-        &self,
-        scene: &LoadedScene,
-        id: &str,
-        joints: &[(Unloading, PartialSlip)],
-    ) -> Result<()> {
-        let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+    /// A cycle of the amplitude at each of several preloads; the row of one that fails is blank.
+    fn preloads(&self, scene: &LoadedScene, named: &NamedModel, places: &[At]) -> Result<()> {
+        let (id, model) = (&*named.0, &named.1);
         let head = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         let cycle = ["force_N", "secant_stiffness_N_per_m", "loss_J", "loss_factor", "sliding_m"];
         let mut table = Table::new(&[&head[..], &cycle[..]].concat());
-        let mut farthest = 0.0_f64;
-        for (joint, slip) in joints {
-            let load = joint.force(0.0)?.value();
-            let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
-            let (force, loss) = (slip.force(self.amplitude)?, slip.loss(self.amplitude)?);
-            let sliding = slip.shift_at(SLIDING)?;
-            farthest = farthest.max(sliding);
-            let numbers = [
-                load,
-                load / contact.nominal_area,
-                separation.value,
-                force.value(),
-                force.value() / self.amplitude,
-                loss.value(),
-                slip.loss_factor(self.amplitude)?,
-                sliding,
-            ];
+        let (mut farthest, mut left_out) = (0.0_f64, vec![]);
+        for place in places {
+            let numbers = match self.cycle(scene, model, *place) {
+                Ok(numbers) => {
+                    farthest = farthest.max(numbers[7]);
+                    numbers.map(Some)
+                }
+                Err(error) => {
+                    left_out.push(error);
+                    known(scene, *place)
+                }
+            };
             let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(|number| Cell::Number(Some(number))));
+            row.extend(numbers.map(Cell::Number));
             table.rows.push(row);
+        }
+        if let (true, Some(error)) = (left_out.len() == places.len(), left_out.first()) {
+            return Err(error.clone().into());
+        }
+        for error in left_out {
+            say("warning", &format!("{}: {id}: a preload is left out: {error}", scene.name));
         }
         self.ask_amplitude(farthest);
         self.output.write(&table, || {
@@ -178,6 +182,30 @@ impl Slip {
         })
     }
 
+    /// Load, pressure, separation, and what the cycle of the amplitude is there.
+    fn cycle(
+        &self,
+        scene: &LoadedScene,
+        model: &Model,
+        place: At,
+    ) -> Result<[f64; 8], ContactError> {
+        let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+        let (joint, slip) = self.joint(scene, model, place)?;
+        let load = joint.force(0.0)?.value();
+        let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
+        let (force, loss) = (slip.force(self.amplitude)?, slip.loss(self.amplitude)?);
+        Ok([
+            load,
+            load / contact.nominal_area,
+            separation.value,
+            force.value(),
+            force.value() / self.amplitude,
+            loss.value(),
+            slip.loss_factor(self.amplitude)?,
+            slip.shift_at(SLIDING)?,
+        ])
+    }
+
     /// Asks about an amplitude far beyond the shift from which on everything slides.
     fn ask_amplitude(&self, sliding: f64) {
         if self.amplitude > FAR * sliding {
@@ -190,6 +218,26 @@ impl Slip {
             );
         }
     }
+}
+
+/// What a preload is by itself, in the columns of one that answers.
+fn known(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
+    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+    let mut numbers = [None; 8];
+    match place {
+        At::Load(load) => {
+            [numbers[0], numbers[1]] = [Some(load), Some(load / contact.nominal_area)];
+        }
+        At::Pressure(pressure) => {
+            [numbers[0], numbers[1]] = [Some(pressure * contact.nominal_area), Some(pressure)];
+        }
+        At::Separation(closest) => {
+            let closest = closest.measured_in(SeparationUnit::Sigma, from, contact);
+            numbers[2] = closest.ok().map(|closest| closest.value);
+        }
+        _ => {}
+    }
+    numbers
 }
 
 /// A coefficient of friction; no surfaces have more than the most.

@@ -1,10 +1,11 @@
 //! `asperity truth`: every model beside boundary elements on the scan of a scene.
 
+use std::mem::discriminant;
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{Bem, BemError, Given, Note};
-use asperity::{ContactModel, ContactState, Model, Truth, told, truth};
+use asperity::{ContactError, ContactModel, ContactState, Model, Truth, told, truth};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
@@ -13,7 +14,7 @@ use crate::commands::bem::Way;
 use crate::interrupt;
 use crate::numbers::{Numbers, loads, pressures};
 use crate::output::{once, progress, say};
-use crate::scene::LoadedScene;
+use crate::scene::{LoadedScene, told_together};
 use crate::table::{Cell, Table};
 
 /// Which model holds on this scan: each beside boundary elements on it
@@ -23,7 +24,7 @@ use crate::table::{Cell, Table};
 and what the models make of its asperities stands beside it.
 Deviations are relative to bem; of the mean gap, over the rms height of the scan.
 A model that would need more area than there is, or more pressure on it than 1.5 times
-the hardness, has no answer: its row is blank, and said why.
+the hardness, has no answer: its row is blank, and said why, as wherever a number is.
 The stiffness of bem is a difference between pressures 5 % to either side.
 
 Examples:
@@ -68,11 +69,7 @@ impl TruthCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.scene)?;
         let bem = self.way.bem(&scene)?;
-        let named = scene.models(&self.models, &[])?.into_iter().map(|(_, model)| model);
-        let models = match self.models.is_empty() {
-            true => scene.file.models_beside_bem(),
-            false => named.collect(),
-        };
+        let models = scene.models_beside_bem(&self.models, &[])?;
         let area = scene.file.scene.nominal_area;
         let numbers =
             |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
@@ -113,10 +110,21 @@ impl TruthCommand {
         let refused = found.iter().flat_map(|truth| &truth.refused);
         let refused: Vec<_> = refused.map(|(m, why)| (m.id().to_string(), why.clone())).collect();
         tell(&refused);
+        // Of each model the first reason of a kind: others differ by the load alone.
+        let mut missing: Vec<(String, ContactError)> = vec![];
+        for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
+            let same = |(id, known): &(String, ContactError)| {
+                id == model.id() && discriminant(known) == discriminant(why)
+            };
+            if !missing.iter().any(same) {
+                missing.push((model.id().into(), why.clone()));
+            }
+        }
+        told_together(&missing).iter().for_each(|text| say("warning", text));
         say("note", &told(&found));
         self.output.write(&table(&found, &half, area))?;
-        let asked: usize = found.iter().map(|truth| truth.models.len()).sum();
-        if !refused.is_empty() && refused.len() == asked {
+        let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
+        if !models.is_empty() && states.all(|state| state == ContactState::default()) {
             bail!("{}: no model has an answer", scene.name);
         }
         if interrupt::asked() {

@@ -193,6 +193,11 @@ fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
         };
         let worst = pairs[1..].windows(2).map(halfway).fold(0.0, f64::max);
         assert!(worst < 1.05 * stated && worst > 0.5 * stated, "{worst} {stated}");
+        // And on the line from the lightest of them to no conductance.
+        let of_line = text.split_once("thermal").unwrap().1.split_once("\n** and ").unwrap().1;
+        let of_line: f64 = of_line.split_once(' ').unwrap().0.parse().unwrap();
+        let halfway = halfway(&pairs[..2]);
+        assert!(halfway > 0.01 && halfway < of_line && of_line < 4.0 * halfway, "{of_line}");
 
         let stick = of(Quantity::TangentialStiffness, At::Pressure(1e7));
         let friction = block(&text, "*FRICTION");

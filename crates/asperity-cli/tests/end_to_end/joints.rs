@@ -264,6 +264,22 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
 }
 
 #[test]
+fn a_preload_without_a_cycle_leaves_the_others() {
+    let bench = Bench::new();
+    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
+    let run = bench.run(&format!("{words} --load 100,1e30"));
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert!(run.words.contains("ke: a preload is left out: "), "{}", run.words);
+    let alone = bench.data(&format!("{words} --load 100,100"));
+    assert_eq!(run.out.lines().nth(1), alone.lines().nth(1));
+    let loads: Vec<f64> = column_of(&run.out, "load_N").into_iter().flatten().collect();
+    assert!((loads[0] / 100.0 - 1.0).abs() < 1e-9 && (loads[1] / 1e30 - 1.0).abs() < 1e-9);
+    assert_eq!(column_of(&run.out, "force_N")[1], None);
+    let none = bench.run(&format!("{words} --load 1e30,2e30"));
+    assert_eq!((none.code, &*none.out), (Some(1), ""), "{}", none.words);
+}
+
+#[test]
 fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
     let bench = Bench::new();
     let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";

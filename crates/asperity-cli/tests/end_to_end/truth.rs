@@ -63,6 +63,26 @@ fn what_cannot_be_told_is_named() {
 }
 
 #[test]
+fn why_a_row_is_blank_is_told() {
+    let bench = bench();
+    let measured = format!("{}heights = \"measured\"\n", crate::bem::SCAN);
+    bench.write("measured.toml", &measured);
+    let ask = "truth measured.toml --pressure 1e8 --format csv";
+    let said = "ke-random cannot give ";
+    let run = bench.run(&format!("{ask} --model ke-random"));
+    assert_eq!(run.code, Some(1), "{}", run.words);
+    assert_eq!(cells(&run.out, "area_fraction")[1], "", "{}", run.out);
+    assert!(run.words.contains(said), "{}", run.words);
+    assert!(run.words.contains("no model has an answer"), "{}", run.words);
+    let two = bench.run(&format!("{ask} --model ke-random,ke"));
+    assert!(two.code == Some(0) && two.words.contains(said), "{}", two.words);
+    let all = bench.run(ask);
+    assert_eq!(all.code, Some(0), "{}", all.words);
+    assert!(all.words.contains("left out: gw-random, "), "{}", all.words);
+    assert!(!cells(&all.out, "model").contains(&"ke-random"), "{}", all.out);
+}
+
+#[test]
 fn what_is_no_answer_is_told_and_left_blank() {
     let bench = bench();
     let scan = crate::bem::SCAN;

@@ -23,7 +23,7 @@ class PlanStep:
     quantities: tuple[str, ...]
     #: How.
     method: str
-    #: Nodes of the smallest and the largest rule, where there are rules.
+    #: Terms of a value, the fewest and the most, where values are sums.
     terms: tuple[int, int] | None
     #: How often the law was sampled for them.
     samples: int
@@ -139,8 +139,7 @@ def recommend(
     'gw'
     """
     rows = Rows(scene, *place(separation, load, pressure, separation_unit))
-    yields = scene.interface.hardness is not None or scene.interface.yield_strength is not None
-    against = _model(reference or ("ke" if yields else "gw"))
+    against = _model(reference or scene._file.usual_reference())
     ids = None if models is None else list(models)
     text, simplest, evidence, places, found = _asperity.recommend(
         against, rows, quantity_names(quantities), within, rtol, ids

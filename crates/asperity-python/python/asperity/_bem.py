@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Literal, TypedDict
 
 import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
+from asperity._arguments import checked_errors
 from asperity._scene import Floats, Interface, Scene
 from asperity._surfaces import Topography
 
@@ -45,6 +47,8 @@ class BemContacts:
     pressures: Floats | None
     #: Gaps of the pixels [m], below 0 by the plastic depth; None where they were not kept.
     gaps: Floats | None
+    #: Why contacts have no numbers, where ``errors="mask"``: by their place in the order of memory.
+    failures: Mapping[int, str]
 
     def __repr__(self) -> str:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
@@ -68,6 +72,10 @@ class TruthRows(list[TruthRow]):
 
     #: Which models were nearest to boundary elements, in a sentence; None where none was asked.
     nearest: str | None = None
+    #: What a model lacks that has no row, or blanks in it, by model.
+    refused: Mapping[str, str] = MappingProxyType({})
+    #: Why pressures have no rows, where ``errors="mask"``: by their place.
+    failures: Mapping[int, str] = MappingProxyType({})
 
 
 def bem(
@@ -81,6 +89,7 @@ def bem(
     elastic: bool = False,
     boundary: Boundary = "periodic",
     maps: bool = True,
+    errors: str = "raise",
 ) -> BemContacts:
     """Presses a scan on an elastic half-space, pixel by pixel.
 
@@ -103,6 +112,10 @@ def bem(
         edges do not meet; or nothing.
     maps : bool
         Whether the maps of pressures and gaps are kept, 16 bytes a pixel and contact.
+    errors : "raise" or "mask"
+        What happens when a contact cannot be, as at a pressure above the hardness: the first is
+        raised, and the others with it; or they are solved, its own numbers are masked, and
+        ``BemContacts.failures`` has the reasons.
 
     Examples
     --------
@@ -129,19 +142,23 @@ def bem(
     else:
         scan = surface, interface, level
     values = _asperity.floats(value, name)
-    numbers, kept, (rows, columns) = _asperity.bem(
-        scan, name, values.ravel().tolist(), elastic, boundary, maps
+    mask = checked_errors(errors) == "mask"
+    numbers, kept, (rows, columns), failures = _asperity.bem(
+        scan, name, values.ravel().tolist(), elastic, boundary, (maps, mask)
     )
-    shaped: dict[str, Any] = {k: array.reshape(values.shape) for k, array in numbers.items()}
+
+    def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
+        array = array.reshape((*values.shape, *pixels))
+        return np.ma.masked_invalid(array) if failures else array
+
+    contacts: dict[str, Any] = {name: shaped(array) for name, array in numbers.items()}
     for count in ("patches", "iterations"):
-        shaped[count] = shaped[count].astype(np.int64)
-    pressures, gaps = kept or (None, None)
-    shape = *values.shape, rows, columns
-    return BemContacts(
-        **shaped,
-        pressures=None if pressures is None else pressures.reshape(shape),
-        gaps=None if gaps is None else gaps.reshape(shape),
-    )
+        # What is masked is no number, and no whole one.
+        counts = np.nan_to_num(numbers[count].reshape(values.shape)).astype(np.int64)
+        missing = np.ma.getmask(contacts[count])
+        contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
+    pressures, gaps = (None, None) if kept is None else (shaped(k, rows, columns) for k in kept)
+    return BemContacts(**contacts, pressures=pressures, gaps=gaps, failures=failures)
 
 
 def truth(
@@ -153,16 +170,19 @@ def truth(
     boundary: Boundary = "periodic",
     models: Sequence[str] | None = None,
     refine: bool = False,
+    errors: str = "raise",
 ) -> TruthRows:
     """Which model holds on this scan: each beside boundary elements on it.
 
     The scene is read from a file that names a scan ([surface] file = ...). For every pressure
     there is a row of "bem" and one of every model: all that the scene allows, or those that are
     named. Deviations are relative to bem; of the mean gap, over the rms height of the scan. What a
-    model cannot give is None, and so are, with a warning, all numbers of one that would need more
-    area than there is, or more pressure on it than 1.5 times the hardness. ``pandas.DataFrame(rows)`` makes a table of it, ``print(rows.nearest)``
-    says which models were nearest, and with ``refine`` the rows "bem-half-grid" say how far the
-    answer depends on the grid.
+    model cannot give is None, with a warning, and so are all numbers of one that would need more
+    area than there is, or more pressure on it than 1.5 times the hardness. ``rows.refused`` says
+    why, also of models that the scene does not allow. ``pandas.DataFrame(rows)`` makes a table of
+    it, ``print(rows.nearest)`` says which models were nearest, and with ``refine`` the rows
+    "bem-half-grid" say how far the answer depends on the grid. A pressure that cannot be solved is
+    raised, or, with ``errors="mask"``, has no rows but a reason in ``rows.failures``.
     """
     if (pressure is None) == (load is None):
         raise TypeError("pressure or load was required, and not both")
@@ -172,8 +192,9 @@ def truth(
     if name == "load":
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
-    found, told = _asperity.truth(
-        scene._file, pressures.tolist(), elastic, boundary, ids, refine
+    mask = checked_errors(errors) == "mask"
+    found, told, refused, failures = _asperity.truth(
+        scene._file, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
     rows = TruthRows(
         TruthRow(
@@ -188,5 +209,5 @@ def truth(
         )
         for at, model, state, deviation in found
     )
-    rows.nearest = told
+    rows.nearest, rows.refused, rows.failures = told, refused, failures
     return rows

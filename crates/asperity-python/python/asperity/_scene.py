@@ -400,7 +400,7 @@ class Scene(_Given):
             raise TypeError("at most one of separation, load and pressure was expected")
         if not places:
             return Check._of(*_asperity.check(self._file))
-        (axis, number), default = places[0], "gw" if self.asperity.hardness is None else "ke"
+        (axis, number), default = places[0], self._file.usual_reference()
         engine = model if isinstance(model, Engine) else Engine(model or default, {})
         axis = separation_unit if axis == "separation" else axis
         return Check._of(*_asperity.check(self._file, (engine, axis, number)))

@@ -42,7 +42,8 @@ class Topography(_asperity.Topography):
 
     def fill(self) -> Topography:
         """The same surface with heights where points are missing: harmonic ones, each the mean of its
-        four neighbours. At most 5 % of the points are filled; ``level`` the surface first."""
+        four neighbours; at an edge the surface goes on as its least-squares plane does, or beyond the
+        edge where it is periodic. At most 5 % of the points are filled."""
         return self._of(self._filled())
 
     def filter(self, cutoff: float) -> Topography:

@@ -66,3 +66,31 @@ fn other_words_for_a_key_lead_to_it() {
         assert!(told.contains("work_of_adhesion\"?): it belongs to the top of the file"), "{told}");
     }
 }
+
+#[test]
+fn what_is_odd_of_a_body_hides_nothing_else() {
+    let steel = "youngs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n";
+    let bodies =
+        |more: &str| format!("[[body]]\n{steel}{more}[[body]]\n{steel}thermal_conductivity = 50\n");
+    let fields = |top: &str, more: &str| {
+        let text = text("", &bodies(more), SURFACE).replace("nominal_area = 3e-5", top);
+        let file = read(&text).unwrap();
+        let of = |found: &[asperity::Finding]| -> Vec<String> {
+            found.iter().map(|found| found.field.to_string()).collect()
+        };
+        let fields = of(&file.findings());
+        assert_eq!(of(&file.check(None).unwrap().findings), fields);
+        fields
+    };
+    let found = fields("nominal_area = 100\nwork_of_adhesion = 50", "thermal_conductivity = 5e4\n");
+    for field in ["body[1].thermal_conductivity", "nominal_area", "work_of_adhesion"] {
+        assert!(found.iter().any(|known| known == field), "{field}: {found:?}");
+    }
+    // One mistake is told once.
+    assert!(!found.iter().any(|field| field == "thermal_conductivity"), "{found:?}");
+    let stiff = steel.replace("210e9", "210");
+    let text = text("", &bodies(""), SURFACE).replacen(steel, &stiff, 1);
+    let found = read(&text).unwrap().findings();
+    let fields: Vec<&str> = found.iter().map(|found| &*found.field).collect();
+    assert_eq!(fields, ["body[1].youngs_modulus"]);
+}
