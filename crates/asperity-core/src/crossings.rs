@@ -51,7 +51,7 @@ impl Target {
         // No crossing lies above: a hair off, so that rounding does not show this one twice.
         let hair = 1e-9 * (1.0 + top.abs());
         let mut right = self.excess(curve, if self.signed { top + hair } else { top - hair })?;
-        let mut largest = right;
+        let (mut largest, mut wide) = (right, STEP);
         while right.s > LOWEST && (found.is_empty() || !first_only) {
             let seen = self.begins.seen(right.s);
             let (deep, step) = (seen <= DEEP, if seen > DEEP { STEP } else { seen.abs() });
@@ -69,14 +69,24 @@ impl Target {
             };
             self.between(curve, left, right, &mut found)?;
             if left.value > largest.value {
-                largest = left;
+                (largest, wide) = (left, step);
             }
             right = left;
         }
         if found.is_empty() {
-            return Err(self.out_of_reach(curve, largest.s));
+            let top = self.top(curve, largest, wide);
+            return Err(self.out_of_reach(curve, top));
         }
         Ok(found)
+    }
+
+    /// Where the force is largest next to the largest sample, which has another a step beside it; the
+    /// sample's own place where nothing turns there, or it cannot be told.
+    fn top(&self, curve: &mut impl ForceCurve, near: Sample, step: f64) -> f64 {
+        let beside = near.s + step.copysign(near.slope);
+        let slope = |s| Ok::<_, ContactError>(self.excess(curve, s)?.slope);
+        let found = fallible(slope, |slope| bracketed_root(slope, near.s, beside));
+        found.ok().flatten().unwrap_or(near.s)
     }
 
     /// Crossings between two samples, the larger first.

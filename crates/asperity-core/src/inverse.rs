@@ -52,6 +52,10 @@ pub(crate) fn may_be_asked(
     value: f64,
     adhesive: bool,
 ) -> Result<f64, ContactError> {
+    if value != 0.0 && value.abs() < f64::MIN_POSITIVE {
+        let required = "one that a double holds to all digits (2.2e-308 and more)";
+        return Err(ContactError::OutOfRange { field, value, required });
+    }
     let required = "a finite number other than 0 (below it for tensions)";
     match adhesive {
         true if value.is_finite() && value != 0.0 => Ok(value),
@@ -351,7 +355,7 @@ mod tests {
             matches!(error, ContactError::OutOfReach { largest, .. } if largest > 1e6),
             "{error}"
         );
-        for bad in [0.0, -1.0, f64::NAN] {
+        for bad in [0.0, -1.0, f64::NAN, 1e-320] {
             assert!(compiled.separations_at(bad).unwrap_err().to_string().starts_with("load is"));
         }
         let error = compiled.evaluate(Quantity::Force, At::Pressure(-1.0)).unwrap_err().to_string();

@@ -96,18 +96,12 @@ fn what_is_no_answer_is_told_and_left_blank() {
     {
         assert!(run.words.contains(said), "{}", run.words);
     }
-    // The reverse: pressures of many times the hardness, by what knows no yielding.
+    // The reverse: that is told, and what knows no yielding is as far off as it is.
     bench.write("hard.toml", &scan.replace("116e9", "116e15"));
-    let gw = "truth hard.toml --pressure 1e8 --model gw,ke --format csv";
-    let run = bench.run(gw);
+    let run = bench.run("truth hard.toml --pressure 1e8 --model gw,ke --format csv");
     assert_eq!(run.code, Some(0), "{}", run.words);
-    let areas = cells(&run.out, "area_fraction");
-    assert!(areas[1].is_empty() && !areas[2].is_empty(), "{}", run.out);
-    let said = "by GW: no contact carries much more than its hardness";
-    assert!(run.words.contains(said), "{}", run.words);
-    // Without a hardness any pressure is carried.
-    let elastic = bench.data(&format!("{gw} --elastic"));
-    assert!(!cells(&elastic, "area_fraction")[1].is_empty(), "{elastic}");
+    assert!(run.words.contains("equivalent_modulus is 1.16e17 Pa"), "{}", run.words);
+    assert!(column(&run.out, "area_deviation")[1] < -0.99, "{}", run.out);
 }
 
 #[test]

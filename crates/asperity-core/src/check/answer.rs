@@ -63,18 +63,15 @@ impl Check {
         self.findings.retain(|finding| asperities || !finding.is_of_asperities());
     }
 
-    /// Why a real area is no answer of a model at a pressure: there is more of it than of the surface, or
-    /// so little that no contact carries the pressure on it (by 1.5 times the hardness, which models
-    /// that rise on in plastic contact stay below).
+    /// Why a real area is no answer of a model at a pressure: there is more of it than of the surface.
     #[must_use]
     pub fn no_answer(
         model: &dyn ContactModel,
         pressure: f64,
         area_fraction: f64,
-        hardness: Option<f64>,
     ) -> Option<Finding> {
         let at = At::Pressure(pressure);
-        if area_fraction > 1.0 {
+        (area_fraction > 1.0).then(|| {
             let message = format!(
                 "area_fraction is {} at {at} by {}, more than there is: no answer; are modulus and load in their units? else the load is too heavy for asperities: ask persson-fudge, or bem",
                 short(area_fraction),
@@ -82,12 +79,8 @@ impl Check {
             );
             let (field, usual) = ("area_fraction", [0.0, CROWDED[0]]);
             let (code, severity) = ("above-nominal", Severity::Error);
-            return Some(Finding::new(code, severity, field, area_fraction, usual, message));
-        }
-        let ratio = pressure / area_fraction / hardness?;
-        let mut finding = above_hardness(model, at, ratio)?;
-        finding.severity = Severity::Error;
-        Some(finding)
+            Finding::new(code, severity, field, area_fraction, usual, message)
+        })
     }
 
     /// With all numbers, or with those alone that warnings come of: models over angles are then
