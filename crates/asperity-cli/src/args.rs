@@ -1,6 +1,6 @@
 //! Arguments that several commands share: parsing and defaults, nothing else.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
@@ -227,6 +227,18 @@ pub fn svg_file(name: PathBuf) -> Result<PathBuf, &'static str> {
         true => Ok(name),
         false => Err("pictures are svg: a name that ends with .svg was expected"),
     }
+}
+
+/// The name of a picture that may be one of pixels.
+pub fn svg_or_png_file(name: PathBuf) -> Result<PathBuf, &'static str> {
+    let is_png = is_png(&name);
+    svg_file(name.clone()).or(if is_png { Ok(name) } else { Err(()) }).map_err(
+        |()| "these pictures are svg or png: a name that ends with .svg or .png was expected",
+    )
+}
+
+pub fn is_png(name: &Path) -> bool {
+    name.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"))
 }
 
 /// The name of a matrix.

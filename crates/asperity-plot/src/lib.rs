@@ -39,7 +39,7 @@ mod trace;
 
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
-pub use map::{Map, draw_map};
+pub use map::{Map, draw_map, map_png};
 pub use matrix::{Cell, Matrix, draw_matrix};
 pub use style::Curve;
 pub use text::{number, power_of_ten};

@@ -46,6 +46,36 @@ const COLOURS: [[u8; 3]; 6] =
 /// When the values do not fill whole rows, or when a length or the top of the colours is not
 /// positive.
 pub fn draw_map(map: &Map) -> Result<String, PlotError> {
+    check(map)?;
+    let scale = (LARGEST[0] / map.size[0]).min(LARGEST[1] / map.size[1]);
+    let title = wrap(&map.title, TITLE, WIDTH - 2.0 * EDGE);
+    let top = EDGE + title.len() as f64 * TITLE * LINE + 6.0;
+    let frame = Rect::sized(2.0 * EDGE, top, map.size[0] * scale, map.size[1] * scale);
+    let caption = caption_lines(&map.caption);
+    let below = frame.bottom.max(top + 160.0);
+    let caption_top = below + 14.0 + LABEL * LINE + 12.0;
+    let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map)?));
+    picture(&map.title, (WIDTH, caption_top + lines_height(&caption) + EDGE), |canvas| {
+        draw_title(canvas, &title);
+        canvas.image(&frame, &image);
+        canvas.outline(&frame, BLACK, 1.0);
+        draw_scale_bar(canvas, map, scale, (frame.left, below + 14.0));
+        draw_colours(canvas, map, &Rect::sized(frame.right + 24.0, top, BAR, below - top));
+        draw_caption(canvas, &caption, caption_top);
+        Ok(())
+    })
+}
+
+/// The map alone, without lengths and colours beside it, as a png of one pixel a value.
+///
+/// # Errors
+/// Those of [`draw_map`].
+pub fn map_png(map: &Map) -> Result<Vec<u8>, PlotError> {
+    check(map)?;
+    pixels(map)
+}
+
+fn check(map: &Map) -> Result<(), PlotError> {
     if map.columns == 0 || map.values.is_empty() || !map.values.len().is_multiple_of(map.columns) {
         let rows = map.values.len().checked_div(map.columns).unwrap_or(0);
         return Err(PlotError::Cells { rows, columns: map.columns });
@@ -57,23 +87,7 @@ pub fn draw_map(map: &Map) -> Result<String, PlotError> {
             return Err(PlotError::Range { axis: axis.into(), low: 0.0, high, required });
         }
     }
-    let scale = (LARGEST[0] / map.size[0]).min(LARGEST[1] / map.size[1]);
-    let title = wrap(&map.title, TITLE, WIDTH - 2.0 * EDGE);
-    let top = EDGE + title.len() as f64 * TITLE * LINE + 6.0;
-    let frame = Rect::sized(2.0 * EDGE, top, map.size[0] * scale, map.size[1] * scale);
-    let caption = caption_lines(&map.caption);
-    let below = frame.bottom.max(top + 160.0);
-    let caption_top = below + 14.0 + LABEL * LINE + 12.0;
-    let image = image(map)?;
-    picture(&map.title, (WIDTH, caption_top + lines_height(&caption) + EDGE), |canvas| {
-        draw_title(canvas, &title);
-        canvas.image(&frame, &image);
-        canvas.outline(&frame, BLACK, 1.0);
-        draw_scale_bar(canvas, map, scale, (frame.left, below + 14.0));
-        draw_colours(canvas, map, &Rect::sized(frame.right + 24.0, top, BAR, below - top));
-        draw_caption(canvas, &caption, caption_top);
-        Ok(())
-    })
+    Ok(())
 }
 
 /// A round length of at most a third of a row.
@@ -137,8 +151,8 @@ fn hex([red, green, blue]: [u8; 3]) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// The values as a png of one pixel each, as an address of data. Colour 0 is white.
-fn image(map: &Map) -> Result<String, PlotError> {
+/// The values as a png of one pixel each. Colour 0 is white.
+fn pixels(map: &Map) -> Result<Vec<u8>, PlotError> {
     let indices: Vec<u8> = map.values.iter().map(|value| index(value / map.top)).collect();
     let shades = (0..255).flat_map(|k| colour(f64::from(k) / 254.0));
     let palette: Vec<u8> = [255; 3].into_iter().chain(shades).collect();
@@ -153,7 +167,7 @@ fn image(map: &Map) -> Result<String, PlotError> {
     let mut writer = encoder.write_header().map_err(failed)?;
     writer.write_image_data(&indices).map_err(failed)?;
     writer.finish().map_err(failed)?;
-    Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
+    Ok(bytes)
 }
 
 /// The number of a colour: 0, white, for what is not above 0.
@@ -190,8 +204,7 @@ mod tests {
 
     #[test]
     fn the_image_holds_the_values() {
-        let address = image(&map()).unwrap();
-        let bytes = STANDARD.decode(address.rsplit_once(',').unwrap().1).unwrap();
+        let bytes = map_png(&map()).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
         decoder.set_transformations(png::Transformations::IDENTITY);
         let mut reader = decoder.read_info().unwrap();

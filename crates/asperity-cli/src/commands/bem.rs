@@ -4,14 +4,15 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{Bem, Boundary, Given};
-use asperity_plot::draw_map;
+use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args, ValueEnum};
 
-use crate::args::{OutputArgs, npy_file, svg_file};
+use crate::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
 use crate::contact_map;
 use crate::interrupt;
+use crate::number::rounded;
 use crate::numbers::{Numbers, lengths, loads, pressures};
 use crate::output::{self, say};
 use crate::pressed::{Row, Run};
@@ -49,8 +50,9 @@ pub struct BemCommand {
     /// Write the pressures in Pa, a matrix of NumPy; of several loads, one after another
     #[arg(long, value_name = "FILE.npy", value_parser = PathBufValueParser::new().try_map(npy_file))]
     map: Option<PathBuf>,
-    /// Draw where it touches and how hard; of one load
-    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
+    /// Draw where it touches and how hard; of one load. A png is the map alone
+    #[arg(long, value_name = "FILE.svg|png")]
+    #[arg(value_parser = PathBufValueParser::new().try_map(svg_or_png_file))]
     picture: Option<PathBuf>,
     #[command(flatten)]
     output: OutputArgs,
@@ -155,8 +157,14 @@ impl BemCommand {
             let hardness = scene.file.scene.interface.check()?.0;
             let hardness = hardness.filter(|_| !self.way.elastic);
             let map = contact_map::picture(&bem, pressures, row, hardness, &scene.name);
-            let svg = draw_map(&map)?;
-            output::write_text(Some(path), &svg)?;
+            if is_png(path) {
+                let png = map_png(&map)?;
+                output::write(Some(path), |out| out.write_all(&png))?;
+                let (label, top) = (&map.label, rounded(map.top));
+                say("note", &format!("{}: {label} from yellow to black at {top}", path.display()));
+            } else {
+                output::write_text(Some(path), &draw_map(&map)?)?;
+            }
         }
         if interrupt::asked() {
             let done = whole.iter().flatten().count();

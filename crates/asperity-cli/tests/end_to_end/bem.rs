@@ -142,6 +142,14 @@ fn pressures_are_written_and_drawn() {
         assert!((mean(map) / pressure - 1.0).abs() < 1e-9);
     }
     let svg = bench.read("one.svg");
+    let pixels = bench.run("bem scan.toml --pressure 1e9 --picture one.PNG");
+    assert!(
+        pixels.words.contains("one.PNG: pressure (GPa) from yellow to black at 5"),
+        "{}",
+        pixels.words
+    );
+    let png = std::fs::read(bench.path("one.PNG")).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n"));
     for words in ["pressure (GPa)", ">10 µm<", "white: no contact", "Black flows", "data:image/png"]
     {
         assert!(svg.contains(words), "{words}");
@@ -186,7 +194,7 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
         ("bem scan.toml --pressure -1", "-1 is not above 0"),
         ("bem scan.toml --pressure 1e6 --boundary open", "[possible values: periodic, free]"),
         ("bem scan.toml --pressure 1e6,1e7 --picture a.svg", "--picture draws one load"),
-        ("bem scan.toml --pressure 1e6 --picture a.png", "ends with .svg"),
+        ("bem scan.toml --pressure 1e6 --picture a.jpg", "ends with .svg or .png"),
         ("bem scan.toml --pressure 1e6 --map x.txt", "'x.txt' for '--map <FILE.npy>': maps are"),
         ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
     ] {
