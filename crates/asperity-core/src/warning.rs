@@ -109,7 +109,7 @@ impl fmt::Display for Warning {
                 let why = match cause_of(*quantity) {
                     Quantity::Force => "adhesion pulls the surfaces together there",
                     _ => {
-                        "the pull of adhesion grows on approach there, and a dead load is not held: of all separations at this load (solve --all, separations_at), the smallest is the one reached when pulling"
+                        "the pull of adhesion grows on approach there, and a dead load is not held: solve --all, or separations_at, shows every separation; the smallest is the one reached when pulling"
                     }
                 };
                 write!(
