@@ -62,11 +62,13 @@ impl fmt::Display for Note {
             ),
             Self::FewPixels { found } => write!(
                 f,
-                "{found} pixels are in contact: at least {LEAST_PIXELS} are needed for an area"
+                "{found} {} in contact: at least {LEAST_PIXELS} are needed for an area",
+                if *found == 1 { "pixel is" } else { "pixels are" }
             ),
             Self::FewPatches { found } => write!(
                 f,
-                "{found} patches are in contact: at least {LEAST_PATCHES} are needed for one map to stand for its surface"
+                "{found} {} in contact: at least {LEAST_PATCHES} are needed for one map to stand for its surface",
+                if *found == 1 { "patch is" } else { "patches are" }
             ),
         }
     }
@@ -93,7 +95,7 @@ impl Note {
         let told = |(count, given, note): (usize, Given, Self)| match (note, count) {
             (Self::ShortWaves { .. } | Self::Seam { .. }, _) => note.to_string(),
             (_, 1) => format!("{}: {note}", at(given)),
-            _ => format!("{} ({count} contacts are like that): {note}", at(given)),
+            _ => format!("{} ({count} places are like that): {note}", at(given)),
         };
         kinds.into_iter().map(told).collect()
     }

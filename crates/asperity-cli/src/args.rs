@@ -191,6 +191,12 @@ impl DrawnArgs {
             let text = "--plot - leaves no place for the data: name a file with --output";
             crate::usage_error(command, ErrorKind::ArgumentConflict, text);
         }
+        if let [Some(plot), Some(output)] = files
+            && output::is_same(plot, output)
+        {
+            let text = "--plot and --output name the same file: two were expected";
+            crate::usage_error(command, ErrorKind::ArgumentConflict, text);
+        }
     }
 
     /// The table, and its picture if one was asked for.

@@ -19,6 +19,12 @@ pub fn is_standard(path: Option<&Path>) -> bool {
     path.is_none_or(|path| path == Path::new("-"))
 }
 
+/// Whether two names are of one file, whether or not it is there.
+pub fn is_same(one: &Path, other: &Path) -> bool {
+    let real = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path));
+    real(one).is_ok_and(|one| real(other).is_ok_and(|other| one == other))
+}
+
 /// What `--output` says: a file, or `-` for the standard output.
 pub fn write(
     path: Option<&Path>,

@@ -63,13 +63,18 @@ pub struct Correlated {
     /// p/H, or √2 p/(E m): what the correlation is a power of.
     pub relative_pressure: f64,
     /// Whether the power is near the theory it is fitted to there: within 1.6 % of it for plastic
-    /// contacts, 2.1 % for elastic ones.
+    /// contacts, 2.1 % for elastic ones; and, [of a scene](Correlation::at), its contacts are of
+    /// [that kind](Correlation::foreign).
     pub holds: bool,
 }
 
 /// Relative pressures at which the power laws are near their theories: plastic and elastic.
 const PLASTIC: RangeInclusive<f64> = 1e-6..=0.023;
 const ELASTIC: RangeInclusive<f64> = 1e-5..=0.012;
+
+/// Plasticity index from which on contacts count as plastic, below it as elastic: Greenwood &
+/// Williamson 1966 put the change between 0.6 and 1.
+const YIELDS: f64 = 1.0;
 
 fn correlated(
     factor: f64,
@@ -163,7 +168,19 @@ impl Correlation {
         [*range.start(), *range.end()]
     }
 
-    /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its gap.
+    /// The plasticity index of a scene whose contacts are not those of the correlation: below 1 for
+    /// plastic contacts, above 1 for elastic ones. Nothing without a hardness, which leaves nothing
+    /// to judge by.
+    #[must_use]
+    pub fn foreign(self, scene: &Scene) -> Option<f64> {
+        let index = scene.plasticity_index().ok()?;
+        let plastic = self == Self::CooperMikicYovanovich;
+        ((index >= YIELDS) != plastic).then_some(index)
+    }
+
+    /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its gap:
+    /// it does not [hold](Correlated::holds) where the scene's contacts are [of the other
+    /// kind](Self::foreign).
     ///
     /// # Errors
     /// [`ContactError::Missing`] without a thermal conductivity or, for plastic contacts, a
@@ -178,14 +195,15 @@ impl Correlation {
         let conductivity = scene.interface.thermal_conductivity;
         let conductivity = conductivity.ok_or(ContactError::Missing { field, needed_by })?;
         let asperity = scene.asperity()?;
-        match self {
+        let found = match self {
             Self::CooperMikicYovanovich => {
                 cooper_mikic_yovanovich(conductivity, roughness, pressure, asperity.hardness()?)
             }
             Self::MikicElastic => {
                 mikic_elastic(conductivity, roughness, pressure, asperity.equivalent_modulus)
             }
-        }
+        }?;
+        Ok(Correlated { holds: found.holds && self.foreign(scene).is_none(), ..found })
     }
 }
 
@@ -281,6 +299,30 @@ mod tests {
         // Air between: k_g 0.026 W/(m K), Y 3 µm, M 0.37 µm.
         let gap = gap_conductance(0.026, 3e-6, 0.37e-6).unwrap();
         assert!((gap / 7_715.133_531_157_27 - 1.0).abs() < 1e-12, "{gap}");
+    }
+
+    #[test]
+    fn contacts_of_the_other_kind_are_not_held() {
+        use asperity_core::{Interface, Surface};
+        let mut interface = Interface::new(1.1e11, 0.3, 2e9);
+        interface.thermal_conductivity = Some(50.0);
+        let holds = |index: f64| {
+            let surface = Surface::from_plasticity_index(index, 0.04, 1e-6, &interface).unwrap();
+            let scene = Scene::new(interface, surface, 1e-4);
+            let roughness = GapRoughness::of(&surface.moments());
+            Correlation::ALL.map(|of| {
+                let found = of.at(&scene, &roughness, 1e4).unwrap();
+                assert_eq!(found.holds, of.foreign(&scene).is_none(), "{found:?}");
+                found.holds
+            })
+        };
+        assert_eq!(holds(0.13), [false, true]);
+        assert_eq!(holds(6.7), [true, false]);
+        // Without a hardness there is nothing to judge by.
+        let surface = Surface::from_plasticity_index(6.7, 0.04, 1e-6, &interface).unwrap();
+        interface.hardness = None;
+        let scene = Scene::new(interface, surface, 1e-4);
+        assert!(Correlation::ALL.iter().all(|of| of.foreign(&scene).is_none()));
     }
 
     #[test]

@@ -3,9 +3,10 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    At, Check, ContactError, ContactModel, Finding, HeightDistribution, ProfileMoments, Severity,
+    At, Check, ContactError, ContactModel, Finding, HeightDistribution, Model, ProfileMoments,
+    Recommendation, Request, Severity,
 };
-use asperity_topography::Statistics;
+use asperity_topography::{Statistics, Warning};
 
 use crate::SceneFile;
 
@@ -92,6 +93,25 @@ impl SceneFile {
         Ok(check)
     }
 
+    /// [`recommend_among`](asperity::recommend_among) these models on the scene; a scan unlike the
+    /// surfaces that were solved has no evidence.
+    ///
+    /// # Errors
+    /// Those of [`recommend_among`](asperity::recommend_among).
+    pub fn recommend_among(
+        &self,
+        models: Vec<Model>,
+        request: &Request,
+        reference: &Model,
+        within: f64,
+    ) -> Result<Recommendation, ContactError> {
+        let advice = asperity::recommend_among(models, &self.scene, request, reference, within)?;
+        Ok(match self.measured.as_ref().and_then(unlike_solved) {
+            Some(reason) => advice.without_evidence(&reason),
+            None => advice,
+        })
+    }
+
     /// What is unusual about the answers of a model at these places; nothing where a number of the
     /// scene makes no sense, as all else may follow from that.
     #[must_use]
@@ -133,18 +153,15 @@ impl SceneFile {
 
     fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Finding> {
         let mut found = vec![];
-        let Statistics { ssk, sku, m2, .. } = *statistics;
         if matches!(self.scene.heights, HeightDistribution::Gaussian) {
-            let told = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
-            let odd = told.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value));
-            found.extend(odd.map(|(field, value, usual)| {
+            found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
                 let message = format!(
                     "{field} is {value:.3}, and Gaussian heights have a skewness of 0 and a kurtosis of 3: heights = \"measured\" takes those of the scan"
                 );
                 Finding::new("not-gaussian", Severity::Warning, field, value, usual, message)
             }));
         }
-        let slope = (2.0 * m2).sqrt();
+        let slope = (2.0 * statistics.m2).sqrt();
         if !(SLOPE[0]..=SLOPE[1]).contains(&slope) {
             let message = format!(
                 "measured_slope is {slope:.3e}, where {:e} to {} is usual: are unit and pixel_size ({pixel_size:e} m) right?",
@@ -173,5 +190,74 @@ impl SceneFile {
                 message,
             )
         })
+    }
+}
+
+/// Which number of a scan says that its heights are far from Gaussian, and what is usual.
+fn not_gaussian(statistics: &Statistics) -> Option<(&'static str, f64, [f64; 2])> {
+    let Statistics { ssk, sku, .. } = *statistics;
+    let told = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
+    told.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value))
+}
+
+/// Why evidence of isotropic Gaussian surfaces is none of a scan.
+fn unlike_solved(Measured { statistics, .. }: &Measured) -> Option<String> {
+    let solved = "surfaces that were solved are Gaussian and isotropic, ask `asperity truth`";
+    if let Some((field, value, _)) = not_gaussian(statistics) {
+        return Some(format!("{field} is {value:.3}, and {solved}"));
+    }
+    statistics.warnings.iter().find_map(|warning| match warning {
+        Warning::Anisotropic { slope_x, slope_y } => Some(format!(
+            "the scan is anisotropic (rms slopes {slope_x:.3e} and {slope_y:.3e}), and {solved}"
+        )),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::Quantity;
+    use asperity_topography::Topography;
+
+    use super::*;
+
+    /// Waves in many directions, with slopes along columns `lengthened` times less.
+    fn scan(lengthened: f64) -> Topography {
+        let waves: Vec<[f64; 3]> = (0..60)
+            .map(|k| {
+                let (turn, size) = (2.399_963 * f64::from(k), 0.05 + 0.3 * f64::from(k % 7) / 7.0);
+                [size * turn.cos(), size * turn.sin(), 5.1 * f64::from(k * k)]
+            })
+            .collect();
+        let height = |k: usize| {
+            let (x, y) = ((k % 128) as f64, (k / 128) as f64 / lengthened);
+            let wave = |[a, b, c]: &[f64; 3]| (a * x + b * y + c).cos();
+            1e-8 * waves.iter().map(wave).sum::<f64>()
+        };
+        Topography::new((0..128 * 128).map(height).collect(), 128, [1e-6; 2]).unwrap()
+    }
+
+    fn told(scan: &Topography) -> Vec<String> {
+        let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
+        let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
+        file.scene.surface = statistics.surface();
+        file.measured = Some(Measured { statistics, pixel_size: 1e-6 });
+        let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
+        let ke = file.model("ke").unwrap();
+        file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap().told()
+    }
+
+    #[test]
+    fn scans_that_are_not_gaussian_or_not_isotropic_have_no_evidence() {
+        let plain = told(&scan(1.0)).remove(0);
+        assert!(!plain.contains("asperity truth"), "{plain}");
+        let along = told(&scan(6.0)).remove(0);
+        let wanted = "no evidence here: the scan is anisotropic (rms slopes ";
+        assert!(along.starts_with(wanted) && along.ends_with("ask `asperity truth`"), "{along}");
+        let whole = scan(1.0);
+        let dug = |z: &f64| if *z < -8e-8 { 5.0 * z } else { *z };
+        let dug = whole.heights().iter().map(dug).collect();
+        let dug = told(&Topography::new(dug, 128, [1e-6; 2]).unwrap()).remove(0);
+        assert!(dug.starts_with("no evidence here: measured_skewness is -"), "{dug}");
     }
 }

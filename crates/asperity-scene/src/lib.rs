@@ -25,7 +25,7 @@ pub use heights::write_heights;
 pub use mistaken::mistaken_unit;
 pub use options::{Asperities, ModelOptions, OptionValue};
 pub use quantity::quantity;
-pub use scan::height_map;
+pub use scan::{height_map, open_seam};
 pub use scene_file::{LeftOut, SceneFile, load, parse};
 pub use template::template;
 pub use write::write;

@@ -10,6 +10,7 @@ use asperity_topography::{
 
 use crate::document::Document;
 use crate::keys::{HeightsKey, PixelSize, SurfaceKeys};
+use crate::scan::open_seam;
 use crate::{Measured, SceneError};
 
 /// The surface of a scene.
@@ -30,6 +31,10 @@ pub(crate) fn measured(
     keys: &SurfaceKeys,
 ) -> Result<Described, SceneError> {
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
+    if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
+        let needed = "a smooth below filter: what it leaves is all taken away,";
+        return conflict("surface.smooth", "surface.filter", needed);
+    }
     let one = |at: &str, path: &Path| {
         let path = document.path(path);
         let found = read(&path, &read_options(keys)).and_then(|read| {
@@ -100,6 +105,8 @@ pub(crate) fn measured(
     if let Some(tilted) = keys.level.and_then(|level| level.tilts(keys.periodic)) {
         notes.push(format!("{}: {tilted}", document.place("surface.level")));
     }
+    let seam = scan.as_deref().and_then(open_seam);
+    notes.extend(seam.map(|told| format!("{}: {told}", document.place("surface.periodic"))));
     let heights = density.map(|points| {
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });

@@ -18,6 +18,17 @@ pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
     HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
 }
 
+/// That the edges of a periodic scan do not meet, and what its numbers then hold; nothing of other
+/// scans, and of those that are no whole [map](height_map).
+#[must_use]
+pub fn open_seam(scan: &Topography) -> Option<String> {
+    let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;
+    let step = map.seam_step();
+    Some(format!(
+        "the edges of the scan do not meet (a step {step:.1} times that of neighbours), and periodic takes the step for slope and curvature: leave it out"
+    ))
+}
+
 impl SceneFile {
     /// The scan of the scene as a model of boundary elements, levelled and filtered as the scene
     /// says; see [`Bem::new`].
@@ -28,7 +39,13 @@ impl SceneFile {
     pub fn bem(&self, boundary: Boundary, elastic: bool) -> Result<Bem, SceneError> {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = &self.scan else {
-            let needed = "boundary elements (bem) need the scan of one surface".into();
+            let one = "boundary elements (bem) need the scan of one surface";
+            let needed = match self.measured {
+                Some(_) => format!("{one}, not two"),
+                None => format!(
+                    "{one}: put file = \"scan.x3p\" in [surface] (beside it unit and pixel_size, where the file does not say them), in place of the numbers"
+                ),
+            };
             return Err(SceneError::Missing { at, needed });
         };
         let map = whole_map(scan, "boundary elements need");
@@ -68,6 +85,8 @@ fn whole_map(scan: &Topography, needing: &str) -> Result<HeightMap, String> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use asperity::ContactModel;
 
     use super::*;
@@ -121,6 +140,29 @@ mod tests {
             answer.columns[0].rows[0].as_ref().unwrap().value()
         });
         assert!((a / b - 1.0).abs() > 1e-3, "{a} {b}");
+    }
+
+    #[test]
+    fn a_periodic_scan_with_a_step_and_cut_offs_that_leave_nothing_are_told() {
+        // A quarter of a wave more than whole ones: what is left of them is a step.
+        let tilted = |k: usize| 1e-7 * (TAU * (k % 48) as f64 / 38.4).sin();
+        let tilted = Topography::new((0..48 * 32).map(tilted).collect(), 48, [1e-6; 2]).unwrap();
+        assert_eq!(open_seam(&tilted), None);
+        let open = open_seam(&tilted.with_periodic(true)).unwrap();
+        assert!(open.starts_with("the edges of the scan do not meet (a step "), "{open}");
+        let file = scene("file = \"scan.txt\"\nperiodic = true\nsmooth = 4e-6\nfilter = 8e-6");
+        let said =
+            file.warnings.iter().any(|word| word.starts_with("line 10: surface.periodic: the"));
+        assert!(said, "{:?}", file.warnings);
+        let whole = |k: usize| (TAU * (k % 48) as f64 / 12.0).cos();
+        let whole = Topography::new((0..48 * 32).map(whole).collect(), 48, [1e-6; 2]).unwrap();
+        assert_eq!(open_seam(&whole.with_periodic(true)), None);
+        let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
+                    poissons_ratio = 0.3\n[surface]\nfile = \"a.x3p\"\nsmooth = 8e-6\nfilter = 4e-6\n";
+        let refused = crate::parse(text, std::path::Path::new("")).unwrap_err().to_string();
+        let wanted =
+            "line 7: surface.smooth and surface.filter (line 8) exclude each other: a smooth below";
+        assert!(refused.starts_with(wanted), "{refused}");
     }
 
     #[test]
@@ -195,9 +237,11 @@ mod tests {
         let same = file.with_numbers(harder, surface, 2.0 * nominal_area).unwrap();
         assert!(same.bem(Boundary::Periodic, false).is_ok());
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
-        for none in [other, scene("files = [\"scan.txt\", \"scan.txt\"]")] {
+        let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
+        for (none, end) in [(other, "in place of the numbers"), (two, "of one surface, not two")] {
             let refused = none.bem(Boundary::Periodic, false).unwrap_err().to_string();
             assert!(refused.starts_with("surface.file is missing: boundary elements"), "{refused}");
+            assert!(refused.ends_with(end), "{refused}");
         }
     }
 }

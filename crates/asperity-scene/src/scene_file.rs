@@ -57,8 +57,36 @@ pub struct LeftOut {
 /// [`SceneError`] with the file, the line, the field, what was found and what is needed.
 pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
-    let text = text_of(path, named)?;
-    scene_file(Document::read(Some(path), Some(path.parent().unwrap_or(Path::new(""))), &text)?)
+    let read = || {
+        let text = text_of(path, named)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        scene_file(Document::read(Some(path), Some(folder), &text)?)
+    };
+    read().map_err(|error| no_scene(path, error))
+}
+
+/// How scans are named, and scenes are not.
+const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
+
+/// That a file of another kind is a scan, rather than a scene with mistakes.
+fn no_scene(path: &Path, error: SceneError) -> SceneError {
+    let end = path.extension().unwrap_or_default().to_ascii_lowercase();
+    if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
+        return error;
+    }
+    let scan = |reason| {
+        let name = path.display();
+        format!(
+            "a scene file in TOML was required, and a file of this name is a scan: `asperity surface {name} --scene scene.toml` makes a scene of it ({reason})"
+        )
+    };
+    match error {
+        SceneError::Syntax { at, reason } => SceneError::Syntax { at, reason: scan(reason) },
+        SceneError::Unreadable { at, reason } => {
+            SceneError::Unreadable { at, reason: scan(reason) }
+        }
+        other => other,
+    }
 }
 
 /// Reads a scene from its text; relative paths in it begin at `directory`.

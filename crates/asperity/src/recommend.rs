@@ -73,6 +73,19 @@ pub struct Recommendation {
     pub evidence: Vec<EvidenceAt>,
 }
 
+impl Recommendation {
+    /// The same for a surface that is unlike those that were solved, and why, which a
+    /// [`Scene`] does not tell: the evidence is not of it.
+    #[must_use]
+    pub fn without_evidence(mut self, reason: &str) -> Self {
+        for place in &mut self.evidence {
+            place.nearest = Err(Evidence::none(reason.to_string()));
+        }
+        self.comparisons.iter_mut().for_each(|found| found.off = None);
+        self
+    }
+}
+
 /// What boundary elements say of a separation or load.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
@@ -310,6 +323,17 @@ mod tests {
             assert!(!named.contains("random") && !named.contains("persson"), "{named}");
         }
         assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_some()));
+    }
+
+    #[test]
+    fn a_surface_unlike_those_that_were_solved_has_no_evidence() {
+        let known = advice(2.0, 0.05);
+        assert!(known.evidence.iter().any(|place| place.nearest.is_ok()), "{known}");
+        let without = known.clone().without_evidence("the heights have a kurtosis of 175");
+        assert_eq!(without.told(), ["no evidence here: the heights have a kurtosis of 175"]);
+        assert!(without.comparisons.iter().all(|found| found.off.is_none()));
+        let ids = |all: &Recommendation| all.simplest.as_ref().map(|m| m.id().to_string());
+        assert_eq!(ids(&without), ids(&known));
     }
 
     #[test]

@@ -181,6 +181,13 @@ impl BemCommand {
         }
         let outputs = [self.output.output.as_deref(), self.picture.as_deref(), self.map.as_deref()];
         let given = [true, self.picture.is_some(), self.map.is_some()];
+        let named: Vec<_> = outputs.iter().copied().flatten().collect();
+        let twice = |k: usize| named[..k].iter().any(|path| output::is_same(path, named[k]));
+        if (0..named.len()).any(|k| !output::is_standard(Some(named[k])) && twice(k)) {
+            refuse(
+                "--output, --picture and --map name the same file: different ones were expected",
+            );
+        }
         let standard =
             outputs.iter().zip(given).filter(|(path, given)| *given && output::is_standard(**path));
         if standard.count() > 1 {

@@ -27,8 +27,9 @@ cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for contacts 
 (plasticity_index above about 1); mikic: Mikic 1974, 1.55 k (m/sigma) (sqrt(2) p/(E m))^0.94,
 for elastic ones. sigma and m, the standard deviation of the heights and the mean absolute
 slope, are the scan's or, without one, those of a Gaussian surface with the scene's
-asperities. holds: whether the power is within 2.1 % of the theory that it was fitted to
-(p/H of 1e-6 to 0.023, sqrt(2) p/(E m) of 1e-5 to 0.012).
+asperities. holds: whether the contacts are of that kind, where a hardness is known, and the
+power is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
+sqrt(2) p/(E m) of 1e-5 to 0.012).
 All are of contacts in vacuum; models take them as far from each other.
 
 Examples:
@@ -84,6 +85,8 @@ impl Conductance {
             row
         };
 
+        self.tell_gas();
+
         let models = match &self.models[..] {
             [] => vec![scene.reference(None)?],
             asked => scene.models(asked, &[CONDUCTANCE])?,
@@ -107,18 +110,18 @@ impl Conductance {
         }
         scene.tell(&models.iter().collect::<Vec<_>>(), &places);
 
-        for correlation in Correlation::ALL {
-            let (id, mut outside) = (correlation.id(), None);
+        'each: for correlation in Correlation::ALL {
+            let (id, range, mut outside) = (correlation.id(), correlation.range(), None);
             for at in &places {
                 let pressure = at.pressure(contact).unwrap_or(f64::NAN);
                 let found = match correlation.at(contact, &roughness, pressure) {
                     Ok(found) => found,
                     Err(reason) => {
                         say("note", &format!("left out: {id}: {reason}"));
-                        break;
+                        continue 'each;
                     }
                 };
-                if !found.holds {
+                if !(range[0]..=range[1]).contains(&found.relative_pressure) {
                     outside = outside.or(Some((found.relative_pressure, *at)));
                 }
                 let (relative, holds) = (found.relative_pressure, found.holds);
@@ -128,10 +131,22 @@ impl Conductance {
                 table.rows.push(row);
             }
             if let Some((relative, at)) = outside {
-                let ([from, to], relative) = (correlation.range(), rounded(relative));
+                let ([from, to], relative) = (range, rounded(relative));
                 let what = correlation.relative_pressure();
                 let text =
                     format!("{id}: {what} is {relative} at {at}: it holds from {from:e} to {to}");
+                say("warning", &text);
+            }
+            if let Some(index) = correlation.foreign(contact) {
+                let side = if index < 1.0 {
+                    "below 1 contacts are elastic"
+                } else {
+                    "from 1 on contacts yield"
+                };
+                let (source, index) = (correlation.source(), rounded(index));
+                let text = format!(
+                    "{id}: plasticity_index is {index}, {side}: it does not hold ({source})"
+                );
                 say("warning", &text);
             }
         }
@@ -142,6 +157,28 @@ impl Conductance {
         };
         say("note", &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"));
         self.output.write(&table)
+    }
+}
+
+/// No gas that conducts as one has free paths as long \[m\]: that of air at 1 Pa is some 7 mm.
+const LONGEST_JUMP: f64 = 1e-2;
+
+impl Conductance {
+    /// What of the gas was not said, or not meant.
+    fn tell_gas(&self) {
+        match (self.gas, self.gas_parameter) {
+            (Some(_), None) => {
+                let air = "air at 1 bar between metals has some 0.37um";
+                say("note", &format!("--gas-parameter is taken for 0, as of a liquid: {air}"));
+            }
+            (_, Some(given)) if given > LONGEST_JUMP => {
+                let text = format!(
+                    "--gas-parameter is {given} m, some free paths of the gas: is it in um?"
+                );
+                say("warning", &text);
+            }
+            _ => {}
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 //! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Evidence, Quantity, linspace, recommend_among};
+use asperity::{At, ContactModel, Evidence, Model, Quantity, linspace};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
@@ -62,11 +62,13 @@ impl Recommend {
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
         // The evidence is of these as well.
-        let models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
+        let mut models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
+        if self.asked.models.is_empty() && scene.file.scene.interface.work_of_adhesion.is_some() {
+            models.extend(Model::adhesive());
+        }
         let working = progress("comparing models");
-        let scene_of = &scene.file.scene;
-        let advice = recommend_among(models, scene_of, &request, &reference, self.within)
-            .with_context(|| format!("{}: the reference {id}", scene.name))?;
+        let advice = scene.file.recommend_among(models, &request, &reference, self.within);
+        let advice = advice.with_context(|| format!("{}: the reference {id}", scene.name))?;
         drop(working);
 
         let mut table = Table::new(&["model", "asperities", "parts"]);

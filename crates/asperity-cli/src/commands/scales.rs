@@ -1,6 +1,6 @@
 //! `asperity surface --scales`: what of a scan is the surface's, and what the instrument's.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use asperity::{At, ContactModel, Quantity, Request, Scene, Surface};
@@ -60,6 +60,11 @@ impl Scales {
         self.scales.is_some()
     }
 
+    /// Where the picture goes.
+    pub fn plot(&self) -> Option<&Path> {
+        self.plot.as_deref()
+    }
+
     /// The table of a surface that has been levelled; `finish` is what is done to it afterwards.
     pub fn table(
         &self,
@@ -79,6 +84,8 @@ impl Scales {
         if asked.is_some() {
             table.head.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
         }
+        // Cut-offs that fail for one reason are told together, the reason being the first's.
+        let mut failed: Vec<(String, Vec<String>)> = vec![];
         for cutoff in cutoffs {
             let found = surface.clone().smooth(*cutoff).map_err(Into::into).and_then(&finish);
             let found = found.and_then(|smooth| Ok(smooth.statistics(estimator)?));
@@ -98,15 +105,31 @@ impl Scales {
                 _ => {}
             }
             if let Err(reason) = &found {
-                say("warning", &format!("{CUTOFF} {cutoff:e}: {}", output::told(reason)));
+                let (reason, cutoff) = (output::told(reason), format!("{cutoff:e}"));
+                match failed.iter_mut().find(|(known, _)| kind(known) == kind(&reason)) {
+                    Some((_, cutoffs)) => cutoffs.push(cutoff),
+                    None => failed.push((reason, vec![cutoff])),
+                }
             }
             table.rows.push(row);
+        }
+        for (reason, cutoffs) in failed {
+            let others = match &cutoffs[1..] {
+                [] => String::new(),
+                others => format!(" (likewise {})", others.join(", ")),
+            };
+            say("warning", &format!("{CUTOFF} {}{others}: {reason}", cutoffs[0]));
         }
         if let Some(path) = &self.plot {
             output::write_text(Some(path), &picture(&table)?)?;
         }
         Ok(table)
     }
+}
+
+/// A reason without its digits, which are each cut-off's own.
+fn kind(reason: &str) -> String {
+    reason.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
 
 /// What a scene's bodies answer with another surface; blank where they have none.

@@ -110,6 +110,9 @@ impl Surface {
             let of = || path.display().to_string();
             let surface = self.prepared(path)?;
             let statistics = surface.statistics(self.estimator).with_context(of)?;
+            words.extend(
+                asperity_scene::open_seam(&surface).map(|word| format!("{}: {word}", of())),
+            );
             words.extend(statistics.warnings.iter().map(|word| format!("{}: {word}", of())));
             each.push(statistics);
             if self.heights.is_some() {
@@ -143,6 +146,11 @@ impl Surface {
     /// What does not go together on the command line.
     fn check(&self) {
         let refuse = |text: &str| crate::usage_error("surface", ErrorKind::ArgumentConflict, text);
+        if let (Some(plot), Some(output)) = (self.scales.plot(), &self.output.output)
+            && output::is_same(plot, output)
+        {
+            refuse("--plot and --output name the same file: two were expected");
+        }
         if self.scene.is_some() && self.scene == self.heights {
             refuse("--scene and --heights name the same file: two were expected");
         }

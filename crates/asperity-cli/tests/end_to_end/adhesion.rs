@@ -23,6 +23,16 @@ fn soft() -> Bench {
 }
 
 #[test]
+fn models_that_stick_are_compared_where_surfaces_do() {
+    let bench = soft();
+    let run = bench.run("recommend soft.toml --load 0.01 --format csv");
+    let models = cells(&run.out, "model");
+    assert!(["gw", "dmt", "jkr"].iter().all(|id| models.iter().any(|m| m == id)), "{models:?}");
+    let plain = bench.data("recommend scene.toml --load 1 --format csv");
+    assert!(!cells(&plain, "model").contains(&"jkr"), "{plain}");
+}
+
+#[test]
 fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     let bench = soft();
     let run = bench.run("pull-off soft.toml --model dmt,jkr --format csv");

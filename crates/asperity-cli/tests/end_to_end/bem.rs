@@ -112,7 +112,7 @@ fn what_is_not_resolved_is_said_and_half_the_grid_stands_beside() {
     for words in [
         "note: the edges of the scan do not meet",
         "warning: on 96 x 96 pixels the shortest waves are",
-        "warning: on 48 x 48 pixels at 1e6 Pa (2 contacts are like that):",
+        "warning: on 48 x 48 pixels at 1e6 Pa (2 places are like that):",
         "patches are in contact: at least 30",
         "pixels are in contact: at least 100",
     ] {
@@ -197,6 +197,7 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
         ("bem scan.toml --pressure 1e6 --picture a.jpg", "ends with .svg or .png"),
         ("bem scan.toml --pressure 1e6 --map x.txt", "'x.txt' for '--map <FILE.npy>': maps are"),
         ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
+        ("bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg", "name the same file"),
     ] {
         let run = bench.run(words);
         assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{words}\n{}", run.words);

@@ -317,7 +317,9 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let (roughness, modulus) = (file.gap_roughness(), file.scene.interface.equivalent_modulus);
     let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
     assert_eq!(cells(&run.out, "model"), ["ke", "ke", "cmy", "cmy", "mikic", "mikic"]);
-    assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "yes", "no"]);
+    assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "no", "no"]);
+    assert!(run.words.contains("mikic: plasticity_index is "), "{}", run.words);
+    assert!(run.words.contains("from 1 on contacts yield: it does not hold"), "{}", run.words);
     for (k, pressure) in [1e6, 1e8].into_iter().enumerate() {
         let cmy = cooper_mikic_yovanovich(50.0, &roughness, pressure, 2e9).unwrap();
         let mikic = mikic_elastic(50.0, &roughness, pressure, modulus).unwrap();
@@ -339,6 +341,18 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     {
         assert!(run.words.contains(said), "{}", run.words);
     }
+    let told = |extra: &str| {
+        bench.run(&format!(
+            "conductance scene.toml --conductivity 50 --pressure 1e6 --gas 0.026{extra}"
+        ))
+    };
+    let (unsaid, metre) = (told("").words, told(" --gas-parameter 1").words);
+    assert!(unsaid.contains("note: --gas-parameter is taken for 0"), "{unsaid}");
+    assert!(
+        metre.contains("--gas-parameter is 1 m, ") && metre.contains("is it in um?"),
+        "{metre}"
+    );
+    assert!(!run.words.contains("--gas-parameter"), "{}", run.words);
     bench.write(
         "soft.toml",
         include_str!("../../../asperity-scene/examples/elastomer-on-glass.toml"),

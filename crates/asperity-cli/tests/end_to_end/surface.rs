@@ -70,6 +70,33 @@ fn of_a_periodic_scan_the_mean_alone_is_taken() {
     assert!(!bench.run(&format!("surface {words}")).words.contains("level"));
     bench.data(&format!("surface {words} --scene waves.toml"));
     assert!(bench.read("waves.toml").contains("level mean"));
+    assert!(!tilted.words.contains("do not meet") || plane > usual, "{}", tilted.words);
+    // A part of it is not periodic.
+    let part: Vec<&str> = rows.iter().take(37).map(String::as_str).collect();
+    bench.write("part.txt", &part.join("\n"));
+    let open = bench.run("surface part.txt --unit um --pixel-size 5 --periodic").words;
+    let wanted = "warning: part.txt: the edges of the scan do not meet (a step ";
+    assert!(open.contains(wanted), "{open}");
+    assert!(!bench.run(&format!("surface {words}")).words.contains("do not meet"));
+}
+
+#[test]
+fn a_scan_in_the_place_of_a_scene_is_told_from_one() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    std::fs::write(bench.path("scan.x3p"), [0x50, 0x4b, 3, 4, 0xff, 0xfe]).unwrap();
+    for name in ["scan.txt", "scan.x3p"] {
+        let run = bench.run(&format!("curve {name} --load 1"));
+        let way = format!("{name} --scene scene.toml` makes a scene of it");
+        assert!(
+            run.code == Some(1) && run.words.contains("is a scan: `asperity surface "),
+            "{}",
+            run.words
+        );
+        assert!(run.words.contains(&way), "{}", run.words);
+    }
+    let missing = bench.run("curve nowhere.txt --load 1").words;
+    assert!(!missing.contains("is a scan"), "{missing}");
 }
 
 #[test]
@@ -271,9 +298,11 @@ fn scales_show_what_the_shortest_wave_changes() {
     assert!(bench.read("scales.svg").starts_with("<svg"));
     // Cut-offs that the scan cannot have are blank, and said why.
     let run =
-        bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6 --format csv");
+        bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6,2e-9 --format csv");
     assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
-    assert!(run.words.contains("cutoff_m 1e-9: smooth is 1e-9: a length of at least two pixels"));
+    assert!(run.words.contains(
+        "cutoff_m 1e-9 (likewise 2e-9): smooth is 1e-9: a length of at least two pixels"
+    ));
     for (words, said) in [
         ("--pixel-size 2 --smooth 12", "is it in um?"),
         ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and less than an atom"),

@@ -59,6 +59,11 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --pressure 5 --load 2", "cannot be used with"),
         ("curve scene.toml --tolerance 0", "1e-15 to 0.1"),
         ("curve scene.toml --plot -", "leaves no place for the data"),
+        ("curve scene.toml --output q.svg --plot ./q.svg", "--plot and --output name the same"),
+        (
+            "surface s --scales 1e-6 --output q.svg --plot q.svg",
+            "--plot and --output name the same",
+        ),
         ("curve scene.toml --format xml", "[possible values: csv, json, table]"),
         ("solve scene.toml --model ke", "--load"),
         ("solve scene.toml --model ke --separation 5", "--load"),
