@@ -78,7 +78,7 @@ pub(crate) fn recommend<'py>(
             (models.collect::<PyResult<_>>()?, vec![])
         }
     };
-    let advice = py.detach(|| recommend_among(among, scene, &request, &model, within));
+    let advice = py.detach(|| file.recommend_among(among, &request, &model, within));
     let advice = advice.map_err(|error| reference.raise(py, error))?;
     let row = |comparison: &Comparison| {
         let id = comparison.model.id().to_string();
