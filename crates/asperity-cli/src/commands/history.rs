@@ -89,7 +89,7 @@ fn tell_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<(), 
     for point in &path.points {
         let (place, closest) = (At::metres(point.separation), point.closest);
         let contacts = if point.separation > closest {
-            let opening = match way.take().filter(|(from, _)| *from == closest) {
+            let opening = match way.take().filter(|(from, _)| from.total_cmp(&closest).is_eq()) {
                 Some((_, opening)) => opening,
                 None => joint.unloading(At::metres(closest))?,
             };
