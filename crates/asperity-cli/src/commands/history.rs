@@ -111,7 +111,7 @@ fn tell_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<(), 
     };
     let (count, all, number) = (few.len(), path.points.len(), first.way);
     let text = format!(
-        "{name}: fewer than one asperity touches on average at {count} of {all} points, first {} on way {number}{zeros}",
+        "{name}: fewer than one asperity touches on average at {count} of {all} points, first at {} on way {number}{zeros}",
         At::metres(first.separation)
     );
     say("warning", &text);
