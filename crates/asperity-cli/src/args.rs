@@ -62,7 +62,7 @@ pub struct Closed {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The model; `asperity models` lists them
-    #[arg(long, value_name = "M", value_parser = model_id)]
+    #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: String,
     #[command(flatten)]
     place: Place,
@@ -218,6 +218,14 @@ pub fn model_id(name: &str) -> Result<String, String> {
         return Ok("bem".into());
     }
     name.parse::<Model>().map(|model| model.id().to_string()).map_err(|e| e.to_string())
+}
+
+/// The id of the one model of a command.
+fn one_model_id(name: &str) -> Result<String, String> {
+    match name.split_once(',') {
+        Some((first, _)) => Err(format!("one model at a time was expected, as {first}")),
+        None => model_id(name),
+    }
 }
 
 /// The unit of a separation by its name.

@@ -67,7 +67,7 @@ impl<'s> Question<'s> {
         let adhesive = model.claims().adhesive;
         let compiled = self.compile(id, model);
         let (contact, had) = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
-        let model = Cell::from(id.as_str());
+        let (asked, model) = (model, Cell::from(id.as_str()));
         let loads = self.head().head.len() - 3;
         let (mut rows, mut warnings, mut reasons) = (0, Warnings::default(), vec![]);
         for block in self.request.at.chunks(TOGETHER) {
@@ -109,7 +109,15 @@ impl<'s> Question<'s> {
         if self.request.at.iter().any(tension) && !adhesive {
             self.words.push(format!("{id} holds no tensions: dmt, jkr and jkr-separation do"));
         }
-        let warnings = warnings.into_vec().into_iter();
+        let (small, warnings): (Vec<_>, Vec<_>) =
+            warnings.into_vec().into_iter().partition(|w| matches!(w, Warning::Underflow { .. }));
+        let touching = |at| {
+            let counted = Request::new([Quantity::Contacts]);
+            let contact = asked.compile(scene, &counted)?;
+            Ok(contact.evaluate(Quantity::Contacts, contact.separation(at)?)?.value())
+        };
+        self.words.extend(underflown(&small, touching));
+        let warnings = warnings.into_iter();
         // That is what the findings say.
         let new =
             |warning: &Warning| !(crowded && matches!(warning, Warning::AreaAboveNominal { .. }));
@@ -221,8 +229,7 @@ impl<'s> Question<'s> {
 pub fn tell(findings: &[(String, Finding)]) {
     for code in once(&findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
         let mut same: Vec<_> = findings.iter().filter(|(_, f)| f.code == code).collect();
-        let beyond = |f: &Finding| (f.value / f.usual[1]).max(f.usual[0] / f.value);
-        same.sort_by(|(_, a), (_, b)| beyond(b).total_cmp(&beyond(a)));
+        same.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
         let Some(((first, worst), others)) = same.split_first() else { continue };
         let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
         let others: Vec<&str> = once(&others).into_iter().filter(|id| id != first).collect();
@@ -232,6 +239,33 @@ pub fn tell(findings: &[(String, Finding)]) {
         };
         say("warning", &format!("{worst}{likewise}"));
     }
+}
+
+/// What quantities of a model deserve that read 0: what all of them mean, once.
+fn underflown(
+    warnings: &[Warning],
+    touching: impl FnOnce(At) -> Result<f64, ContactError>,
+) -> Option<String> {
+    let mut told = vec![];
+    let mut first = None::<(&str, At, usize)>;
+    for warning in warnings {
+        let Warning::Underflow { model, quantity, count, at, ln_value } = warning else { continue };
+        told.push(format!("{quantity} (natural logarithm {ln_value:.6})"));
+        // Of several, the one that does so in most rows.
+        if first.is_none_or(|(.., most)| *count > most) {
+            first = Some((model, *at, *count));
+        }
+    }
+    let (model, at, count) = first?;
+    let rows = if count == 1 { "row" } else { "rows" };
+    let few = match touching(at) {
+        Ok(few) if few < 1.0 => "; fewer than one asperity touches on average",
+        _ => "",
+    };
+    Some(format!(
+        "{model}: too small for a double in {count} {rows}, first at {at}, and reads 0 there: {}{few}",
+        told.join(", ")
+    ))
 }
 
 /// Counts why rows have no value, each kind of reason once.

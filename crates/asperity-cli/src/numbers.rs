@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 
+use asperity::joints::coefficient_of_friction;
 use asperity::linspace;
 
 use crate::number::exact;
@@ -207,6 +208,15 @@ pub fn number(text: &str) -> Result<f64, String> {
             Err(format!("{text:?} is not a number: one such as 2, -0.5 or 1e-6 was expected"))
         }
     }
+}
+
+/// A coefficient of friction, "20%" or "0.2".
+pub fn friction(text: &str) -> Result<f64, String> {
+    let value = match text.trim().strip_suffix('%') {
+        Some(percent) => positive_number(percent.trim())? / 100.0,
+        None => positive_number(text)?,
+    };
+    coefficient_of_friction(value).map_err(|error| error.to_string())
 }
 
 /// A share, "5%" or "0.05": of a number above 1 one cannot know which is meant.

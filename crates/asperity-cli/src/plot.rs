@@ -7,6 +7,9 @@ use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use crate::output::once;
 use crate::table::{Cell, Table};
 
+/// Of as many points of a curve each is seen; of more a few tell the curves apart.
+pub const SEEN: usize = 12;
+
 /// The picture of a table's quantities against what was given, one panel for each.
 pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     let mut x = match request.at.first() {
@@ -29,8 +32,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
         Some(Curve::new(look.unwrap_or(0), id, id))
     };
     let mut curves: Vec<Curve> = once(&models).iter().filter_map(curve).collect();
-    // Of a dozen points each is seen, of more a few tell the curves apart.
-    let few = table.rows.len() <= 12 * curves.len();
+    let few = table.rows.len() <= SEEN * curves.len();
     curves.iter_mut().for_each(|curve| curve.every_point = few);
 
     let (mut panels, mut hidden) = (vec![], vec![]);
@@ -42,7 +44,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
         }
         if y.scale == Scale::Log {
             let k = place(table, &name)?;
-            let low = |row: &&Vec<Cell>| matches!(row[k], Cell::Number(Some(y)) if y <= 0.0);
+            let low = |row: &&Vec<Cell>| row[k].number().is_some_and(|y| y <= 0.0);
             let low = table.rows.iter().filter(low).filter_map(|row| curve(&&row[0]));
             hidden.extend(low.map(|curve| format!("{quantity} of {}", curve.key)));
         }
@@ -54,7 +56,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     // A line runs from left to right, whatever the order of the rows.
     let mut sorted = table.clone();
     let k = place(table, &x.column)?;
-    let at = |row: &Vec<Cell>| if let Cell::Number(Some(x)) = row[k] { x } else { f64::NAN };
+    let at = |row: &Vec<Cell>| row[k].number().unwrap_or(f64::NAN);
     sorted.rows.sort_by(|a, b| at(a).total_cmp(&at(b)));
     let mut csv = vec![];
     sorted.csv(&mut csv)?;
@@ -67,7 +69,8 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
 }
 
 /// The picture of some columns against one, a panel each where the table has it, of curves that
-/// the first column names.
+/// the first column names; over a logarithmic axis, those that change by much
+/// are on one, too.
 pub fn against(
     table: &Table,
     x: &Axis,
@@ -76,7 +79,11 @@ pub fn against(
 ) -> Result<String> {
     let mut panels = vec![];
     for (column, label) in columns.iter().filter(|(c, _)| table.head.iter().any(|h| h == c)) {
-        let mut panel = Panel::new(x.clone(), Axis::new(column, label));
+        let mut y = Axis::new(column, label);
+        if x.scale == Scale::Log {
+            y.scale = Scale::fitting(&numbers(table, column)?);
+        }
+        let mut panel = Panel::new(x.clone(), y);
         panel.curve_column.clone_from(&table.head[0]);
         panel.curves = curves.to_vec();
         panels.push(panel);
@@ -93,8 +100,7 @@ fn place(table: &Table, name: &str) -> Result<usize> {
 
 fn numbers(table: &Table, name: &str) -> Result<Vec<f64>> {
     let k = place(table, name)?;
-    let number = |row: &Vec<Cell>| if let Cell::Number(number) = row[k] { number } else { None };
-    Ok(table.rows.iter().filter_map(number).collect())
+    Ok(table.rows.iter().filter_map(|row| row[k].number()).collect())
 }
 
 /// Whether numbers follow each other in equal steps, as those of A:B:N.

@@ -40,6 +40,11 @@ impl From<&str> for Cell {
 }
 
 impl Cell {
+    /// The number, where it is one and there is one.
+    pub fn number(&self) -> Option<f64> {
+        if let Self::Number(number) = self { *number } else { None }
+    }
+
     fn text(&self, number: fn(f64) -> String) -> String {
         match self {
             Self::Word(word) => word.to_string(),

@@ -243,6 +243,10 @@ impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Separation(separation) => write!(f, "a separation of {separation}"),
+            // Plain digits of the smallest and the largest run long.
+            Self::Load(load) if load.abs() < 1e-5 || load.abs() >= 1e16 => {
+                write!(f, "a load of {load:e} N")
+            }
             Self::Load(load) => write!(f, "a load of {load} N"),
             Self::Pressure(pressure) => write!(f, "a pressure of {pressure:e} Pa"),
         }
@@ -256,6 +260,13 @@ mod tests {
 
     fn scene() -> Scene {
         Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 0.5e-6), 1e-5)
+    }
+
+    #[test]
+    fn loads_are_told_in_few_digits() {
+        let told = [1200.0, 0.01, 1e-300, -1e20].map(|load| At::Load(load).to_string());
+        let wanted = ["1200", "0.01", "1e-300", "-1e20"].map(|load| format!("a load of {load} N"));
+        assert_eq!(told, wanted);
     }
 
     #[test]

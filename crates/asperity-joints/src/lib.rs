@@ -76,7 +76,7 @@ mod work;
 pub use joint::Joint;
 pub use one::restitution;
 pub use path::{Path, Point};
-pub use slip::PartialSlip;
+pub use slip::{PartialSlip, coefficient_of_friction};
 pub use table::{JointTable, Memory, Reply};
 pub use unloading::{Unloading, UnloadingLaw};
 pub use work::Work;

@@ -9,6 +9,22 @@ use crate::root::{FARTHEST, falls_to_0};
 /// Beyond this retreat \[σ_z\] the integrals leave what a double can hold.
 const MOST_RETREAT: f64 = 1e100;
 
+/// No coefficient of friction is larger: more is one in per cent.
+const MOST_FRICTION: f64 = 10.0;
+
+/// A coefficient of friction, if it is one.
+///
+/// # Errors
+/// [`ContactError::OutOfRange`] unless it is above 0 and at most 10.
+pub fn coefficient_of_friction(friction: f64) -> Result<f64, ContactError> {
+    let field = "friction";
+    if friction > MOST_FRICTION {
+        let required = "a coefficient of friction, at most 10 (one of 20 % is 0.2),";
+        return Err(ContactError::OutOfRange { field, value: friction, required });
+    }
+    positive(field, friction)
+}
+
 /// A closed joint that is sheared, from virgin or in cycles.
 #[derive(Debug, Clone)]
 pub struct PartialSlip {
@@ -23,10 +39,10 @@ impl PartialSlip {
     /// elastically as unloading.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] unless μ > 0, [`ContactError::Missing`] without an equivalent
+    /// [`ContactError::OutOfRange`] unless μ > 0 and at most 10, [`ContactError::Missing`] without an equivalent
     /// shear modulus.
     pub fn new(normal: &Unloading, friction: f64) -> Result<Self, ContactError> {
-        let friction = positive("friction", friction)?;
+        let friction = coefficient_of_friction(friction)?;
         let asperity = normal.scene().asperity()?;
         let shear = asperity.shear_modulus(&format!("partial slip by {}", normal.name()))?;
         let retreat_per_shift = 4.0 * shear / (friction * asperity.equivalent_modulus);

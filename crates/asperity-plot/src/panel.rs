@@ -178,7 +178,7 @@ impl<'a> Plot<'a> {
 
     /// The curves in pixels.
     fn traces(&self, frame: &Rect) -> Vec<Vec<Vec<Point>>> {
-        let trace = |Series { curve, pieces }: &Series| match curve.line {
+        let trace = |Series { curve, pieces, .. }: &Series| match curve.line {
             true => pieces.iter().flat_map(|piece| self.inside(piece, frame)).collect(),
             false => pieces.iter().flatten().flat_map(|p| self.inside(&[*p], frame)).collect(),
         };
@@ -187,7 +187,9 @@ impl<'a> Plot<'a> {
 
     /// The ends of gaps joined.
     fn jumps(&self, canvas: &Canvas, frame: &Rect) {
-        for Series { curve, pieces } in self.series.iter().filter(|series| series.curve.join_gaps) {
+        for Series { curve, pieces, .. } in
+            self.series.iter().filter(|series| series.curve.join_gaps)
+        {
             for pair in pieces.windows(2) {
                 let ends = pair[0].last().into_iter().chain(pair[1].first()).copied();
                 for part in self.inside(&ends.collect::<Vec<_>>(), frame) {
@@ -200,10 +202,13 @@ impl<'a> Plot<'a> {
     /// Sparse places along lines; every point where that is asked for, and points that stand alone.
     fn markers(&self, traces: &[Vec<Vec<Point>>], frame: &Rect) -> Vec<Vec<Point>> {
         let (mut lined, mut all) = (vec![], vec![]);
-        for (curve, parts) in self.series.iter().map(|series| series.curve).zip(traces) {
+        for (Series { curve, marked: own, .. }, parts) in self.series.iter().zip(traces) {
             let marked = |part: &&Vec<Point>| curve.every_point || part.len() == 1;
-            all.push(parts.iter().filter(marked).flatten().copied().collect::<Vec<Point>>());
-            let sparse = curve.line && !curve.every_point && !self.panel.stacked;
+            let mut points: Vec<Point> = parts.iter().filter(marked).flatten().copied().collect();
+            points.extend(own.iter().flat_map(|point| self.inside(&[*point], frame)).flatten());
+            all.push(points);
+            let few = curve.every_point || curve.marked.is_some();
+            let sparse = curve.line && !few && !self.panel.stacked;
             lined.push(if sparse { parts.clone() } else { vec![] });
         }
         let mut places = marker_places(&lined, frame, all.concat());
@@ -216,7 +221,9 @@ impl<'a> Plot<'a> {
         let middle = frame.at((0.5, 0.5));
         let baseline = frame.bottom + self.below() - 6.0 - 0.3 * LABEL;
         canvas.text(&self.panel.x.label, (middle.0, baseline), black(LABEL, "middle"));
-        let face = Type { upward: true, ..black(LABEL, "middle") };
+        // A long name is set smaller rather than into the panel above.
+        let size = LABEL * (frame.height() / width(&self.panel.y.label, LABEL)).min(1.0);
+        let face = Type { upward: true, ..black(size, "middle") };
         canvas.text(&self.panel.y.label, (frame.left - self.left() + LABEL, middle.1), face);
         for (exponent, place, side) in [
             (self.x.exponent, (frame.right, baseline), "end"),

@@ -1,6 +1,7 @@
 //! The curves of a panel, taken from the text of the csv and split at gaps.
 
 use std::collections::BTreeSet;
+use std::iter;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
@@ -52,6 +53,8 @@ impl Table {
 pub(crate) struct Series<'a> {
     pub(crate) curve: &'a Curve,
     pub(crate) pieces: Vec<Vec<Point>>,
+    /// Points of its own for its markers.
+    pub(crate) marked: Vec<Point>,
 }
 
 /// The area between two curves with the same x.
@@ -65,7 +68,13 @@ pub(crate) struct Area<'a> {
 
 /// Takes the curves of a panel from the table.
 pub(crate) fn curves<'a>(panel: &'a Panel, table: &Table) -> Result<Vec<Series<'a>>, PlotError> {
-    let take = |curve| Ok(Series { curve, pieces: pieces(panel, table, &curve.key)? });
+    let take = |curve: &'a Curve| {
+        let marked = match &curve.marked {
+            Some(key) => pieces(panel, table, key)?.concat(),
+            None => vec![],
+        };
+        Ok(Series { curve, pieces: pieces(panel, table, &curve.key)?, marked })
+    };
     panel.curves.iter().map(take).collect()
 }
 
@@ -121,7 +130,7 @@ pub(crate) fn areas<'a>(
         });
     }
     let mut below: Option<Vec<Point>> = None;
-    for Series { curve, pieces } in all.iter_mut().filter(|_| panel.stacked) {
+    for Series { curve, pieces, .. } in all.iter_mut().filter(|_| panel.stacked) {
         if panel.y.scale == Scale::Log {
             let required = "a linear vertical axis";
             return Err(PlotError::Area { curve: curve.key.clone(), required });
@@ -144,7 +153,9 @@ fn same_x(a: &[Point], b: &[Point]) -> bool {
 pub(crate) fn check_all_drawn(figure: &Figure, table: &Table) -> Result<(), PlotError> {
     for column in figure.panels.iter().map(|panel| &panel.curve_column).collect::<BTreeSet<_>>() {
         let panels = || figure.panels.iter().filter(|panel| panel.curve_column == *column);
-        let curves = panels().flat_map(|panel| &panel.curves).map(|curve| curve.key.as_str());
+        let curves = panels().flat_map(|panel| &panel.curves);
+        let curves = curves.flat_map(|curve| iter::once(&curve.key).chain(&curve.marked));
+        let curves = curves.map(String::as_str);
         let edges = panels().flat_map(|panel| &panel.between);
         let edges = edges.flat_map(|between| [between.lower.as_str(), between.upper.as_str()]);
         let drawn: BTreeSet<&str> = curves.chain(edges).collect();

@@ -15,6 +15,9 @@ pub struct Curve {
     pub line: bool,
     /// A marker at every point, and not just some that tell the curves apart.
     pub every_point: bool,
+    /// The word in the curve column of the rows that get the markers, in place of some on the line: of
+    /// a line that is drawn finer than what was asked for.
+    pub marked: Option<String>,
     /// Joins the ends of a gap by a light dotted line, so that a jump reads as one.
     pub join_gaps: bool,
 }
@@ -24,7 +27,7 @@ impl Curve {
     #[must_use]
     pub fn new(look: usize, key: &str, label: &str) -> Self {
         let (key, label) = (key.into(), label.into());
-        Self { key, label, look, line: true, every_point: false, join_gaps: false }
+        Self { key, label, look, line: true, every_point: false, marked: None, join_gaps: false }
     }
 
     /// Markers at every point and no line, as for measured data.

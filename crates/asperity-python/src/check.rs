@@ -53,6 +53,12 @@ pub(crate) fn pull_off(
 ) -> PyResult<Option<(f64, f64)>> {
     let (file, tolerance) = (&scene.0, tolerance(rtol)?);
     let model = engine.on(file)?;
+    if !model.claims().adhesive {
+        let name = model.name();
+        return Err(value_error(format!(
+            "{name} knows no adhesion: dmt or jkr-separation was required"
+        )));
+    }
     let found = py.detach(|| {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let Some(found) = asperity::pull_off(&*model.compile(&file.scene, &request)?)? else {
@@ -79,18 +85,10 @@ pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyRes
             let places: Vec<_> = rows.ends().map(|row| rows.at(row)).collect();
             let serious = |finding: &Finding| finding.severity < Severity::Note;
             let of_answers = file.findings_at(&model, &places).into_iter().filter(serious);
-            found.extend(of_answers.map(|finding| steady(&finding)));
+            found.extend(of_answers.map(|finding| finding.message));
         }
         found
     }))
-}
-
-/// A finding of an answer without its numbers: in a loop, Python tells equal warnings once.
-fn steady(finding: &Finding) -> String {
-    let [least, most] = finding.usual;
-    let (side, bound) = if finding.value > most { ("above", most) } else { ("below", least) };
-    let why = finding.message.split_once(": ").map_or("", |(_, why)| why);
-    format!("{} is {side} {bound} at one of these places: {why}", finding.field)
 }
 
 /// Each finding once, of the first scene that shows it, with the number of scenes that do.

@@ -3,12 +3,16 @@
 use numpy::{PyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyList, PyString, PyTuple};
+use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
 
 use crate::error::value_error;
 
 /// A number, also one of NumPy's; no array.
 pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
+    // True is no length.
+    if number.is_instance_of::<PyBool>() {
+        return None;
+    }
     if number.is_exact_instance_of::<PyFloat>() || number.cast::<PyUntypedArray>().is_err() {
         return number.extract().ok();
     }
@@ -30,8 +34,8 @@ pub(crate) fn in_si<'py>(
     Ok((!read.is(numbers)).then_some(read))
 }
 
-/// A contiguous array of doubles. Masks, which would be lost, complex numbers, and texts, which
-/// NumPy would read as numbers, are refused.
+/// A contiguous array of doubles. Masks, which would be lost, complex numbers, and truths and
+/// texts, which NumPy would read as numbers, are refused.
 #[pyfunction]
 pub(crate) fn floats<'py>(
     values: &Bound<'py, PyAny>,
@@ -45,7 +49,7 @@ pub(crate) fn floats<'py>(
     }
     let array = numpy.call_method1("asarray", (values,))?;
     let kind = array.getattr("dtype")?;
-    if !matches!(kind.getattr("kind")?.extract()?, "f" | "i" | "u" | "b") {
+    if !matches!(kind.getattr("kind")?.extract()?, "f" | "i" | "u") {
         return Err(PyTypeError::new_err(format!(
             "{name} has numbers of type {kind}: real ones were required"
         )));

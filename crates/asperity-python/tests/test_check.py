@@ -78,3 +78,30 @@ def test_rubber_needs_no_hardness() -> None:
     assert "plasticity_index" not in rubber.check().numbers
     assert rubber.check(load=0.1).numbers["area_fraction"] < 0.1
     assert words(rubber, "gw", load=0.1) == []
+
+
+def test_warnings_name_the_worst_value_and_where(scene: asperity.Scene) -> None:
+    (few,) = words(scene, load=[10.0, 1e-3, 1.0])
+    assert "at a load of 0.001 N: " in few
+    there = scene.check(load=1e-3).numbers["contacts"]
+    assert float(few.split()[2]) == pytest.approx(there, rel=1e-3)
+    (crowded,) = words(scene, load=[1e3, 3e5])
+    assert "at a load of 300000 N by KE: " in crowded
+
+
+def test_what_is_no_number_is_named_by_what_was_given(scene: asperity.Scene) -> None:
+    with pytest.raises(TypeError, match="Body: youngs_modulus is '210 GPa': a number in SI"):
+        asperity.Body("210 GPa", 0.3)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="Surface: asperity_density is None: a number"):
+        asperity.Surface(1e-4, None, 1e-6)  # type: ignore[arg-type]
+    ke = asperity.model("ke")
+    for given in ({"load": True}, {"pressure": True}, {"separation": True}, {"load": [True]}):
+        with pytest.raises(TypeError, match="bool"):
+            ke.solve(scene, **given)  # type: ignore[arg-type]
+    joint = ke.unloading(scene, load=100.0)
+    with pytest.raises(TypeError, match="bool"):
+        joint.force(True)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="friction is 20.0: .* at most 10"):
+        joint.slip(friction=20.0)
+    with pytest.raises(ValueError, match="knows no adhesion: dmt or jkr-separation"):
+        asperity.model("gw").pull_off(scene)

@@ -12,7 +12,7 @@ use clap::{Args, ValueEnum};
 
 use crate::args::{model_id, separation_unit};
 use crate::distances::{DistanceSpan, ask_unit};
-use crate::numbers::{Span, positive_number, range_of_loads, range_of_pressures};
+use crate::numbers::{Span, friction, positive_number, range_of_loads, range_of_pressures};
 use crate::output::{self, progress, say};
 use crate::scene::LoadedScene;
 
@@ -62,7 +62,7 @@ pub struct Export {
     #[arg(long, value_name = "AGAINST")]
     conductance: Option<Against>,
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
-    #[arg(long, value_name = "MU", value_parser = positive_number)]
+    #[arg(long, value_name = "MU", value_parser = friction)]
     friction: Option<f64>,
     /// Units of the table: SI, or those of models in mm: mm-N-MPa (or mm-tonne-s, the same; powers in
     /// mW)

@@ -1,12 +1,12 @@
 //! A joint that goes through a history of turning points: part of `asperity unload`.
 
 use anyhow::{Context, Result};
-use asperity::joints::{Joint, Path};
-use asperity::{At, Separation, SeparationUnit};
+use asperity::joints::{Joint, Path, Point, Unloading};
+use asperity::{At, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit};
 use asperity_plot::Axis;
 
 use crate::args::DrawnArgs;
-use crate::commands::unload::{named, picture};
+use crate::commands::unload::{READ_0, marked, named, picture};
 use crate::number::rounded;
 use crate::output::say;
 use crate::scene::{LoadedScene, NamedModel};
@@ -64,12 +64,58 @@ pub fn write(
             drawn.rows.push(row.clone());
             table.rows.push(row);
         }
+        // Where it turns.
+        let rows = &table.rows[table.rows.len() - path.points.len()..];
+        let ends = |(k, point): &(usize, &Point)| {
+            path.points.get(k + 1).is_none_or(|next| next.way != point.way)
+        };
+        drawn
+            .rows
+            .extend(path.points.iter().enumerate().filter(ends).map(|(k, _)| marked(&rows[k])));
         tell_work(id, joint, &path);
+        tell_few(model, joint, &path).with_context(|| named(scene, model))?;
     }
     output.write(&table, || {
         let x = Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6);
         picture(&drawn, &x, id, joints)
     })
+}
+
+/// From where on fewer than one asperity touches, and how many values are 0.
+fn tell_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<(), ContactError> {
+    let virgin = model.compile(joint.scene(), &Request::new([Quantity::Contacts]))?;
+    let name = format!("{id} by {}", joint.law());
+    let (mut few, mut way) = (vec![], None::<(f64, Unloading)>);
+    for point in &path.points {
+        let (place, closest) = (At::metres(point.separation), point.closest);
+        let contacts = if point.separation > closest {
+            let opening = match way.take().filter(|(from, _)| from.total_cmp(&closest).is_eq()) {
+                Some((_, opening)) => opening,
+                None => joint.unloading(At::metres(closest))?,
+            };
+            let found = opening.contacts(point.separation - closest)?.value();
+            way = Some((closest, opening));
+            found
+        } else {
+            virgin.evaluate(Quantity::Contacts, virgin.separation(place)?)?.value()
+        };
+        if contacts < 1.0 {
+            few.push(point);
+        }
+    }
+    let Some(first) = few.first() else { return Ok(()) };
+    let zeros = few.iter().filter(|point| point.force == 0.0 || point.stiffness == 0.0).count();
+    let zeros = match zeros {
+        0 => String::new(),
+        count => format!("; at {count} of them values {READ_0}"),
+    };
+    let (count, all, number) = (few.len(), path.points.len(), first.way);
+    let text = format!(
+        "{name}: fewer than one asperity touches on average at {count} of {all} points, first at {} on way {number}{zeros}",
+        At::metres(first.separation)
+    );
+    say("warning", &text);
+    Ok(())
 }
 
 /// What the first closing and the ways after it take and give.

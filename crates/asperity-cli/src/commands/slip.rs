@@ -3,13 +3,13 @@
 use anyhow::{Context, Result};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Model, SeparationUnit, Tolerance, linspace};
-use asperity_plot::{Axis, Curve};
+use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
 use crate::args::{Closed, DrawnArgs};
 use crate::number::rounded;
-use crate::numbers::{length, positive_number};
+use crate::numbers::{friction, length};
 use crate::output::say;
 use crate::plot;
 use crate::scene::{LoadedScene, NamedModel};
@@ -18,8 +18,6 @@ use crate::table::{Cell, Table};
 /// The share of μ F beyond which everything all but slides.
 const SLIDING: f64 = 0.99;
 
-/// No coefficient of friction is larger.
-const MOST_FRICTION: f64 = 10.0;
 /// Amplitudes this many times the shift at which everything slides were meant in another unit.
 const FAR: f64 = 1000.0;
 
@@ -54,8 +52,8 @@ pub struct Slip {
     /// How the asperities answer, as in unloading by hertz, brake or etsion
     #[arg(long, value_name = "LAW", default_value = "hertz")]
     law: UnloadingLaw,
-    /// Coefficient of friction
-    #[arg(long, value_name = "MU", value_parser = coefficient)]
+    /// Coefficient of friction, as 0.2 or 20%
+    #[arg(long, value_name = "MU", value_parser = friction)]
     friction: f64,
     /// Largest shift, in m, or with a unit as 100nm
     #[arg(long, value_name = "M", value_parser = length)]
@@ -171,14 +169,22 @@ impl Slip {
         }
         self.ask_amplitude(farthest);
         self.output.write(&table, || {
-            let x = Axis::new("load_N", "load (N)").log();
+            let loads: Vec<f64> = table.rows.iter().filter_map(|row| row[1].number()).collect();
+            let mut x = Axis::new("load_N", "load (N)");
+            x.scale = Scale::fitting(&loads);
             let columns = [
                 ("secant_stiffness_N_per_m", "secant stiffness (N/m)"),
                 ("loss_J", "energy lost a cycle (J)"),
                 ("loss_factor", "loss factor"),
             ];
             let what = format!("{id}, cycles of ±{:e} m", self.amplitude);
-            plot::against(&table, &x, &columns, &[Curve::new(0, id, &what)])
+            let mut curve = Curve::new(0, id, &what);
+            curve.every_point = table.rows.len() <= plot::SEEN;
+            // A line runs from left to right, whatever the order of the rows.
+            let mut sorted = table.clone();
+            let load = |row: &Vec<Cell>| row[1].number().unwrap_or(f64::NAN);
+            sorted.rows.sort_by(|a, b| load(a).total_cmp(&load(b)));
+            plot::against(&sorted, &x, &columns, &[curve])
         })
     }
 
@@ -238,17 +244,6 @@ fn known(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
         _ => {}
     }
     numbers
-}
-
-/// A coefficient of friction; no surfaces have more than the most.
-fn coefficient(text: &str) -> Result<f64, String> {
-    match positive_number(text)? {
-        value if value > MOST_FRICTION => Err(format!(
-            "{value} is no coefficient of friction, which are at most about {MOST_FRICTION}: is it in per cent? {value} % is {}",
-            value / 100.0
-        )),
-        value => Ok(value),
-    }
 }
 
 /// The first shift, and the loop all the way round.

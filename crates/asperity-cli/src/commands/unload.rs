@@ -20,6 +20,10 @@ use crate::table::{Cell, Table};
 /// Retreats unless some are given, and in every picture at least.
 const POINTS: usize = 101;
 
+/// What is told of values that are 0.
+pub const READ_0: &str =
+    "read 0, as a double holds none so small: far fewer than one asperity touches there";
+
 /// Force, area and stiffness as a joint opens again, or through a history of loads
 #[derive(Debug, Args)]
 #[command(
@@ -139,10 +143,8 @@ impl Unload {
         }
         let retreats = self.retreats(scene, ends.iter().copied().reduce(f64::max))?;
         let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
-        let (table, left_out) = of(&retreats)?;
-        for error in left_out {
-            say("warning", &format!("{}: a value is left out: {error}", context()));
-        }
+        let (table, told) = of(&retreats)?;
+        told.iter().for_each(|text| say("warning", &format!("{}: {text}", scene.name)));
         self.output.write(&table, || {
             let [least, most] = [f64::min, f64::max]
                 .map(|pick| retreats.iter().copied().reduce(pick).unwrap_or_default());
@@ -151,7 +153,11 @@ impl Unload {
             dense.sort_by(f64::total_cmp);
             dense.dedup();
             let x = Axis::new("retreat_m", "retreat (µm)").times(1e6);
-            picture(&of(&dense)?.0, &x, &model.0, joints)
+            let mut drawn = of(&dense)?.0;
+            if retreats.len() <= plot::SEEN {
+                drawn.rows.extend(table.rows.iter().map(|row| marked(row)));
+            }
+            picture(&drawn, &x, &model.0, joints)
         })
     }
 
@@ -217,13 +223,13 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>
     );
 }
 
-/// The table, and why values are left out of it: one reason for each way back.
+/// The table, and what its blanks and zeros deserve: a word of each for each way back.
 fn of_ways(
     scene: &LoadedScene,
     (id, _): &NamedModel,
     ways: &[Unloading],
     retreats: &[f64],
-) -> Result<(Table, Vec<ContactError>), ContactError> {
+) -> Result<(Table, Vec<String>), ContactError> {
     let (contact, from) = (&scene.file.scene, scene.file.separation_from);
     let sigma = contact.surface.asperity_height_std;
     let has_area = |way: &Unloading| way.law() != UnloadingLaw::Etsion;
@@ -231,9 +237,9 @@ fn of_ways(
     let head = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
     let mut table = Table::new(&[&head[..], area, &["stiffness_N_per_m", "contacts"]].concat());
-    let mut left_out = vec![];
+    let mut told = vec![];
     for way in ways {
-        let mut reason = None;
+        let (mut reason, mut zero) = (None, None::<f64>);
         let closest = way.closest().measured_in(SeparationUnit::Sigma, from, contact)?.value;
         for &retreat in retreats {
             let mut value = |found: Result<Evaluation, ContactError>| match found {
@@ -255,16 +261,37 @@ fn of_ways(
                 numbers.push(if has_area(way) { value(way.area(retreat))? } else { None });
             }
             numbers.extend([value(way.stiffness(retreat))?, value(way.contacts(retreat))?]);
+            if numbers[2..].contains(&Some(0.0)) {
+                zero = Some(zero.map_or(retreat, |least| least.min(retreat)));
+            }
             let mut row = vec![Cell::from(&**id), Cell::from(&*way.law().to_string())];
             row.extend(numbers.into_iter().map(Cell::Number));
             table.rows.push(row);
         }
-        left_out.extend(reason);
+        let context = format!("{id} by {}", way.law());
+        told.extend(reason.map(|error| format!("{context}: a value is left out: {error}")));
+        told.extend(zero.map(|from| {
+            let from = rounded(from);
+            format!("{context}: from a retreat of {from} m on, values {READ_0}")
+        }));
     }
-    Ok((table, left_out))
+    Ok((table, told))
 }
 
-/// A curve for each law.
+/// A row again, of those that get a marker in the picture.
+pub fn marked(row: &[Cell]) -> Vec<Cell> {
+    let mut row = row.to_vec();
+    if let Cell::Word(law) = &row[1] {
+        row[1] = Cell::from(&*marked_key(law));
+    }
+    row
+}
+
+fn marked_key(law: &str) -> String {
+    format!("{law}, marked")
+}
+
+/// A curve for each law, with markers at the [`marked`] rows if there are any.
 pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<String> {
     let mut by_law = table.clone();
     // The law names the curve.
@@ -278,7 +305,13 @@ pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<St
     let laws = joints.iter().map(|joint| joint.law().to_string());
     let curves: Vec<Curve> = laws
         .enumerate()
-        .map(|(look, law)| Curve::new(look, &law, &format!("{id}, back by {law}")))
+        .map(|(look, law)| {
+            let mut curve = Curve::new(look, &law, &format!("{id}, back by {law}"));
+            let key = marked_key(&law);
+            let is_marked = by_law.rows.iter().any(|row| row[0] == Cell::from(&*key));
+            curve.marked = is_marked.then_some(key);
+            curve
+        })
         .collect();
     plot::against(&by_law, x, &columns, &curves)
 }

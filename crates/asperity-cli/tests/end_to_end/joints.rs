@@ -88,6 +88,58 @@ fn pictures_show_what_is_printed() {
 }
 
 #[test]
+fn markers_of_pictures_stand_where_something_was_asked() {
+    let bench = Bench::new();
+    for (words, panels, points) in [
+        ("slip scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
+        ("unload scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
+        ("unload scene.toml --model ke --history-load 10,2000,500,3000", 2, 4),
+    ] {
+        bench.data(&format!("{words} --plot joint.svg"));
+        let svg = bench.read("joint.svg");
+        let markers = svg.lines().filter(|line| line.starts_with("<path")).count();
+        // Each is drawn with its rim; one stands in the legend.
+        assert_eq!(markers, 2 * (panels * points + 1), "{words}");
+    }
+    // The stiffness from 100 N to 1e4 N is on a logarithmic axis, as the load is.
+    bench.data("slip scene.toml --model ke --friction 0.2 --load 1e4,1e3,1e2 --amplitude 100nm --plot s.svg");
+    assert!(bench.read("s.svg").contains("10⁹"));
+}
+
+#[test]
+fn what_reads_0_is_told_once_and_where_contacts_are_few() {
+    let bench = Bench::new();
+    let run = bench.run("unload scene.toml --model ke --load 100 --retreat 0,100um,200um");
+    assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
+    assert!(run.words.contains("from a retreat of 1e-4 m on, values read 0"), "{}", run.words);
+    assert_eq!(run.words.matches("read 0").count(), 1, "{}", run.words);
+    let run = bench.run("unload scene.toml --model ke --history 2,40,0.5");
+    assert!(run.words.contains("fewer than one asperity touches on average at "), "{}", run.words);
+    assert!(run.words.contains(" on way 1; at ") && run.words.contains("values read 0"));
+    let few = bench.run("unload scene.toml --model ke --history 2,1").words;
+    assert!(!few.contains("fewer than one"), "{few}");
+    let run = bench.run("curve scene.toml --model ke --separation 40");
+    assert_eq!(run.words.matches("too small for a double").count(), 1, "{}", run.words);
+    for told in ["force (natural log", "area (natural log", "fewer than one asperity touches"] {
+        assert!(run.words.contains(told), "{told}: {}", run.words);
+    }
+}
+
+#[test]
+fn of_several_loads_the_worst_is_named() {
+    let bench = Bench::new();
+    let words = |loads: &str| {
+        let words = "slip scene.toml --model ke --friction 20% --amplitude 50nm --load";
+        bench.run(&format!("{words} {loads}")).words
+    };
+    for loads in ["1e-4,1e-2", "1e-2,1e-4"] {
+        let told = words(loads);
+        assert!(told.contains("at a load of 0.0001 N: one surface"), "{told}");
+        assert_eq!(told.matches("one surface differs").count(), 1, "{told}");
+    }
+}
+
+#[test]
 fn what_a_joint_lacks_is_named() {
     let bench = Bench::new();
     for (words, wanted) in [

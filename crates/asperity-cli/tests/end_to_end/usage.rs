@@ -45,7 +45,11 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --separation 1,2um", "1 has no unit"),
         ("unload scene.toml --model ke --load -5", "-5 is not above 0"),
         ("unload scene.toml --model ke --history 1,2 --closest 1", "cannot be used with"),
-        ("slip scene.toml --model ke --load 5 --amplitude 1um --friction 25", "25 % is 0.25"),
+        ("slip scene.toml --model ke --load 5 --amplitude 1um --friction 25", "20 % is 0.2"),
+        (
+            "slip scene.toml --model ke,jg --load 5 --amplitude 1um --friction 0.2",
+            "one model at a time",
+        ),
         ("curve scene.toml --model ke,", "a name is empty"),
         ("curve scene.toml --load 20KN", "did you mean \"20kN\"?"),
         ("unload scene.toml --model ke --load 1 --law herz", "did you mean \"hertz\"?"),

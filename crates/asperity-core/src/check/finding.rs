@@ -62,6 +62,12 @@ impl Finding {
         Self { code, severity, field: field.into(), value, usual, message }
     }
 
+    /// How many times what is usual its value is, above or below: 1 at the bound.
+    #[must_use]
+    pub fn excess(&self) -> f64 {
+        (self.value / self.usual[1]).max(self.usual[0] / self.value)
+    }
+
     /// Whether it is about asperities, of which [models of the whole surface](crate::Claims::asperities)
     /// know nothing.
     #[must_use]

@@ -68,9 +68,11 @@ impl Check {
     /// Adds findings, what matters most first, each code and field once.
     pub fn extend(&mut self, findings: impl IntoIterator<Item = Finding>) {
         for new in findings {
-            let same = |known: &Finding| known.code == new.code && known.field == new.field;
-            if !self.findings.iter().any(same) {
-                self.findings.push(new);
+            let same = |known: &&mut Finding| known.code == new.code && known.field == new.field;
+            match self.findings.iter_mut().find(same) {
+                Some(known) if new.excess() > known.excess() => *known = new,
+                Some(_) => {}
+                None => self.findings.push(new),
             }
         }
         self.findings.sort_by_key(|finding| finding.severity);

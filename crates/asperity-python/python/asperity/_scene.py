@@ -29,7 +29,17 @@ class _Given:
     _checked: ClassVar[Callable[[Any], dict[str, Any]]]
 
     def __post_init__(self) -> None:
-        for name, value in type(self)._checked(self).items():
+        try:
+            checked = type(self)._checked(self)
+        except TypeError:
+            for entry in dataclasses.fields(self):  # type: ignore[arg-type]
+                value = getattr(self, entry.name)
+                is_number = hasattr(value, "__float__") or (value is None and not entry.default)
+                if str(entry.type).startswith("float") and not is_number:
+                    given = f"{type(self).__name__}: {entry.name} is {value!r}"
+                    raise TypeError(f"{given}: a number in SI units was required") from None
+            raise
+        for name, value in checked.items():
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:
