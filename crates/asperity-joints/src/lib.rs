@@ -24,9 +24,9 @@
 //! All that the contact remembers is its closest approach: a [`Joint`] goes through turning points
 //! ([`Joint::path`]; loads become such by [`Joint::turning_points`]), and [`Joint::table`] answers force and slope of a step in some tens of nanoseconds.
 //! The asperity gives back F δ/(n+1) of the work that pressed it to w, so that what yielding has taken
-//! for good ([`Joint::dissipated`]) is again an integral over the heights, and a cycle between fixed
+//! for good ([`Work::lost`]) is again an integral over the heights, and a cycle between fixed
 //! separations loses it once. Loss factors are what is lost over 2π times what was put in
-//! ([`Joint::loss_factor`], [`PartialSlip::loss_factor`]). Heights without an end touch at any retreat,
+//! ([`Work::loss_factor`], [`PartialSlip::loss_factor`]). Heights without an end touch at any retreat,
 //! in numbers: contact ends where fewer than one asperity is left ([`Unloading::last_contact`]). √(work back/work spent) of one asperity is its [`restitution`]. \[derived\]
 //!
 //! # Partial slip

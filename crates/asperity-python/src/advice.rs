@@ -2,9 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{
-    Comparison, ContactError, ContactModel, Nearest, Quantity, Request, Scene, recommend_among,
-};
+use asperity::{Comparison, ContactError, ContactModel, Nearest, Quantity, Request, Scene};
 use asperity_scene::LeftOut;
 use pyo3::prelude::*;
 
@@ -60,7 +58,7 @@ pub(crate) fn recommend<'py>(
     models: Option<Vec<String>>,
 ) -> PyResult<Advice<'py>> {
     let rows = rows.view()?;
-    let (model, (scene, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
+    let (model, (_, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
     let file = &rows.files[0];
     let (among, left_out) = match models {
         None => {
