@@ -27,7 +27,7 @@ def main(n: int) -> None:
     )
     with tempfile.TemporaryDirectory() as home:
         for workers in (1, 2):
-            cluster = LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None)
+            cluster = LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=":0")
             with cluster, Client(cluster) as client:
                 folder = Path(home) / str(workers)
                 result = asperity.sweep(space, "ke", n=n, folder=folder, client=client)

@@ -9,13 +9,14 @@ use crate::scene::SceneFile;
 /// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds there.
 type Correlated = (Vec<f64>, Vec<f64>, Vec<bool>);
 
-/// A correlation at pressures, and from where to where in relative pressures it holds.
+/// A correlation at pressures, from where to where in relative pressures it holds, and the plasticity
+/// index of contacts that it is not of.
 #[pyfunction]
 pub(crate) fn correlated(
     name: &str,
     scene: &SceneFile,
     pressures: Vec<f64>,
-) -> PyResult<(Correlated, [f64; 2])> {
+) -> PyResult<(Correlated, [f64; 2], Option<f64>)> {
     let known = conductance::Correlation::ALL;
     let Some(correlation) = known.into_iter().find(|known| known.id() == name) else {
         let needed = "\"cmy\" or \"mikic\" was required";
@@ -29,7 +30,7 @@ pub(crate) fn correlated(
         columns.1.push(found.relative_pressure);
         columns.2.push(found.holds);
     }
-    Ok((columns, correlation.range()))
+    Ok((columns, correlation.range(), correlation.foreign(&file.scene)))
 }
 
 /// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.

@@ -59,7 +59,7 @@ impl JointTable {
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
-        let parsed = law.parse().map_err(|what| value_error(format!("law is {what}")))?;
+        let parsed = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
         let unit: Axis = separation_unit.extract()?;
         let raise = |error| model.get().raise(py, error);
         let sigma = file.scene.surface.asperity_height_std;

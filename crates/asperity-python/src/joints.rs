@@ -61,7 +61,7 @@ impl Unloading {
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
-        let law = law.parse().map_err(|what| value_error(format!("law is {what}")))?;
+        let law = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
         let slip = axis.slip("separation", place.1, file.scene.surface.asperity_height_std);
         slip.map_or(Ok(()), |slip| warn(py, &slip, 1))?;

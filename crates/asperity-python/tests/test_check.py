@@ -97,10 +97,10 @@ def test_what_is_no_number_is_named_by_what_was_given(scene: asperity.Scene) -> 
     ke = asperity.model("ke")
     for given in ({"load": True}, {"pressure": True}, {"separation": True}, {"load": [True]}):
         with pytest.raises(TypeError, match="bool"):
-            ke.solve(scene, **given)  # type: ignore[arg-type]
+            ke.solve(scene, **given)
     joint = ke.unloading(scene, load=100.0)
     with pytest.raises(TypeError, match="bool"):
-        joint.force(True)  # type: ignore[arg-type]
+        joint.force(True)
     with pytest.raises(ValueError, match="friction is 20.0: .* at most 10"):
         joint.slip(friction=20.0)
     with pytest.raises(ValueError, match="knows no adhesion: dmt or jkr-separation"):

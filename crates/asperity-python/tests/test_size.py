@@ -9,6 +9,7 @@ import sys
 import textwrap
 import threading
 import time
+import warnings
 from typing import Any
 
 import asperity
@@ -79,5 +80,7 @@ def test_ctrl_c_is_heard_soon(what: str, scene: asperity.Scene) -> None:
         "loads": lambda: at.separation_at(drawn, 10.0),
         "crossings": lambda: at.separation_at(drawn, 10.0, all=True),
     }
-    # About a second, on a machine that does nothing else.
-    assert interrupted_after(0.5, calls[what]) < 5.0
+    # About a second, on a machine that does nothing else. That parts of AT cancel is not the point.
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert interrupted_after(0.5, calls[what]) < 5.0

@@ -41,7 +41,7 @@ def in_memory() -> asperity.SweepResult:
 
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[Client]:
-    arguments = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None}
+    arguments = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": ":0"}
     with LocalCluster(**arguments) as cluster, Client(cluster) as client:
         yield client
 

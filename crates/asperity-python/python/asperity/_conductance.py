@@ -51,9 +51,15 @@ def correlated_conductance(
     axis, given = place(None, load, pressure, "m")
     numbers = floats(given, axis)
     pressures = numbers / scene.nominal_area if axis == "load" else numbers
-    columns, (first, last) = _asperity.correlated(correlation, scene._file, pressures.ravel())
+    columns, (first, last), foreign = _asperity.correlated(
+        correlation, scene._file, pressures.ravel()
+    )
     conductance, relative, holds = (np.array(c).reshape(numbers.shape) for c in columns)
-    if not holds.all():
+    if foreign is not None and holds.size:
+        side = "1 and more" if correlation == "cmy" else "less than 1"
+        words = f"{correlation}: plasticity_index is {foreign:.3g}: it is for contacts of {side}"
+        warnings.warn(words, ContactWarning, stacklevel=2)
+    elif not holds.all():
         worst = relative[~holds].ravel()[0]
         words = (
             f"{correlation}: relative pressure is {worst:.4g}: it holds from {first:g} to {last:g}"
