@@ -129,9 +129,14 @@ fn good_scenes_are_passed_without_a_word() {
 #[test]
 fn the_mistakes_of_a_trial_are_named_with_their_unit() {
     let right = || machined().swap_remove(0).1;
-    let mistakes: [Mistake; 13] = [
+    let mistakes: [Mistake; 14] = [
         ("sigma in um", |s| s.surface.asperity_height_std = 1.0, &["asperity_height_std", "in um"]),
         ("R in mm", |s| s.surface.asperity_radius = 0.2, &["asperity_radius", "in mm"]),
+        (
+            "R of 20 um in mm",
+            |s| s.surface = Surface::new(0.02, 2e9, 1e-6),
+            &["asperity_radius", "in mm"],
+        ),
         ("eta in 1/mm2", |s| s.surface.asperity_density = 200.0, &["asperity_density", "in 1/mm2"]),
         ("area in mm2", |s| s.nominal_area = 100.0, &["nominal_area", "in mm2"]),
         (

@@ -34,7 +34,7 @@ fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
     let tolerance = Tolerance::new(1e-12).unwrap();
     for model in Model::all() {
         let lateral = model.claims().angles;
-        let cases = cases(if lateral { 8 } else { 40 }, true);
+        let cases = cases(if lateral { 4 } else { 40 }, true);
         let sweep = Sweep::new(&model, &ASKED, tolerance);
         for (case, answer) in cases.iter().zip(sweep.evaluate_all(&cases)) {
             let alone = compiled(&model, &case.scene, &ASKED, 1e-12);

@@ -51,7 +51,7 @@ pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<()
 pub(crate) fn law(model: &dyn AsperityModel, area: &Law) -> Result<Law, ContactError> {
     let not_circles = |reason: &str| ContactError::Unsupported {
         model: model.name().into(),
-        what: format!("{}: {reason}", Quantity::ContactRadiusSum),
+        what: format!("sums of contact radii, as unloading and conductance need them: {reason}"),
     };
     if model.claims().angles {
         return Err(not_circles(

@@ -26,6 +26,16 @@ const KURTOSIS: [f64; 2] = [2.0, 5.0];
 /// rms slopes of scans: from polished to blasted.
 const SLOPE: [f64; 2] = [5e-4, 1.0];
 
+/// What findings say of the asperities themselves.
+const OF_ASPERITIES: [&str; 6] = [
+    "asperity_height_std",
+    "asperity_radius",
+    "asperity_density",
+    "roughness_parameter",
+    "height_std_over_radius",
+    "rms_slope",
+];
+
 /// Fields of the interface that are odd where this one of a body is: the same thing, under another
 /// name. Modulus and hardness are held against each other, so that either may be blamed.
 fn follows(of_body: &str) -> Vec<&str> {
@@ -49,6 +59,11 @@ impl SceneFile {
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
         let mut found = self.scene.findings();
         found.retain(|of_interface| !shown.contains(&&*of_interface.field));
+        let derived = |found: &&mut Finding| OF_ASPERITIES.contains(&&*found.field);
+        for derived in found.iter_mut().filter(derived).filter(|_| !self.follows_from.is_empty()) {
+            let keys = self.follows_from.join(", ");
+            derived.message.push_str(&format!(" (the asperities follow from {keys} of the file)"));
+        }
         found.extend(of_bodies);
         found.extend(self.of_elastic_body());
         found.extend(self.measured.iter().flat_map(|measured| self.of_scan(measured)));

@@ -23,6 +23,8 @@ pub(crate) struct Described {
     pub(crate) notes: Vec<String>,
     /// The scan, levelled and filtered, where there is one alone.
     pub(crate) scan: Option<Arc<Topography>>,
+    /// The keys that the asperities follow from, where they are not given themselves.
+    pub(crate) follows_from: &'static [&'static str],
 }
 
 /// The surface of one measured file, or of two pressed together.
@@ -111,7 +113,7 @@ pub(crate) fn measured(
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });
     let (heights, measured) = (heights.transpose()?, Some(measured));
-    Ok(Described { surface, measured, heights, notes, scan })
+    Ok(Described { surface, measured, heights, notes, scan, follows_from: &[] })
 }
 
 /// Reading names the file, what follows does not.

@@ -38,6 +38,8 @@ pub struct SceneFile {
     pub warnings: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
     pub scan: Option<Arc<Topography>>,
+    /// The keys of `[surface]` that the asperities follow from, where they are not given themselves.
+    pub(crate) follows_from: &'static [&'static str],
     /// Its spectrum, once it was asked for.
     pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
 }
@@ -168,6 +170,7 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
     scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
     let (scan, separation_from) = (described.scan, from);
+    let follows_from = described.follows_from;
     if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
         let at = document.place("options.hurst_exponent");
         warnings.push(format!(
@@ -184,6 +187,7 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
         measured,
         warnings,
         scan,
+        follows_from,
         spectrum,
     })
 }
@@ -201,6 +205,7 @@ impl From<Scene> for SceneFile {
             measured: None,
             warnings: vec![],
             scan: None,
+            follows_from: &[],
             spectrum: Arc::default(),
         }
     }

@@ -104,5 +104,11 @@ pub(crate) fn surface(
         _ => return measured(document, keys),
     };
     surface.check().map_err(&refused)?;
-    Ok(Described { surface, measured: None, heights: None, notes: vec![], scan: None })
+    let follows_from = match way {
+        0 if has(&&OF_SURFACE) => &["asperity_radius", "asperity_density", OF_SURFACE],
+        0 => &[][..],
+        _ => WAYS[way],
+    };
+    let (notes, scan) = (vec![], None);
+    Ok(Described { surface, measured: None, heights: None, notes, scan, follows_from })
 }

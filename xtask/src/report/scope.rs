@@ -35,7 +35,7 @@ impl Scope {
         let (models, quantities) = match self {
             Self::Full => (Model::all(), &Quantity::ALL[..]),
             Self::Quick => {
-                let models = ["ke", "jg", "at"].map(str::parse);
+                let models = ["ke", "jg", "gao"].map(str::parse);
                 let models = models.into_iter().collect::<Result<Vec<Model>, _>>()?;
                 (models, &[Quantity::Force, Quantity::Tangent][..])
             }

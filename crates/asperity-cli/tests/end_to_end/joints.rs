@@ -158,7 +158,7 @@ fn what_a_joint_lacks_is_named() {
         ),
         ("unload scene.toml --model ke --closest 60", "nothing touches at a separation of 60"),
         ("curve scene.toml --model ke --quantity thermal-conductance", "thermal_conductivity is"),
-        ("curve scene.toml --model at --quantity unloading-stiffness", "AT cannot give contact-"),
+        ("curve scene.toml --model at --quantity unloading-stiffness", "AT cannot give sums of"),
     ] {
         let run = bench.run(words);
         assert!(run.code == Some(1) && run.words.contains(wanted), "{words}: {}", run.words);

@@ -59,16 +59,18 @@ impl Surface {
                 s.asperity_density = x;
             }),
         ];
-        let slips: Vec<_> = slips.into_iter().flatten().collect();
-        // A number that is odd by itself is rather to blame than one that only does not go with others.
-        let odd = slips.iter().find(|(_, value, usual, ..)| !within(*value, *usual));
-        if let Some((field, value, usual, si, question)) = odd.or(slips.first()) {
-            let why = match within(*value, *usual) {
+        // The number that is farthest from what is usual is to blame.
+        let distance = |(_, value, [from, to], ..): &(_, f64, [f64; 2], _, _)| {
+            ((value / from).ln() + (value / to).ln()).abs() / (to / from).ln()
+        };
+        let worst = slips.into_iter().flatten().max_by(|a, b| distance(a).total_cmp(&distance(b)));
+        if let Some((field, value, usual, si, question)) = worst {
+            let why = match within(value, usual) {
                 true => self.together(),
                 false => format!("asperities have {} to {} {si}", short(usual[0]), short(usual[1])),
             };
-            let message = format!("{field} is {} {si}, {why}: {question}", short(*value));
-            return vec![Finding::new(CODE, Severity::Error, field, *value, *usual, message)];
+            let message = format!("{field} is {} {si}, {why}: {question}", short(value));
+            return vec![Finding::new(CODE, Severity::Error, field, value, usual, message)];
         }
         self.in_one_unit().map_or_else(|| self.apart(), |finding| vec![finding])
     }

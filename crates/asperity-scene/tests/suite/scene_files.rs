@@ -94,6 +94,11 @@ fn the_ways_lead_to_the_librarys_surfaces() {
     let iso = "[surface]\nsq = \"1 um\"\nspd = \"111 1/mm2\"\nspc = \"2.5 1/mm\"";
     let wanted = Surface::from_surface_std(1.0 / 2500.0, 1.11e8, 1e-6).unwrap();
     assert_eq!(read(&text("", INTERFACE, iso)).unwrap().scene.surface, wanted);
+    // What does not make sense of it is told by the keys of the file.
+    let found = read(&text("", INTERFACE, &iso.replace("\"1 um\"", "1.0"))).unwrap().findings();
+    let (said, keys) =
+        (&found[0].message, " (the asperities follow from sq, spd, spc of the file)");
+    assert!(said.contains("is it in um?") && said.ends_with(keys), "{said}");
     for (surface, words) in [
         (iso.replace("2.5 1/mm", "-2.5 1/mm"), "surface.spc is -2500.0: a finite number above 0"),
         (format!("{iso}\nm2 = 1e-2"), "exclude each other"),
