@@ -350,6 +350,9 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
     assert set(few.deviations) == {"gw", "persson"}
     rubber = asperity.Scene(asperity.Interface(1e7, 0.49), scene.surface, 1e-4)
     assert asperity.recommend(rubber, load=1.0, quantities=["area"]).reference == "gw"
+    sticky = asperity.Interface(1e7, 0.49, work_of_adhesion=0.05)
+    among = asperity.recommend(asperity.Scene(sticky, scene.surface, 1e-4), load=1.0)
+    assert {"dmt", "jkr", "jkr-separation"} <= among.deviations.keys() | among.refused.keys()
     far = asperity.recommend(scene, 30.0)
     assert far.evidence.startswith("no evidence here: nothing touches")
     with pytest.raises(ValueError, match=r"within is 5\.0: a share above 0 and at most 1"):

@@ -27,5 +27,5 @@ pub use options::{Asperities, ModelOptions, OptionValue};
 pub use quantity::quantity;
 pub use scan::{height_map, open_seam};
 pub use scene_file::{LeftOut, SceneFile, load, parse};
-pub use template::template;
+pub use template::{template, template_on};
 pub use write::write;

@@ -1,9 +1,41 @@
 //! The template: the one list of the sections, their keys, and what these mean.
 
+use asperity::Surface;
+use toml::Value;
+
 /// A commented scene file with every key there is: steel on steel, machined.
 #[must_use]
 pub fn template() -> &'static str {
     include_str!("template.toml")
+}
+
+/// The template on a measured surface: these keys of `[surface]` have these values, and what the
+/// asperities come to stands beside them as a note.
+#[must_use]
+pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
+    let three = [
+        ("asperity_radius", surface.asperity_radius),
+        ("asperity_density", surface.asperity_density),
+        ("asperity_height_std", surface.asperity_height_std),
+    ];
+    let mut inside = false;
+    let line = |line: &str| {
+        inside = if line.starts_with('[') { line.starts_with("[surface]") } else { inside };
+        let (code, meaning) = line.trim_start_matches("# ").split_once('#').unwrap_or((line, ""));
+        let name = code.trim_start_matches("# ").split(" = ").next().unwrap_or("");
+        let code = if let Some((_, value)) = keys.iter().find(|key| inside && key.0 == name) {
+            match value {
+                Value::Float(small) if *small < 1e-3 => format!("{name} = {small:e}"),
+                value => format!("{name} = {value}"),
+            }
+        } else if let Some((_, value)) = three.iter().find(|key| line.starts_with(key.0)) {
+            format!("# {name} = {value:.5e}")
+        } else {
+            return format!("{line}\n");
+        };
+        format!("{code:<37} #{meaning}\n")
+    };
+    template().lines().map(line).collect()
 }
 
 /// What the template says of a key, or of a section.
@@ -42,6 +74,20 @@ pub(crate) fn key(section: &str, name: &str) -> Option<Key> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_template_on_a_scan_keeps_all_else() {
+        let surface = Surface::new(1.234_567e-5, 2e10, 3e-7);
+        let text = template_on(&surface, &[("file", "a b.txt".into()), ("smooth", 2.5e-6.into())]);
+        let changed: Vec<(&str, &str)> =
+            template().lines().zip(text.lines()).filter(|(old, new)| old != new).collect();
+        let new = |start: &str| changed.iter().find(|(_, new)| new.starts_with(start)).unwrap();
+        assert_eq!(changed.len(), 5, "{changed:#?}");
+        let (old, named) = new("file = \"a b.txt\" ");
+        assert_eq!(old.split_once("# ").unwrap().1.split_once('#').unwrap().1, &named[39..]);
+        new("smooth = 2.5e-6 ");
+        new("# asperity_radius = 1.23457e-5 ");
+    }
 
     #[test]
     fn keys_are_found_with_their_section_and_meaning() {

@@ -4,11 +4,11 @@
 use std::hint::black_box;
 
 use asperity::{
-    Case, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Sweep,
+    At, Case, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Sweep,
     TabulatedHeights, Tolerance, linspace,
 };
 use asperity_quadrature::{gauss_kronrod, reach};
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 type Outcome<T> = Result<T, asperity::ContactError>;
 
@@ -132,6 +132,42 @@ fn sweeps(c: &mut Criterion) -> Outcome<()> {
     Ok(())
 }
 
+/// Scenes whose materials are drawn, so that no law recurs, at a separation and at the load that
+/// belongs to it.
+fn drawn(c: &mut Criterion) -> Outcome<()> {
+    let scene = scene()?;
+    let mut group = c.benchmark_group("drawn");
+    group.sample_size(10);
+    for (id, rows) in [("ke", 4096u32), ("jg", 1024), ("gao", 16), ("at", 16)] {
+        let model: Model = id.parse()?;
+        let all = || Sweep::new(&model, &[Quantity::Force], Tolerance::default());
+        let cases: Vec<Case> = (0..rows)
+            .map(|k| {
+                let share = |step: u32| f64::from((k * step + 1) % rows) / f64::from(rows);
+                let mut scene = scene.clone();
+                scene.surface.asperity_height_std *= 10f64.powf(share(619) - 0.5);
+                let of = &mut scene.interface;
+                of.equivalent_modulus *= 0.8 + 0.4 * share(389);
+                of.hardness = of.hardness.map(|h| h * (0.8 + 0.4 * share(157)));
+                of.poissons_ratio += 0.1 * share(97);
+                Case::new(scene, 4.0 * share(1))
+            })
+            .collect();
+        let forces = all().evaluate_all(&cases).into_iter().collect::<Outcome<Vec<_>>>()?;
+        let loads: Vec<Case> = cases
+            .iter()
+            .zip(forces)
+            .map(|(case, force)| Case::new(case.scene.clone(), At::Load(force[0].value())))
+            .collect();
+        group.throughput(Throughput::Elements(rows.into()));
+        group.bench_function(id, |b| b.iter(|| all().evaluate_all(&cases)));
+        group.bench_function(format!("{id}, to a separation"), |b| {
+            b.iter(|| all().separations(&loads));
+        });
+    }
+    Ok(())
+}
+
 /// KE's force on measured heights: from its series, and integrated anew.
 fn tables(c: &mut Criterion) -> Outcome<()> {
     let ke: Model = "ke".parse()?;
@@ -164,7 +200,7 @@ fn tables(c: &mut Criterion) -> Outcome<()> {
 }
 
 fn all(c: &mut Criterion) {
-    for group in [evaluations, arrays, classical, whole_answers, sweeps, tables] {
+    for group in [evaluations, arrays, classical, whole_answers, sweeps, drawn, tables] {
         if let Err(error) = group(c) {
             eprintln!("error: {error}");
         }

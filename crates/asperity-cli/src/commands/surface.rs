@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
-use asperity_scene::ModelOptions;
 use asperity_topography::{
     Estimator, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError,
 };
 use clap::Args;
 use clap::error::ErrorKind;
+use toml::Value;
 
 use crate::args::OutputArgs;
 use crate::commands::scales::Scales;
@@ -69,7 +69,7 @@ pub struct Surface {
     fill_missing: bool,
     #[command(flatten)]
     output: OutputArgs,
-    /// Write a scene with this surface, ready to run: put your materials into it
+    /// Write a scene that reads the files in the same way, ready to run: put your materials into it
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
     /// Write the measured density of the summits' heights, which the scene then uses
@@ -209,27 +209,36 @@ impl Surface {
         }
     }
 
-    /// The template's scene on this surface.
+    /// The template's scene on this surface, which is read and prepared as here.
     fn scene_text(&self, path: &Path, statistics: &Statistics) -> Result<String> {
-        let template = asperity_scene::parse(asperity_scene::template(), Path::new("."))?;
-        let mut scene = template.scene;
-        scene.surface = statistics.surface();
-        let level = self.level.unwrap_or(Level::usual(self.periodic));
-        let mut how = format!("estimator {}, level {level}", self.estimator);
-        if self.fill_missing {
-            how += ", missing points filled";
-        }
-        for (what, cutoff) in [("smooth", self.smooth), ("filter", self.filter)] {
-            how += &cutoff.map_or(String::new(), |cutoff| format!(", {what} {cutoff} m"));
-        }
-        let comments = [
-            &format!("Surface of {} (asperity surface)", self.names(" and ")),
-            &how,
-            "Materials and nominal area are placeholders, steel on steel: put yours.",
-        ];
+        let files = self.files.iter().map(|file| beside(path, file).map(Value::from));
+        let mut keys = match &files.collect::<Result<Vec<_>>>()?[..] {
+            [one] => vec![("file", one.clone())],
+            both => vec![("files", both.to_vec().into())],
+        };
+        let pixel_size = |[across, down]: [f64; 2]| match across == down {
+            true => Value::from(across),
+            false => vec![across, down].into(),
+        };
         let heights = self.heights.as_deref().map(|file| beside(path, file)).transpose()?;
-        let options = ModelOptions::default();
-        Ok(asperity_scene::write(&scene, &options, heights.as_deref(), &comments))
+        let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
+        let max_missing =
+            Some(self.max_missing).filter(|share| *share != ReadOptions::default().max_missing);
+        let true_where = |asked: bool| asked.then_some(Value::from(true));
+        let given = [
+            ("unit", self.unit.map(|unit| unit.to_string().into())),
+            ("pixel_size", self.pixel_size.map(pixel_size)),
+            ("estimator", Some(self.estimator.to_string().into())),
+            ("level", self.level.map(|level| level.to_string().into())),
+            ("filter", self.filter.map(Value::from)),
+            ("smooth", self.smooth.map(Value::from)),
+            ("periodic", true_where(self.periodic)),
+            ("max_missing", max_missing.map(Value::from)),
+            ("fill_missing", true_where(self.fill_missing)),
+            ("heights", heights.map(Value::from)),
+        ];
+        keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
+        Ok(asperity_scene::template_on(&statistics.surface(), &keys))
     }
 }
 

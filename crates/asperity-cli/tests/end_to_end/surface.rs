@@ -69,7 +69,7 @@ fn of_a_periodic_scan_the_mean_alone_is_taken() {
     );
     assert!(!bench.run(&format!("surface {words}")).words.contains("level"));
     bench.data(&format!("surface {words} --scene waves.toml"));
-    assert!(bench.read("waves.toml").contains("level mean"));
+    assert!(bench.read("waves.toml").contains("\nperiodic = true "));
     assert!(!tilted.words.contains("do not meet") || plane > usual, "{}", tilted.words);
     // A part of it is not periodic.
     let part: Vec<&str> = rows.iter().take(37).map(String::as_str).collect();
@@ -173,6 +173,17 @@ fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
     assert_eq!((again.code, again.out.as_str()), (Some(1), ""));
     assert!(again.words.contains("made.toml exists"), "{}", again.words);
     bench.data(&format!("{words} --force"));
+    // It names the scan, so that what needs all of it can be asked, from any folder.
+    std::fs::create_dir(bench.path("below")).unwrap();
+    bench.data("surface scan.txt --unit um --pixel-size 0.5 --smooth 4e-6 --level quadratic --estimator summits --scene below/made.toml");
+    let bem = bench.data("bem below/made.toml --pressure 1e8 --format csv");
+    assert!(column(&bem, "area_fraction")[0] > 0.0, "{bem}");
+    let both =
+        "surface scan.txt scan.txt --unit um --pixel-size 0.5,0.6 --periodic --scene two.toml";
+    let sum: serde_json::Value =
+        serde_json::from_str(&bench.data(&format!("{both} --format json"))).unwrap();
+    let surface = bench.scene("two.toml").scene.surface;
+    assert_eq!(sum["asperity_radius"].as_f64(), Some(surface.asperity_radius));
 }
 
 #[test]
@@ -183,7 +194,7 @@ fn a_measured_density_takes_the_place_of_the_gaussian() {
         "surface scan.txt --unit um --pixel-size 0.5 --estimator summits --heights pdf.csv --scene made.toml",
     );
     assert!(bench.read("pdf.csv").starts_with("height_m,density_per_m\n"));
-    assert!(bench.read("made.toml").contains("heights = { file = \"pdf.csv\" }"));
+    assert!(bench.read("made.toml").contains("\nheights = { file = \"pdf.csv\" } "));
     // A table ends: beyond its last point nothing touches.
     let data = bench.data("curve made.toml --model gw --separation 1,40 --quantity ln-force");
     assert_eq!(cells(&data, &asperity::Quantity::LnForce.column())[1], "", "{data}");
