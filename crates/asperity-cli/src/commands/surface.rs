@@ -216,14 +216,14 @@ impl Surface {
             [one] => vec![("file", one.clone())],
             both => vec![("files", both.to_vec().into())],
         };
-        let pixel_size = |[across, down]: [f64; 2]| match across == down {
+        let pixel_size = |[across, down]: [f64; 2]| match across.total_cmp(&down).is_eq() {
             true => Value::from(across),
             false => vec![across, down].into(),
         };
         let heights = self.heights.as_deref().map(|file| beside(path, file)).transpose()?;
         let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
-        let max_missing =
-            Some(self.max_missing).filter(|share| *share != ReadOptions::default().max_missing);
+        let usual = ReadOptions::default().max_missing;
+        let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
         let true_where = |asked: bool| asked.then_some(Value::from(true));
         let given = [
             ("unit", self.unit.map(|unit| unit.to_string().into())),
