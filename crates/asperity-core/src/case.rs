@@ -13,7 +13,7 @@ use crate::{AsperityModel, At, Case, ContactError, Evaluation, Part, Quantity, R
 pub(crate) struct Worker<'s> {
     pub(crate) sweep: &'s Sweep<'s>,
     /// Shapes of the case before, part by part: mostly those of the next one.
-    recent: Vec<Arc<Shape>>,
+    recent: Vec<Rc<Arc<Shape>>>,
 }
 
 type Answer = Result<Vec<Evaluation>, ContactError>;
@@ -84,12 +84,12 @@ impl<'s> Worker<'s> {
     }
 
     /// The shape of a part, at its place in the laws of a case.
-    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Arc<Shape> {
+    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Rc<Arc<Shape>> {
         match self.recent.get(place) {
             Some(shape) if shape.part.recurs_in(part) => return shape.clone(),
-            Some(_) => self.recent[place] = self.sweep.shape(part),
+            Some(_) => self.recent[place] = Rc::new(self.sweep.shape(part)),
             None => {
-                let shape = self.sweep.shape(part);
+                let shape = Rc::new(self.sweep.shape(part));
                 self.recent.resize(place + 1, shape);
             }
         }

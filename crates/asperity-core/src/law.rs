@@ -22,13 +22,19 @@ pub enum Regime {
     Plastic,
 }
 
-impl fmt::Display for Regime {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl Regime {
+    fn name(self) -> &'static str {
+        match self {
             Self::Elastic => "elastic",
             Self::ElasticPlastic => "elastic-plastic",
             Self::Plastic => "plastic",
-        })
+        }
+    }
+}
+
+impl fmt::Display for Regime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -69,7 +75,8 @@ impl Law {
     /// A law without parts, in these units (both positive).
     #[must_use]
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
-        Self { interference_unit, value_unit, begins: 0.0, parts: vec![] }
+        let parts = Vec::with_capacity(4);
+        Self { interference_unit, value_unit, begins: 0.0, parts }
     }
 
     /// Counts all x from this interference \[in its unit\]: there is nothing below it.
@@ -155,12 +162,14 @@ impl Law {
 
     fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Form>) -> Self {
         let before = self.parts.iter().filter(|p| p.regime == regime).count();
-        let name = match before {
-            0 => regime.to_string(),
-            n => format!("{regime} {}", n + 1),
+        // Sweeps build laws for every scene: the names that there are cost nothing.
+        let name = match (regime, before) {
+            (_, 0) => regime.name().into(),
+            (Regime::ElasticPlastic, 1) => "elastic-plastic 2".into(),
+            (_, n) => format!("{regime} {}", n + 1).into(),
         };
         let (kinks, form) = (vec![], form.into());
-        self.parts.push(Part { name: name.into(), regime, sign: 1.0, range, kinks, form });
+        self.parts.push(Part { name, regime, sign: 1.0, range, kinks, form });
         self
     }
 

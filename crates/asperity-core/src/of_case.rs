@@ -1,6 +1,7 @@
 //! The integrals of one case of a sweep: shared where parts recur, made where they are asked for
 //! where they do not.
 
+use std::rc::Rc;
 use std::sync::Arc;
 
 use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
@@ -22,7 +23,7 @@ const SETTLED: f64 = 1e-3;
 /// How the integral of one part is come by.
 enum Source {
     /// It recurs: rules for any scale.
-    Shared(Arc<Shape>),
+    Shared(Rc<Arc<Shape>>),
     /// Made for one s, and kept for its neighbourhood.
     Alone(Option<Nearby>),
 }
