@@ -41,7 +41,9 @@ impl HeightIntegral {
                 density: density.clone(),
                 scale,
                 below: Followed::new(Overlap::new(density, scale, tolerance)),
+                finer: OnceLock::new(),
                 above: OnceLock::new(),
+                tolerance,
             }),
             HeightDistribution::Weibull(heights) => Over::Other(Other {
                 integral: Followed::new(Overlap::new(density, scale, tolerance)),
@@ -173,13 +175,20 @@ static EXPONENTIAL: LazyLock<Result<Arc<Weight>, QuadratureError>> = LazyLock::n
     Weight::new("the exponential density", ln, (0.0, f64::INFINITY), &[], 0.0).map(Arc::new)
 });
 
+/// Far below, the integral is this much more exact than a slope that is a difference of two: by as
+/// much as a thousand σ_z take away.
+const FINER: f64 = 1e-3;
+
 /// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
 #[derive(Debug)]
 pub(crate) struct Exponential {
     density: Density,
     scale: f64,
     below: Followed,
+    /// For slopes that are small differences of what `below` knows.
+    finer: OnceLock<Followed>,
     above: OnceLock<Result<Moments, QuadratureError>>,
+    tolerance: f64,
 }
 
 impl Exponential {
@@ -204,10 +213,18 @@ impl Exponential {
             return self.below.at(weight, s, asked);
         }
         // By parts: moving the surface moves the lowest asperity, which is at -s.
-        let found = self.below.at(weight, s, Asked { slope: false, ..asked })?;
-        let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
-        let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
-        Ok(Moments { slope: found.value - lowest, sizes, ..found })
+        let by_parts = |integral: &Followed| {
+            let found = integral.at(weight, s, Asked { slope: false, ..asked })?;
+            let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
+            let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
+            Ok(Moments { slope: found.value - lowest, sizes, ..found })
+        };
+        let found = by_parts(&self.below)?;
+        if found.slope_within(s, self.tolerance).is_ok() {
+            return Ok(found);
+        }
+        let finer = || Overlap::new(self.density.clone(), self.scale, FINER * self.tolerance);
+        by_parts(self.finer.get_or_init(|| Followed::new(finer())))
     }
 }
 
