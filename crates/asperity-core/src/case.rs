@@ -9,11 +9,14 @@ use crate::of_case::OfCase;
 use crate::sweep::{Shape, Sweep};
 use crate::{AsperityModel, At, Case, ContactError, Evaluation, Part, Quantity, Request};
 
+/// A shape of all threads, counted within one: counting across them costs more than an evaluation.
+pub(crate) struct Lent(pub(crate) Arc<Shape>);
+
 /// One thread's view of a sweep.
 pub(crate) struct Worker<'s> {
     pub(crate) sweep: &'s Sweep<'s>,
     /// Shapes of the case before, part by part: mostly those of the next one.
-    recent: Vec<Rc<Arc<Shape>>>,
+    recent: Vec<Rc<Lent>>,
 }
 
 type Answer = Result<Vec<Evaluation>, ContactError>;
@@ -84,12 +87,12 @@ impl<'s> Worker<'s> {
     }
 
     /// The shape of a part, at its place in the laws of a case.
-    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Rc<Arc<Shape>> {
+    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Rc<Lent> {
         match self.recent.get(place) {
-            Some(shape) if shape.part.recurs_in(part) => return shape.clone(),
-            Some(_) => self.recent[place] = Rc::new(self.sweep.shape(part)),
+            Some(shape) if shape.0.part.recurs_in(part) => return shape.clone(),
+            Some(_) => self.recent[place] = Rc::new(Lent(self.sweep.shape(part))),
             None => {
-                let shape = Rc::new(self.sweep.shape(part));
+                let shape = Rc::new(Lent(self.sweep.shape(part)));
                 self.recent.resize(place + 1, shape);
             }
         }

@@ -2,17 +2,15 @@
 //! where they do not.
 
 use std::rc::Rc;
-use std::sync::Arc;
 
 use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
-use crate::case::Worker;
+use crate::case::{Lent, Worker};
 use crate::channel::{Laws, Units, failed};
 use crate::height_integral::HeightIntegral;
 use crate::inverse::{ForceCurve, Target, may_be_asked, sum_of};
 use crate::readings::{Integrals, Reading};
 use crate::separation::Place;
-use crate::sweep::Shape;
 use crate::{
     At, ContactError, Form, HeightDistribution, Law, Part, Quantity, Regime, Scene, Tolerance,
 };
@@ -23,7 +21,7 @@ const SETTLED: f64 = 1e-3;
 /// How the integral of one part is come by.
 enum Source {
     /// It recurs: rules for any scale.
-    Shared(Rc<Arc<Shape>>),
+    Shared(Rc<Lent>),
     /// Made for one s, and kept for its neighbourhood.
     Alone(Option<Nearby>),
 }
@@ -210,8 +208,8 @@ impl OfLaw<'_> {
         let mut sum = Moments::NONE;
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let (factor, m) = match source {
-                Source::Shared(shape) if slope => (part.factor(), shape.integral.at(s, scale)?),
-                Source::Shared(shape) => (part.factor(), shape.integral.value(s, scale)?),
+                Source::Shared(shape) if slope => (part.factor(), shape.0.integral.at(s, scale)?),
+                Source::Shared(shape) => (part.factor(), shape.0.integral.value(s, scale)?),
                 Source::Alone(made) => {
                     if !made.as_ref().is_some_and(|made| made.serves(s)) {
                         *made = Some(alone(part, scale, s, relative)?);
