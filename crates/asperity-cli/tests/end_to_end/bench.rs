@@ -122,3 +122,8 @@ pub fn cells<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
 pub fn column(text: &str, name: &str) -> Vec<f64> {
     cells(text, name).iter().map(|cell| cell.parse().unwrap()).collect()
 }
+
+/// The same where cells may be blank.
+pub fn column_of(data: &str, name: &str) -> Vec<Option<f64>> {
+    cells(data, name).iter().map(|cell| cell.parse().ok()).collect()
+}

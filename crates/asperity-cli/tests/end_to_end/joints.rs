@@ -1,11 +1,12 @@
-//! `unload`, `slip`, and the quantities that follow from contact radii.
+//! `unload`: a joint that was closed, as it opens again.
 
-use asperity::joints::{Joint, PartialSlip, Unloading, UnloadingLaw};
+use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance};
 
-use crate::bench::{Bench, cells, column, conducting, csv};
+use crate::bench::{Bench, cells, column, csv};
 
-fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
+/// A joint that was closed, by the library.
+pub fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
     let scene = bench.scene("scene.toml").scene;
     let model: Model = model.parse().unwrap();
     Unloading::new(&model, &scene, at, law, Tolerance::default()).unwrap()
@@ -39,35 +40,6 @@ fn unloading_is_printed_as_it_is_computed() {
         assert!((column(&data, "force_N")[0] / 100.0 - 1.0).abs() < 1e-8);
         assert_eq!(cells(&data, "law"), [law.to_string().as_str(); 3]);
     }
-}
-
-#[test]
-fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
-    let bench = Bench::new();
-    let words = "slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
-    let run = bench.run(&format!("{words} --points 5"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    let joint = joint(&bench, "gw", At::Pressure(5e6), UnloadingLaw::Hertz);
-    let slip = PartialSlip::new(&joint, 0.2).unwrap();
-    let (shifts, back, forth) =
-        (column(&run.out, "shift_m"), column(&run.out, "back_N"), column(&run.out, "forth_N"));
-    let first = cells(&run.out, "force_N");
-    assert_eq!(first[..2], ["", ""]);
-    for (k, shift) in shifts.iter().copied().enumerate() {
-        if shift >= 0.0 {
-            let force = slip.force(shift).unwrap().value();
-            assert!(first[k].parse::<f64>().unwrap().to_bits() == force.to_bits());
-        }
-        assert!(back[k] <= forth[k] + 1e-9 && (back[k] + forth[4 - k]).abs() < 1e-9);
-    }
-    let (_, loss) = run.words.split_once("loses ").unwrap();
-    let (loss, _) = loss.split_once(" J").unwrap();
-    let exact = slip.loss(1e-7).unwrap().value();
-    assert!((loss.parse::<f64>().unwrap() / exact - 1.0).abs() < 1e-5 && loss.len() < 12, "{loss}");
-    assert!(run.words.contains("99 % of mu F = 100 N is reached"), "{}", run.words);
-    let (_, sliding) = run.words.split_once("from a shift of ").unwrap();
-    let sliding: f64 = sliding.split(' ').next().unwrap().parse().unwrap();
-    assert!((slip.force(sliding).unwrap().value() / 99.0 - 1.0).abs() < 1e-4);
 }
 
 #[test]
@@ -169,26 +141,6 @@ fn what_a_joint_lacks_is_named() {
 }
 
 #[test]
-fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
-    let bench = Bench::new();
-    bench.write("scene.toml", &conducting());
-    let run = bench.run(
-        "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
-    );
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("left out: gao"), "{}", run.words);
-    assert_eq!(csv(&run.out).1.len(), 8, "gw to af, jg twice");
-    let radii = column(&run.out, "contact_radius_sum_m");
-    for (name, factor) in
-        [("thermal_conductance_W_per_K", 2.0 * 50.0), ("electrical_conductance_S", 2.0 / 1.7e-7)]
-    {
-        for (value, radii) in column(&run.out, name).iter().zip(&radii) {
-            assert!((value / (factor * radii) - 1.0).abs() < 1e-12, "{name}");
-        }
-    }
-}
-
-#[test]
 fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --law hertz,brake,etsion --load 2kN");
@@ -265,24 +217,6 @@ fn histories_turn_at_separations_and_at_loads() {
 }
 
 #[test]
-fn slips_of_the_hand_are_told_and_slip_speaks_of_slip() {
-    let bench = Bench::new();
-    let words = |line: &str| bench.run(line).words;
-    let far = words("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 100");
-    assert!(far.contains("times the shift at which everything slides"), "{far}");
-    let gao = words("slip scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
-    assert!(gao.contains("partial slip: its contacts lie at all angles"), "{gao}");
-    let heavy = words("unload scene.toml --model ke --load 2e6kN --retreat 0");
-    assert!(heavy.contains("warning: area_fraction is 10000"), "{heavy}");
-    let random = words("unload scene.toml --model ke-random --load 100");
-    assert!(random.contains("only models of equal, upright asperities"), "{random}");
-    let data = bench
-        .data("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1um --points 3");
-    let factor: f64 = cells(&data, "loss_factor")[2].parse().unwrap();
-    assert!(factor > 0.9 && factor < 4.0 / std::f64::consts::PI, "{factor}");
-}
-
-#[test]
 fn a_model_that_lacks_a_quantity_leaves_it_blank() {
     let bench = Bench::new();
     let ask = "curve scene.toml --model ke,gao --separation 1 --quantity force,unloading-stiffness";
@@ -313,109 +247,4 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
         column(&bench.data(&format!("{words} --retreat-unit m")), "contacts")[0]
     });
     assert!(after < 1.0 && before > 1.0, "{before} {after}");
-}
-
-#[test]
-fn a_preload_without_a_cycle_leaves_the_others() {
-    let bench = Bench::new();
-    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
-    let run = bench.run(&format!("{words} --load 100,1e30"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("ke: a preload is left out: "), "{}", run.words);
-    let alone = bench.data(&format!("{words} --load 100,100"));
-    assert_eq!(run.out.lines().nth(1), alone.lines().nth(1));
-    let loads: Vec<f64> = column_of(&run.out, "load_N").into_iter().flatten().collect();
-    assert!((loads[0] / 100.0 - 1.0).abs() < 1e-9 && (loads[1] / 1e30 - 1.0).abs() < 1e-9);
-    assert_eq!(column_of(&run.out, "force_N")[1], None);
-    let none = bench.run(&format!("{words} --load 1e30,2e30"));
-    assert_eq!((none.code, &*none.out), (Some(1), ""), "{}", none.words);
-}
-
-#[test]
-fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
-    let bench = Bench::new();
-    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";
-    let data = bench.data(&format!("{words} --load 100:10000:3:log --plot losses.svg"));
-    let (head, rows) = csv(&data);
-    let columns = "model,load_N,pressure_Pa,separation_over_sigma,force_N,secant_stiffness_N_per_m,loss_J,loss_factor,sliding_m";
-    assert!(head.join(",") == columns && rows.len() == 3, "{data}");
-    for (k, load) in [100.0, 1000.0, 10000.0].into_iter().enumerate() {
-        let joint = joint(&bench, "ke", At::Load(load), UnloadingLaw::Hertz);
-        let slip = PartialSlip::new(&joint, 0.3).unwrap();
-        let force = slip.force(1e-7).unwrap().value();
-        let loss = slip.loss(1e-7).unwrap().value();
-        let factor = slip.loss_factor(1e-7).unwrap();
-        let wanted = [load, load / 1e-4, joint.closest().value, force, force / 1e-7, loss, factor];
-        for (name, wanted) in head[1..].iter().zip(wanted) {
-            let found = column(&data, name)[k];
-            assert!((found / wanted - 1.0).abs() < 1e-9, "{name} at {load}: {found} {wanted}");
-        }
-    }
-    assert!(bench.read("losses.svg").contains("loss factor"));
-    // One preload has its loop; unloading goes back from one place.
-    assert!(bench.data(&format!("{words} --load 100 --points 3")).starts_with("model,shift_m"));
-    let run = bench.run("unload scene.toml --model ke --load 100,200");
-    assert!(run.code == Some(2) && run.words.contains("--history-load takes"), "{}", run.words);
-}
-
-#[test]
-fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
-    use asperity::joints::conductance::{cooper_mikic_yovanovich, gap_conductance, mikic_elastic};
-    let bench = Bench::new();
-    let words = "conductance scene.toml --conductivity 50 --pressure 1e6,1e8 --format csv";
-    let run = bench.run(&format!("{words} --gas 0.026 --gas-parameter 0.37um"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    let file = bench.scene("scene.toml");
-    let (roughness, modulus) = (file.gap_roughness(), file.scene.interface.equivalent_modulus);
-    let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
-    assert_eq!(cells(&run.out, "model"), ["ke", "ke", "cmy", "cmy", "mikic", "mikic"]);
-    assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "no", "no"]);
-    assert!(run.words.contains("mikic: plasticity_index is "), "{}", run.words);
-    assert!(run.words.contains("from 1 on contacts yield: it does not hold"), "{}", run.words);
-    for (k, pressure) in [1e6, 1e8].into_iter().enumerate() {
-        let cmy = cooper_mikic_yovanovich(50.0, &roughness, pressure, 2e9).unwrap();
-        let mikic = mikic_elastic(50.0, &roughness, pressure, modulus).unwrap();
-        assert_eq!((found[2 + k], found[4 + k]), (Some(cmy.conductance), Some(mikic.conductance)));
-    }
-    // Models give what their quantity does, and the gas that of the mean gap.
-    bench.write("scene.toml", &conducting().replace("asperity-mean", "surface-mean"));
-    let words =
-        "curve scene.toml --model ke --pressure 1e6,1e8 --quantity thermal-conductance-per-area";
-    let curve = bench.data(words);
-    let wanted = column_of(&curve, "thermal_conductance_per_area_W_per_m2_per_K");
-    assert!((found[0].unwrap() / wanted[0].unwrap() - 1.0).abs() < 1e-9, "{found:?} {wanted:?}");
-    let gas = column_of(&run.out, "gas_thermal_conductance_per_area_W_per_m2_per_K");
-    let gap = column(&curve, "separation_m")[0];
-    let wanted = gap_conductance(0.026, gap, 0.37e-6).unwrap();
-    assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9 && gas[2].is_none(), "{gas:?} {wanted}");
-    for said in
-        ["cmy: p/H is 0.05 at a pressure of 1e8 Pa: it holds from 1e-6 to 0.023", "mean slope m"]
-    {
-        assert!(run.words.contains(said), "{}", run.words);
-    }
-    let told = |extra: &str| {
-        bench.run(&format!(
-            "conductance scene.toml --conductivity 50 --pressure 1e6 --gas 0.026{extra}"
-        ))
-    };
-    let (unsaid, metre) = (told("").words, told(" --gas-parameter 1").words);
-    assert!(unsaid.contains("note: --gas-parameter is taken for 0"), "{unsaid}");
-    assert!(
-        metre.contains("--gas-parameter is 1 m, ") && metre.contains("is it in um?"),
-        "{metre}"
-    );
-    assert!(!run.words.contains("--gas-parameter"), "{}", run.words);
-    bench.write(
-        "soft.toml",
-        include_str!("../../../asperity-scene/examples/elastomer-on-glass.toml"),
-    );
-    let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
-    assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
-    assert!(soft.words.contains("left out: cmy: hardness is missing"), "{}", soft.words);
-    let none = bench.run("conductance soft.toml --pressure 100");
-    assert!(none.code == Some(1) && none.words.contains("thermal_conductivity is missing"));
-}
-
-fn column_of(data: &str, name: &str) -> Vec<Option<f64>> {
-    cells(data, name).iter().map(|cell| cell.parse().ok()).collect()
 }

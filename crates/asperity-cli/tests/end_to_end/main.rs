@@ -4,6 +4,7 @@
 mod adhesion;
 mod bem;
 mod bench;
+mod conductance;
 mod curve;
 mod export;
 mod files;
@@ -11,6 +12,7 @@ mod help;
 mod joints;
 mod random;
 mod readme;
+mod slip;
 mod solve;
 mod surface;
 mod truth;

@@ -194,7 +194,7 @@ fn a_measured_density_takes_the_place_of_the_gaussian() {
         "surface scan.txt --unit um --pixel-size 0.5 --estimator summits --heights pdf.csv --scene made.toml",
     );
     assert!(bench.read("pdf.csv").starts_with("height_m,density_per_m\n"));
-    assert!(bench.read("made.toml").contains("\nheights = { file = \"pdf.csv\" } "));
+    assert!(bench.read("made.toml").contains("\nheights = { file = \"pdf.csv\" }\n"));
     // A table ends: beyond its last point nothing touches.
     let data = bench.data("curve made.toml --model gw --separation 1,40 --quantity ln-force");
     assert_eq!(cells(&data, &asperity::Quantity::LnForce.column())[1], "", "{data}");

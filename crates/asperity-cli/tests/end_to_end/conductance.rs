@@ -1,0 +1,81 @@
+//! Conductances and stiffnesses of contact radii, and correlations beside them.
+
+use crate::bench::{Bench, cells, column, column_of, conducting, csv};
+
+#[test]
+fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
+    let bench = Bench::new();
+    bench.write("scene.toml", &conducting());
+    let run = bench.run(
+        "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
+    );
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert!(run.words.contains("left out: gao"), "{}", run.words);
+    assert_eq!(csv(&run.out).1.len(), 8, "gw to af, jg twice");
+    let radii = column(&run.out, "contact_radius_sum_m");
+    for (name, factor) in
+        [("thermal_conductance_W_per_K", 2.0 * 50.0), ("electrical_conductance_S", 2.0 / 1.7e-7)]
+    {
+        for (value, radii) in column(&run.out, name).iter().zip(&radii) {
+            assert!((value / (factor * radii) - 1.0).abs() < 1e-12, "{name}");
+        }
+    }
+}
+
+#[test]
+fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
+    use asperity::joints::conductance::{cooper_mikic_yovanovich, gap_conductance, mikic_elastic};
+    let bench = Bench::new();
+    let words = "conductance scene.toml --conductivity 50 --pressure 1e6,1e8 --format csv";
+    let run = bench.run(&format!("{words} --gas 0.026 --gas-parameter 0.37um"));
+    assert_eq!(run.code, Some(0), "{}", run.words);
+    let file = bench.scene("scene.toml");
+    let (roughness, modulus) = (file.gap_roughness(), file.scene.interface.equivalent_modulus);
+    let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
+    assert_eq!(cells(&run.out, "model"), ["ke", "ke", "cmy", "cmy", "mikic", "mikic"]);
+    assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "no", "no"]);
+    assert!(run.words.contains("mikic: plasticity_index is "), "{}", run.words);
+    assert!(run.words.contains("from 1 on contacts yield: it does not hold"), "{}", run.words);
+    for (k, pressure) in [1e6, 1e8].into_iter().enumerate() {
+        let cmy = cooper_mikic_yovanovich(50.0, &roughness, pressure, 2e9).unwrap();
+        let mikic = mikic_elastic(50.0, &roughness, pressure, modulus).unwrap();
+        assert_eq!((found[2 + k], found[4 + k]), (Some(cmy.conductance), Some(mikic.conductance)));
+    }
+    // Models give what their quantity does, and the gas that of the mean gap.
+    bench.write("scene.toml", &conducting().replace("asperity-mean", "surface-mean"));
+    let words =
+        "curve scene.toml --model ke --pressure 1e6,1e8 --quantity thermal-conductance-per-area";
+    let curve = bench.data(words);
+    let wanted = column_of(&curve, "thermal_conductance_per_area_W_per_m2_per_K");
+    assert!((found[0].unwrap() / wanted[0].unwrap() - 1.0).abs() < 1e-9, "{found:?} {wanted:?}");
+    let gas = column_of(&run.out, "gas_thermal_conductance_per_area_W_per_m2_per_K");
+    let gap = column(&curve, "separation_m")[0];
+    let wanted = gap_conductance(0.026, gap, 0.37e-6).unwrap();
+    assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9 && gas[2].is_none(), "{gas:?} {wanted}");
+    for said in
+        ["cmy: p/H is 0.05 at a pressure of 1e8 Pa: it holds from 1e-6 to 0.023", "mean slope m"]
+    {
+        assert!(run.words.contains(said), "{}", run.words);
+    }
+    let told = |extra: &str| {
+        bench.run(&format!(
+            "conductance scene.toml --conductivity 50 --pressure 1e6 --gas 0.026{extra}"
+        ))
+    };
+    let (unsaid, metre) = (told("").words, told(" --gas-parameter 1").words);
+    assert!(unsaid.contains("note: --gas-parameter is taken for 0"), "{unsaid}");
+    assert!(
+        metre.contains("--gas-parameter is 1 m, ") && metre.contains("is it in um?"),
+        "{metre}"
+    );
+    assert!(!run.words.contains("--gas-parameter"), "{}", run.words);
+    bench.write(
+        "soft.toml",
+        include_str!("../../../asperity-scene/examples/elastomer-on-glass.toml"),
+    );
+    let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
+    assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
+    assert!(soft.words.contains("left out: cmy: hardness is missing"), "{}", soft.words);
+    let none = bench.run("conductance soft.toml --pressure 100");
+    assert!(none.code == Some(1) && none.words.contains("thermal_conductivity is missing"));
+}
