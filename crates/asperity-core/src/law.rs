@@ -75,6 +75,7 @@ impl Law {
     /// A law without parts, in these units (both positive).
     #[must_use]
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
+        // Few laws have more.
         let parts = Vec::with_capacity(4);
         Self { interference_unit, value_unit, begins: 0.0, parts }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Comparison, ContactError, ContactModel, Model, Nearest, Quantity, Request, Scene};
+use asperity::{Comparison, ContactError, ContactModel, Nearest, Quantity, Request, Scene};
 use asperity_scene::LeftOut;
 use pyo3::prelude::*;
 
@@ -69,9 +69,7 @@ pub(crate) fn recommend<'py>(
             others.retain(|model| !known.iter().any(|id| id == model.id()));
             left_out.retain(|model| !known.contains(&model.id));
             models.extend(others);
-            if file.scene.interface.work_of_adhesion.is_some() {
-                models.extend(Model::adhesive());
-            }
+            models.extend(file.adhesive_models());
             (models, left_out)
         }
         Some(ids) => {

@@ -80,7 +80,7 @@ def test_the_same_laws_give_the_same_values(
     own: type[KogutEtsion], heights: str, scene: asperity.Scene
 ) -> None:
     scene = asperity.Scene(scene.interface, scene.surface, scene.nominal_area, heights=heights)
-    # Those of an exponential density differ by a factor alone.
+    # From 0 on those of an exponential density differ by a factor alone.
     at = SEPARATIONS[::20] if heights == "exponential" else SEPARATIONS
     mine = asperity.model(own).solve(scene, at, QUANTITIES, rtol=1e-12)
     theirs = asperity.model("ke").solve(scene, at, QUANTITIES, rtol=1e-12)

@@ -269,6 +269,12 @@ impl SceneFile {
         (models, left_out)
     }
 
+    /// The models that stick, where surfaces do.
+    #[must_use]
+    pub fn adhesive_models(&self) -> Vec<Model> {
+        self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
+    }
+
     /// A separation as the users of this scene count it.
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {

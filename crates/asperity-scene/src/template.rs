@@ -33,7 +33,10 @@ pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
         } else {
             return format!("{line}\n");
         };
-        format!("{code:<37} #{meaning}\n")
+        match meaning {
+            "" => format!("{code}\n"),
+            meaning => format!("{code:<37} #{meaning}\n"),
+        }
     };
     template().lines().map(line).collect()
 }

@@ -2,7 +2,7 @@
 //! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Evidence, Model, Quantity, linspace};
+use asperity::{At, ContactModel, Evidence, Quantity, linspace};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
@@ -63,8 +63,8 @@ impl Recommend {
         let request = self.asked.request(&scene.file, &separations, &usual);
         // The evidence is of these as well.
         let mut models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
-        if self.asked.models.is_empty() && scene.file.scene.interface.work_of_adhesion.is_some() {
-            models.extend(Model::adhesive());
+        if self.asked.models.is_empty() {
+            models.extend(scene.file.adhesive_models());
         }
         let working = progress("comparing models");
         let advice = scene.file.recommend_among(models, &request, &reference, self.within);
