@@ -9,7 +9,7 @@ use crate::of_case::OfCase;
 use crate::sweep::{Shape, Sweep};
 use crate::{AsperityModel, At, Case, ContactError, Evaluation, Part, Quantity, Request};
 
-/// A shape of all threads, counted within one: counting across them costs more than an evaluation.
+/// A shape of all threads, counted within one: no row writes what another thread reads.
 pub(crate) struct Lent(pub(crate) Arc<Shape>);
 
 /// One thread's view of a sweep.
