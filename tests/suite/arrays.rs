@@ -1,7 +1,7 @@
 //! Plain arrays of values: those of one at a time, to the last digits, whatever the model and place.
 
 use asperity::{
-    Contact, ContactError, Filled, HeightDistribution, Model, Quantity, Request, Tolerance,
+    Contact, ContactError, FillReport, HeightDistribution, Model, Quantity, Request, Tolerance,
     WeibullHeights,
 };
 
@@ -22,7 +22,7 @@ fn filled(
     contact: &dyn Contact,
     asked: &[Quantity],
     s: &[f64],
-) -> Result<(Vec<Vec<f64>>, Filled), ContactError> {
+) -> Result<(Vec<Vec<f64>>, FillReport), ContactError> {
     let mut columns = vec![vec![f64::NAN; s.len()]; asked.len()];
     let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
     let known = contact.fill(asked, s, &mut out)?;
@@ -69,7 +69,7 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
                     }
                 }
                 // The bound is no smaller, and not much larger; what cancels is the same.
-                let Filled { bound, .. } = known;
+                let FillReport { bound, .. } = known;
                 assert!(
                     bound >= 0.999 * largest && bound <= 3.0 * largest,
                     "{id}: {bound:e} {largest:e}"

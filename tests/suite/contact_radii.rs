@@ -106,7 +106,7 @@ fn for_elastic_asperities_unloading_is_loading_backwards() {
 
 #[test]
 fn contacts_that_are_no_upright_circles_and_missing_inputs_are_refused_by_name() {
-    let lateral = Model::all().into_iter().filter(|model| model.claims().angles);
+    let lateral = Model::all().into_iter().filter(|model| model.validity().angles);
     for model in lateral {
         for quantity in FOLLOW {
             let asked = Request::new([quantity]).at([1.0]);

@@ -67,7 +67,7 @@ fn are_met(models: &[&str], count: usize) {
     let mut failures = vec![];
     for row in &rows {
         let (model, quantity) = (row.model(), row.quantity());
-        let lateral = model.claims().angles;
+        let lateral = model.validity().angles;
         // The tightest tolerances that are promised. The lateral references themselves hold 13
         // digits of the sum of sizes.
         let (tolerance, reference) = if lateral { (1e-11, 1e-13) } else { (1e-13, 1e-15) };

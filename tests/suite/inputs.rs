@@ -82,7 +82,7 @@ fn only_the_lateral_models_miss_the_shear_modulus() {
     scene.interface.equivalent_shear_modulus = None;
     for model in Model::all() {
         let answer = model.compile(&scene, &request());
-        if model.claims().angles {
+        if model.validity().angles {
             let message = answer.unwrap_err().to_string();
             let start = format!("equivalent_shear_modulus is missing: {} needs it", model.name());
             assert!(message == start, "{message}");
@@ -243,7 +243,7 @@ fn no_odd_number_anywhere_makes_a_panic_or_a_value_that_is_none() {
     let mut answered = 0;
     let mut odd = vec![];
     // One lateral model with signs stands for all four: they share their parts.
-    let models = Model::all().into_iter().filter(|m| !m.claims().angles || m.id() == "at");
+    let models = Model::all().into_iter().filter(|m| !m.validity().angles || m.id() == "at");
     for model in models {
         for (field, set) in FIELDS {
             for value in

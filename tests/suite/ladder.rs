@@ -14,7 +14,7 @@ fn every_rung_keeps_its_word() {
     let mut count = 0;
     for ([case, id, words], rows) in rows() {
         let (model, quantity) = meaning(id, words);
-        let lateral = model.claims().angles;
+        let lateral = model.validity().angles;
         if lateral && case != "at-paper" {
             continue;
         }

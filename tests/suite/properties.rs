@@ -41,7 +41,7 @@ proptest! {
     #[test]
     fn force_falls_with_the_separation_where_a_model_claims_it(scene in scenes(), s in -30.0..30.0f64, step in 1e-6..3.0f64) {
         for id in UPRIGHT {
-            if id.parse::<Model>().unwrap().claims().force_monotone {
+            if id.parse::<Model>().unwrap().validity().force_monotone {
                 let scene = compiled(id, &scene, 1e-12);
                 prop_assert!(ln(&scene, Quantity::Force, s) > ln(&scene, Quantity::Force, s + step), "{id}");
                 // Its slope is then negative.

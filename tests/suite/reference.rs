@@ -45,7 +45,7 @@ fn every_reference_value_is_met_within_the_reported_bound() {
         let (model, quantity) = meaning(id, words);
         // The table's own accuracy: 17 digits of a 40-digit value, or 13 digits and three
         // implementations for the lateral models, whose tables miss 1e-12 (see below).
-        let own = if model.claims().angles { 3e-12 } else { 1e-13 };
+        let own = if model.validity().angles { 3e-12 } else { 1e-13 };
         let compiled = scenes::compiled(&model, &scenes::named(case), &[quantity], 1e-12);
         for (separation, value) in rows {
             let found = compiled.evaluate(quantity, separation).unwrap();
@@ -72,7 +72,7 @@ fn every_reference_value_is_met_within_the_reported_bound() {
     assert!(count == 864, "{count} rows");
     // Measured 3e-14 (upright) and 2.6e-12 (lateral).
     for (id, error) in worst {
-        let allowed = if scenes::model(id).claims().angles { 3e-12 } else { 1e-13 };
+        let allowed = if scenes::model(id).validity().angles { 3e-12 } else { 1e-13 };
         assert!(error < allowed, "{id}: {error:.1e}");
     }
 }

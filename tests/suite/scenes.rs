@@ -1,7 +1,7 @@
 //! The scenes of `reference/models_scenes.csv`, and ways to make others.
 
 use asperity::{
-    AminiTehrani, Contact, Gao, Interface, LateralOptions, Model, Quantity, Reading, Request,
+    AminiTehrani, AtReading, Contact, Gao, Interface, LateralOptions, Model, Quantity, Request,
     Scene, Surface, Tolerance,
 };
 
@@ -34,16 +34,16 @@ pub fn lateral(id: &str, options: LateralOptions) -> Model {
     let at = |reading| Model::new(AminiTehrani { reading, options });
     match id {
         "gao" => Model::new(Gao { options }),
-        "at" => at(Reading::Printed),
-        "at-additive" => at(Reading::Additive),
-        "at-overlap" => at(Reading::Overlap),
+        "at" => at(AtReading::Printed),
+        "at-additive" => at(AtReading::Additive),
+        "at-overlap" => at(AtReading::Overlap),
         _ => panic!("{id} has no lateral options"),
     }
 }
 
 /// The models of upright asperities, GW first.
 pub fn upright() -> Vec<Model> {
-    Model::all().into_iter().filter(|model| !model.claims().angles).collect()
+    Model::all().into_iter().filter(|model| !model.validity().angles).collect()
 }
 
 /// The model of this id.

@@ -33,7 +33,7 @@ fn cases(count: usize, materials: bool) -> Vec<Case> {
 fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
     let tolerance = Tolerance::new(1e-12).unwrap();
     for model in Model::all() {
-        let lateral = model.claims().angles;
+        let lateral = model.validity().angles;
         // Each compiled alone: laws over angles take a tenth of a second to build.
         let cases = cases(if lateral { 4 } else { 40 }, true);
         let sweep = Sweep::new(&model, &ASKED, tolerance);

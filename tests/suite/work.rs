@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use asperity::{
-    AngleDensity, Asperity, AsperityModel, Case, Contact, ContactError, ContactModel, Form,
-    HeightDistribution, Law, ObliqueContact, Power, Provenance, Quantity, Request, Scene, Source,
-    Sweep, Tolerance, angle_average,
+    AngleDensity, Asperity, AsperityModel, Case, Citation, Contact, ContactError, ContactModel,
+    Described, Formula, HeightDistribution, Law, ObliqueContact, Power, Provenance, Quantity,
+    Request, Scene, Sweep, Tolerance, angle_average,
 };
 
 use crate::scenes::{named, with_index};
@@ -22,7 +22,7 @@ struct Spy {
     own_stiffness: bool,
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "mine",
     name: "mine",
     authors: "nobody",
@@ -46,11 +46,13 @@ impl Spy {
     }
 }
 
-impl AsperityModel for Spy {
-    fn source(&self) -> &Source {
+impl Described for Spy {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
+}
 
+impl AsperityModel for Spy {
     fn law(
         &self,
         asperity: &Asperity,
@@ -67,7 +69,7 @@ impl AsperityModel for Spy {
         }
         self.laws.lock().unwrap().push(quantity);
         let samples = self.samples.clone();
-        let beyond = Form::function(move |x| {
+        let beyond = Formula::function(move |x| {
             samples.fetch_add(1, Ordering::Relaxed);
             x * x.ln_1p()
         });
@@ -181,11 +183,13 @@ impl ObliqueContact for Counted {
 #[derive(Debug)]
 struct LateralSpy(Arc<AtomicUsize>);
 
-impl AsperityModel for LateralSpy {
-    fn source(&self) -> &Source {
+impl Described for LateralSpy {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
+}
 
+impl AsperityModel for LateralSpy {
     fn law(
         &self,
         asperity: &Asperity,

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Quantity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -14,7 +14,7 @@ use crate::{hertz, sticking};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct DerjaguinMullerToporov;
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "dmt",
     name: "DMT",
     authors: "Derjaguin, Muller & Toporov",
@@ -23,11 +23,17 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-impl AsperityModel for DerjaguinMullerToporov {
-    fn source(&self) -> &Source {
+impl Described for DerjaguinMullerToporov {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        sticking([0.0, 0.1], "elastic asperities that stick, Tabor's parameter below about 0.1")
+    }
+}
+
+impl AsperityModel for DerjaguinMullerToporov {
     fn law(
         &self,
         asperity: &Asperity,
@@ -41,9 +47,5 @@ impl AsperityModel for DerjaguinMullerToporov {
         }
         let constant = [Power::new(pull / law.value_unit, 0.0)];
         Ok(Some(law.less_adhesion(0.0..f64::INFINITY, constant)))
-    }
-
-    fn claims(&self) -> Claims {
-        sticking([0.0, 0.1], "elastic asperities that stick, Tabor's parameter below about 0.1")
     }
 }

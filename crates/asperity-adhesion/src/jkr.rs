@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Form, Law, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Provenance, Quantity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,7 @@ use crate::{hertz, sticking};
 /// Which way the surfaces go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Branch {
+pub enum JkrBranch {
     /// Towards each other for the first time: contacts begin at w = 0.
     #[default]
     Approach,
@@ -21,7 +21,7 @@ pub enum Branch {
     Separation,
 }
 
-impl Branch {
+impl JkrBranch {
     /// w/w_p where a contact begins.
     fn begins(self) -> f64 {
         match self {
@@ -71,10 +71,10 @@ impl Branch {
 #[serde(default, deny_unknown_fields)]
 pub struct JohnsonKendallRoberts {
     /// Which way the surfaces go.
-    pub branch: Branch,
+    pub branch: JkrBranch,
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "jkr",
     name: "JKR",
     authors: "Johnson, Kendall & Roberts",
@@ -83,29 +83,36 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-const SEPARATION: Source = Source { id: "jkr-separation", name: "JKR separation", ..SOURCE };
+const SEPARATION: Citation = Citation { id: "jkr-separation", name: "JKR separation", ..SOURCE };
 
 impl JohnsonKendallRoberts {
     /// A power of r, as a function of x.
-    fn power(self, coefficient: f64, exponent: i32) -> Form {
+    fn power(self, coefficient: f64, exponent: i32) -> Formula {
         let branch = self.branch;
         let name = match branch {
-            Branch::Approach => "power of JKR's radius on approach",
-            Branch::Separation => "power of JKR's radius on separation",
+            JkrBranch::Approach => "power of JKR's radius on approach",
+            JkrBranch::Separation => "power of JKR's radius on separation",
         };
-        Form::function(move |x| coefficient * branch.root(x).powi(exponent))
+        Formula::function(move |x| coefficient * branch.root(x).powi(exponent))
             .known_as(name, vec![coefficient, f64::from(exponent)])
     }
 }
 
-impl AsperityModel for JohnsonKendallRoberts {
-    fn source(&self) -> &Source {
+impl Described for JohnsonKendallRoberts {
+    fn citation(&self) -> &Citation {
         match self.branch {
-            Branch::Approach => &SOURCE,
-            Branch::Separation => &SEPARATION,
+            JkrBranch::Approach => &SOURCE,
+            JkrBranch::Separation => &SEPARATION,
         }
     }
 
+    fn validity(&self) -> Validity {
+        let words = "elastic asperities that stick, Tabor's parameter above about 5";
+        sticking([5.0, f64::INFINITY], words)
+    }
+}
+
+impl AsperityModel for JohnsonKendallRoberts {
     fn law(
         &self,
         asperity: &Asperity,
@@ -129,11 +136,6 @@ impl AsperityModel for JohnsonKendallRoberts {
             _ => return Ok(None),
         }))
     }
-
-    fn claims(&self) -> Claims {
-        let words = "elastic asperities that stick, Tabor's parameter above about 5";
-        sticking([5.0, f64::INFINITY], words)
-    }
 }
 
 #[cfg(test)]
@@ -156,7 +158,7 @@ mod tests {
         interface.work_of_adhesion = Some(0.08);
         let asperity = Asperity::new(&interface, 2e-4).unwrap();
         let least = (PI * 0.08 * 2e-4f64.powi(2) / (8.0 * 3e6)).cbrt();
-        for branch in [Branch::Approach, Branch::Separation] {
+        for branch in [JkrBranch::Approach, JkrBranch::Separation] {
             let model = JohnsonKendallRoberts { branch };
             assert_eq!(testkit::check(&model, &asperity).unwrap(), []);
             let law = |q| model.law(&asperity, q, Tolerance::default()).unwrap().unwrap();
@@ -176,19 +178,19 @@ mod tests {
             let (below, above) = (w - 1e-6 * w.abs() - 1e-15, w + 1e-12 * w.abs() + 1e-21);
             assert!(force.value(below).unwrap() == 0.0 && area.value(below).unwrap() == 0.0);
             assert!((force.value(above).unwrap() / f - 1.0).abs() < 1e-5);
-            let jump = [-4.0 / 3.0, -5.0 / 6.0][usize::from(branch == Branch::Separation)];
+            let jump = [-4.0 / 3.0, -5.0 / 6.0][usize::from(branch == JkrBranch::Separation)];
             assert!((f / (jump * PI * 0.08 * 2e-4) - 1.0).abs() < 1e-12);
         }
     }
 
     #[test]
     fn the_root_is_met_over_all_scales() {
-        for branch in [Branch::Approach, Branch::Separation] {
+        for branch in [JkrBranch::Approach, JkrBranch::Separation] {
             for k in -300..300 {
                 let x = 10f64.powi(k);
                 let (b, r) = (branch.least(), branch.root(x));
                 let u = r - b;
-                let c1 = if branch == Branch::Approach { 12.0 } else { 0.0 };
+                let c1 = if branch == JkrBranch::Approach { 12.0 } else { 0.0 };
                 let back = u * (c1 + u * (6.0 * b * b + u * (4.0 * b + u))) / 3.0;
                 // u itself is lost in r where x is small.
                 let lost = 4.0 * f64::EPSILON * b / u.max(f64::MIN_POSITIVE);

@@ -35,13 +35,13 @@
 //!
 //! # Example
 //! ```
-//! use asperity_adhesion::{Branch, JohnsonKendallRoberts, pull_off};
+//! use asperity_adhesion::{JkrBranch, JohnsonKendallRoberts, pull_off};
 //! use asperity_core::{ContactModel, Interface, Quantity, Request, Scene, Surface};
 //!
 //! let mut rubber = Interface::elastic(1e6, 0.5);
 //! rubber.work_of_adhesion = Some(0.05); // J/m²
 //! let scene = Scene::new(rubber, Surface::new(1e-4, 1e9, 1e-6), 1e-4);
-//! let parting = JohnsonKendallRoberts { branch: Branch::Separation };
+//! let parting = JohnsonKendallRoberts { branch: JkrBranch::Separation };
 //! let contact = parting.compile(&scene, &Request::new([Quantity::Force, Quantity::Tangent]))?;
 //! let found = pull_off(&*contact)?.expect("it sticks");
 //! let force = found.force.value();
@@ -53,19 +53,19 @@
 //!
 //! [`Asperity::tabor_parameter`]: asperity_core::Asperity::tabor_parameter
 
-use asperity_core::{Asperity, Claims, Law, Power, Quantity};
+use asperity_core::{Asperity, Law, Power, Quantity, Validity};
 
 mod dmt;
 mod jkr;
 mod pull_off;
 
 pub use dmt::DerjaguinMullerToporov;
-pub use jkr::{Branch, JohnsonKendallRoberts};
+pub use jkr::{JkrBranch, JohnsonKendallRoberts};
 pub use pull_off::{PullOff, pull_off};
 
 /// What models of elastic asperities that stick say of themselves: for which Tabor parameters they are.
-fn sticking([least, most]: [f64; 2], valid_for: &'static str) -> Claims {
-    Claims::with_adhesion().for_tabor(least, most).valid_for(valid_for).holds_to(1.0)
+fn sticking([least, most]: [f64; 2], valid_for: &'static str) -> Validity {
+    Validity::with_adhesion().for_tabor(least, most).valid_for(valid_for).holds_to(1.0)
 }
 
 /// Hertz' laws of w in metres: what is left without adhesion, and DMT's contact.

@@ -4,15 +4,17 @@
 
 use std::f64::consts::PI;
 
-use asperity_adhesion::{Branch, DerjaguinMullerToporov, JohnsonKendallRoberts, PullOff, pull_off};
+use asperity_adhesion::{
+    DerjaguinMullerToporov, JkrBranch, JohnsonKendallRoberts, PullOff, pull_off,
+};
 use asperity_core::{
     At, Case, Contact, ContactError, ContactModel, Evaluation, Finding, HeightDistribution,
     Interface, Quantity, Request, Scene, Severity, Surface, Sweep, Tolerance, Warning,
 };
 use asperity_gw::GreenwoodWilliamson;
 
-const APPROACH: JohnsonKendallRoberts = JohnsonKendallRoberts { branch: Branch::Approach };
-const SEPARATION: JohnsonKendallRoberts = JohnsonKendallRoberts { branch: Branch::Separation };
+const APPROACH: JohnsonKendallRoberts = JohnsonKendallRoberts { branch: JkrBranch::Approach };
+const SEPARATION: JohnsonKendallRoberts = JohnsonKendallRoberts { branch: JkrBranch::Separation };
 
 fn model(id: &str) -> &'static dyn ContactModel {
     let models: [&'static dyn ContactModel; 3] = [&DerjaguinMullerToporov, &APPROACH, &SEPARATION];

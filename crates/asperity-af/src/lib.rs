@@ -37,8 +37,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Form, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
+    Quantity, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -62,7 +62,7 @@ pub struct AbdoFarhang {
     pub flow_pressure: FlowPressure,
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "af",
     name: "AF",
     authors: "Abdo & Farhang",
@@ -79,11 +79,17 @@ pub fn plastic_radius_ratio(asperity: &Asperity) -> Result<f64, ContactError> {
     Ok(1.0 - asperity.critical_interference()? / asperity.radius)
 }
 
-impl AsperityModel for AbdoFarhang {
-    fn source(&self) -> &Source {
+impl Described for AbdoFarhang {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        Validity::default().valid_for("w_c < R; the mean pressure has no plastic limit")
+    }
+}
+
+impl AsperityModel for AbdoFarhang {
     fn law(
         &self,
         asperity: &Asperity,
@@ -106,7 +112,7 @@ impl AsperityModel for AbdoFarhang {
                     let powers = x * x.sqrt() + y * y.sqrt();
                     (1.0 + 3.0 * x * y) / powers + loss * y * y.sqrt() + flow * y
                 };
-                let force = Form::function(force).known_as("AF force", vec![loss, flow]);
+                let force = Formula::function(force).known_as("AF force", vec![loss, flow]);
                 Law::in_units(critical, asperity.critical_force()?)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
                     .elastic_plastic(beyond, force)
@@ -116,10 +122,6 @@ impl AsperityModel for AbdoFarhang {
                 .elastic_plastic(beyond, [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)]),
             _ => return Ok(None),
         }))
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::default().valid_for("w_c < R; the mean pressure has no plastic limit")
     }
 }
 

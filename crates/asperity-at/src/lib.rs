@@ -27,7 +27,7 @@
 //!
 //! # Example
 //! ```
-//! use asperity_at::{AminiTehrani, Reading};
+//! use asperity_at::{AminiTehrani, AtReading};
 //! use asperity_core::{ContactModel, Interface, Quantity, Request, Scene, Surface};
 //!
 //! let mut interface = Interface::new(116e9, 0.31, 1.12e9);
@@ -38,7 +38,7 @@
 //! let printed = AminiTehrani::default().solve(&scene, &asked)?;
 //! assert!(printed.values(Quantity::Force)?[0] < 0.0);
 //! assert!(printed.warnings.iter().any(|w| w.to_string().contains("is negative in 1 row")));
-//! let additive = AminiTehrani { reading: Reading::Additive, ..Default::default() };
+//! let additive = AminiTehrani { reading: AtReading::Additive, ..Default::default() };
 //! assert!(additive.solve(&scene, &asked)?.values(Quantity::Force)?[0] > 0.0);
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
@@ -47,8 +47,8 @@ use std::ops::Range;
 
 use asperity_af::plastic_radius_ratio;
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Law, Provenance, Quantity, Regime, Source,
-    Tolerance, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Quantity, Regime,
+    Tolerance, Validity, Warning,
 };
 use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM, Stick};
 use serde::{Deserialize, Serialize};
@@ -56,7 +56,7 @@ use serde::{Deserialize, Serialize};
 /// How equations (11), (26) and (29) are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Reading {
+pub enum AtReading {
     /// With the printed minus sign.
     #[default]
     Printed,
@@ -71,13 +71,13 @@ pub enum Reading {
 #[serde(default)]
 pub struct AminiTehrani {
     /// How the sums are read.
-    pub reading: Reading,
+    pub reading: AtReading,
     /// Angles, displacement, stick and the force's component.
     #[serde(flatten)]
     pub options: LateralOptions,
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "at",
     name: "AT",
     authors: "Amini & Tehrani",
@@ -86,8 +86,8 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-const ADDITIVE: Source = Source { id: "at-additive", name: "AT additive", ..SOURCE };
-const OVERLAP: Source = Source { id: "at-overlap", name: "AT overlap", ..SOURCE };
+const ADDITIVE: Citation = Citation { id: "at-additive", name: "AT additive", ..SOURCE };
+const OVERLAP: Citation = Citation { id: "at-overlap", name: "AT overlap", ..SOURCE };
 
 /// Where ep1 ends and ep2 begins, in y. \[seen\]
 const EP1_END: f64 = 6.0;
@@ -98,8 +98,8 @@ type Term = (&'static str, f64, Regime, Range<f64>);
 impl AminiTehrani {
     fn terms(&self, quantity: Quantity) -> Vec<Term> {
         let (ep, p) = (Regime::ElasticPlastic, Regime::Plastic);
-        let sign = if self.reading == Reading::Additive { 1.0 } else { -1.0 };
-        let overlap = self.reading == Reading::Overlap;
+        let sign = if self.reading == AtReading::Additive { 1.0 } else { -1.0 };
+        let overlap = self.reading == AtReading::Overlap;
         // In the overlap reading ep1 and ep2 cancel from 1 to 6, unless their areas or limits differ.
         let cancel = overlap && quantity != Quantity::Area && self.options.stick == Stick::Clamped;
         let elastic_end = if overlap { EP1_END } else { ELASTIC_END };
@@ -114,15 +114,28 @@ impl AminiTehrani {
     }
 }
 
-impl AsperityModel for AminiTehrani {
-    fn source(&self) -> &Source {
+impl Described for AminiTehrani {
+    fn citation(&self) -> &Citation {
         match self.reading {
-            Reading::Printed => &SOURCE,
-            Reading::Additive => &ADDITIVE,
-            Reading::Overlap => &OVERLAP,
+            AtReading::Printed => &SOURCE,
+            AtReading::Additive => &ADDITIVE,
+            AtReading::Overlap => &OVERLAP,
         }
     }
 
+    fn validity(&self) -> Validity {
+        self.options.validity().valid_for(match self.reading {
+            AtReading::Printed => "w_c < R; needs the equivalent shear modulus; a part is subtracted: totals may be negative",
+            _ => "w_c < R; needs the equivalent shear modulus; asperities touch at all angles",
+        })
+    }
+
+    fn notes(&self) -> Vec<Warning> {
+        self.options.notes(self.name())
+    }
+}
+
+impl AsperityModel for AminiTehrani {
     fn law(
         &self,
         asperity: &Asperity,
@@ -149,16 +162,5 @@ impl AsperityModel for AminiTehrani {
             law.parts.push(part);
         }
         Ok(Some(law))
-    }
-
-    fn claims(&self) -> Claims {
-        self.options.claims().valid_for(match self.reading {
-            Reading::Printed => "w_c < R; needs the equivalent shear modulus; a part is subtracted: totals may be negative",
-            _ => "w_c < R; needs the equivalent shear modulus; asperities touch at all angles",
-        })
-    }
-
-    fn notes(&self) -> Vec<Warning> {
-        self.options.notes(self.name())
     }
 }

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_core::{
-    At, Claims, Contact, ContactError, ContactModel, Datum, Evaluation, Interface, Provenance,
-    Quantity, Request, Scene, Separation, SeparationUnit, Source,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Interface,
+    Provenance, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
 };
 
 use crate::{BemError, Boundary, BoundaryElements, Given, HeightMap, Solution};
@@ -31,7 +31,7 @@ pub struct Bem {
 
 impl Bem {
     /// Its names, and where the method comes from.
-    pub const SOURCE: Source = SOURCE;
+    pub const SOURCE: Citation = SOURCE;
 
     /// `elastic` leaves the hardness of scenes out. Where the map is repeated and its edges do not
     /// meet, its [periodic part](HeightMap::periodic_part) is taken.
@@ -91,7 +91,7 @@ fn refused(error: BemError) -> ContactError {
     ContactError::Refused { model: SOURCE.name.into(), reason: error.to_string() }
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "bem",
     name: "BEM",
     authors: "Polonsky & Keer",
@@ -100,16 +100,18 @@ const SOURCE: Source = Source {
     provenance: Provenance::Recalled,
 };
 
-impl ContactModel for Bem {
-    fn source(&self) -> &Source {
+impl Described for Bem {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
-    fn claims(&self) -> Claims {
+    fn validity(&self) -> Validity {
         let valid_for = "the scan as it is, at small slopes; the hardness is a cap of the pressure";
-        Claims::without_asperities().valid_for(valid_for)
+        Validity::without_asperities().valid_for(valid_for)
     }
+}
 
+impl ContactModel for Bem {
     /// Solves the request's places, one from the other; others are solved when they are asked for.
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         asperity_core::positive("nominal_area", scene.nominal_area)?;

@@ -32,8 +32,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Quantity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +41,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct ChangEtsionBogy;
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "ceb",
     name: "CEB",
     authors: "Chang, Etsion & Bogy",
@@ -50,11 +50,19 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-impl AsperityModel for ChangEtsionBogy {
-    fn source(&self) -> &Source {
+impl Described for ChangEtsionBogy {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        Validity::default().valid_for(
+            "w_c < R; elastic or plastic, nothing between: the force jumps by half at w_c",
+        )
+    }
+}
+
+impl AsperityModel for ChangEtsionBogy {
     fn law(
         &self,
         asperity: &Asperity,
@@ -72,11 +80,5 @@ impl AsperityModel for ChangEtsionBogy {
                 .plastic(beyond, [Power::new(2.0, 1.0), Power::new(-1.0, 0.0)]),
             _ => return Ok(None),
         }))
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::default().valid_for(
-            "w_c < R; elastic or plastic, nothing between: the force jumps by half at w_c",
-        )
     }
 }

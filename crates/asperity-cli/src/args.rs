@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use asperity::{At, ContactModel, Model, Quantity, Request, SeparationUnit, Tolerance};
+use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;

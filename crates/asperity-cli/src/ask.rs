@@ -64,7 +64,7 @@ impl<'s> Question<'s> {
         let found = found.into_iter().filter(|finding| finding.severity < Severity::Note);
         let crowded = found.clone().any(|finding| finding.code == "crowded");
         self.findings.extend(found.map(|finding| (id.clone(), finding)));
-        let adhesive = model.claims().adhesive;
+        let adhesive = model.validity().adhesive;
         let compiled = self.compile(id, model);
         let (contact, had) = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
         let (asked, model) = (model, Cell::from(id.as_str()));

@@ -1,7 +1,7 @@
 //! Curves as a picture: from the table that is printed, and from nothing else.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Datum, Model, Quantity, Request, SeparationUnit};
+use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 
 use crate::output::once;

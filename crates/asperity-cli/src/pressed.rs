@@ -1,7 +1,7 @@
 //! Contacts of a scan, one after another: what a table tells of each, and what deserves a word.
 
 use anyhow::Result;
-use asperity::ContactModel;
+use asperity::Described;
 use asperity::bem::{Bem, BemError, Given, Note, Solution};
 
 use crate::interrupt;

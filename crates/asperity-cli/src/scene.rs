@@ -27,7 +27,8 @@ impl LoadedScene {
     /// Reads the file for these models: where none of them knows asperities, what is said is not of
     /// them.
     pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
-        let knows = |id: &String| id.parse().map_or(id != "bem", |m: Model| m.claims().asperities);
+        let knows =
+            |id: &String| id.parse().map_or(id != "bem", |m: Model| m.validity().asperities);
         let asperities = ids.is_empty() || ids.iter().any(knows);
         let scene = Self::open(path)?;
         scene.tell_files(asperities);
@@ -91,7 +92,7 @@ impl LoadedScene {
     pub fn models(&self, asked: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
         if !asked.is_empty() {
             let models = once(asked).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
-            if !models.iter().all(|(_, model)| model.claims().adhesive) {
+            if !models.iter().all(|(_, model)| model.validity().adhesive) {
                 self.tell_adhesion();
             }
             return Ok(models);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity_core::{Form, FunctionKey, Power};
+use asperity_core::{Formula, FunctionKey, Power};
 use asperity_quadrature::{
     Discretised, Estimate, Point, QuadratureError, Sampler, Tabulated, TanhSinh, Weighted,
     bracketed_root, highest, last_place,
@@ -174,14 +174,14 @@ pub fn angle_average(
     range: Range<f64>,
     density: AngleDensity,
     tolerance: f64,
-) -> (Form, Vec<f64>) {
+) -> (Formula, Vec<f64>) {
     let of = contact.key();
     // The table's claim is up to five times its tolerance, and the rules need a quarter of what is
     // asked; below 2e-13 rounding would be fitted.
     let tolerance = (0.15 * tolerance).max(2e-13);
-    let named = |form: Form, name: &'static str, parameters: Vec<f64>| {
+    let named = |form: Formula, name: &'static str, parameters: Vec<f64>| {
         let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
-        key.into_iter().fold(form, Form::with_key)
+        key.into_iter().fold(form, Formula::with_key)
     };
     let Some(density) = density.folded() else {
         let upright = move |x: f64| {
@@ -189,7 +189,7 @@ pub fn angle_average(
             contact.means(x, &[0.0], tolerance, &mut mean);
             mean[0]
         };
-        return (named(Form::function(upright), "upright contact", vec![]), vec![]);
+        return (named(Formula::function(upright), "upright contact", vec![]), vec![]);
     };
     let parameters = vec![density.0, density.1, range.start, range.end, tolerance];
     let (branches, comings) = branches(&*contact, &range);
@@ -198,7 +198,7 @@ pub fn angle_average(
     let sampled = average.clone();
     let table = Tabulated::new(Arc::new(move |x| sampled.value(x)), &average.kinks(), tolerance);
     let kinks = table.kinks().to_vec();
-    let form = Form::sampled(Arc::new(Prepared { average, table }));
+    let form = Formula::sampled(Arc::new(Prepared { average, table }));
     (named(form, "angle average, tabulated", parameters), kinks)
 }
 
@@ -240,10 +240,14 @@ impl Sampler for Average {
 /// The angle average of a sum of powers of y on `range`, in closed form. Every origin must be 0
 /// or the beginning of the range.
 #[must_use]
-pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: AngleDensity) -> Form {
+pub fn angle_average_of_powers(
+    powers: &[Power],
+    range: Range<f64>,
+    density: AngleDensity,
+) -> Formula {
     let powers = powers.to_vec();
     let Some((c0, c2)) = density.folded() else {
-        return Form::Powers(powers);
+        return Formula::Powers(powers);
     };
     let mut parameters = vec![c0, c2, range.start, range.end];
     parameters.extend(powers.iter().flat_map(|p| [p.coefficient, p.origin, p.exponent]));
@@ -261,7 +265,7 @@ pub fn angle_average_of_powers(powers: &[Power], range: Range<f64>, density: Ang
         }
         total / x
     };
-    Form::function(average).known_as("angle average in closed form", parameters)
+    Formula::function(average).known_as("angle average in closed form", parameters)
 }
 
 /// (high^n - low^n)/n without cancellation.
@@ -273,7 +277,7 @@ fn power_difference(low: f64, high: f64, n: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn value(form: &Form, x: f64) -> f64 {
+    fn value(form: &Formula, x: f64) -> f64 {
         let mut out = [0.0];
         form.sample(&[x], &mut out).unwrap();
         out[0]

@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, Claims, ContactError, Law, Part, Quantity, Regime, Tolerance, Warning,
+    Asperity, ContactError, Law, Part, Quantity, Regime, Tolerance, Validity, Warning,
 };
 use serde::{Deserialize, Serialize};
 
@@ -87,8 +87,8 @@ impl LateralOptions {
 
     /// What a lateral model with these options says of its laws.
     #[must_use]
-    pub fn claims(&self) -> Claims {
-        Claims::over_angles()
+    pub fn validity(&self) -> Validity {
+        Validity::over_angles()
     }
 
     /// What a user of these options should know.

@@ -50,8 +50,8 @@ mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Law, Provenance, Quantity, Regime, Source,
-    Tolerance, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Quantity, Regime,
+    Tolerance, Validity, Warning,
 };
 use serde::{Deserialize, Serialize};
 
@@ -69,7 +69,7 @@ pub struct Gao {
     pub options: LateralOptions,
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "gao",
     name: "Gao",
     authors: "Gao, Fu, Wang and others",
@@ -78,11 +78,23 @@ const SOURCE: Source = Source {
     provenance: Provenance::Derived,
 };
 
-impl AsperityModel for Gao {
-    fn source(&self) -> &Source {
+impl Described for Gao {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        self.options.validity().valid_for(
+            "w_c < R; needs the equivalent shear modulus; asperities touch at all angles",
+        )
+    }
+
+    fn notes(&self) -> Vec<Warning> {
+        self.options.notes(self.name())
+    }
+}
+
+impl AsperityModel for Gao {
     fn law(
         &self,
         asperity: &Asperity,
@@ -97,15 +109,5 @@ impl AsperityModel for Gao {
             law.parts.push(lateral.part(stick, normal, regime_range(regime), quantity, tolerance));
         }
         Ok(Some(law))
-    }
-
-    fn claims(&self) -> Claims {
-        self.options.claims().valid_for(
-            "w_c < R; needs the equivalent shear modulus; asperities touch at all angles",
-        )
-    }
-
-    fn notes(&self) -> Vec<Warning> {
-        self.options.notes(self.name())
     }
 }

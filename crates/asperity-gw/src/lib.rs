@@ -35,8 +35,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Evaluation, Law, Power, Provenance, Quantity,
-    Source, Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Evaluation, Law, Power, Provenance,
+    Quantity, Tolerance, Validity,
 };
 use asperity_quadrature::ShiftedGaussian;
 use serde::{Deserialize, Serialize};
@@ -45,7 +45,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct GreenwoodWilliamson;
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "gw",
     name: "GW",
     authors: "Greenwood & Williamson",
@@ -54,11 +54,19 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-impl AsperityModel for GreenwoodWilliamson {
-    fn source(&self) -> &Source {
+impl Described for GreenwoodWilliamson {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        Validity::default()
+            .valid_for("plasticity index below about 0.6: no asperity yields")
+            .holds_to(1.0)
+    }
+}
+
+impl AsperityModel for GreenwoodWilliamson {
     fn law(
         &self,
         asperity: &Asperity,
@@ -75,12 +83,6 @@ impl AsperityModel for GreenwoodWilliamson {
             Quantity::Area => Law::in_units(1.0, PI * r).elastic(all, [Power::new(1.0, 1.0)]),
             _ => return Ok(None),
         }))
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::default()
-            .valid_for("plasticity index below about 0.6: no asperity yields")
-            .holds_to(1.0)
     }
 }
 

@@ -38,8 +38,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Form, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
+    Quantity, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -82,7 +82,7 @@ pub struct JacksonGreen {
     pub hardness: GeometricHardness,
 }
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "jg",
     name: "JG",
     authors: "Jackson & Green",
@@ -91,7 +91,7 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-const COSINE: Source = Source { id: "jg-cosine", name: "JG cosine", ..SOURCE };
+const COSINE: Citation = Citation { id: "jg-cosine", name: "JG cosine", ..SOURCE };
 
 /// End of the elastic range, in w_c'. \[seen\]
 const ELASTIC_END: f64 = 1.9;
@@ -116,14 +116,22 @@ fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
     Err(ContactError::OutOfRange { field: "yield_strength", value, required })
 }
 
-impl AsperityModel for JacksonGreen {
-    fn source(&self) -> &Source {
+impl Described for JacksonGreen {
+    fn citation(&self) -> &Citation {
         match self.hardness {
             GeometricHardness::Original => &SOURCE,
             GeometricHardness::Cosine => &COSINE,
         }
     }
 
+    fn validity(&self) -> Validity {
+        Validity::default().not_monotone().valid_for(
+            "w_c' < R; fitted to finite elements; the mean pressure has no plastic limit",
+        )
+    }
+}
+
+impl AsperityModel for JacksonGreen {
     fn law(
         &self,
         asperity: &Asperity,
@@ -139,7 +147,7 @@ impl AsperityModel for JacksonGreen {
                 // F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R² strain³.
                 let force_unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
                 let hardness = self.hardness;
-                let fit = Form::function(move |x| force(x, c, strain, b, hardness));
+                let fit = Formula::function(move |x| force(x, c, strain, b, hardness));
                 let fit = fit.known_as(format!("JG force, {hardness:?}"), vec![c, strain, b]);
                 let mut law = Law::in_units(unit, force_unit)
                     .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
@@ -156,12 +164,6 @@ impl AsperityModel for JacksonGreen {
                 .elastic_plastic(beyond, [Power::new(ELASTIC_END.powf(-b), 1.0 + b)]),
             _ => return Ok(None),
         }))
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::default().not_monotone().valid_for(
-            "w_c' < R; fitted to finite elements; the mean pressure has no plastic limit",
-        )
     }
 }
 

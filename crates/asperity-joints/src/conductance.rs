@@ -144,7 +144,7 @@ impl Correlation {
 
     /// Who, when, and for which contacts.
     #[must_use]
-    pub fn source(self) -> &'static str {
+    pub fn citation(self) -> &'static str {
         match self {
             Self::CooperMikicYovanovich => "Cooper, Mikic & Yovanovich 1969, plastic contacts",
             Self::MikicElastic => "Mikic 1974, elastic contacts",
@@ -191,7 +191,7 @@ impl Correlation {
         roughness: &GapRoughness,
         pressure: f64,
     ) -> Result<Correlated, ContactError> {
-        let (field, needed_by) = ("thermal_conductivity", self.source().to_string());
+        let (field, needed_by) = ("thermal_conductivity", self.citation().to_string());
         let conductivity = scene.interface.thermal_conductivity;
         let conductivity = conductivity.ok_or(ContactError::Missing { field, needed_by })?;
         let asperity = scene.asperity()?;

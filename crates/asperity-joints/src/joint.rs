@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution, Quantity,
-    Request, Scene, Separation, SeparationUnit, Source, Tolerance,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution,
+    Quantity, Request, Scene, Separation, SeparationUnit, Tolerance,
 };
 
 use crate::one::{Asked, Loading, Retreated};
@@ -17,7 +17,7 @@ const FIRST_ROUNDED: f64 = 40.0;
 /// The first closing, and the way back from any closest approach.
 #[derive(Debug, Clone)]
 pub struct Joint {
-    source: Source,
+    source: Citation,
     name: String,
     virgin: Arc<dyn Contact>,
     loading: Arc<Loading>,
@@ -39,7 +39,7 @@ impl Joint {
         let loading = Loading::new(model, scene.asperity()?, law, tolerance)?;
         let asked = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         Ok(Self {
-            source: *model.source(),
+            source: *model.citation(),
             name: model.name().into(),
             virgin: model.compile(scene, &asked)?.into(),
             loading: Arc::new(loading),

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, ContactError, ContactModel, Form, Law, QuadratureError, Quantity,
-    Sampler, Source, Tolerance, positive,
+    Asperity, AsperityModel, Citation, ContactError, ContactModel, Described, Formula, Law,
+    QuadratureError, Quantity, Sampler, Tolerance, positive,
 };
 use asperity_quadrature::{fallible, gauss_kronrod};
 
@@ -66,10 +66,10 @@ impl Loading {
             model: model.name().into(),
             what: format!("unloading and partial slip: {what}"),
         };
-        if model.claims().angles {
+        if model.validity().angles {
             return Err(unsupported("its contacts lie at all angles"));
         }
-        if model.claims().adhesive {
+        if model.validity().adhesive {
             return Err(unsupported(
                 "contacts that stick come back on a curve of their own (for jkr the model jkr-separation), and small vibrations by unloading-stiffness",
             ));
@@ -238,7 +238,7 @@ pub(crate) const MOST: usize = 100_000;
 /// What is asked of one asperity after a retreat, as the force of a model of its own.
 #[derive(Debug)]
 pub(crate) struct Retreated<'u> {
-    pub(crate) source: &'u Source,
+    pub(crate) source: &'u Citation,
     pub(crate) name: &'u str,
     /// The first interference \[m\] that counts.
     pub(crate) first: f64,
@@ -248,7 +248,7 @@ pub(crate) struct Retreated<'u> {
 
 impl<'u> Retreated<'u> {
     pub(crate) fn new(
-        (source, name): (&'u Source, &'u str),
+        (source, name): (&'u Citation, &'u str),
         loading: &Arc<Loading>,
         asked: Asked,
         u: f64,
@@ -295,21 +295,24 @@ impl<'u> Retreated<'u> {
                 Ok(())
             };
             let sampler: Arc<dyn Sampler> = Arc::new(sample);
-            law = law.elastic((low - first) / unit..(high - first) / unit, Form::sampled(sampler));
+            law =
+                law.elastic((low - first) / unit..(high - first) / unit, Formula::sampled(sampler));
         }
         Ok(Self { source, name, first, law })
     }
 }
 
-impl AsperityModel for Retreated<'_> {
-    fn source(&self) -> &Source {
+impl Described for Retreated<'_> {
+    fn citation(&self) -> &Citation {
         self.source
     }
 
     fn name(&self) -> &str {
         self.name
     }
+}
 
+impl AsperityModel for Retreated<'_> {
     fn law(
         &self,
         _: &Asperity,

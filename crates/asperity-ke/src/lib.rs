@@ -37,8 +37,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Quantity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -46,7 +46,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct KogutEtsion;
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "ke",
     name: "KE",
     authors: "Kogut & Etsion",
@@ -55,11 +55,19 @@ const SOURCE: Source = Source {
     provenance: Provenance::Seen,
 };
 
-impl AsperityModel for KogutEtsion {
-    fn source(&self) -> &Source {
+impl Described for KogutEtsion {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        Validity::default()
+            .valid_for("w_c < R; fitted to finite elements up to 110 w_c, plastic beyond")
+            .holds_to(110.0)
+    }
+}
+
+impl AsperityModel for KogutEtsion {
     fn law(
         &self,
         asperity: &Asperity,
@@ -81,11 +89,5 @@ impl AsperityModel for KogutEtsion {
                 .plastic(beyond, [Power::new(2.0, 1.0)]),
             _ => return Ok(None),
         }))
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::default()
-            .valid_for("w_c < R; fitted to finite elements up to 110 w_c, plastic beyond")
-            .holds_to(110.0)
     }
 }

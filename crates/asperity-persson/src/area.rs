@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// The variance V' of the pressure that the area is computed with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Variance {
+pub enum PerssonVariance {
     /// That of full contact, V: Persson 2001.
     #[default]
     Full,
@@ -21,7 +21,7 @@ const GAMMA: f64 = 0.45;
 /// Newton's steps: the first estimate is good to a fifth, and each step doubles the digits.
 const STEPS: usize = 8;
 
-impl Variance {
+impl PerssonVariance {
     /// Both, the simpler one first.
     pub const ALL: [Self; 2] = [Self::Full, Self::Fudge];
 
@@ -78,8 +78,9 @@ mod tests {
     fn areas_are_those_of_other_programs() {
         for [p, full, fudge] in PUBLISHED {
             // √V = E g/2.
-            let found = |variance: Variance| variance.area_fraction(2.0 * p);
-            for (found, wanted) in [(found(Variance::Full), full), (found(Variance::Fudge), fudge)]
+            let found = |variance: PerssonVariance| variance.area_fraction(2.0 * p);
+            for (found, wanted) in
+                [(found(PerssonVariance::Full), full), (found(PerssonVariance::Fudge), fudge)]
             {
                 // The figures printed.
                 assert!((found / wanted - 1.0).abs() < 5e-12, "{p}: {found} {wanted}");
@@ -91,12 +92,12 @@ mod tests {
     /// density is that of full contact less its mirror image.
     #[test]
     fn areas_are_those_of_the_pressures_density() {
-        for variance in [Variance::Full, Variance::Fudge] {
+        for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {
             for p in [1e-6, 1e-3, 0.03, 0.2, 0.7, 1.5, 3.0] {
                 let found = variance.area_fraction(p);
                 let reduced = match variance {
-                    Variance::Full => 1.0,
-                    Variance::Fudge => 0.45 + 0.55 * found,
+                    PerssonVariance::Full => 1.0,
+                    PerssonVariance::Fudge => 0.45 + 0.55 * found,
                 };
                 // exp(-(s-p)²/2V') - exp(-(s+p)²/2V'), without cancellation.
                 let density = |s: f64| {
@@ -113,11 +114,11 @@ mod tests {
 
     #[test]
     fn small_loads_give_proportional_areas_and_large_ones_full_contact() {
-        let asymptote = |variance: Variance| match variance {
-            Variance::Full => (2.0 / std::f64::consts::PI).sqrt(),
-            Variance::Fudge => (2.0 / std::f64::consts::PI / 0.45).sqrt(),
+        let asymptote = |variance: PerssonVariance| match variance {
+            PerssonVariance::Full => (2.0 / std::f64::consts::PI).sqrt(),
+            PerssonVariance::Fudge => (2.0 / std::f64::consts::PI / 0.45).sqrt(),
         };
-        for variance in [Variance::Full, Variance::Fudge] {
+        for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {
             for p in [1e-300, 1e-30, 1e-15] {
                 let ratio = variance.area_fraction(p) / p;
                 assert!((ratio / asymptote(variance) - 1.0).abs() < 1e-14, "{p} {ratio}");

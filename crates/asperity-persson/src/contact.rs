@@ -1,7 +1,7 @@
 //! A scene under Persson's theory.
 
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation,
+    At, Contact, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
     SeparationUnit, positive,
 };
 use asperity_quadrature::{QuadratureError, bracketed_root, fallible};
@@ -138,7 +138,8 @@ impl Contact for OnScene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Variance;
+    use crate::PerssonVariance;
+    use asperity_core::ContactModel;
     use asperity_core::{
         HeightDistribution, Interface, ProfileMoments, Request, Separation, Surface,
     };
@@ -150,14 +151,14 @@ mod tests {
         Scene::new(Interface::elastic(2e6, 0.5), surface, 3e-5)
     }
 
-    fn on(scene: &Scene, variance: Variance) -> Result<Box<dyn Contact>, ContactError> {
+    fn on(scene: &Scene, variance: PerssonVariance) -> Result<Box<dyn Contact>, ContactError> {
         Persson { variance, ..Persson::default() }.compile(scene, &Request::new(Quantity::ALL))
     }
 
     #[test]
     fn the_m2_of_the_moments_given_sets_the_area() {
         // g = √(2 m₂) = 0.02: the published value at p/(E g) = 0.1 is at 4 kPa.
-        let contact = on(&scene(), Variance::Fudge).unwrap();
+        let contact = on(&scene(), PerssonVariance::Fudge).unwrap();
         let of = |quantity, at: At| contact.evaluate(quantity, at).unwrap();
         for at in [At::Pressure(4e3), At::Load(4e3 * 3e-5)] {
             let fraction = of(Quantity::AreaFraction, at).value();
@@ -175,7 +176,7 @@ mod tests {
 
     #[test]
     fn what_it_does_not_know_is_refused_by_name() {
-        let contact = on(&scene(), Variance::Full).unwrap();
+        let contact = on(&scene(), PerssonVariance::Full).unwrap();
         let refused = |q, at: At| contact.evaluate(q, at).unwrap_err().to_string();
         let contacts = refused(Quantity::Contacts, At::Load(1.0));
         assert!(contacts.starts_with("Persson cannot give contacts (it gives force"), "{contacts}");
@@ -196,7 +197,7 @@ mod tests {
         }
         let mut exponential = scene();
         exponential.heights = HeightDistribution::Exponential;
-        let text = on(&exponential, Variance::Fudge).unwrap_err().to_string();
+        let text = on(&exponential, PerssonVariance::Fudge).unwrap_err().to_string();
         assert!(text.contains("Persson fudge") && text.contains("exponential"), "{text}");
         let points = [(-2e-6, 0.0), (0.0, 1e6), (1e-6, 0.0)];
         let mut table = scene();
@@ -214,7 +215,9 @@ mod tests {
         assert!(beside.compile(&table, &all).is_ok());
         let mut bad = scene();
         bad.surface.asperity_density = -1.0;
-        assert!(on(&bad, Variance::Full).unwrap_err().to_string().contains("asperity_density"));
+        assert!(
+            on(&bad, PerssonVariance::Full).unwrap_err().to_string().contains("asperity_density")
+        );
     }
 
     #[test]

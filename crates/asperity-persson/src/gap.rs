@@ -66,7 +66,7 @@ mod tests {
         SeparationUnit, Surface,
     };
 
-    use crate::{Persson, Spectrum, Variance};
+    use crate::{Persson, PerssonVariance, Spectrum};
 
     const MODULUS: f64 = 1e11;
     const QUANTITIES: [Quantity; 3] = [Quantity::Force, Quantity::Stiffness, Quantity::Tangent];
@@ -94,7 +94,7 @@ mod tests {
         [metres.value / sq, stiffness.value() * sq / (unit * 2.0)]
     }
 
-    fn power_law(variance: Variance, hurst: f64) -> Persson {
+    fn power_law(variance: PerssonVariance, hurst: f64) -> Persson {
         Persson { variance, hurst_exponent: Some(hurst), ..Persson::default() }
     }
 
@@ -104,7 +104,8 @@ mod tests {
         let mut rows = 0;
         for line in text.lines().skip(1) {
             let row: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-            let variance = if row[3] < 1.0 { Variance::Fudge } else { Variance::Full };
+            let variance =
+                if row[3] < 1.0 { PerssonVariance::Fudge } else { PerssonVariance::Full };
             let found = found(&scene(row[1]), &power_law(variance, row[0]), row[2]);
             for (found, wanted) in found.iter().zip(&row[4..]) {
                 assert!((found / wanted - 1.0).abs() < super::ERROR, "{line}: {found}");
@@ -121,7 +122,7 @@ mod tests {
         for (load, wanted) in
             loads.into_iter().zip([2.811_49, 2.312_52, 1.750_18, 1.220_32, 0.614_59])
         {
-            let [gap, _] = found(&scene(8.0), &power_law(Variance::Fudge, 0.8), load);
+            let [gap, _] = found(&scene(8.0), &power_law(PerssonVariance::Fudge, 0.8), load);
             assert!((gap / wanted - 1.0).abs() < 1e-3, "{gap} {wanted}");
         }
     }
@@ -142,7 +143,7 @@ mod tests {
         let scale = (2.0 * moments.m2 / moments.m0 * heights / gradients).sqrt();
         let waves = waves.iter().map(|(q, h)| (q * scale, h / heights * moments.m0));
         let spectrum = Some(Ok(Arc::new(Spectrum::of_waves(waves).unwrap())));
-        for variance in [Variance::Full, Variance::Fudge] {
+        for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {
             let of_waves = Persson { variance, spectrum: spectrum.clone(), ..Persson::default() };
             for load in [1e-4, 1e-2, 0.3] {
                 let waves = found(&scene, &of_waves, load);
@@ -159,7 +160,7 @@ mod tests {
         for (alpha, hurst) in
             [(1.5 + 1e-12, 0.8), (1.5 + 1e-9, 0.5), (1.6, 1.0), (1e6, 0.1), (1e6, 1.0)]
         {
-            let persson = power_law(Variance::Fudge, hurst);
+            let persson = power_law(PerssonVariance::Fudge, hurst);
             let mut before = f64::INFINITY;
             for load in [1e-290, 1e-100, 1e-10, 0.1, 1.0, 10.0] {
                 let [gap, stiffness] = found(&scene(alpha), &persson, load);
@@ -170,7 +171,7 @@ mod tests {
         let one_length = ProfileMoments { m0: 1.0, m2: 2.0, m4: 6.0 };
         let spectrum = Spectrum::power_law(&one_length, 0.8).unwrap();
         assert!((spectrum.wave(0.3) - 0.5).abs() < 1e-15, "{spectrum:?}");
-        let contact = power_law(Variance::Full, 0.8);
+        let contact = power_law(PerssonVariance::Full, 0.8);
         let contact = contact.compile(&scene(8.0), &Request::new(QUANTITIES)).unwrap();
         let heavy = contact.evaluate(Quantity::Tangent, At::Pressure(1e13)).unwrap_err();
         assert!(heavy.to_string().starts_with("the scale of the tangent is inf"), "{heavy}");

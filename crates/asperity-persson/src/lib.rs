@@ -41,12 +41,12 @@
 //! # Example
 //! ```
 //! use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Surface};
-//! use asperity_persson::{Persson, Variance};
+//! use asperity_persson::{Persson, PerssonVariance};
 //!
 //! let scene = Scene::new(Interface::elastic(116e9, 0.31), Surface::new(3.6e-4, 1.11e8, 1e-6), 3e-5);
 //! let asked = Request::new([Quantity::AreaFraction]).at([At::Pressure(1e8)]);
 //! let persson = Persson::default().solve(&scene, &asked)?;
-//! let corrected = Persson { variance: Variance::Fudge, ..Persson::default() }.solve(&scene, &asked)?;
+//! let corrected = Persson { variance: PerssonVariance::Fudge, ..Persson::default() }.solve(&scene, &asked)?;
 //! assert!(corrected.values(Quantity::AreaFraction)? > persson.values(Quantity::AreaFraction)?);
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
@@ -59,12 +59,12 @@ mod spectrum;
 use std::sync::Arc;
 
 use asperity_core::{
-    Claims, Contact, ContactError, ContactModel, HeightDistribution, Provenance, Request, Scene,
-    Source,
+    Citation, Contact, ContactError, ContactModel, Described, HeightDistribution, Provenance,
+    Request, Scene, Validity,
 };
 use serde::{Deserialize, Serialize};
 
-pub use area::Variance;
+pub use area::PerssonVariance;
 use contact::OnScene;
 pub use spectrum::Spectrum;
 
@@ -73,7 +73,7 @@ pub use spectrum::Spectrum;
 #[serde(deny_unknown_fields)]
 pub struct Persson {
     /// The variance of the pressure that the area is computed with.
-    pub variance: Variance,
+    pub variance: PerssonVariance,
     /// H, from 0.1 to 1: mean gaps and stiffnesses need it, or a spectrum; surfaces that were
     /// fractured, ground or blasted have some 0.8.
     #[serde(default)]
@@ -83,7 +83,7 @@ pub struct Persson {
     pub spectrum: Option<Result<Arc<Spectrum>, String>>,
 }
 
-const FULL: Source = Source {
+const FULL: Citation = Citation {
     id: "persson",
     name: "Persson",
     authors: "Persson",
@@ -92,7 +92,7 @@ const FULL: Source = Source {
     provenance: Provenance::Seen,
 };
 
-const FUDGE: Source = Source {
+const FUDGE: Citation = Citation {
     id: "persson-fudge",
     name: "Persson fudge",
     authors: "Persson, corrected by Xu and others",
@@ -104,26 +104,28 @@ const FUDGE: Source = Source {
 impl Persson {
     /// The variance that an id stands for.
     #[must_use]
-    pub fn variance_of(id: &str) -> Option<Variance> {
+    pub fn variance_of(id: &str) -> Option<PerssonVariance> {
         let model = |variance| Self { variance, ..Self::default() };
-        Variance::ALL.into_iter().find(|variance| model(*variance).id() == id)
+        PerssonVariance::ALL.into_iter().find(|variance| model(*variance).id() == id)
+    }
+}
+
+impl Described for Persson {
+    fn citation(&self) -> &Citation {
+        match self.variance {
+            PerssonVariance::Full => &FULL,
+            PerssonVariance::Fudge => &FUDGE,
+        }
+    }
+
+    fn validity(&self) -> Validity {
+        Validity::without_asperities().valid_for(
+            "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent or a scan",
+        )
     }
 }
 
 impl ContactModel for Persson {
-    fn source(&self) -> &Source {
-        match self.variance {
-            Variance::Full => &FULL,
-            Variance::Fudge => &FUDGE,
-        }
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::without_asperities().valid_for(
-            "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent or a scan",
-        )
-    }
-
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         scene.asperity()?;
         let of_scan = self.hurst_exponent.is_none() && matches!(self.spectrum, Some(Ok(_)));

@@ -7,7 +7,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use asperity::bem::{Bem, BemError, Boundary, Given, Note, Solution};
-use asperity::{ContactModel, ContactState, Model, Truth};
+use asperity::{ContactState, Described, Model, Truth};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;

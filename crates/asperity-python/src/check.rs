@@ -32,7 +32,8 @@ pub(crate) fn check<'py>(
         }
     };
     let Check { numbers, findings, .. } = looked;
-    let number = |n: asperity::Number| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
+    let number =
+        |n: asperity::DerivedNumber| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
 }
 
@@ -53,7 +54,7 @@ pub(crate) fn pull_off(
 ) -> PyResult<Option<(f64, f64)>> {
     let (file, tolerance) = (&scene.0, tolerance(rtol)?);
     let model = engine.on(file)?;
-    if !model.claims().adhesive {
+    if !model.validity().adhesive {
         let name = model.name();
         return Err(value_error(format!(
             "{name} knows no adhesion: dmt or jkr-separation was required"
@@ -77,7 +78,7 @@ pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyRes
     let model = engine.on_all(&rows.files)?;
     let written = engine.is_written();
     Ok(py.detach(|| {
-        let asperities = model.claims().asperities;
+        let asperities = model.validity().asperities;
         let mut found = of_scenes(&rows, |f| asperities || !f.is_of_asperities());
         // What a user's own law raises belongs to the answer.
         if let (Some(file), false) = (rows.one_file(), written) {

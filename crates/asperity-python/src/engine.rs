@@ -60,7 +60,7 @@ impl Engine {
         let options = scene.map_or_else(ModelOptions::default, |scene| scene.0.options);
         let model = self.with(options, None)?;
         let notes = model.notes().iter().map(ToString::to_string).collect();
-        Ok((model.id().into(), model.name().into(), object(py, model.source())?, notes))
+        Ok((model.id().into(), model.name().into(), object(py, model.citation())?, notes))
     }
 
     /// The law of one asperity of a scene at interferences [m], in SI units.

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity::{
-    AsperityModel, Claims, ContactError, Form, Law, Part, Provenance, Quantity, Regime, Source,
-    Tolerance,
+    AsperityModel, Citation, ContactError, Described, Formula, Law, Part, Provenance, Quantity,
+    Regime, Tolerance, Validity,
 };
 use asperity_quadrature::{QuadratureError, Sampler};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use crate::fields::Asperity;
 
 /// Where a user's model is from is the user's to say: nothing of this is shown.
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "python",
     name: "Python",
     authors: "",
@@ -99,7 +99,7 @@ impl PythonModel {
             one.radius,
         ];
         let form =
-            Form::sampled(Arc::new(PythonLaw { function, unit, raised: self.raised.clone() }))
+            Formula::sampled(Arc::new(PythonLaw { function, unit, raised: self.raised.clone() }))
                 .known_as(format!("python model {} {quantity}", self.number), numbers);
         let mut law = Law::in_units(unit, 1.0);
         let mut part = |name: String, regime, range, kinks| {
@@ -131,8 +131,8 @@ impl fmt::Debug for PythonModel {
     }
 }
 
-impl AsperityModel for PythonModel {
-    fn source(&self) -> &Source {
+impl Described for PythonModel {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
@@ -144,6 +144,13 @@ impl AsperityModel for PythonModel {
         &self.name
     }
 
+    fn validity(&self) -> Validity {
+        let validity = Validity::default().without_hertz_limit();
+        if self.monotone { validity } else { validity.not_monotone() }
+    }
+}
+
+impl AsperityModel for PythonModel {
     fn law(
         &self,
         asperity: &asperity::Asperity,
@@ -162,11 +169,6 @@ impl AsperityModel for PythonModel {
             })
         });
         law.map(Some)
-    }
-
-    fn claims(&self) -> Claims {
-        let claims = Claims::default().without_hertz_limit();
-        if self.monotone { claims } else { claims.not_monotone() }
     }
 }
 

@@ -86,5 +86,5 @@ pub(crate) fn contact_table(
 }
 
 fn model_name(model: &asperity::Model) -> String {
-    asperity::ContactModel::id(model).to_string()
+    asperity::Described::id(model).to_string()
 }

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Form, Law, Part, Quantity, Source, Tolerance,
-    Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Part, Quantity,
+    Tolerance, Validity, Warning,
 };
 use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
 
@@ -26,15 +26,25 @@ pub(crate) struct Average<'m> {
     pub(crate) population: Population,
 }
 
-impl AsperityModel for Average<'_> {
-    fn source(&self) -> &Source {
-        self.model.source()
+impl Described for Average<'_> {
+    fn citation(&self) -> &Citation {
+        self.model.citation()
     }
 
     fn name(&self) -> &str {
         self.name
     }
 
+    fn validity(&self) -> Validity {
+        self.model.validity()
+    }
+
+    fn notes(&self) -> Vec<Warning> {
+        self.model.notes()
+    }
+}
+
+impl AsperityModel for Average<'_> {
     /// Of interferences counted from [`Population::begin`] below u = 0.
     fn law(
         &self,
@@ -46,7 +56,7 @@ impl AsperityModel for Average<'_> {
         let (law, power) = match self.model.law(asperity, quantity, tolerance)? {
             Some(law) => (law, 2),
             None if quantity == Quantity::Contacts => {
-                let one = Form::function(|_| 1.0);
+                let one = Formula::function(|_| 1.0);
                 (Law::in_units(unit, 1.0).elastic(0.0..f64::INFINITY, one), 0)
             }
             None => return Ok(None),
@@ -61,20 +71,12 @@ impl AsperityModel for Average<'_> {
             let deep = (part.range.start / scale).max(SQRT_2);
             let integral = Integral { form, scale, breaks, power, deep };
             let table = Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
-            let form = Form::sampled(Arc::new(Averaged { table, deep }));
+            let form = Formula::sampled(Arc::new(Averaged { table, deep }));
             let (range, kinks) = (FIRST..f64::INFINITY, vec![BEGIN]);
             Part { range, kinks, form, ..part.clone() }
         };
         let parts = law.parts.iter().map(average).collect();
         Ok(Some(Law { parts, ..Law::in_units(unit, law.value_unit) }))
-    }
-
-    fn claims(&self) -> Claims {
-        self.model.claims()
-    }
-
-    fn notes(&self) -> Vec<Warning> {
-        self.model.notes()
     }
 }
 
@@ -110,7 +112,7 @@ impl Sampler for Averaged {
 /// ```
 /// for q = κ^(-n) f(κ w), u in units of v; G is the [`Kernel`].
 struct Integral {
-    form: Form,
+    form: Formula,
     /// v over the interference unit of the form.
     scale: f64,
     /// Ends and kinks, in interference units.

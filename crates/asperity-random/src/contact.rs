@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Claims, Contact, ContactError, ContactModel, Datum, Evaluation, HeightDistribution,
-    Quantity, Request, Scene, Separation, SeparationUnit, Share, Source, Warning,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation,
+    HeightDistribution, Quantity, Request, Scene, Separation, SeparationUnit, Share, Validity,
+    Warning,
 };
 
 use crate::average::Average;
@@ -39,9 +40,9 @@ impl RandomAsperities {
     }
 }
 
-impl ContactModel for RandomAsperities {
-    fn source(&self) -> &Source {
-        self.model.source()
+impl Described for RandomAsperities {
+    fn citation(&self) -> &Citation {
+        self.model.citation()
     }
 
     fn id(&self) -> &str {
@@ -52,22 +53,24 @@ impl ContactModel for RandomAsperities {
         &self.name
     }
 
-    fn claims(&self) -> Claims {
-        self.model.claims()
+    fn validity(&self) -> Validity {
+        self.model.validity()
     }
 
     fn notes(&self) -> Vec<Warning> {
         self.model.notes()
     }
+}
 
+impl ContactModel for RandomAsperities {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         let Some(model) = self.model.asperity_model() else {
             return Err(self.refused("it has no law of one asperity"));
         };
-        if model.claims().adhesive {
+        if model.validity().adhesive {
             return Err(self.refused("adhesion changes with the radius"));
         }
-        if model.claims().angles {
+        if model.validity().angles {
             return Err(self.refused("its contact normals are spread over angles"));
         }
         if !matches!(scene.heights, HeightDistribution::Gaussian) {

@@ -131,7 +131,7 @@ impl SceneFile {
     /// scene makes no sense, as all else may follow from that.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
-        let asperities = model.claims().asperities;
+        let asperities = model.validity().asperities;
         let known = |found: &Finding| asperities || !found.is_of_asperities();
         let wrong = |found: &Finding| found.severity == Severity::Error && known(found);
         match self.findings().iter().any(wrong) {

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use asperity::{
-    AbdoFarhang, AminiTehrani, AngleDensity, ContactError, Displacement, FlowPressure,
-    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Reading,
-    Spectrum, Stick,
+    AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Displacement, FlowPressure,
+    ForceComponent, Gao, GeometricHardness, JacksonGreen, LateralOptions, Model, Persson, Spectrum,
+    Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::Value;
@@ -35,7 +35,7 @@ use crate::{Place, SceneError};
 #[serde(default, deny_unknown_fields, expecting = "a table, [options],")]
 pub struct ModelOptions {
     /// What the id `at` stands for (`at-additive` and `at-overlap` stand for themselves).
-    pub at_reading: Reading,
+    pub at_reading: AtReading,
     /// How the contact normals of Gao and AT are spread.
     #[serde(with = "AngleChoice")]
     pub angle_density: AngleDensity,
@@ -225,8 +225,8 @@ impl ModelOptions {
             "af" => Model::known(AbdoFarhang { flow_pressure: self.af_flow_pressure }),
             "gao" => Model::known(Gao { options: self.lateral() }),
             "at" => at(self.at_reading),
-            "at-additive" => at(Reading::Additive),
-            "at-overlap" => at(Reading::Overlap),
+            "at-additive" => at(AtReading::Additive),
+            "at-overlap" => at(AtReading::Overlap),
             id => match Persson::variance_of(id) {
                 Some(variance) => {
                     let hurst_exponent = self.hurst_exponent;

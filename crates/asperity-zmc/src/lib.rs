@@ -34,8 +34,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Claims, ContactError, Form, Law, Power, Provenance, Quantity, Source,
-    Tolerance,
+    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
+    Quantity, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -43,7 +43,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct ZhaoMaiettaChang;
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "zmc",
     name: "ZMC",
     authors: "Zhao, Maietta & Chang",
@@ -81,11 +81,18 @@ fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
     Err(ContactError::OutOfRange { field: "hardness", value, required })
 }
 
-impl AsperityModel for ZhaoMaiettaChang {
-    fn source(&self) -> &Source {
+impl Described for ZhaoMaiettaChang {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
 
+    fn validity(&self) -> Validity {
+        Validity::default()
+            .valid_for("w_1 < R; runs smoothly from elastic at w_1 to plastic at 54 w_1")
+    }
+}
+
+impl AsperityModel for ZhaoMaiettaChang {
     fn law(
         &self,
         asperity: &Asperity,
@@ -97,7 +104,8 @@ impl AsperityModel for ZhaoMaiettaChang {
         let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
         Ok(Some(match quantity {
             Quantity::Force => {
-                let force = Form::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
+                let force =
+                    Formula::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
                 Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness()? * area_unit)
                     .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
                     .elastic_plastic(between, force)
@@ -105,15 +113,10 @@ impl AsperityModel for ZhaoMaiettaChang {
             }
             Quantity::Area => Law::in_units(yield_at, area_unit)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(between, Form::function(area).known_as("ZMC area", vec![]))
+                .elastic_plastic(between, Formula::function(area).known_as("ZMC area", vec![]))
                 .plastic(beyond, [Power::new(2.0, 1.0)]),
             _ => return Ok(None),
         }))
-    }
-
-    fn claims(&self) -> Claims {
-        Claims::default()
-            .valid_for("w_1 < R; runs smoothly from elastic at w_1 to plastic at 54 w_1")
     }
 }
 

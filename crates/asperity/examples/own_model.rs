@@ -2,14 +2,14 @@
 //! This one is Hertz up to w_c and fully plastic at once beyond 10 w_c, with a power law between.
 
 use asperity::{
-    Asperity, AsperityModel, ContactError, ContactModel, Interface, Law, Power, Provenance,
-    Quantity, Request, Scene, Source, Surface, Tolerance, testkit,
+    Asperity, AsperityModel, Citation, ContactError, ContactModel, Described, Interface, Law,
+    Power, Provenance, Quantity, Request, Scene, Surface, Tolerance, testkit,
 };
 
 #[derive(Debug)]
 struct ThreeRanges;
 
-const SOURCE: Source = Source {
+const SOURCE: Citation = Citation {
     id: "three-ranges",
     name: "Three ranges",
     authors: "me",
@@ -18,11 +18,13 @@ const SOURCE: Source = Source {
     provenance: Provenance::Derived,
 };
 
-impl AsperityModel for ThreeRanges {
-    fn source(&self) -> &Source {
+impl Described for ThreeRanges {
+    fn citation(&self) -> &Citation {
         &SOURCE
     }
+}
 
+impl AsperityModel for ThreeRanges {
     fn law(
         &self,
         asperity: &Asperity,

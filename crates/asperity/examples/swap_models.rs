@@ -1,7 +1,7 @@
 //! One scene, several models: chosen by name, or by value.
 
 use asperity::{
-    AminiTehrani, ContactError, ContactModel, Interface, KogutEtsion, Model, Quantity, Reading,
+    AminiTehrani, AtReading, ContactError, ContactModel, Interface, KogutEtsion, Model, Quantity,
     Request, Scene, Surface,
 };
 
@@ -18,7 +18,7 @@ fn main() -> Result<(), ContactError> {
     }
 
     // By value, with options.
-    let additive = AminiTehrani { reading: Reading::Additive, ..AminiTehrani::default() };
+    let additive = AminiTehrani { reading: AtReading::Additive, ..AminiTehrani::default() };
     let models: Vec<Box<dyn ContactModel>> = vec![Box::new(KogutEtsion), Box::new(additive)];
     for model in &models {
         let answer = model.solve(&scene, &request)?;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::{
-    At, Comparison, ContactError, ContactModel, EvidenceAt, Nearest, Recommendation, Separation,
+    At, Comparison, ContactError, Described, EvidenceAt, Nearest, Recommendation, Separation,
     ranking,
 };
 

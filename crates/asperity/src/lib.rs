@@ -16,10 +16,10 @@ mod table_error;
 mod truth;
 
 pub use asperity_adhesion::{
-    Branch, DerjaguinMullerToporov, JohnsonKendallRoberts, PullOff, pull_off,
+    DerjaguinMullerToporov, JkrBranch, JohnsonKendallRoberts, PullOff, pull_off,
 };
 pub use asperity_af::{AbdoFarhang, FlowPressure};
-pub use asperity_at::{AminiTehrani, Reading};
+pub use asperity_at::{AminiTehrani, AtReading};
 pub use asperity_bem as bem;
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
@@ -32,7 +32,7 @@ pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_joints as joints;
 pub use asperity_ke::KogutEtsion;
-pub use asperity_persson::{Persson, Spectrum, Variance};
+pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use contact_table::{ContactNode, ContactTable, Interpolation};

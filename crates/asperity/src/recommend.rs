@@ -165,8 +165,8 @@ pub fn recommend_among(
         })
         .collect();
     let kind = |model: &Model| {
-        let claims = model.claims();
-        (claims.angles, !claims.asperities, model.equal().id() != model.id())
+        let validity = model.validity();
+        (validity.angles, !validity.asperities, model.equal().id() != model.id())
     };
     comparisons.sort_by_key(|c| (kind(&c.model), c.regimes));
     let near = comparisons.iter().find(|c| c.largest() <= within && c.outside.is_none());

@@ -11,10 +11,10 @@ use serde_json::{Map, Value};
 use strsim::osa_distance;
 
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, Branch, ChangEtsionBogy, Claims, Contact,
-    ContactError, ContactModel, DerjaguinMullerToporov, EtsionKligermanKadin, Gao,
-    GeometricHardness, GreenwoodWilliamson, JacksonGreen, JohnsonKendallRoberts, KogutEtsion,
-    Persson, RandomAsperities, Reading, Request, Scene, Source, Variance, Warning,
+    AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
+    ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Gao,
+    GeometricHardness, GreenwoodWilliamson, JacksonGreen, JkrBranch, JohnsonKendallRoberts,
+    KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene, Validity, Warning,
     ZhaoMaiettaChang,
 };
 
@@ -151,9 +151,9 @@ impl Model {
             Self::known(cosine),
             Self::known(AbdoFarhang::default()),
             Self::known(Gao::default()),
-            Self::known(reading(Reading::Printed)),
-            Self::known(reading(Reading::Additive)),
-            Self::known(reading(Reading::Overlap)),
+            Self::known(reading(AtReading::Printed)),
+            Self::known(reading(AtReading::Additive)),
+            Self::known(reading(AtReading::Overlap)),
         ]
     }
 
@@ -161,7 +161,7 @@ impl Model {
     /// known by their names.
     #[must_use]
     pub fn all_random() -> Vec<Self> {
-        let upright = Self::all().into_iter().filter(|model| !model.claims().angles);
+        let upright = Self::all().into_iter().filter(|model| !model.validity().angles);
         upright.map(|model| model.random()).collect()
     }
 
@@ -171,7 +171,7 @@ impl Model {
     #[must_use]
     pub fn whole_surface() -> Vec<Self> {
         let persson = |variance| Self::known(Persson { variance, ..Persson::default() });
-        Variance::ALL.map(persson).to_vec()
+        PerssonVariance::ALL.map(persson).to_vec()
     }
 
     /// Elastic asperities that stick: they need the scene's work of adhesion, and stand beside the
@@ -179,7 +179,11 @@ impl Model {
     #[must_use]
     pub fn adhesive() -> Vec<Self> {
         let jkr = |branch| Self::known(JohnsonKendallRoberts { branch });
-        vec![Self::known(DerjaguinMullerToporov), jkr(Branch::Approach), jkr(Branch::Separation)]
+        vec![
+            Self::known(DerjaguinMullerToporov),
+            jkr(JkrBranch::Approach),
+            jkr(JkrBranch::Separation),
+        ]
     }
 
     /// Every model that has a name here.
@@ -208,9 +212,9 @@ impl Model {
     }
 }
 
-impl ContactModel for Model {
-    fn source(&self) -> &Source {
-        self.model.source()
+impl Described for Model {
+    fn citation(&self) -> &Citation {
+        self.model.citation()
     }
 
     fn id(&self) -> &str {
@@ -221,14 +225,16 @@ impl ContactModel for Model {
         self.model.name()
     }
 
-    fn claims(&self) -> Claims {
-        self.model.claims()
+    fn validity(&self) -> Validity {
+        self.model.validity()
     }
 
     fn notes(&self) -> Vec<Warning> {
         self.model.notes()
     }
+}
 
+impl ContactModel for Model {
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
         self.model.asperity_model()
     }

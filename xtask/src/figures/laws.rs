@@ -69,7 +69,7 @@ pub fn table() -> Result<Table> {
 
 /// Kinks of a law in x = w/w_c, inside the grid; an angle average is continuous and has no jumps.
 fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
-    if model.claims().angles {
+    if model.validity().angles {
         return vec![];
     }
     let kinks = law.kinks().into_iter().map(|x| x * law.interference_unit / critical);

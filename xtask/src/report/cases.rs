@@ -158,7 +158,7 @@ pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
 /// The tightest tolerance that is promised for a model: its law is tabulated to it.
 #[must_use]
 pub fn tightest(model: &Model) -> f64 {
-    if model.claims().angles { 1e-11 } else { 1e-13 }
+    if model.validity().angles { 1e-11 } else { 1e-13 }
 }
 
 fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -> Result<Case> {

@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use std::sync::Arc;
 
 use anyhow::{Context, Result, bail, ensure};
-use asperity::Form;
+use asperity::Formula;
 
 use super::methods::{Failure, Outcome};
 use super::problem::Problem;
@@ -40,7 +40,7 @@ pub struct Answer {
 /// Whether a problem can be handed over.
 #[must_use]
 pub fn can_take(problem: &Problem) -> bool {
-    problem.law.parts.iter().all(|part| matches!(part.form, Form::Powers(_)))
+    problem.law.parts.iter().all(|part| matches!(part.form, Formula::Powers(_)))
 }
 
 /// The words a command prints, if it succeeds.
@@ -129,7 +129,7 @@ fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
     breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;
     write!(out, " {}", problem.law.parts.len())?;
     for part in &problem.law.parts {
-        let Form::Powers(powers) = &part.form else { bail!("a law that is no sum of powers") };
+        let Formula::Powers(powers) = &part.form else { bail!("a law that is no sum of powers") };
         let end = part.range.end.min(f64::MAX);
         write!(out, " {:e} {end:e} {:e} {}", part.range.start, part.sign, powers.len())?;
         for power in powers {

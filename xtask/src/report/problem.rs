@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{Form, HeightDistribution, Law, Model, Part, Quantity, Scene};
+use asperity::{Formula, HeightDistribution, Law, Model, Part, Quantity, Scene};
 use asperity_quadrature::reach;
 
 /// 1/√(2π).
@@ -38,7 +38,7 @@ pub struct Problem {
 pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
     match quantity {
         Quantity::Tangent => true,
-        Quantity::Stiffness => !model.claims().angles,
+        Quantity::Stiffness => !model.validity().angles,
         _ => false,
     }
 }
@@ -165,8 +165,8 @@ impl Problem {
 
 fn part_at(part: &Part, x: f64) -> f64 {
     match &part.form {
-        Form::Powers(powers) => powers.iter().map(|p| p.value(x)).sum(),
-        Form::Function { sampler, .. } => {
+        Formula::Powers(powers) => powers.iter().map(|p| p.value(x)).sum(),
+        Formula::Function { sampler, .. } => {
             let mut value = [0.0];
             match sampler.sample(&[x], &mut value) {
                 Ok(()) => value[0],

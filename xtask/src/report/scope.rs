@@ -162,7 +162,7 @@ mod tests {
         let pairs = Scope::Full.pairs()?;
         assert_eq!(pairs.len(), 4 * Model::all().len());
         // Those whose laws take long to make are like Gao's.
-        for (model, quantity) in pairs.iter().filter(|(model, _)| !model.claims().angles) {
+        for (model, quantity) in pairs.iter().filter(|(model, _)| !model.validity().angles) {
             points(model, *quantity)?;
         }
         Ok(())

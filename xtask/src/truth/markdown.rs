@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
-use asperity::{ContactModel, Evidence};
+use asperity::{Described, Evidence};
 
 use super::Shown;
 

@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use asperity::bem::RandomSurface;
 use asperity::{
-    At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Persson, Quantity,
-    Request, Scene, Truth, Variance, truth,
+    At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Persson,
+    PerssonVariance, Quantity, Request, Scene, Truth, truth,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -91,7 +91,7 @@ fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
 #[must_use]
 pub fn models() -> Vec<Model> {
     let hurst_exponent = Some(RandomSurface::HURST);
-    let whole = Variance::ALL
+    let whole = PerssonVariance::ALL
         .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
     [Model::all(), Model::all_random(), whole.to_vec()].concat()
 }

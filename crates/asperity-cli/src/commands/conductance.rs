@@ -143,7 +143,7 @@ impl Conductance {
                 } else {
                     "from 1 on contacts yield"
                 };
-                let (source, index) = (correlation.source(), rounded(index));
+                let (source, index) = (correlation.citation(), rounded(index));
                 let text = format!(
                     "{id}: plasticity_index is {index}, {side}: it does not hold ({source})"
                 );

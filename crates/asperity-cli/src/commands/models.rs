@@ -1,7 +1,7 @@
 //! `asperity models`: what there is, what it is good for, and where it comes from.
 
 use anyhow::Result;
-use asperity::{ContactModel, Model};
+use asperity::{Described, Model};
 use clap::Args;
 
 use crate::args::OutputArgs;
@@ -32,7 +32,7 @@ impl Models {
         let shown = if self.output.format == Format::Table { 5 } else { all.len() };
         let mut table = Table::new(&all[..shown]);
         for model in [Model::all(), Model::whole_surface(), Model::adhesive()].concat() {
-            let (source, claims) = (model.source(), model.claims());
+            let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: String = model.notes().iter().map(ToString::to_string).collect();
             let row: [&str; 8] = [
@@ -40,7 +40,7 @@ impl Models {
                 source.name,
                 &year,
                 source.authors,
-                claims.valid_for,
+                validity.valid_for,
                 source.title,
                 &equations,
                 &notes,

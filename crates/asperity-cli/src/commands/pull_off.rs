@@ -58,7 +58,7 @@ impl PullOff {
         for id in once(&ids) {
             let named = scene.model(&id)?;
             let model = &named.1;
-            if !model.claims().adhesive {
+            if !model.validity().adhesive {
                 bail!("{id} knows no adhesion: dmt, jkr or jkr-separation was required");
             }
             let context = || format!("{}: {id}", scene.name);

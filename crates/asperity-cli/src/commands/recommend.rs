@@ -2,7 +2,7 @@
 //! elements on surfaces like this one.
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Evidence, Quantity, linspace};
+use asperity::{At, Described, Evidence, Quantity, linspace};
 use clap::Args;
 
 use crate::args::{Asked, OutputArgs, model_id};
@@ -75,10 +75,10 @@ impl Recommend {
         table.head.extend(request.quantities.iter().map(|q| named(*q, "deviation")));
         table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
         table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
-        let simplest = advice.simplest.as_ref().map(ContactModel::id);
+        let simplest = advice.simplest.as_ref().map(Described::id);
         for found in &advice.comparisons {
-            let claims = found.model.claims();
-            let asperities = match (claims.asperities, claims.angles) {
+            let validity = found.model.validity();
+            let asperities = match (validity.asperities, validity.angles) {
                 (false, _) => "none",
                 (true, true) => "at angles",
                 (true, false) if found.model.equal().id() != found.model.id() => "random",

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{Bem, BemError, Given, Note};
-use asperity::{ContactError, ContactModel, ContactState, Model, Truth, told, truth};
+use asperity::{ContactError, ContactState, Described, Model, Truth, told, truth};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};

@@ -1,6 +1,6 @@
 //! Scenes whose surfaces stick: tensions, pull-off, and what is said of the models.
 
-use asperity::{Branch, ContactModel, JohnsonKendallRoberts, Quantity, Request, pull_off};
+use asperity::{ContactModel, JkrBranch, JohnsonKendallRoberts, Quantity, Request, pull_off};
 
 use crate::bench::{Bench, cells, column};
 
@@ -38,7 +38,7 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     let run = bench.run("pull-off soft.toml --model dmt,jkr --format csv");
     assert_eq!(run.code, Some(0), "{}", run.words);
     assert_eq!(cells(&run.out, "model"), ["dmt", "jkr-separation"]);
-    let model = JohnsonKendallRoberts { branch: Branch::Separation };
+    let model = JohnsonKendallRoberts { branch: JkrBranch::Separation };
     let request = Request::new([Quantity::Force, Quantity::Tangent]);
     let contact = model.compile(&bench.scene("soft.toml").scene, &request).unwrap();
     let found = pull_off(&*contact).unwrap().unwrap();

@@ -5,7 +5,7 @@ use super::finding::{Finding, Severity, short};
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::{
-    At, Contact, ContactError, ContactModel, Datum, Misses, Quantity, Request, Separation,
+    At, Contact, ContactError, ContactModel, Datum, KnownDefect, Quantity, Request, Separation,
     SeparationUnit, Tolerance,
 };
 
@@ -59,7 +59,7 @@ impl Check {
 
     /// Leaves out what a model of the whole surface knows nothing of.
     pub fn keep_for(&mut self, model: &dyn ContactModel) {
-        let asperities = model.claims().asperities;
+        let asperities = model.validity().asperities;
         self.findings.retain(|finding| asperities || !finding.is_of_asperities());
     }
 
@@ -93,8 +93,8 @@ impl Check {
     ) -> Result<Self, ContactError> {
         let quantities = [Quantity::Force, Quantity::Area, Quantity::Contacts];
         let request = Request::new(quantities).within(Tolerance::new(TOLERANCE)?);
-        let claims = model.claims();
-        if claims.angles && !whole {
+        let validity = model.validity();
+        if validity.angles && !whole {
             let response = model.solve(scene, &request.at([at]))?;
             let row = |k: usize| response.columns[k].rows[0].as_ref();
             let value = |k| row(k).map(|found| found.value()).map_err(|error| (**error).clone());
@@ -118,7 +118,7 @@ impl Check {
         let totals = ([of(Quantity::Force)?, of(Quantity::Area)?], contacts);
         let mut check = Self::of_totals(model, scene, at, place, totals);
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
-        let yields = claims.holds_to.is_some_and(|x| x <= 1.0);
+        let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
         if (whole || yields || may_be_deep(&*contact, place, contacts))
             && let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
             && let Some(deep) = Interferences::of(&*contact, &law, place)?
@@ -149,7 +149,7 @@ impl Check {
         }
         check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
         check.say("area_fraction", fraction, "", "real over nominal area");
-        check.extend(crowded(model, at, fraction).filter(|_| model.claims().asperities));
+        check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
             check.say("contacts", contacts, "", "asperities that touch");
@@ -167,7 +167,7 @@ impl Check {
             if let Ok((Some(hardness), ..)) = scene.interface.check() {
                 check.say("mean_pressure_over_hardness", mean / hardness, "", "p/H");
                 // What yields is told by its depth.
-                if model.claims().holds_to.is_none() {
+                if model.validity().holds_to.is_none() {
                     check.extend(above_hardness(model, at, mean / hardness));
                 }
             }
@@ -204,11 +204,11 @@ impl Check {
         self.say("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
         self.say("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
-        if let Some(misses) = model.claims().misses {
+        if let Some(misses) = model.validity().known_defect {
             let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
             self.extend(missed(model, at, from - to, &misses));
         }
-        let Some(holds_to) = model.claims().holds_to else { return };
+        let Some(holds_to) = model.validity().holds_to else { return };
         let outside = deep.beyond(holds_to * critical);
         if holds_to <= 1.0 {
             self.extend(yields(model, at, outside));
@@ -233,7 +233,7 @@ const HIDDEN: f64 = Scene::HIDES_ADHESION;
 fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
     let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
     let name = model.name();
-    let Some([least, most]) = model.claims().tabor else {
+    let Some([least, most]) = model.validity().tabor else {
         let message = format!(
             "adhesion_parameter is {}: at less than {HIDDEN} surfaces stick, and {name} leaves the work_of_adhesion out: ask dmt or jkr",
             short(theta)
@@ -256,7 +256,7 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
 fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
     let (name, percent) = (model.name(), short(100.0 * share));
-    let advice = match model.claims().adhesive {
+    let advice = match model.validity().adhesive {
         true => {
             "no model here has both yielding and adhesion: ke and jg have the first alone, and are nearer where adhesion_parameter is above 10"
         }
@@ -271,8 +271,8 @@ fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
 }
 
 /// A load that is carried where a law is known to be off.
-fn missed(model: &dyn ContactModel, at: At, share: f64, misses: &Misses) -> Option<Finding> {
-    let Misses { from, to, words } = misses;
+fn missed(model: &dyn ContactModel, at: At, share: f64, defect: &KnownDefect) -> Option<Finding> {
+    let KnownDefect { from, to, words } = defect;
     let message = format!(
         "missed_share is {} % at {at}, of the load by asperities from {from} to {to} w_c: {} {words}",
         short(100.0 * share),

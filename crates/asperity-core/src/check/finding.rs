@@ -68,7 +68,7 @@ impl Finding {
         (self.value / self.usual[1]).max(self.usual[0] / self.value)
     }
 
-    /// Whether it is about asperities, of which [models of the whole surface](crate::Claims::asperities)
+    /// Whether it is about asperities, of which [models of the whole surface](crate::Validity::asperities)
     /// know nothing.
     #[must_use]
     pub fn is_of_asperities(&self) -> bool {

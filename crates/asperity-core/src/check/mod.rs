@@ -20,7 +20,7 @@ pub use finding::{Finding, Severity};
 /// A number that follows from a scene.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Number {
+pub struct DerivedNumber {
     /// Its name, as in tables: `plasticity_index`.
     pub name: &'static str,
     /// Its value.
@@ -49,12 +49,12 @@ pub struct Number {
 pub struct Check {
     /// What follows from the inputs.
     #[serde(serialize_with = "as_map")]
-    pub numbers: Vec<Number>,
+    pub numbers: Vec<DerivedNumber>,
     /// What deserves a word, what matters most first.
     pub findings: Vec<Finding>,
 }
 
-fn as_map<S: Serializer>(numbers: &[Number], serializer: S) -> Result<S::Ok, S::Error> {
+fn as_map<S: Serializer>(numbers: &[DerivedNumber], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(numbers.iter().map(|number| (number.name, number.value)))
 }
 
@@ -86,7 +86,7 @@ impl Check {
         unit: &'static str,
         meaning: impl Into<Cow<'static, str>>,
     ) {
-        self.numbers.push(Number { name, value, unit, meaning: meaning.into() });
+        self.numbers.push(DerivedNumber { name, value, unit, meaning: meaning.into() });
     }
 }
 

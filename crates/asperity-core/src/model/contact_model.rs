@@ -1,42 +1,17 @@
 //! A model to be named, swapped and put on a scene.
 
-use std::fmt;
-
-use crate::compiled::Compiled;
-use crate::few::few;
+use crate::engine::compiled::Compiled;
+use crate::engine::few::few;
 use crate::{
-    Asperity, AsperityModel, Claims, Contact, ContactError, Law, Quantity, Request, Response,
-    Scene, Source, Tolerance, Warning,
+    Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
+    Scene, Tolerance,
 };
 
 /// A model of rough surfaces in contact: to be named, swapped and asked.
 ///
 /// Every [`AsperityModel`] is one. A model that is no average over heights (a closed form, a
 /// whole-surface theory, a table) implements this trait itself, and a [`Contact`].
-pub trait ContactModel: fmt::Debug + Send + Sync {
-    /// Its names, and where the model comes from.
-    fn source(&self) -> &Source;
-
-    /// Short name in lower case: `ke`.
-    fn id(&self) -> &str {
-        self.source().id
-    }
-
-    /// The acronym: `KE`.
-    fn name(&self) -> &str {
-        self.source().name
-    }
-
-    /// What the model says of itself.
-    fn claims(&self) -> Claims {
-        Claims::default()
-    }
-
-    /// What a user of these options should know.
-    fn notes(&self) -> Vec<Warning> {
-        vec![]
-    }
-
+pub trait ContactModel: Described {
     /// The laws of one asperity behind it, if there are any.
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
         None
@@ -78,26 +53,6 @@ impl dyn ContactModel + '_ {
 }
 
 impl<M: AsperityModel> ContactModel for M {
-    fn source(&self) -> &Source {
-        AsperityModel::source(self)
-    }
-
-    fn id(&self) -> &str {
-        AsperityModel::id(self)
-    }
-
-    fn name(&self) -> &str {
-        AsperityModel::name(self)
-    }
-
-    fn claims(&self) -> Claims {
-        AsperityModel::claims(self)
-    }
-
-    fn notes(&self) -> Vec<Warning> {
-        AsperityModel::notes(self)
-    }
-
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
         Some(self)
     }

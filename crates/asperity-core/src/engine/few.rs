@@ -1,8 +1,8 @@
 //! Requests of a few rows, answered with no rules and no tables.
 
-use crate::channel::Laws;
-use crate::contact_radii;
-use crate::of_case::OfCase;
+use crate::engine::case_integrals::CaseIntegrals;
+use crate::engine::channel::Laws;
+use crate::law::contact_radii;
 use crate::response::{Cell, respond};
 use crate::{
     AsperityModel, At, ContactError, HeightDistribution, Quantity, Request, Response, Scene,
@@ -35,14 +35,14 @@ pub(crate) fn few(
     let by_load = request.at.iter().any(|at| !matches!(at, At::Separation(_)));
     let laws = Laws::new(model, asperity, &request.quantities, by_load, tolerance)?;
     // What cannot be done on this scene is not done row by row.
-    OfCase::alone(scene, &laws, tolerance)?;
+    CaseIntegrals::alone(scene, &laws, tolerance)?;
     let signed = laws.laws.iter().any(|(_, law)| law.is_signed());
     let one = |quantity: Quantity, at: At| {
-        let mut case = OfCase::alone(scene, &laws, tolerance)?;
+        let mut case = CaseIntegrals::alone(scene, &laws, tolerance)?;
         case.reading(at)?.of(quantity, &mut case)
     };
     let row = |at: &At| -> Vec<Cell> {
-        let answers = OfCase::alone(scene, &laws, tolerance).and_then(|mut case| {
+        let answers = CaseIntegrals::alone(scene, &laws, tolerance).and_then(|mut case| {
             let reading = case.reading(*at)?;
             let of = |q: &Quantity| reading.of(*q, &mut case).map_err(Box::new);
             Ok(request.quantities.iter().map(of).collect())
@@ -57,7 +57,7 @@ pub(crate) fn few(
         let mut columns = vec![vec![]; request.quantities.len()];
         let rows = |places: &[At]| places.iter().map(row).collect::<Vec<_>>();
         let found = match places.len() {
-            n if n > FEW => crate::parallel::map_runs(places, FEW, rows),
+            n if n > FEW => crate::engine::parallel::map_runs(places, FEW, rows),
             // Handing them out costs more.
             _ => rows(places),
         };

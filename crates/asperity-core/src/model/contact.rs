@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::arrays::{self, Filled};
+use crate::engine::arrays::{self, FillReport};
 use crate::response::{Cell, Response, respond};
 use crate::{
     At, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share, Warning,
@@ -57,7 +57,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<Filled, ContactError> {
+    ) -> Result<FillReport, ContactError> {
         arrays::check(quantities, separations, columns)?;
         arrays::one_by_one(self, quantities, separations, columns)
     }
@@ -132,7 +132,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
             let of = |q: &Quantity| places.iter().map(|place| at(*q, place)).collect();
             request.quantities.iter().map(of).collect()
         };
-        let cells = |places: &[At]| crate::parallel::columns(places, columns);
+        let cells = |places: &[At]| crate::engine::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
         respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
     }
@@ -252,7 +252,7 @@ impl Contact for Box<dyn Contact> {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<Filled, ContactError> {
+    ) -> Result<FillReport, ContactError> {
         (**self).fill(quantities, separations, columns)
     }
 

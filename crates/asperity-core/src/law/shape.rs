@@ -1,20 +1,20 @@
 //! What tells parts of laws from each other, a factor apart: parts of one shape share an integral.
 
-use crate::{Form, Part, Power};
+use crate::{Formula, Part, Power};
 
 impl Part {
     /// The sign, times the first coefficient of a sum of powers.
     pub(crate) fn factor(&self) -> f64 {
         match &self.form {
-            Form::Powers(powers) => self.sign * leading(powers),
-            Form::Function { .. } => self.sign,
+            Formula::Powers(powers) => self.sign * leading(powers),
+            Formula::Function { .. } => self.sign,
         }
     }
 
     /// The part over its factor.
     pub(crate) fn without_factor(&self) -> Self {
         let mut part = Self { sign: 1.0, ..self.clone() };
-        if let Form::Powers(powers) = &mut part.form {
+        if let Formula::Powers(powers) = &mut part.form {
             let first = leading(powers);
             powers.iter_mut().for_each(|p| p.coefficient /= first);
         }
@@ -25,7 +25,7 @@ impl Part {
     pub(crate) fn recurs_in(&self, other: &Self) -> bool {
         let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
         let forms = match (&self.form, &other.form) {
-            (Form::Powers(a), Form::Powers(b)) => {
+            (Formula::Powers(a), Formula::Powers(b)) => {
                 let first = leading(b);
                 a.len() == b.len()
                     && a.iter().zip(b).all(|(a, b)| {
@@ -34,7 +34,9 @@ impl Part {
                             && same(a.coefficient, b.coefficient / first)
                     })
             }
-            (Form::Function { key: Some(a), .. }, Form::Function { key: Some(b), .. }) => a == b,
+            (Formula::Function { key: Some(a), .. }, Formula::Function { key: Some(b), .. }) => {
+                a == b
+            }
             _ => false,
         };
         forms

@@ -2,9 +2,9 @@
 
 use asperity_quadrature::Moments;
 
-use crate::channel::failed;
-use crate::contact_radii::per_radius;
-use crate::separation::Place;
+use crate::engine::channel::failed;
+use crate::law::contact_radii::per_radius;
+use crate::request::separation::Place;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
 
 /// Where the integrals of one place come from.

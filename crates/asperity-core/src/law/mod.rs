@@ -1,5 +1,10 @@
 //! A law q(w): how one asperity answers an interference w, as a sum of parts.
 
+pub(crate) mod contact_radii;
+pub(crate) mod formula;
+pub(crate) mod shape;
+pub mod testkit;
+
 use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
@@ -8,7 +13,7 @@ use std::sync::Arc;
 use asperity_quadrature::{Density, Piece, QuadratureError, Sampler};
 use serde::Serialize;
 
-use crate::form::{Form, FunctionKey, Power};
+use crate::law::formula::{Formula, FunctionKey, Power};
 
 /// The kind of deformation a part stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -53,7 +58,7 @@ pub struct Part {
     /// tolerance, but a jump may hide from the bound, which is then too small.
     pub kinks: Vec<f64>,
     /// The formula, in value units.
-    pub form: Form,
+    pub form: Formula,
 }
 
 /// How one asperity answers an interference w: q(w) = `value_unit` · Σ sign · part(x), with
@@ -88,25 +93,25 @@ impl Law {
 
     /// Adds an elastic part.
     #[must_use]
-    pub fn elastic(self, range: Range<f64>, form: impl Into<Form>) -> Self {
+    pub fn elastic(self, range: Range<f64>, form: impl Into<Formula>) -> Self {
         self.with(Regime::Elastic, range, form)
     }
 
     /// Adds an elastic-plastic part.
     #[must_use]
-    pub fn elastic_plastic(self, range: Range<f64>, form: impl Into<Form>) -> Self {
+    pub fn elastic_plastic(self, range: Range<f64>, form: impl Into<Formula>) -> Self {
         self.with(Regime::ElasticPlastic, range, form)
     }
 
     /// Adds a plastic part.
     #[must_use]
-    pub fn plastic(self, range: Range<f64>, form: impl Into<Form>) -> Self {
+    pub fn plastic(self, range: Range<f64>, form: impl Into<Formula>) -> Self {
         self.with(Regime::Plastic, range, form)
     }
 
     /// Adds what adhesion takes away from the force of an elastic contact.
     #[must_use]
-    pub fn less_adhesion(mut self, range: Range<f64>, form: impl Into<Form>) -> Self {
+    pub fn less_adhesion(mut self, range: Range<f64>, form: impl Into<Formula>) -> Self {
         self = self.with(Regime::Elastic, range, form);
         if let Some(part) = self.parts.last_mut() {
             (part.name, part.sign) = ("adhesion".into(), -1.0);
@@ -142,26 +147,26 @@ impl Law {
         let from = self.value_unit;
         let mapped = |part: &Part| {
             let (inner, f, sign) = (part.form.clone(), f.clone(), part.sign);
-            let form = Form::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
+            let form = Formula::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
                 inner.sample(x, out)?;
                 out.iter_mut().for_each(|q| *q = f(from * sign * *q) / value_unit);
                 Ok(())
             }));
             // A form without a key of its own is like no other.
             let of = match &part.form {
-                Form::Powers(powers) => Some(format!("{powers:?}")),
-                Form::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
+                Formula::Powers(powers) => Some(format!("{powers:?}")),
+                Formula::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
             };
             let parameters = vec![from * sign, value_unit];
             let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
-            let form = key.into_iter().fold(form, Form::with_key);
+            let form = key.into_iter().fold(form, Formula::with_key);
             Part { sign: 1.0, form, ..part.clone() }
         };
         let parts = self.parts.iter().map(mapped).collect();
         Some(Self { value_unit, parts, ..*self })
     }
 
-    fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Form>) -> Self {
+    fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Formula>) -> Self {
         let before = self.parts.iter().filter(|p| p.regime == regime).count();
         // Sweeps build laws for every scene: the names that there are cost nothing.
         let name = match (regime, before) {
@@ -234,7 +239,7 @@ impl Part {
 
     /// The one point whose distance the fractional powers are of, if there is one.
     fn origin(&self) -> Option<f64> {
-        let Form::Powers(powers) = &self.form else {
+        let Formula::Powers(powers) = &self.form else {
             return None;
         };
         let mut origins = powers.iter().filter(|p| p.exponent.fract() != 0.0).map(|p| p.origin);
@@ -251,7 +256,7 @@ mod tests {
         Law::in_units(2.0, 10.0)
             .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
             .elastic_plastic(1.0..6.0, [Power::new(1.0, 0.0), Power::from_origin(2.0, 1.0, 1.27)])
-            .elastic_plastic(6.0..f64::INFINITY, Form::function(|x| 3.0 * x))
+            .elastic_plastic(6.0..f64::INFINITY, Formula::function(|x| 3.0 * x))
     }
 
     #[test]

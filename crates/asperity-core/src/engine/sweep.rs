@@ -5,7 +5,7 @@ use std::sync::{Arc, PoisonError, RwLock};
 
 use asperity_quadrature::{AnyScale, Density};
 
-use crate::case::Worker;
+use crate::engine::case::Worker;
 use crate::{At, ContactError, ContactModel, Evaluation, Part, Quantity, Scene, Tolerance};
 
 /// Cases handed to a thread at a time.
@@ -93,13 +93,15 @@ impl<'m> Sweep<'m> {
     /// Every case on all cores, in order. The digits do not depend on the number of threads.
     #[must_use]
     pub fn evaluate_all(&self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
-        crate::parallel::map_runs(cases, TOGETHER, |cases| Worker::new(self).run(cases))
+        crate::engine::parallel::map_runs(cases, TOGETHER, |cases| Worker::new(self).run(cases))
     }
 
     /// For every case its separation d/σ_z: that of its load, the largest that carries it.
     #[must_use]
     pub fn separations(&self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        crate::parallel::map_runs(cases, TOGETHER, |cases| Worker::new(self).separations(cases))
+        crate::engine::parallel::map_runs(cases, TOGETHER, |cases| {
+            Worker::new(self).separations(cases)
+        })
     }
 
     /// Every case on all cores, delivered in order with its number; however many there are, some
@@ -117,7 +119,7 @@ impl<'m> Sweep<'m> {
         let mut held: Vec<Case> = cases.by_ref().take(HELD).collect();
         while !held.is_empty() {
             // The next cases are made while these are answered.
-            let (answers, next) = crate::parallel::both(
+            let (answers, next) = crate::engine::parallel::both(
                 || self.evaluate_all(&held),
                 || cases.by_ref().take(HELD).collect::<Vec<_>>(),
             );

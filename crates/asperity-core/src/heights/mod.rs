@@ -1,5 +1,10 @@
 //! How asperity heights are spread.
 
+#[cfg(feature = "statrs")]
+pub(crate) mod statrs;
+pub(crate) mod table;
+pub(crate) mod weibull;
+
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 

@@ -4,9 +4,9 @@ use std::sync::{Arc, OnceLock};
 
 use asperity_quadrature::{Density, QuadratureError};
 
-use crate::begins::Begins;
-use crate::height_integral::HeightIntegral;
-use crate::{Asperity, AsperityModel, At, Claims, ContactError, Law, Quantity, Scene, Tolerance};
+use crate::engine::height_integral::HeightIntegral;
+use crate::engine::onset::Onset;
+use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance, Validity};
 
 /// Scales w_c/σ_z outside mean nothing, and powers of them leave the doubles.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
@@ -32,7 +32,7 @@ pub(crate) struct Units {
     /// Interference unit over σ_z.
     pub(crate) scale: f64,
     /// Where the law begins.
-    pub(crate) begins: Begins,
+    pub(crate) begins: Onset,
 }
 
 impl Units {
@@ -46,7 +46,7 @@ impl Units {
         match [factor, factor / height_std].into_iter().find(|x| !held(x)) {
             Some(scale) => Err(ContactError::Scale { quantity: base, scale }),
             None if SCALES.contains(&scale) && (law.begins * scale).is_finite() => {
-                Ok(Self { factor, scale, begins: Begins(law.begins * scale) })
+                Ok(Self { factor, scale, begins: Onset(law.begins * scale) })
             }
             None => Err(ContactError::Ratio { ratio: scale }),
         }
@@ -94,7 +94,7 @@ impl Laws {
         by_load: bool,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let Claims { force_monotone: monotone, adhesive, .. } = model.claims();
+        let Validity { force_monotone: monotone, adhesive, .. } = model.validity();
         let (own_stiffness, laws) = (false, vec![]);
         let mut found = Self { asperity, own_stiffness, monotone, adhesive, laws, by_load };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
@@ -126,7 +126,7 @@ impl Laws {
         match model.law(asperity, base, tolerance)? {
             Some(law) => Ok(law),
             // Every asperity that is reached touches, and what has an area has a contact.
-            None if base == Quantity::Contacts && model.claims().adhesive => {
+            None if base == Quantity::Contacts && model.validity().adhesive => {
                 let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
                 let unit = area.interference_unit;
                 Ok(Law::counting(unit).beginning_at(area.begins))
@@ -134,7 +134,7 @@ impl Laws {
             None if base == Quantity::Contacts => Ok(Law::counting(asperity.radius)),
             None if base == Quantity::ContactRadiusSum => {
                 let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
-                crate::contact_radii::law(model, &area)
+                crate::law::contact_radii::law(model, &area)
             }
             None => Err(ContactError::NoLaw { model: model.name().into(), quantity: base }),
         }

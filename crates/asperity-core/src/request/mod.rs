@@ -1,5 +1,9 @@
 //! What is asked of a scene.
 
+pub(crate) mod quantity;
+pub(crate) mod separation;
+pub(crate) mod tolerance;
+
 use serde::{Deserialize, Serialize};
 
 use crate::{At, Quantity, Tolerance};

@@ -1,5 +1,9 @@
 //! What is in contact.
 
+pub(crate) mod asperity;
+pub(crate) mod interface;
+pub(crate) mod surface;
+
 use serde::{Deserialize, Serialize};
 
 use crate::error::positive;

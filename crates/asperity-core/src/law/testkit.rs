@@ -106,7 +106,7 @@ pub fn check(
     };
     let tolerance = Tolerance::new(1e-10)?;
     let (mut findings, mut first) = (vec![], None);
-    let adhesive = model.claims().adhesive;
+    let adhesive = model.validity().adhesive;
     for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
         let Some(law) = model.law(asperity, quantity, tolerance)? else { continue };
         let begins = law.begins * law.interference_unit;
@@ -123,7 +123,7 @@ pub fn check(
             undeclared_kinks(quantity, part, &mut findings);
         }
         if quantity == Quantity::Force {
-            claims(model, asperity, &law, &mut findings);
+            validity(model, asperity, &law, &mut findings);
         }
     }
     Ok(findings)
@@ -158,9 +158,14 @@ fn bad_values(quantity: Quantity, part: &Part, findings: &mut Vec<Finding>) {
     }
 }
 
-fn claims(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &mut Vec<Finding>) {
-    let claims = model.claims();
-    if claims.force_monotone {
+fn validity(
+    model: &dyn AsperityModel,
+    asperity: &Asperity,
+    law: &Law,
+    findings: &mut Vec<Finding>,
+) {
+    let validity = model.validity();
+    if validity.force_monotone {
         // A law may be flat; rounding may not count as falling.
         let falls = |pair: &(f64, f64)| shape(law, pair.1) < shape(law, pair.0) * (1.0 - 1e-12);
         let mut points: Vec<f64> = grid().collect();
@@ -170,7 +175,7 @@ fn claims(model: &dyn AsperityModel, asperity: &Asperity, law: &Law, findings: &
         let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
         findings.extend(pairs.find(falls).map(|(_, at)| Finding::NotMonotone { at }));
     }
-    if let Some(claimed) = claims.hertz_limit {
+    if let Some(claimed) = validity.hertz_limit {
         let w = 1e-7 * law.interference_unit;
         let hertz = 4.0 / 3.0 * asperity.equivalent_modulus * (asperity.radius * w).sqrt() * w;
         let found = law.value_unit * shape(law, 1e-7) / hertz;
@@ -223,9 +228,9 @@ fn unresolved(part: &Part, (low, high): (f64, f64), ends: (f64, f64), depth: u32
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Form, Interface, Power, Provenance, Source};
+    use crate::{Citation, Described, Formula, Interface, Power, Provenance};
 
-    const SOURCE: Source = Source {
+    const SOURCE: Citation = Citation {
         id: "mine",
         name: "mine",
         authors: "nobody",
@@ -237,10 +242,13 @@ mod tests {
     #[derive(Debug)]
     struct Mine(fn() -> Law);
 
-    impl AsperityModel for Mine {
-        fn source(&self) -> &Source {
+    impl Described for Mine {
+        fn citation(&self) -> &Citation {
             &SOURCE
         }
+    }
+
+    impl AsperityModel for Mine {
         fn law(
             &self,
             asperity: &Asperity,
@@ -275,7 +283,7 @@ mod tests {
         let kinked = findings(|| {
             hertz().plastic(
                 1.0..f64::INFINITY,
-                Form::function(|x| if x < 3.3 { 2.0 * x } else { 3.0 * x }),
+                Formula::function(|x| if x < 3.3 { 2.0 * x } else { 3.0 * x }),
             )
         });
         assert!(kinked.contains("plastic part: undeclared kink near x = 3.3"), "{kinked}");

@@ -6,7 +6,7 @@ use asperity_quadrature::{
     Cells, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian, Weight,
 };
 
-use crate::begins::Begins;
+use crate::engine::onset::Onset;
 use crate::heights::OtherHeights;
 use crate::{HeightDistribution, Law, Scene};
 
@@ -15,7 +15,7 @@ use crate::{HeightDistribution, Law, Scene};
 #[derive(Debug)]
 pub(crate) struct HeightIntegral {
     /// Where the density begins.
-    begins: Begins,
+    begins: Onset,
     over: Over,
 }
 
@@ -58,7 +58,7 @@ impl HeightIntegral {
                 error: heights.heights().error(),
             }),
         };
-        Self { begins: Begins(law.begins * scale), over }
+        Self { begins: Onset(law.begins * scale), over }
     }
 
     /// Terms of the polynomial for s; `None` where there is none.

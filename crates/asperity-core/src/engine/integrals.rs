@@ -2,13 +2,13 @@
 
 use asperity_quadrature::Moments;
 
-use crate::channel::failed;
-use crate::compiled::Compiled;
-use crate::readings::Integrals;
+use crate::engine::channel::failed;
+use crate::engine::compiled::Compiled;
+use crate::engine::readings::Integrals;
 use crate::{At, ContactError, Quantity, Regime};
 
 /// The integrals of one law at each place of a run.
-pub(crate) struct Known {
+pub(crate) struct Batch {
     pub(crate) base: Quantity,
     pub(crate) moments: Vec<Moments>,
     pub(crate) factor: f64,
@@ -16,8 +16,8 @@ pub(crate) struct Known {
 
 /// Those at one place.
 pub(crate) struct Row<'c> {
-    pub(crate) here: Here<'c>,
-    pub(crate) known: &'c [Known],
+    pub(crate) here: AtPoint<'c>,
+    pub(crate) known: &'c [Batch],
     pub(crate) row: usize,
 }
 
@@ -36,13 +36,13 @@ impl Integrals for Row<'_> {
 }
 
 /// The integrals at one place.
-pub(crate) struct Here<'c> {
+pub(crate) struct AtPoint<'c> {
     pub(crate) compiled: &'c Compiled,
     pub(crate) s: f64,
     pub(crate) at: At,
 }
 
-impl Integrals for Here<'_> {
+impl Integrals for AtPoint<'_> {
     #[inline]
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
         let channel = self.compiled.channel(base)?;
@@ -62,19 +62,19 @@ impl Integrals for Here<'_> {
 const BASES: usize = 4;
 
 /// The same, each integral once.
-pub(crate) struct Once<'c> {
-    here: Here<'c>,
+pub(crate) struct Cached<'c> {
+    here: AtPoint<'c>,
     slopes: bool,
     known: [Option<(Quantity, (Moments, f64))>; BASES],
 }
 
-impl<'c> Once<'c> {
-    pub(crate) fn new(here: Here<'c>, slopes: bool) -> Self {
+impl<'c> Cached<'c> {
+    pub(crate) fn new(here: AtPoint<'c>, slopes: bool) -> Self {
         Self { here, slopes, known: [None; BASES] }
     }
 }
 
-impl Integrals for Once<'_> {
+impl Integrals for Cached<'_> {
     #[inline]
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
         let known = self.known.iter().flatten().find(|(known, _)| *known == base);

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use asperity_quadrature::Moments;
 use serde::Serialize;
 
-use crate::separation::Place;
+use crate::request::separation::Place;
 use crate::{ContactError, Quantity, Regime};
 
 /// A value that may be too small for a plain number, with a bound on its error.

@@ -14,7 +14,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{AsperityModel, ContactError, Form, Interface, Law, Power, Quantity};
+use crate::{AsperityModel, ContactError, Formula, Interface, Law, Power, Quantity};
 
 /// What a unit of S brings.
 pub(crate) fn per_radius(quantity: Quantity, interface: &Interface) -> Result<f64, ContactError> {
@@ -53,7 +53,7 @@ pub(crate) fn law(model: &dyn AsperityModel, area: &Law) -> Result<Law, ContactE
         model: model.name().into(),
         what: format!("sums of contact radii, as unloading and conductance need them: {reason}"),
     };
-    if model.claims().angles {
+    if model.validity().angles {
         return Err(not_circles(
             "its contacts lie at all angles, and only those of upright asperities are circles whose radii follow from the area",
         ));
@@ -68,7 +68,7 @@ pub(crate) fn law(model: &dyn AsperityModel, area: &Law) -> Result<Law, ContactE
         })?;
     for (radius, area) in radii.parts.iter_mut().zip(&area.parts) {
         // The root of one power is a power.
-        if let Form::Powers(powers) = &area.form
+        if let Formula::Powers(powers) = &area.form
             && let [Power { coefficient, origin, exponent }] = powers[..]
             && coefficient >= 0.0
         {

@@ -2,10 +2,10 @@
 
 use asperity_quadrature::{Moments, QuadratureError};
 
-use crate::begins::Begins;
-use crate::channel::{Units, failed};
-use crate::compiled::Compiled;
-use crate::separation::{HIGHEST, LOWEST, Place};
+use crate::engine::channel::{Units, failed};
+use crate::engine::compiled::Compiled;
+use crate::engine::onset::Onset;
+use crate::request::separation::{HIGHEST, LOWEST, Place};
 use crate::{At, ContactError, Quantity};
 
 /// Below this all asperities are in contact.
@@ -43,11 +43,11 @@ pub(crate) struct Target {
     /// Whether adhesion is what is subtracted.
     pub(crate) adhesive: bool,
     /// Where the law begins.
-    pub(crate) begins: Begins,
+    pub(crate) begins: Onset,
 }
 
 /// A load, or a pressure, that may be asked for: above 0, or a tension where there is adhesion.
-pub(crate) fn may_be_asked(
+pub(crate) fn check_load(
     field: &'static str,
     value: f64,
     adhesive: bool,
@@ -274,14 +274,14 @@ impl Target {
 mod tests {
     use super::*;
     use crate::{
-        Asperity, AsperityModel, Contact, ContactModel, Interface, Law, Power, Provenance, Request,
-        Scene, Source, Surface, Tolerance,
+        Asperity, AsperityModel, Citation, Contact, ContactModel, Described, Interface, Law, Power,
+        Provenance, Request, Scene, Surface, Tolerance,
     };
 
     #[derive(Debug)]
     struct Hertz;
 
-    const SOURCE: Source = Source {
+    const SOURCE: Citation = Citation {
         id: "hertz",
         name: "Hertz",
         authors: "Hertz",
@@ -290,10 +290,13 @@ mod tests {
         provenance: Provenance::Seen,
     };
 
-    impl AsperityModel for Hertz {
-        fn source(&self) -> &Source {
+    impl Described for Hertz {
+        fn citation(&self) -> &Citation {
             &SOURCE
         }
+    }
+
+    impl AsperityModel for Hertz {
         fn law(
             &self,
             a: &Asperity,

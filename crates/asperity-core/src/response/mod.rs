@@ -1,5 +1,7 @@
 //! What comes back.
 
+pub(crate) mod evaluation;
+
 use serde::Serialize;
 
 use crate::{At, ContactError, Evaluation, Quantity, Request, Scene, Share, Warning, Warnings};

@@ -2,8 +2,8 @@
 
 use asperity_quadrature::Moments;
 
-use crate::compiled::Compiled;
-use crate::warning::CANCELLED;
+use crate::diagnostic::CANCELLED;
+use crate::engine::compiled::Compiled;
 use crate::{At, Contact, ContactError, Quantity};
 
 /// Rows whose integrals are taken together: they stay in the fastest memory.
@@ -25,14 +25,14 @@ struct Read {
 /// What is known of all values of plain arrays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Filled {
+pub struct FillReport {
     /// The largest [bound](crate::Evaluation::bound).
     pub bound: f64,
     /// The largest [condition](crate::Evaluation::condition).
     pub condition: f64,
 }
 
-impl Filled {
+impl FillReport {
     /// Whether parts cancel in some value so far that an answer would warn of it.
     #[must_use]
     pub fn cancels(&self) -> bool {
@@ -53,14 +53,14 @@ pub(crate) fn one_by_one(
     quantities: &[Quantity],
     separations: &[f64],
     columns: &mut [&mut [f64]],
-) -> Result<Filled, ContactError> {
-    let mut all = Filled::NONE;
+) -> Result<FillReport, ContactError> {
+    let mut all = FillReport::NONE;
     for (quantity, column) in quantities.iter().zip(columns) {
         for (s, value) in separations.iter().zip(column.iter_mut()) {
             let found = contact.evaluate_at(*quantity, At::from(*s))?;
             *value = found.value();
             let (bound, condition) = (found.bound(*quantity), found.condition());
-            all = all.with(Filled { bound, condition });
+            all = all.with(FillReport { bound, condition });
         }
     }
     Ok(all)
@@ -91,13 +91,13 @@ impl Compiled {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<Filled, ContactError> {
+    ) -> Result<FillReport, ContactError> {
         let reads: Option<Vec<Read>> = quantities.iter().map(|q| self.read(*q)).collect();
         let Some(reads) = reads else {
             return one_by_one(self, quantities, separations, columns);
         };
         let slopes = reads.iter().any(|read| read.slope);
-        let mut all = Filled::NONE;
+        let mut all = FillReport::NONE;
         let (mut moments, mut scales) = ([Moments::NONE; TOGETHER], [0.0; TOGETHER]);
         for (k, s) in separations.chunks(TOGETHER).enumerate() {
             let (moments, scales) = (&mut moments[..s.len()], &mut scales[..s.len()]);
@@ -146,7 +146,7 @@ impl Read {
         moments: &[Moments],
         scales: &[f64],
         out: &mut [f64],
-    ) -> Option<Filled> {
+    ) -> Option<FillReport> {
         let n = usize::from(self.slope);
         let (mut plain, mut error, mut condition) = (true, 0.0_f64, 1.0_f64);
         let (mut deepest, mut least) = (0.0_f64, 0.0_f64);
@@ -170,6 +170,6 @@ impl Read {
         let plain = plain && least > LEAST && !(self.slope && deepest < DEEP);
         // The rounding of the scale's logarithm, as of one value.
         let bound = error + (0.5 * least.abs() + 3.0) * f64::EPSILON;
-        plain.then_some(Filled { bound, condition })
+        plain.then_some(FillReport { bound, condition })
     }
 }

@@ -10,9 +10,9 @@ use asperity_quadrature::{Curvature, Moments};
 
 /// w₀/σ_z.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Begins(pub(crate) f64);
+pub(crate) struct Onset(pub(crate) f64);
 
-impl Begins {
+impl Onset {
     /// Whether separations are not those of the heights' mean.
     #[inline]
     pub(crate) fn elsewhere(self) -> bool {

@@ -4,16 +4,16 @@ use std::sync::Arc;
 
 use asperity_quadrature::{Curvature, Moments};
 
-use crate::arrays;
-use crate::channel::{Channel, Laws, bases, failed};
-use crate::contact_radii;
-use crate::integrals::{Here, Known, Once, Row};
-use crate::readings::Reading;
+use crate::engine::arrays;
+use crate::engine::channel::{Channel, Laws, bases, failed};
+use crate::engine::integrals::{AtPoint, Batch, Cached, Row};
+use crate::engine::readings::Reading;
+use crate::law::contact_radii;
+use crate::request::separation::Place;
 use crate::response::{Cell, Response, respond};
-use crate::separation::Place;
 use crate::{
-    Asperity, AsperityModel, At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene,
-    Separation, Share, Tolerance, Warning,
+    Asperity, AsperityModel, At, Contact, ContactError, Evaluation, FillReport, Plan, Quantity,
+    Request, Scene, Separation, Share, Tolerance, Warning,
 };
 
 /// A law averaged over heights: integrals are built when first needed, and shared by all threads.
@@ -75,7 +75,7 @@ impl Compiled {
     }
 
     fn load(&self, field: &'static str, load: f64) -> Result<f64, ContactError> {
-        crate::inverse::may_be_asked(field, load, self.facts.adhesive)
+        crate::engine::inverse::check_load(field, load, self.facts.adhesive)
     }
 
     /// The integrals that a quantity comes of.
@@ -147,7 +147,7 @@ impl Compiled {
             run.iter().map(|at| self.place(*at).ok()).collect::<Option<_>>()?;
         let s: Vec<f64> = places.iter().map(|place| place.s).collect();
         let slopes = sloped(quantities) || places.iter().any(|place| place.rounding > 0.0);
-        let mut known: Vec<Known> = vec![];
+        let mut known: Vec<Batch> = vec![];
         for &base in quantities.iter().flat_map(|quantity| self.bases(*quantity)) {
             if known.iter().any(|known| known.base == base) {
                 continue;
@@ -155,11 +155,11 @@ impl Compiled {
             let channel = self.channel(base).ok()?;
             let mut moments = vec![Moments::NONE; s.len()];
             channel.total.run(&s, slopes, &mut moments)?;
-            known.push(Known { base, moments, factor: channel.units.factor });
+            known.push(Batch { base, moments, factor: channel.units.factor });
         }
         for (column, quantity) in columns.iter_mut().zip(quantities) {
             column.extend(places.iter().zip(run).enumerate().map(|(row, (place, at))| {
-                let here = Here { compiled: self, s: place.s, at: *at };
+                let here = AtPoint { compiled: self, s: place.s, at: *at };
                 let mut integrals = Row { here, known: &known, row };
                 self.reading(*place, *at).of(*quantity, &mut integrals).map_err(Box::new)
             }));
@@ -172,8 +172,8 @@ impl Compiled {
         let place = self.place(at);
         let s = place.as_ref().map_or(0.0, |place| place.s);
         let slopes = sloped(quantities) || place.as_ref().is_ok_and(|place| place.rounding > 0.0);
-        let here = Here { compiled: self, s, at };
-        let mut once = Once::new(here, slopes);
+        let here = AtPoint { compiled: self, s, at };
+        let mut once = Cached::new(here, slopes);
         for (column, quantity) in columns.iter_mut().zip(quantities) {
             let mut of = || {
                 self.check_requested(*quantity)?;
@@ -211,14 +211,14 @@ impl Contact for Compiled {
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         self.check_requested(quantity)?;
         let place = self.place(at)?;
-        let mut here = Here { compiled: self, s: place.s, at };
+        let mut here = AtPoint { compiled: self, s: place.s, at };
         self.reading(place, at).of(quantity, &mut here)
     }
 
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let place = self.place(at)?;
-        let here = Here { compiled: self, s: place.s, at };
-        let mut once = Once::new(here, true);
+        let here = AtPoint { compiled: self, s: place.s, at };
+        let mut once = Cached::new(here, true);
         let reading = self.reading(place, at);
         let force = reading.of(Quantity::Force, &mut once)?;
         Ok((force, reading.of(Quantity::Tangent, &mut once)?))
@@ -229,7 +229,7 @@ impl Contact for Compiled {
         quantities: &[Quantity],
         separations: &[f64],
         columns: &mut [&mut [f64]],
-    ) -> Result<crate::Filled, ContactError> {
+    ) -> Result<FillReport, ContactError> {
         arrays::check(quantities, separations, columns)?;
         self.filled(quantities, separations, columns)
     }
@@ -288,11 +288,11 @@ impl Contact for Compiled {
         let signed = self.channels.iter().any(|channel| channel.law.is_signed());
         let value = |base, at| {
             let place = self.place(at).ok()?;
-            let mut here = Here { compiled: self, s: place.s, at };
+            let mut here = AtPoint { compiled: self, s: place.s, at };
             Some(self.reading(place, at).of(base, &mut here).ok()?.value())
         };
         let behind = |base, at| if signed { value(base, at) } else { None };
-        let cells = |places: &[At]| crate::parallel::columns(places, columns);
+        let cells = |places: &[At]| crate::engine::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
         let adhesive = self.facts.adhesive;
         respond((self.model(), &self.scene, adhesive), request, cells, shares, behind)

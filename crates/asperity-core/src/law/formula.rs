@@ -58,7 +58,7 @@ impl Power {
 
 /// The formula of a part.
 #[derive(Clone)]
-pub enum Form {
+pub enum Formula {
     /// A sum of powers.
     Powers(Vec<Power>),
     /// Any function, sampled many points at a time.
@@ -81,7 +81,7 @@ pub struct FunctionKey {
     pub parameters: Vec<f64>,
 }
 
-impl Form {
+impl Formula {
     /// A function given point by point.
     pub fn function(f: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
         Self::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
@@ -121,13 +121,13 @@ impl Form {
     }
 }
 
-impl<const N: usize> From<[Power; N]> for Form {
+impl<const N: usize> From<[Power; N]> for Formula {
     fn from(powers: [Power; N]) -> Self {
         Self::Powers(powers.to_vec())
     }
 }
 
-impl fmt::Debug for Form {
+impl fmt::Debug for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Powers(powers) => f.debug_list().entries(powers).finish(),
@@ -136,7 +136,7 @@ impl fmt::Debug for Form {
     }
 }
 
-impl Sampler for Form {
+impl Sampler for Formula {
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
         match self {
             Self::Powers(powers) => {

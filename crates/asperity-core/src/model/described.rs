@@ -1,10 +1,10 @@
-//! What to write for a model of one asperity: a name, a source and its laws.
+//! What a model states of itself: names, source, validity.
 
 use std::fmt;
 
 use serde::Serialize;
 
-use crate::{Asperity, ContactError, Law, Quantity, Tolerance, Warning};
+use crate::Warning;
 
 /// How well the source of an equation is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -30,7 +30,7 @@ impl fmt::Display for Provenance {
 
 /// What a model is called, and where it comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Source {
+pub struct Citation {
     /// Short name in lower case, as in tables and scene files: `ke`.
     pub id: &'static str,
     /// The acronym, as in text: `KE`.
@@ -48,7 +48,7 @@ pub struct Source {
 /// What a model says of its laws; the test-kit holds it to that, where it is no text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Claims {
+pub struct Validity {
     /// The force never falls as the interference grows.
     pub force_monotone: bool,
     /// The ratio to Hertz' law for vanishing interference: 1, except where normals are spread
@@ -69,12 +69,12 @@ pub struct Claims {
     /// said. 1 for a model without yielding.
     pub holds_to: Option<f64>,
     /// Where the force is known to be off, if it is anywhere.
-    pub misses: Option<Misses>,
+    pub known_defect: Option<KnownDefect>,
 }
 
 /// Where a law is known to miss what it was fitted to.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Misses {
+pub struct KnownDefect {
     /// From which interference over w_c,
     pub from: f64,
     /// and to which.
@@ -83,7 +83,7 @@ pub struct Misses {
     pub words: &'static str,
 }
 
-impl Default for Claims {
+impl Default for Validity {
     fn default() -> Self {
         Self {
             force_monotone: true,
@@ -94,12 +94,12 @@ impl Default for Claims {
             tabor: None,
             valid_for: "",
             holds_to: None,
-            misses: None,
+            known_defect: None,
         }
     }
 }
 
-impl Claims {
+impl Validity {
     /// The force may fall as the interference grows.
     #[must_use]
     pub fn not_monotone(self) -> Self {
@@ -144,8 +144,8 @@ impl Claims {
 
     /// The force is known to be off somewhere.
     #[must_use]
-    pub fn misses(self, misses: Misses) -> Self {
-        Self { misses: Some(misses), ..self }
+    pub fn known_defect(self, defect: KnownDefect) -> Self {
+        Self { known_defect: Some(defect), ..self }
     }
 
     /// What the model is valid for, in a few words.
@@ -155,45 +155,27 @@ impl Claims {
     }
 }
 
-/// A model of one asperity, to be written: its averages over the heights, as a
-/// [`ContactModel`](crate::ContactModel), come with it.
-///
-/// Write `source`, and `law` for force and area; tangents, contacts, shares and bounds follow. See
-/// the example `own_model` of the crate `asperity`.
-pub trait AsperityModel: fmt::Debug + Send + Sync {
-    /// Its names, and where the model comes from.
-    fn source(&self) -> &Source;
+/// What every model states of itself: names, source, range and remarks.
+pub trait Described: fmt::Debug + Send + Sync {
+    /// Names and source of the model.
+    fn citation(&self) -> &Citation;
 
     /// Short name in lower case: `ke`.
     fn id(&self) -> &str {
-        self.source().id
+        self.citation().id
     }
 
     /// The acronym: `KE`.
     fn name(&self) -> &str {
-        self.source().name
+        self.citation().name
     }
 
-    /// The law of one asperity for force \[N\], area \[m²\] or, where the model's paper defines
-    /// another stiffness than -dF/dd, stiffness \[N/m\]; `None` for what it has no law of.
-    ///
-    /// `tolerance` matters only where the law itself is approximated.
-    ///
-    /// # Errors
-    /// [`ContactError`] when the asperity is outside the model's range or lacks an input.
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError>;
-
-    /// What the model says of its laws.
-    fn claims(&self) -> Claims {
-        Claims::default()
+    /// Properties and range of the laws.
+    fn validity(&self) -> Validity {
+        Validity::default()
     }
 
-    /// What a user of these options should know.
+    /// Remarks on the chosen options.
     fn notes(&self) -> Vec<Warning> {
         vec![]
     }

@@ -3,8 +3,8 @@
 use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::ContactError;
-use crate::inverse::{DEEP, ForceCurve, Of, Target};
-use crate::separation::LOWEST;
+use crate::engine::inverse::{DEEP, ForceCurve, Of, Target};
+use crate::request::separation::LOWEST;
 
 /// Down to [`DEEP`], crossings are looked for in these steps; deeper down, where all asperities are
 /// in contact, none is known to turn around. The force is the law folded with heights of standard

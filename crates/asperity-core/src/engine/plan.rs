@@ -6,8 +6,8 @@ use asperity_quadrature::reach;
 
 use serde::Serialize;
 
-use crate::channel::{Channel, failed};
-use crate::compiled::Compiled;
+use crate::engine::channel::{Channel, failed};
+use crate::engine::compiled::Compiled;
 use crate::{At, Contact, ContactError, HeightDistribution, Part, Quantity, Request};
 
 /// How an integral over the heights is done.

@@ -5,14 +5,14 @@ use std::rc::Rc;
 
 use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
-use crate::case::{Lent, Worker};
-use crate::channel::{Laws, Units, failed};
-use crate::height_integral::HeightIntegral;
-use crate::inverse::{ForceCurve, Target, may_be_asked, sum_of};
-use crate::readings::{Integrals, Reading};
-use crate::separation::Place;
+use crate::engine::case::{LocalShape, Worker};
+use crate::engine::channel::{Laws, Units, failed};
+use crate::engine::height_integral::HeightIntegral;
+use crate::engine::inverse::{ForceCurve, Target, check_load, sum_of};
+use crate::engine::readings::{Integrals, Reading};
+use crate::request::separation::Place;
 use crate::{
-    At, ContactError, Form, HeightDistribution, Law, Part, Quantity, Regime, Scene, Tolerance,
+    At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Regime, Scene, Tolerance,
 };
 
 /// Nearer than this to where an integral was made, its bound holds as good as there.
@@ -21,7 +21,7 @@ const SETTLED: f64 = 1e-3;
 /// How the integral of one part is come by.
 enum Source {
     /// It recurs: rules for any scale.
-    Shared(Rc<Lent>),
+    Shared(Rc<LocalShape>),
     /// Made for one s, and kept for its neighbourhood.
     Alone(Option<Nearby>),
 }
@@ -36,7 +36,7 @@ struct OfLaw<'c> {
 }
 
 /// The integrals of one case.
-pub(crate) struct OfCase<'c> {
+pub(crate) struct CaseIntegrals<'c> {
     scene: &'c Scene,
     laws: &'c Laws,
     tolerance: Tolerance,
@@ -46,7 +46,7 @@ pub(crate) struct OfCase<'c> {
     s: f64,
 }
 
-impl<'c> OfCase<'c> {
+impl<'c> CaseIntegrals<'c> {
     /// Nothing recurs.
     pub(crate) fn alone(
         scene: &'c Scene,
@@ -82,8 +82,8 @@ impl<'c> OfCase<'c> {
                     let other = other.laws.get(k).and_then(|(_, law)| law.parts.get(j));
                     other.is_some_and(|other| part.recurs_in(other))
                 };
-                let shared =
-                    matches!(part.form, Form::Powers(_)) || neighbours.iter().flatten().any(recurs);
+                let shared = matches!(part.form, Formula::Powers(_))
+                    || neighbours.iter().flatten().any(recurs);
                 sources.push(match shared {
                     true => Source::Shared(worker.shape(place, part)),
                     false => Source::Alone(None),
@@ -98,7 +98,7 @@ impl<'c> OfCase<'c> {
 
     /// Goes to where the case is asked about.
     pub(crate) fn reading(&mut self, at: At) -> Result<Reading<'c>, ContactError> {
-        let load_of = |field, load| may_be_asked(field, load, self.laws.adhesive);
+        let load_of = |field, load| check_load(field, load, self.laws.adhesive);
         let place = match at {
             At::Separation(separation) => separation.place(self.scene)?,
             At::Load(load) => self.place_of_load(load_of("load", load)?)?,
@@ -128,7 +128,7 @@ impl<'c> OfCase<'c> {
     }
 }
 
-impl Integrals for OfCase<'_> {
+impl Integrals for CaseIntegrals<'_> {
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
         let (s, at, scene, tolerance) = (self.s, self.at, self.scene, self.tolerance);
         let of_law = self.of_law(base)?;

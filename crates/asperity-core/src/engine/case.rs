@@ -4,19 +4,19 @@
 use std::rc::Rc;
 use std::sync::Arc;
 
-use crate::channel::Laws;
-use crate::of_case::OfCase;
-use crate::sweep::{Shape, Sweep};
+use crate::engine::case_integrals::CaseIntegrals;
+use crate::engine::channel::Laws;
+use crate::engine::sweep::{Shape, Sweep};
 use crate::{AsperityModel, At, Case, ContactError, Evaluation, Part, Quantity, Request};
 
 /// A shape of all threads, counted within one: no row writes what another thread reads.
-pub(crate) struct Lent(pub(crate) Arc<Shape>);
+pub(crate) struct LocalShape(pub(crate) Arc<Shape>);
 
 /// One thread's view of a sweep.
 pub(crate) struct Worker<'s> {
     pub(crate) sweep: &'s Sweep<'s>,
     /// Shapes of the case before, part by part: mostly those of the next one.
-    recent: Vec<Rc<Lent>>,
+    recent: Vec<Rc<LocalShape>>,
 }
 
 type Answer = Result<Vec<Evaluation>, ContactError>;
@@ -51,7 +51,7 @@ impl<'s> Worker<'s> {
         &mut self,
         model: &dyn AsperityModel,
         cases: &[Case],
-        answer: impl Fn(&mut OfCase<'_>, At) -> Result<T, ContactError>,
+        answer: impl Fn(&mut CaseIntegrals<'_>, At) -> Result<T, ContactError>,
     ) -> Vec<Result<T, ContactError>> {
         let mut before: Option<Rc<Laws>> = None;
         let mut next = cases.first().map(|case| self.laws(model, case, None));
@@ -63,7 +63,7 @@ impl<'s> Worker<'s> {
             let after = next.as_ref().and_then(|next| next.as_ref().ok());
             answers.push(now.and_then(|laws| {
                 let neighbours = [before.as_deref(), after.map(|laws| &**laws)];
-                answer(&mut OfCase::new(self, &case.scene, &laws, neighbours)?, case.at)
+                answer(&mut CaseIntegrals::new(self, &case.scene, &laws, neighbours)?, case.at)
             }));
             before = known;
         }
@@ -87,12 +87,12 @@ impl<'s> Worker<'s> {
     }
 
     /// The shape of a part, at its place in the laws of a case.
-    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Rc<Lent> {
+    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Rc<LocalShape> {
         match self.recent.get(place) {
             Some(shape) if shape.0.part.recurs_in(part) => return shape.clone(),
-            Some(_) => self.recent[place] = Rc::new(Lent(self.sweep.shape(part))),
+            Some(_) => self.recent[place] = Rc::new(LocalShape(self.sweep.shape(part))),
             None => {
-                let shape = Rc::new(Lent(self.sweep.shape(part)));
+                let shape = Rc::new(LocalShape(self.sweep.shape(part)));
                 self.recent.resize(place + 1, shape);
             }
         }
