@@ -5,6 +5,7 @@
 //! checks both. [`report`] measures how fast and how accurate the integrals are, [`truth`] how far the
 //! models are from boundary elements.
 
+pub mod docs;
 pub mod figures;
 pub mod files;
 pub mod report;

@@ -1,4 +1,5 @@
-//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]` and `cargo xtask truth`.
+//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`
+//! and `cargo xtask docs`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -7,7 +8,7 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
 use xtask::files::{self, figures_folder};
 use xtask::report::{self, Scope, throughput};
-use xtask::truth;
+use xtask::{docs, truth};
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -40,6 +41,8 @@ enum Task {
         #[arg(long, conflicts_with = "small")]
         models: bool,
     },
+    /// Write the documentation of all crates, with an index page: target/doc/index.html
+    Docs,
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -61,6 +64,10 @@ fn main() -> Result<()> {
             let quickly = figures_folder().with_file_name("target").join("report");
             let folder = if quick { quickly } else { figures_folder() };
             print(report::write(scope, &out.unwrap_or(folder))?);
+            Ok(())
+        }
+        Task::Docs => {
+            println!("{}", docs::write()?.display());
             Ok(())
         }
         Task::Throughput { model, kind, count, threads } => {
