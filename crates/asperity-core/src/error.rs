@@ -16,9 +16,9 @@ pub enum ContactError {
     OutOfRange {
         /// Name of the input, as in the struct or the scene file.
         field: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
-        /// What would have been accepted.
+        /// The values accepted.
         required: &'static str,
     },
     /// A number in a table lies outside its range.
@@ -28,20 +28,20 @@ pub enum ContactError {
         row: usize,
         /// Name of the column.
         field: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
-        /// What would have been accepted.
+        /// The values accepted.
         required: &'static str,
     },
     /// An input that this model needs was not given.
-    #[error("{field} is missing: {needed_by} needs it")]
+    #[error("{field} is missing: {reason}")]
     Missing {
         /// Name of the input.
         field: &'static str,
-        /// Who needs it.
-        needed_by: String,
+        /// Which model or quantity needs it, or what to set.
+        reason: String,
     },
-    /// A quantity was read from a response that was not asked for it.
+    /// A quantity was read that the request does not list.
     #[error("{quantity} was not requested: add it to the request's quantities")]
     NotRequested {
         /// The quantity.
@@ -55,82 +55,82 @@ pub enum ContactError {
         /// The quantity.
         quantity: Quantity,
     },
-    /// A model was asked for something it cannot tell.
+    /// The model does not provide this.
     #[error("{model} cannot give {what}")]
     Unsupported {
         /// The model.
         model: String,
-        /// What was asked for.
+        /// The quantity or service requested.
         what: String,
     },
-    /// A ratio or a logarithm was asked for where nothing touches.
-    #[error("{quantity} has no value at {at}: no asperity touches there")]
+    /// A ratio or a logarithm where no asperity is in contact.
+    #[error("{quantity} has no value at {at}: no asperity is in contact there")]
     NoValue {
         /// The quantity.
         quantity: Quantity,
-        /// Where it was asked for.
+        /// The separation or load.
         at: At,
     },
-    /// A separation lies outside what can be evaluated.
+    /// A separation outside the range that can be evaluated.
     #[error(
         "separation is {separation}{}: -1e6 to 1e9 asperity_height_std from the mean of the asperity heights was required",
         in_sigmas(.separation, *.over_sigma)
     )]
     SeparationOutOfRange {
-        /// As it was given.
+        /// The separation as given.
         separation: Separation,
         /// d/σ_z from the mean of the asperity heights.
         over_sigma: f64,
     },
-    /// A separation from the surface's mean plane was given where there is none.
+    /// A separation from the mean plane of the surface, for heights without one.
     #[error(
-        "separations from the mean plane of the surface: gaussian or tabulated heights, or a mean_plane_offset, was required, as no mean plane belongs to exponential and Weibull heights"
+        "separations from the mean plane of the surface need mean_plane_offset with exponential and Weibull heights"
     )]
     NoMeanPlane,
-    /// A compiled scene was moved to one with another interface or asperity radius.
+    /// A compiled scene was moved to one with a different interface or asperity radius.
     #[error(
-        "the scene's interface or asperity_radius differs: the laws of the compiled scene depend on them, compile anew"
+        "interface or asperity_radius differs from the compiled scene, and its laws depend on them: compile the new scene"
     )]
     OtherAsperity,
-    /// A model, or what stands beside models, refuses for a reason of its own.
+    /// A model refuses the input for a reason of its own.
     #[error("{model}: {reason}")]
     Refused {
         /// The model.
         model: String,
-        /// Its own words.
+        /// The reason.
         reason: String,
     },
-    /// A name that no quantity has.
+    /// An unknown name of a quantity.
     #[error("quantity {name:?} is not known{}: the quantities are {known}", suggestion(&.near.map(|near| near.to_string())))]
     UnknownQuantity {
-        /// What was given.
+        /// The value given.
         name: String,
         /// The nearest quantity, if one is near.
         near: Option<Quantity>,
         /// All known names.
         known: String,
     },
-    /// A model was given an option that it does not have, or a value that none is.
+    /// An unknown option of a model, or a value that it does not accept.
     #[error("{model}: {reason}")]
     Option {
         /// The model's id.
         model: String,
-        /// What was given, and what would have been accepted.
+        /// The value given and the values accepted.
         reason: String,
     },
-    /// A name that no model has.
+    /// An unknown name of a model.
     #[error("model {name:?} is not known{}: the models are {known}", suggestion(.near))]
     UnknownModel {
-        /// What was given.
+        /// The value given.
         name: String,
         /// The nearest known name, if one is near.
         near: Option<String>,
         /// All known names.
         known: String,
     },
-    /// The scale of a quantity is beyond what a double can hold.
+    /// The scale of a quantity exceeds the range of f64.
     #[error(
-        "the scale of the {quantity} is {scale:e}: inputs that make it a finite number above 0 were required"
+        "the scale of the {quantity} is {scale:e}, outside the range of f64: check the units of the inputs"
     )]
     Scale {
         /// The quantity.
@@ -138,7 +138,7 @@ pub enum ContactError {
         /// η A_n times the law's value unit, in SI units.
         scale: f64,
     },
-    /// The interference unit of a law and the heights have nothing to do with each other.
+    /// The interference unit of a law differs too much from the spread of the heights.
     #[error(
         "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
     )]
@@ -146,7 +146,7 @@ pub enum ContactError {
         /// The unit over σ_z.
         ratio: f64,
     },
-    /// No separation that is looked at carries this load, or holds this tension.
+    /// No separation carries this load or holds this tension.
     #[error("load is {load:?} N: {} was required", reach(*.load, *.largest, *.at))]
     OutOfReach {
         /// The load asked for \[N\].
@@ -156,9 +156,9 @@ pub enum ContactError {
         /// Where it is.
         at: At,
     },
-    /// A load that is carried so far out that no separation is looked at: heights with a heavy tail.
+    /// A load so light that it is carried beyond the largest separation: heights with a heavy tail.
     #[error(
-        "load is {load:?} N: at least {smallest:e} N, the force at {at}, the largest that is looked at, was required"
+        "load is {load:?} N: at least {smallest:e} N, the force at the largest separation ({at}), was required"
     )]
     TooLight {
         /// The load asked for \[N\].
@@ -173,9 +173,9 @@ pub enum ContactError {
     Integral {
         /// The quantity asked for.
         quantity: Quantity,
-        /// Where it was asked for.
+        /// The separation or load.
         at: At,
-        /// What the quadrature said.
+        /// The reason given by the quadrature.
         source: QuadratureError,
     },
 }
@@ -186,10 +186,8 @@ fn reach(load: f64, largest: f64, at: At) -> String {
             format!("a load above 0 and at most {largest:e} N, the largest force found, at {at},")
         }
         (true, true) => format!("a load from {largest:e} N, the greatest tension found, at {at},"),
-        // So far below all that is held, the search ends where nothing is.
-        (true, false) => {
-            "a far smaller tension, such as surfaces hold (pull-off finds the greatest),".into()
-        }
+        // The tension is so large that the search ends where no asperity touches.
+        (true, false) => "a smaller tension (pull-off finds the greatest)".into(),
     }
 }
 

@@ -191,9 +191,9 @@ impl Correlation {
         roughness: &GapRoughness,
         pressure: f64,
     ) -> Result<Correlated, ContactError> {
-        let (field, needed_by) = ("thermal_conductivity", self.citation().to_string());
+        let (field, reason) = ("thermal_conductivity", format!("{} needs it", self.citation()));
         let conductivity = scene.interface.thermal_conductivity;
-        let conductivity = conductivity.ok_or(ContactError::Missing { field, needed_by })?;
+        let conductivity = conductivity.ok_or(ContactError::Missing { field, reason })?;
         let asperity = scene.asperity()?;
         let found = match self {
             Self::CooperMikicYovanovich => {

@@ -147,8 +147,9 @@ impl ContactModel for Persson {
             (None, none) => {
                 let scan = none.as_ref().and_then(|none| none.as_ref().err());
                 let scan = scan.map_or(String::new(), |why| format!(" (the scan has none: {why})"));
-                let needed_by = format!("the stiffness of {}, or its mean gap,{scan}", self.name());
-                Err(ContactError::Missing { field: "hurst_exponent", needed_by })
+                let reason =
+                    format!("the stiffness of {}, or its mean gap,{scan} needs it", self.name());
+                Err(ContactError::Missing { field: "hurst_exponent", reason })
             }
         };
         Ok(Box::new(OnScene {

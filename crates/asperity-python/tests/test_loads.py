@@ -117,7 +117,7 @@ def test_what_fails_of_one_quantity_does_not_take_the_others_with_it() -> None:
             )
         assert curve.force[1] == 0.0 and not np.ma.getmaskarray(curve.force).any()
         assert np.ma.getmaskarray(curve.mean_pressure).tolist() == [False, True]
-        assert "no asperity touches there" in curve.failures[1]
+        assert "no asperity is in contact there" in curve.failures[1]
         with pytest.raises(ValueError, match="ln-force has no value at a separation of 3 "):
             ke.solve(scenes, [0.5, 3.0], ["force", "ln-force"])
 

@@ -137,8 +137,8 @@ impl SceneError {
             ContactError::OutOfRange { field, value, required } => {
                 Self::value(at(field), value, required)
             }
-            ContactError::Missing { field, needed_by } => {
-                Self::Missing { at: at(field), needed: format!("{needed_by} needs it") }
+            ContactError::Missing { field, reason } => {
+                Self::Missing { at: at(field), needed: reason }
             }
             source => Self::Contact { at: at(""), source },
         }

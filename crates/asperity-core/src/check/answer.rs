@@ -272,9 +272,9 @@ fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
 
 /// A load that is carried where a law is known to be off.
 fn missed(model: &dyn ContactModel, at: At, share: f64, defect: &KnownDefect) -> Option<Finding> {
-    let KnownDefect { from, to, words } = defect;
+    let KnownDefect { from, to, summary } = defect;
     let message = format!(
-        "missed_share is {} % at {at}, of the load by asperities from {from} to {to} w_c: {} {words}",
+        "missed_share is {} % at {at}, of the load by asperities from {from} to {to} w_c: {} {summary}",
         short(100.0 * share),
         model.name()
     );

@@ -48,8 +48,8 @@ impl HeightIntegral {
             HeightDistribution::Weibull(heights) => Over::Other(Other {
                 integral: Followed::new(Overlap::new(density, scale, tolerance)),
                 height_std: 1.0,
-                error: heights.followed.heights().error(),
-                heights: heights.followed.clone(),
+                error: heights.sampled.heights().error(),
+                heights: heights.sampled.clone(),
             }),
             HeightDistribution::Other(heights) => Over::Other(Other {
                 integral: Followed::new(Overlap::new(density, interference_unit, tolerance)),

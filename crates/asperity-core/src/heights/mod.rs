@@ -1,4 +1,4 @@
-//! How asperity heights are spread.
+//! Distributions of asperity heights.
 
 #[cfg(feature = "statrs")]
 pub(crate) mod statrs;
@@ -16,8 +16,8 @@ use crate::WeibullHeights;
 /// A density of heights z \[m\] about the plane that separations are measured from: the mean of
 /// the asperity heights, unless a density says otherwise.
 ///
-/// It keeps its metres whatever the scene's `asperity_height_std` is: that is then the unit of
-/// separations, and no more. Slopes are not asked for; the engine follows the density itself.
+/// It is in metres whatever the scene's `asperity_height_std` is, which then is only the unit of
+/// separations. Derivatives are not needed: the engine samples the density itself.
 ///
 /// ```
 /// use asperity_core::{HeightDistribution, Heights};
@@ -45,17 +45,17 @@ pub trait Heights: fmt::Debug + Send + Sync {
     /// Name, for plans, tables and errors.
     fn name(&self) -> &str;
 
-    /// Natural logarithm of the density \[1/m\] at z \[m\]; -∞ where there is none, and +∞ nowhere
-    /// but at the place of a pole itself. The density integrates to 1.
+    /// Natural logarithm of the density \[1/m\] at z \[m\]; -∞ where it is zero, and +∞ only
+    /// exactly at a pole. The density integrates to 1.
     fn ln_density(&self, z: f64) -> f64;
 
     /// Smallest and largest height \[m\]; may be infinite.
     fn support(&self) -> (f64, f64);
 
-    /// Heights \[m\] inside the support at which the density or its slope jumps, or has a pole.
+    /// Heights \[m\] inside the support at which the density or its slope jumps, or that are poles.
     ///
-    /// Kinks and jumps that are not declared are found, which costs time; undeclared poles are
-    /// refused. Poles, at an end of the support or a break, are powers above -0.95 of the distance.
+    /// Undeclared kinks and jumps are found, at a cost in time; undeclared poles are refused. A pole,
+    /// at an end of the support or a break, is a power above -0.95 of the distance.
     fn breaks(&self) -> &[f64] {
         &[]
     }
@@ -66,8 +66,7 @@ pub trait Heights: fmt::Debug + Send + Sync {
     }
 }
 
-/// Any heights, followed once for all that is integrated over them: scenes that share them share
-/// what has been found.
+/// User-defined heights with their sampled density, which scenes that share the heights share.
 #[derive(Debug)]
 pub struct OtherHeights {
     heights: Arc<dyn Heights>,
@@ -85,9 +84,9 @@ impl OtherHeights {
         &*self.heights
     }
 
-    /// The density as the engine sees it.
+    /// The density, sampled once.
     pub(crate) fn weight(&self) -> Result<Arc<Weight>, QuadratureError> {
-        let followed = self.weight.get_or_init(|| {
+        let sampled = self.weight.get_or_init(|| {
             let name = format!("the density of the heights {:?}", self.heights.name());
             let heights = self.heights.clone();
             let (support, breaks, error) =
@@ -96,7 +95,7 @@ impl OtherHeights {
                 Weight::new(name, move |z| heights.ln_density(z), support, &breaks, error)?;
             Ok(Arc::new(weight))
         });
-        followed.clone()
+        sampled.clone()
     }
 }
 
@@ -113,7 +112,7 @@ pub enum HeightDistribution {
     /// Any other density.
     #[serde(skip)]
     Other(Arc<OtherHeights>),
-    /// Skewed, by Weibull's density.
+    /// Weibull's density, for skewed heights.
     #[serde(untagged)]
     Weibull(WeibullHeights),
 }

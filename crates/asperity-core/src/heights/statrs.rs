@@ -1,4 +1,4 @@
-//! Any continuous distribution of statrs as a density of heights.
+//! Continuous distributions of statrs as heights.
 
 use std::fmt;
 
@@ -8,22 +8,22 @@ use statrs::statistics::{Distribution, Max, Min};
 use crate::error::positive;
 use crate::{ContactError, Heights};
 
-/// Relative error of the densities of statrs, whose logarithms of the gamma function are the
-/// coarsest: 3e-14 was seen.
+/// Bound on the relative error of the densities of statrs: 3e-14 was measured, from its logarithm
+/// of the gamma function.
 const STATRS: f64 = 1e-13;
 
 /// A statrs distribution, shifted to mean 0 and scaled to a standard deviation in metres:
 /// separations are measured from the mean of the asperity heights.
 ///
-/// The heights keep that standard deviation on every scene; a scene whose `asperity_height_std`
-/// is another one measures its separations in its own. Kinks inside the support (those of
+/// The heights keep that standard deviation on every scene; the scene's `asperity_height_std` is
+/// only its unit of separations. Kinks inside the support (those of
 /// `Laplace` and `Triangular`) are found by the engine.
 #[derive(Clone)]
 pub struct StandardisedHeights<D> {
     name: String,
     distribution: D,
     mean: f64,
-    /// Standard deviations of the distribution in a metre,
+    /// Standard deviation of the distribution over that of the heights \[1/m\].
     scale: f64,
     ln_scale: f64,
     support: (f64, f64),
@@ -36,7 +36,7 @@ where
     /// With the standard deviation `asperity_height_std` \[m\].
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] when that is not a finite number above 0, or the distribution
+    /// [`ContactError::OutOfRange`] if that is not a finite number above 0, or if the distribution
     /// has no finite mean and standard deviation.
     pub fn new(
         name: impl Into<String>,
@@ -96,7 +96,7 @@ mod tests {
     use statrs::distribution::{Cauchy, Normal, Weibull};
 
     #[test]
-    fn a_shifted_normal_gets_its_metres() {
+    fn a_shifted_normal_is_scaled_to_metres() {
         let normal = Normal::new(3.0, 0.2).unwrap();
         let heights = StandardisedHeights::new("normal", normal, 2e-6).unwrap();
         for z in [-4.0, 0.0, 0.5, 6.0] {

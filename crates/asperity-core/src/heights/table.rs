@@ -1,14 +1,13 @@
-//! A measured density of heights: a table, linear between its points.
+//! A measured density of heights: a table with linear interpolation.
 
 use crate::error::positive;
 use crate::{ContactError, Heights};
 
 /// A density given at heights in metres: linear between the points, zero outside them, normalised.
 ///
-/// Two points at the same height make a step. The engine sees heights z about the mean of the
-/// table itself, so that separations are measured from it, and in metres, whatever the scene's
-/// `asperity_height_std`: the table's own standard deviation is the natural one, and another is
-/// only another unit of separations.
+/// Two points at the same height make a step. Heights are in metres about the mean of the table,
+/// from which separations are measured, whatever the scene's `asperity_height_std` is: that is
+/// only the unit of separations, for which the table's standard deviation is the natural choice.
 ///
 /// ```
 /// use asperity_core::{HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
@@ -23,7 +22,7 @@ use crate::{ContactError, Heights};
 #[derive(Debug, Clone)]
 pub struct TabulatedHeights {
     name: String,
-    /// As they were given.
+    /// As given.
     points: Vec<(f64, f64)>,
     /// Heights above the mean \[m\].
     heights: Vec<f64>,
@@ -32,7 +31,7 @@ pub struct TabulatedHeights {
     mean: f64,
     std: f64,
     integral: f64,
-    /// The heights above the mean, the first and the last apart.
+    /// The heights above the mean, without the first and the last.
     breaks: Vec<f64>,
 }
 
@@ -79,13 +78,13 @@ impl TabulatedHeights {
         })
     }
 
-    /// The points as they were given: height \[m\] and density \[1/m\], not normalised.
+    /// The points as given: height \[m\] and density \[1/m\], not normalised.
     #[must_use]
     pub fn points(&self) -> &[(f64, f64)] {
         &self.points
     }
 
-    /// Mean of the heights \[m\], in the table's own coordinate: where separations begin.
+    /// Mean of the heights \[m\] in the table's own coordinate: the datum of separations.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.mean
@@ -97,7 +96,7 @@ impl TabulatedHeights {
         self.std
     }
 
-    /// Integral of the density as it was given, before it was normalised; 1 where it was one.
+    /// Integral of the density as given, before normalisation.
     #[must_use]
     pub fn integral(&self) -> f64 {
         self.integral
@@ -147,8 +146,8 @@ impl Heights for TabulatedHeights {
     }
 
     fn ln_density(&self, z: f64) -> f64 {
-        // Weighted with both distances, not with a slope: exact in relation to itself next to an
-        // end where the density is 0.
+        // Weighted with both distances, not with a slope: relatively exact next to an end where the
+        // density is 0.
         self.piece(z).map_or(f64::NEG_INFINITY, |[(a, f), (b, g)]| ((f * b + g * a) / (a + b)).ln())
     }
 
@@ -199,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn tables_that_are_none_are_refused_with_row_and_value() {
+    fn invalid_tables_are_refused_with_row_and_value() {
         let bad: [(&[(f64, f64)], &str); 8] = [
             (&[], "number of points is 0.0: at least 2"),
             (&[(0.0, 1.0)], "number of points is 1.0"),

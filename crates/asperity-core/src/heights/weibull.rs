@@ -1,4 +1,4 @@
-//! Skewed heights: Weibull's density, by its skewness.
+//! Skewed heights: Weibull's density of a given skewness.
 
 use std::sync::Arc;
 
@@ -10,20 +10,20 @@ use crate::{ContactError, Heights};
 /// 1/k at the ends of [`WeibullHeights::SKEWNESS`].
 const SHAPES: [f64; 2] = [1.0 / 64.0, 1.0];
 
-/// Weibull heights of a given skewness, with mean 0 and the standard deviation of the scene, with
-/// which they stretch as Gaussian heights do; separations are measured from the mean.
+/// Weibull heights of a given skewness, with mean 0 and the standard deviation of the
+/// scene, as for Gaussian heights; separations are measured from the mean.
 ///
 /// ```text
 /// φ(ζ) = s k t^(k-1) exp(-t^k),  t = m + s ζ ≥ 0,  m = Γ(1 + 1/k),  s² = Γ(1 + 2/k) - m²
 /// skewness = (Γ(1 + 3/k) - 3 m s² - m³)/s³
 /// ```
 ///
-/// One number for what wear and machining do to a Gaussian surface: peaks worn off (skewness
-/// below 0) or sharp ones left (above 0; at 2 they are exponential). Published for asymmetric
-/// heights of asperities \[recalled\]; other densities of the same skewness differ in the tails,
-/// which are what touches. Bounds are those of the density with [`shape`](Self::shape), whose skewness
-/// is the one asked for to 1e-12. The skewness is that of the asperities, not the Ssk of the surface,
-/// which has valleys too.
+/// A one-parameter description of worn or machined surfaces: skewness below 0 for worn peaks,
+/// above 0 for sharp ones; at 2 the heights are exponential. Published for asymmetric heights of
+/// asperities \[recalled\]; other densities of the same skewness differ in the upper tail, which
+/// makes the contact. Error bounds refer to the density with [`shape`](Self::shape), whose
+/// skewness is the requested one to 1e-12. The skewness is that of the asperities, not the Ssk of
+/// the surface, which includes the valleys.
 ///
 /// ```
 /// use asperity_core::WeibullHeights;
@@ -37,18 +37,18 @@ pub struct WeibullHeights {
     skewness: f64,
     standard: Standard,
     /// Shared by scenes that share the heights.
-    pub(crate) followed: Arc<OtherHeights>,
+    pub(crate) sampled: Arc<OtherHeights>,
 }
 
-/// What stands in a file.
+/// The form in a file.
 #[derive(Serialize, Deserialize)]
 struct Skewness {
     skewness: f64,
 }
 
 impl WeibullHeights {
-    /// The skewness that can be had: Weibull's own limit is -1.14, and above 2 the lowest
-    /// asperities would be infinitely many.
+    /// Range of the skewness: the limit of Weibull's density is -1.14, and above 2 the density is
+    /// infinite at the lowest asperity.
     pub const SKEWNESS: [f64; 2] = [-1.0, 2.0];
 
     /// With this skewness.
@@ -58,7 +58,7 @@ impl WeibullHeights {
     pub fn new(skewness: f64) -> Result<Self, ContactError> {
         let [least, most] = Self::SKEWNESS;
         if !(least..=most).contains(&skewness) {
-            let required = "a number from -1 to 2 (a table of heights has any other)";
+            let required = "a number from -1 to 2 (use a table of heights beyond)";
             let field = "skewness";
             return Err(ContactError::OutOfRange { field, value: skewness, required });
         }
@@ -73,7 +73,7 @@ impl WeibullHeights {
             if below { from = middle } else { to = middle }
         }
         let standard = Standard::new(to);
-        Ok(Self { skewness, standard, followed: Arc::new(OtherHeights::new(standard)) })
+        Ok(Self { skewness, standard, sampled: Arc::new(OtherHeights::new(standard)) })
     }
 
     /// The skewness.
@@ -121,7 +121,7 @@ struct Standard {
 
 impl Standard {
     fn new(inverse_shape: f64) -> Self {
-        // 1 + u without rounding: so near 1, ln Γ feels it.
+        // 1 + u is exact: near 1, the rounding would show in ln Γ.
         let u = 1.0 + inverse_shape - 1.0;
         let spread = ln_square_over_mean(u).exp_m1().sqrt();
         Self { shape: 1.0 / u, spread, ln_scale: libm::lgamma(1.0 + u) / u }
@@ -135,8 +135,9 @@ impl Standard {
     }
 }
 
-/// ln Γ(1 + 2u) - 2 ln Γ(1 + u), of which 1/u digits would cancel: with Γ as a product, it is
-/// Σ ln(1 + (u/n)²/(1 + 2u/n)) over n ≥ 1, whose end is a second difference of Stirling's series.
+/// ln Γ(1 + 2u) - 2 ln Γ(1 + u), without cancellation: by the product for Γ it is
+/// Σ ln(1 + (u/n)²/(1 + 2u/n)) over n ≥ 1, and the remainder is a second difference of Stirling's
+/// series.
 fn ln_square_over_mean(u: f64) -> f64 {
     const TERMS: u32 = 128;
     let term = |n: u32| {
@@ -161,7 +162,7 @@ impl Heights for Standard {
         if above < 0.0 {
             return f64::NEG_INFINITY;
         }
-        // Next to the lowest asperity the distance from it counts, to the last digit.
+        // Near the lowest asperity the distance from it must be exact.
         let near = self.spread * zeta < -0.5;
         let ln = if near { (self.spread * above).ln() } else { (self.spread * zeta).ln_1p() };
         let factor = (self.spread * self.shape).ln() + self.ln_scale;
@@ -173,7 +174,7 @@ impl Heights for Standard {
         (-1.0 / self.spread, f64::INFINITY)
     }
 
-    /// Beside the rounding of its logarithm, which the engine counts.
+    /// In addition to the rounding of its logarithm, which the engine includes.
     fn error(&self) -> f64 {
         4.0 * f64::EPSILON
     }
@@ -224,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_weibull_density_has_is_refused() {
+    fn skewness_out_of_range_is_refused() {
         for skewness in [-1.2, 2.5, f64::NAN, f64::INFINITY] {
             let error = WeibullHeights::new(skewness).unwrap_err().to_string();
             assert!(error.contains("skewness") && error.contains("-1 to 2"), "{error}");

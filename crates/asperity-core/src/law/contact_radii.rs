@@ -20,8 +20,8 @@ use crate::{AsperityModel, ContactError, Formula, Interface, Law, Power, Quantit
 pub(crate) fn per_radius(quantity: Quantity, interface: &Interface) -> Result<f64, ContactError> {
     let total = quantity.over_area().unwrap_or(quantity);
     let given = |field: &'static str, value: Option<f64>, of: &str| {
-        let needed_by = format!("{quantity}{of}");
-        value.ok_or(ContactError::Missing { field, needed_by })
+        let reason = format!("{quantity}{of} needs it");
+        value.ok_or(ContactError::Missing { field, reason })
     };
     let bodies = " (that of the interface, or those of both bodies)";
     match total {

@@ -11,7 +11,7 @@ use asperity_quadrature::{QuadratureError, Sampler};
 pub struct Power {
     /// c.
     pub coefficient: f64,
-    /// o, not above the beginning of the part.
+    /// o, at most the start of the part.
     pub origin: f64,
     /// p ≥ 0.
     pub exponent: f64,
@@ -65,7 +65,7 @@ pub enum Formula {
     Function {
         /// The function.
         sampler: Arc<dyn Sampler>,
-        /// What tells it from other functions, if anything does.
+        /// Identity of the function, if known.
         key: Option<FunctionKey>,
     },
 }
@@ -73,11 +73,11 @@ pub enum Formula {
 /// Two functions with the same key are the same function: a sweep then integrates it once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FunctionKey {
-    /// What the function is, in words: a plan shows them.
+    /// Description of the function, shown in plans.
     pub name: Cow<'static, str>,
-    /// What it is made of, where the name does not say it all.
+    /// Its ingredients, if the name is not sufficient.
     pub of: String,
-    /// Everything else it depends on but x.
+    /// All its parameters.
     pub parameters: Vec<f64>,
 }
 
@@ -95,13 +95,13 @@ impl Formula {
         Self::Function { sampler, key: None }
     }
 
-    /// Says of a function that it is this one, and depends on these parameters alone.
+    /// Identifies a function by its name and parameters.
     #[must_use]
     pub fn known_as(self, name: impl Into<Cow<'static, str>>, parameters: Vec<f64>) -> Self {
         self.with_key(FunctionKey { name: name.into(), of: String::new(), parameters })
     }
 
-    /// Says of a function which it is; powers need no telling.
+    /// Identifies a function by a key; sums of powers need none.
     #[must_use]
     pub fn with_key(self, key: FunctionKey) -> Self {
         match self {
@@ -110,7 +110,7 @@ impl Formula {
         }
     }
 
-    /// What the form is, in words.
+    /// A short description of the formula.
     #[must_use]
     pub fn describe(&self) -> &str {
         match self {

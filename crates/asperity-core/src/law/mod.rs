@@ -1,4 +1,4 @@
-//! A law q(w): how one asperity answers an interference w, as a sum of parts.
+//! A law q(w): the response of one asperity to an interference w, as a sum of parts.
 
 pub(crate) mod contact_radii;
 pub(crate) mod formula;
@@ -15,7 +15,7 @@ use serde::Serialize;
 
 use crate::law::formula::{Formula, FunctionKey, Power};
 
-/// The kind of deformation a part stands for.
+/// The kind of deformation that a part describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Regime {
@@ -46,33 +46,33 @@ impl fmt::Display for Regime {
 /// One part of a law: one regime, on one range of x.
 #[derive(Debug, Clone)]
 pub struct Part {
-    /// Name of the part; the regime's own, unless a law has several parts of one regime.
+    /// Name of the part: the regime, with a number if the law has several parts of one regime.
     pub name: Cow<'static, str>,
     /// The regime it belongs to.
     pub regime: Regime,
-    /// Factor in the sum; negative only where a model subtracts a part.
+    /// Factor in the sum; negative only if the model subtracts the part.
     pub sign: f64,
-    /// Where the part holds, in interference units from where the law begins.
+    /// Range of x in which the part holds.
     pub range: Range<f64>,
-    /// Known kinks strictly inside the range. An undeclared one costs time; the error stays below the
-    /// tolerance, but a jump may hide from the bound, which is then too small.
+    /// Known kinks strictly inside the range. An undeclared kink costs time, and the error stays
+    /// below the tolerance; an undeclared jump may escape the bound, which is then too small.
     pub kinks: Vec<f64>,
     /// The formula, in value units.
     pub form: Formula,
 }
 
-/// How one asperity answers an interference w: q(w) = `value_unit` · Σ sign · part(x), with
+/// The response of one asperity to an interference w: q(w) = `value_unit` · Σ sign · part(x), with
 /// x = w/`interference_unit` - `begins`.
 #[derive(Debug, Clone)]
 pub struct Law {
     /// The unit of interferences \[m\].
     pub interference_unit: f64,
-    /// What the value 1 stands for: \[N\], \[m²\] or \[N/m\].
+    /// The unit of values: \[N\], \[m²\] or \[N/m\].
     pub value_unit: f64,
-    /// Where x is 0 and the parts count from, in interference units: 0 for most laws, below 0 where
-    /// adhesion holds on to an asperity that is pulled away.
+    /// Interference at which x = 0, in interference units: 0 for most laws, below 0 if adhesion
+    /// keeps an asperity in contact while it is pulled away.
     pub begins: f64,
-    /// The parts; ranges may overlap (a lateral model's do).
+    /// The parts; their ranges may overlap, as those of lateral models do.
     pub parts: Vec<Part>,
 }
 
@@ -80,12 +80,12 @@ impl Law {
     /// A law without parts, in these units (both positive).
     #[must_use]
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
-        // Few laws have more.
+        // Most laws have at most four.
         let parts = Vec::with_capacity(4);
         Self { interference_unit, value_unit, begins: 0.0, parts }
     }
 
-    /// Counts all x from this interference \[in its unit\]: there is nothing below it.
+    /// Measures x from this interference, in interference units; the law is 0 below it.
     #[must_use]
     pub fn beginning_at(self, begins: f64) -> Self {
         Self { begins, ..self }
@@ -109,7 +109,7 @@ impl Law {
         self.with(Regime::Plastic, range, form)
     }
 
-    /// Adds what adhesion takes away from the force of an elastic contact.
+    /// Subtracts the force of adhesion from that of an elastic contact.
     #[must_use]
     pub fn less_adhesion(mut self, range: Range<f64>, form: impl Into<Formula>) -> Self {
         self = self.with(Regime::Elastic, range, form);
@@ -119,17 +119,17 @@ impl Law {
         self
     }
 
-    /// 1 for every interference, in units of this length \[m\]: the number of contacts.
+    /// The number of contacts: 1 for every interference, in units of this length \[m\].
     #[must_use]
     pub(crate) fn counting(interference_unit: f64) -> Self {
         let one = [Power::new(1.0, 0.0)];
         Self::in_units(interference_unit, 1.0).elastic(0.0..f64::INFINITY, one)
     }
 
-    /// The law whose value is `f` of this one's \[in SI units\], part by part, in units of `value_unit`:
-    /// the radius √(A/π) of a contact from its area, say. `name` says what it is, in plans.
+    /// The law f(q) with `f` in SI units, in units of `value_unit`: for example the radius √(A/π) of
+    /// a contact from its area. `name` describes it in plans.
     ///
-    /// `None` where parts overlap or are subtracted: there, a value is no single contact's.
+    /// `None` if parts overlap or are subtracted: the value is then not that of one contact.
     #[must_use]
     pub fn map(
         &self,
@@ -152,7 +152,7 @@ impl Law {
                 out.iter_mut().for_each(|q| *q = f(from * sign * *q) / value_unit);
                 Ok(())
             }));
-            // A form without a key of its own is like no other.
+            // A function without a key is never shared.
             let of = match &part.form {
                 Formula::Powers(powers) => Some(format!("{powers:?}")),
                 Formula::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
@@ -168,7 +168,7 @@ impl Law {
 
     fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Formula>) -> Self {
         let before = self.parts.iter().filter(|p| p.regime == regime).count();
-        // Sweeps build laws for every scene: the names that there are cost nothing.
+        // Sweeps build laws for every scene: these names need no allocation.
         let name = match (regime, before) {
             (_, 0) => regime.name().into(),
             (Regime::ElasticPlastic, 1) => "elastic-plastic 2".into(),
@@ -179,8 +179,8 @@ impl Law {
         self
     }
 
-    /// The interferences at which the formula changes, in their unit, ascending; where the law begins
-    /// is none of them.
+    /// The interferences at which the formula changes, in interference units, ascending, without
+    /// the onset of the law.
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
         let mut kinks = self.density().breaks(0.0, f64::INFINITY);
@@ -188,11 +188,11 @@ impl Law {
         kinks
     }
 
-    /// The value \[N, m² or N/m\] at interference w \[m\]; 0 up to where the law begins. At a jump, the
-    /// value above it.
+    /// The value \[N, m² or N/m\] at interference w \[m\]; 0 up to the onset of the law. At a jump,
+    /// the value above it.
     ///
     /// # Errors
-    /// What a part's function refuses.
+    /// Any error of a part's function.
     pub fn value(&self, interference: f64) -> Result<f64, QuadratureError> {
         let x = interference / self.interference_unit - self.begins;
         if x <= 0.0 {
@@ -212,12 +212,12 @@ impl Law {
         Ok(total)
     }
 
-    /// Whether parts are subtracted.
+    /// True if a part is subtracted.
     pub(crate) fn is_signed(&self) -> bool {
         self.parts.iter().any(|part| part.sign < 0.0)
     }
 
-    /// The whole law as a density of x, from where it begins.
+    /// The whole law as a density of x.
     #[must_use]
     pub fn density(&self) -> Density {
         Density { pieces: self.parts.iter().map(Part::piece).collect() }
@@ -237,7 +237,7 @@ impl Part {
         }
     }
 
-    /// The one point whose distance the fractional powers are of, if there is one.
+    /// The common origin of the fractional powers, if there is one.
     fn origin(&self) -> Option<f64> {
         let Formula::Powers(powers) = &self.form else {
             return None;

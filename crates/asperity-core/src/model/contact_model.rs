@@ -1,4 +1,4 @@
-//! A model to be named, swapped and put on a scene.
+//! A contact model: named, swapped, applied to scenes.
 
 use crate::engine::compiled::Compiled;
 use crate::engine::few::few;
@@ -7,17 +7,17 @@ use crate::{
     Scene, Tolerance,
 };
 
-/// A model of rough surfaces in contact: to be named, swapped and asked.
+/// A model of rough surfaces in contact.
 ///
-/// Every [`AsperityModel`] is one. A model that is no average over heights (a closed form, a
-/// whole-surface theory, a table) implements this trait itself, and a [`Contact`].
+/// Every [`AsperityModel`] is one. A model that is not an average over heights (a closed form, a
+/// theory of the whole surface, a table) implements this trait and [`Contact`].
 pub trait ContactModel: Described {
-    /// The laws of one asperity behind it, if there are any.
+    /// The model of one asperity that it averages, if there is one.
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
         None
     }
 
-    /// Prepares a scene for many evaluations of the request's quantities, and of nothing else.
+    /// Prepares a scene for many evaluations of the requested quantities.
     ///
     /// # Errors
     /// [`ContactError`] naming the input that is out of range or missing.
@@ -26,8 +26,8 @@ pub trait ContactModel: Described {
     /// Answers a request, row by row.
     ///
     /// # Errors
-    /// [`ContactError`] naming the input that is out of range or missing. What fails in one row
-    /// alone stands in that row of the answer.
+    /// [`ContactError`] naming the input that is out of range or missing. The error of a single row
+    /// stands in that row of the response.
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
         Ok(self.compile(scene, request)?.respond(request))
     }
@@ -37,7 +37,7 @@ impl dyn ContactModel + '_ {
     /// The law of one asperity for a quantity.
     ///
     /// # Errors
-    /// [`ContactError::NoLaw`] where the model has none, and those of [`AsperityModel::law`].
+    /// [`ContactError::NoLaw`] if the model has none, and those of [`AsperityModel::law`].
     pub fn law(
         &self,
         asperity: &Asperity,

@@ -28,7 +28,7 @@ impl fmt::Display for Provenance {
     }
 }
 
-/// What a model is called, and where it comes from.
+/// Names and source of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Citation {
     /// Short name in lower case, as in tables and scene files: `ke`.
@@ -45,42 +45,42 @@ pub struct Citation {
     pub provenance: Provenance,
 }
 
-/// What a model says of its laws; the test-kit holds it to that, where it is no text.
+/// Properties and range of a model's laws; the test-kit verifies the properties.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Validity {
     /// The force never falls as the interference grows.
     pub force_monotone: bool,
-    /// The ratio to Hertz' law for vanishing interference: 1, except where normals are spread
-    /// over angles. `None` where there is none.
+    /// The ratio of the force to Hertz' law for vanishing interference: 1 for upright asperities.
+    /// `None` if there is no such limit.
     pub hertz_limit: Option<f64>,
-    /// The surface is one of asperities that touch alone: false for theories of the whole surface, which
-    /// are made for areas of any size.
+    /// The model treats asperities as independent; false for theories of the whole surface, which
+    /// hold for areas of any size.
     pub asperities: bool,
-    /// Contact normals are spread over angles.
+    /// Contacts are inclined: normals are distributed over angles.
     pub angles: bool,
-    /// The surfaces attract each other: forces may be negative, and jump where a contact begins.
+    /// The surfaces adhere: forces may be negative, and jump at the onset of contact.
     pub adhesive: bool,
     /// The range of Tabor's parameter for which adhesive laws are derived.
     pub tabor: Option<[f64; 2]>,
-    /// What the model is valid for, in a few words; empty where nothing is said.
+    /// Range of validity, in a few words; empty if not stated.
     pub valid_for: &'static str,
-    /// The interference over w_c up to which the laws are derived or fitted; `None` where nothing is
-    /// said. 1 for a model without yielding.
+    /// The interference over w_c up to which the laws are derived or fitted; `None` if not stated,
+    /// 1 for a model without yielding.
     pub holds_to: Option<f64>,
-    /// Where the force is known to be off, if it is anywhere.
+    /// Range in which the force is known to be inaccurate, if any.
     pub known_defect: Option<KnownDefect>,
 }
 
-/// Where a law is known to miss what it was fitted to.
+/// A range in which a law deviates from the data to which it was fitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KnownDefect {
-    /// From which interference over w_c,
+    /// Lower end of the range, as interference over w_c.
     pub from: f64,
-    /// and to which.
+    /// Upper end of the range, as interference over w_c.
     pub to: f64,
-    /// By how much, and what to ask instead.
-    pub words: &'static str,
+    /// The deviation, and which model to use instead.
+    pub summary: &'static str,
 }
 
 impl Default for Validity {
@@ -106,25 +106,25 @@ impl Validity {
         Self { force_monotone: false, ..self }
     }
 
-    /// Nothing is known of the limit for vanishing interference.
+    /// Without a known limit for vanishing interference.
     #[must_use]
     pub fn without_hertz_limit(self) -> Self {
         Self { hertz_limit: None, ..self }
     }
 
-    /// The model is one of the whole surface: no asperity has a law, and none a limit.
+    /// For a theory of the whole surface, without a law of an asperity.
     #[must_use]
     pub fn without_asperities() -> Self {
         Self { asperities: false, ..Self::default().without_hertz_limit() }
     }
 
-    /// Contact normals are spread over angles: no limit, and the force may fall.
+    /// For inclined contacts: no Hertz limit, and the force may fall.
     #[must_use]
     pub fn over_angles() -> Self {
         Self { angles: true, ..Self::default().not_monotone().without_hertz_limit() }
     }
 
-    /// The surfaces attract each other: no limit, and the force may be negative and fall.
+    /// For adhesion: no Hertz limit, and the force may be negative and fall.
     #[must_use]
     pub fn with_adhesion() -> Self {
         Self { adhesive: true, ..Self::default().not_monotone().without_hertz_limit() }
@@ -142,13 +142,13 @@ impl Validity {
         Self { holds_to: Some(interference), ..self }
     }
 
-    /// The force is known to be off somewhere.
+    /// With a range in which the force is known to be inaccurate.
     #[must_use]
     pub fn known_defect(self, defect: KnownDefect) -> Self {
         Self { known_defect: Some(defect), ..self }
     }
 
-    /// What the model is valid for, in a few words.
+    /// With this range of validity, in a few words.
     #[must_use]
     pub fn valid_for(self, valid_for: &'static str) -> Self {
         Self { valid_for, ..self }

@@ -1,4 +1,4 @@
-//! What is asked of a scene.
+//! The request: quantities, separations or loads, tolerance.
 
 pub(crate) mod quantity;
 pub(crate) mod separation;
@@ -8,16 +8,16 @@ use serde::{Deserialize, Serialize};
 
 use crate::{At, Quantity, Tolerance};
 
-/// Quantities, the places where they are asked for, and a tolerance.
+/// Quantities, the separations or loads at which they are wanted, and a tolerance.
 ///
-/// Only what is listed is computed; shares are extra work and off unless asked for.
+/// Only the listed quantities are computed; shares of regimes cost extra and are off by default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Request {
-    /// What to compute, in this order.
+    /// Quantities to compute, in this order.
     pub quantities: Vec<Quantity>,
-    /// Separations or loads, one for each row of the answer.
+    /// Separations or loads, one for each row of the response.
     pub at: Vec<At>,
     /// Relative tolerance of every value.
     pub tolerance: Tolerance,
@@ -26,7 +26,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// Asks for these quantities.
+    /// A request for these quantities.
     #[must_use]
     pub fn new(quantities: impl IntoIterator<Item = Quantity>) -> Self {
         Self { quantities: quantities.into_iter().collect(), ..Self::default() }
@@ -52,7 +52,7 @@ impl Request {
         self.at(separations.into_iter().map(At::metres))
     }
 
-    /// To this tolerance.
+    /// With this tolerance.
     #[must_use]
     pub fn within(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = tolerance;

@@ -1,4 +1,4 @@
-//! Where a contact is asked about: a separation with its unit and its plane, or a load.
+//! A separation with its unit and reference plane, or a load.
 
 use std::fmt;
 
@@ -59,7 +59,7 @@ pub struct Separation {
     /// Its unit.
     #[serde(default)]
     pub unit: SeparationUnit,
-    /// What it is measured from.
+    /// Its reference plane.
     #[serde(default)]
     pub from: Datum,
 }
@@ -77,17 +77,17 @@ impl Separation {
         Self { value, unit: SeparationUnit::Metres, from: Datum::AsperityMean }
     }
 
-    /// The same number, counted from the mean plane of the surface.
+    /// The same number, measured from the mean plane of the surface.
     #[must_use]
     pub fn from_surface_mean(self) -> Self {
         Self { from: Datum::SurfaceMean, ..self }
     }
 
-    /// The same place on a scene in another unit, from another plane.
+    /// The same separation in another unit, from another plane.
     ///
     /// # Errors
-    /// [`ContactError::NoMeanPlane`] for exponential heights, to which no mean plane belongs,
-    /// where one of the two planes is the surface's.
+    /// [`ContactError::NoMeanPlane`] if one of the planes is the surface's and the heights are
+    /// exponential or Weibull without a `mean_plane_offset`.
     pub fn measured_in(
         self,
         unit: SeparationUnit,
@@ -100,7 +100,7 @@ impl Separation {
             (Datum::AsperityMean, Datum::SurfaceMean) => mean_plane_offset(scene)?,
             _ => 0.0,
         };
-        // In the unit given; exact where neither unit nor plane changes.
+        // In the unit given; exact if neither unit nor plane changes.
         let value = match self.unit {
             _ if shift == 0.0 => self.value,
             SeparationUnit::Sigma => self.value + shift / sigma,
@@ -114,7 +114,7 @@ impl Separation {
         Ok(Self { value, unit, from })
     }
 
-    /// d/σ_z as the engine takes it, with what conversion has rounded.
+    /// d/σ_z from the mean of the asperity heights, with the rounding of the conversion.
     #[inline]
     pub(crate) fn place(self, scene: &Scene) -> Result<Place, ContactError> {
         let mut place = Place { s: self.value, rounding: 0.0 };
@@ -133,7 +133,7 @@ impl Separation {
         let s = self.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, scene)?.value;
         let mut rounding = f64::EPSILON * s.abs();
         if self.from == Datum::SurfaceMean {
-            // Two numbers that may be larger than their difference.
+            // Either number may be larger than their difference.
             rounding += 2.0 * f64::EPSILON * (mean_plane_offset(scene)? / sigma).abs();
         }
         Ok(Place { s, rounding })
@@ -145,26 +145,26 @@ pub(crate) const LOWEST: f64 = -1e6;
 pub(crate) const HIGHEST: f64 = 1e9;
 
 fn mean_plane_offset(scene: &Scene) -> Result<f64, ContactError> {
-    let of_their_own =
+    let without_mean_plane =
         matches!(scene.heights, HeightDistribution::Exponential | HeightDistribution::Weibull(_));
-    if scene.mean_plane_offset.is_none() && of_their_own {
+    if scene.mean_plane_offset.is_none() && without_mean_plane {
         return Err(ContactError::NoMeanPlane);
     }
     Ok(scene.mean_plane_offset())
 }
 
-/// d/σ_z from the mean of the asperity heights, and how much it may be off.
+/// d/σ_z from the mean of the asperity heights, with its rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     pub(crate) s: f64,
-    /// Absolute.
+    /// Bound on the absolute error of `s`.
     pub(crate) rounding: f64,
 }
 
 impl fmt::Display for Separation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.unit {
-            // Plain digits of numbers beyond these run long.
+            // Large numbers are shorter with an exponent.
             SeparationUnit::Sigma if self.value.abs() >= 1e16 => {
                 write!(f, "{:e} asperity_height_std", self.value)?;
             }
@@ -178,16 +178,16 @@ impl fmt::Display for Separation {
     }
 }
 
-/// Where a contact is asked about. A plain number is a multiple of σ_z from the mean of the
-/// asperity heights.
+/// The separation, load or pressure of a row. A plain number is a separation in multiples of σ_z
+/// from the mean of the asperity heights.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum At {
     /// At a separation.
     Separation(Separation),
-    /// Under a normal load \[N\], > 0: where several separations carry it, at the largest, where
-    /// the surfaces first meet it on approach.
+    /// Under a normal load \[N\], > 0 (below 0 for a tension, with adhesion). If several separations
+    /// carry it, the largest is meant: the first on approach.
     Load(f64),
     /// Under a mean pressure on the nominal area \[Pa\], > 0.
     Pressure(f64),
@@ -243,7 +243,7 @@ impl fmt::Display for At {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Separation(separation) => write!(f, "a separation of {separation}"),
-            // Plain digits of the smallest and the largest run long.
+            // Very small and large numbers are shorter with an exponent.
             Self::Load(load) if load.abs() < 1e-5 || load.abs() >= 1e16 => {
                 write!(f, "a load of {load:e} N")
             }
@@ -263,10 +263,10 @@ mod tests {
     }
 
     #[test]
-    fn loads_are_told_in_few_digits() {
-        let told = [1200.0, 0.01, 1e-300, -1e20].map(|load| At::Load(load).to_string());
+    fn loads_are_printed_in_few_digits() {
+        let printed = [1200.0, 0.01, 1e-300, -1e20].map(|load| At::Load(load).to_string());
         let wanted = ["1200", "0.01", "1e-300", "-1e20"].map(|load| format!("a load of {load} N"));
-        assert_eq!(told, wanted);
+        assert_eq!(printed, wanted);
     }
 
     #[test]
@@ -284,7 +284,7 @@ mod tests {
         }
         let gap = Separation::metres(1e-6 + offset).from_surface_mean();
         assert!((gap.place(&scene).unwrap().s - 2.0).abs() < 1e-14);
-        // A measured offset goes before the one of an isotropic Gaussian surface.
+        // A measured offset takes precedence over that of an isotropic Gaussian surface.
         let measured = Scene { mean_plane_offset: Some(0.25e-6), ..scene };
         let gap = Separation::metres(1e-6).from_surface_mean();
         assert!((gap.place(&measured).unwrap().s - 1.5).abs() < 1e-14);
@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn multiples_of_sigma_are_not_touched_and_planes_that_are_none_refused() {
+    fn multiples_of_sigma_are_exact_and_missing_planes_are_refused() {
         let mut scene = scene();
         let place = Separation::sigmas(0.1).place(&scene).unwrap();
         assert!(place.s.to_bits() == 0.1f64.to_bits() && place.rounding == 0.0);

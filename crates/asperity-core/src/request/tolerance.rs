@@ -1,4 +1,4 @@
-//! How accurately a value is wanted.
+//! The relative tolerance of a request.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,13 +6,15 @@ use crate::ContactError;
 
 /// A relative tolerance, from 1e-15 to 0.1.
 ///
-/// The error of every value is below it; where a law has negative parts (the printed AT sum) it
+/// The error of every value is below it. For a law with negative parts (AT as printed) the error
 /// is relative to the integral of the law's absolute value.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Serialize, Deserialize)]
 #[serde(try_from = "f64", into = "f64")]
 pub struct Tolerance(f64);
 
 impl Tolerance {
+    /// A tolerance from 1e-15 to 0.1.
+    ///
     /// # Errors
     /// [`ContactError::OutOfRange`] unless 1e-15 ≤ `relative` ≤ 0.1.
     pub fn new(relative: f64) -> Result<Self, ContactError> {

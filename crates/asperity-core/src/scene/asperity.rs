@@ -1,24 +1,24 @@
-//! One asperity pressed by a flat: what a single-asperity law may depend on.
+//! One asperity pressed by a flat: the inputs of a single-asperity law.
 
 use crate::error::positive;
 use crate::{ContactError, Interface};
 
-/// One asperity, with every input resolved. Nothing here knows the surface.
+/// One asperity, with every input resolved. It does not depend on the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Asperity {
     /// E \[Pa\].
     pub equivalent_modulus: f64,
-    /// G \[Pa\], where it was given.
+    /// G \[Pa\], if given.
     pub equivalent_shear_modulus: Option<f64>,
     /// ν of the softer body.
     pub poissons_ratio: f64,
-    /// H of the softer body \[Pa\]; `None` where it never yields.
+    /// H of the softer body \[Pa\]; `None` if it never yields.
     pub hardness: Option<f64>,
-    /// S_y of the softer body \[Pa\]; `None` where it never yields.
+    /// S_y of the softer body \[Pa\]; `None` if it never yields.
     pub yield_strength: Option<f64>,
     /// S, the maximum contact pressure factor.
     pub pressure_factor: f64,
-    /// w_a \[J/m²\], where it was given.
+    /// w_a \[J/m²\], if given.
     pub work_of_adhesion: Option<f64>,
     /// R \[m\].
     pub radius: f64,
@@ -47,7 +47,8 @@ impl Asperity {
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] unless w_c < R: beyond, the asperity would be flattened
-    /// before it yields, and the laws scaled by w_c mean nothing. That of [`hardness`](Self::hardness()).
+    /// before it yields, and laws scaled by w_c are meaningless. That of
+    /// [`hardness`](Self::hardness()).
     pub fn critical_interference(&self) -> Result<f64, ContactError> {
         let value = self.hardness()?;
         let strain =
@@ -72,7 +73,7 @@ impl Asperity {
     /// H \[Pa\].
     ///
     /// # Errors
-    /// [`ContactError::Missing`] where the scene gives neither hardness nor yield strength.
+    /// [`ContactError::Missing`] if the scene gives neither hardness nor yield strength.
     pub fn hardness(&self) -> Result<f64, ContactError> {
         self.hardness.ok_or_else(never_yields)
     }
@@ -80,7 +81,7 @@ impl Asperity {
     /// S_y \[Pa\].
     ///
     /// # Errors
-    /// [`ContactError::Missing`] where the scene gives neither hardness nor yield strength.
+    /// [`ContactError::Missing`] if the scene gives neither hardness nor yield strength.
     pub fn yield_strength(&self) -> Result<f64, ContactError> {
         self.yield_strength.ok_or_else(never_yields)
     }
@@ -88,27 +89,28 @@ impl Asperity {
     /// G \[Pa\].
     ///
     /// # Errors
-    /// [`ContactError::Missing`] naming who needs it.
+    /// [`ContactError::Missing`] naming the model that needs it.
     pub fn shear_modulus(&self, needed_by: &str) -> Result<f64, ContactError> {
         self.equivalent_shear_modulus.ok_or_else(|| ContactError::Missing {
             field: "equivalent_shear_modulus",
-            needed_by: needed_by.into(),
+            reason: format!("{needed_by} needs it"),
         })
     }
 
     /// w_a \[J/m²\], at least 0.
     ///
     /// # Errors
-    /// [`ContactError::Missing`] naming who needs it.
+    /// [`ContactError::Missing`] naming the model that needs it.
     pub fn adhesion(&self, needed_by: &str) -> Result<f64, ContactError> {
         self.work_of_adhesion.ok_or_else(|| ContactError::Missing {
             field: "work_of_adhesion",
-            needed_by: needed_by.into(),
+            reason: format!("{needed_by} needs it"),
         })
     }
 
-    /// μ = (R w_a²/(E² z₀³))^(1/3), z₀ = 0.3 nm: Tabor's parameter, how far an adhesive contact yields
-    /// before its atoms let go. DMT holds below about 0.1, JKR above about 5. \[recalled\]
+    /// μ = (R w_a²/(E² z₀³))^(1/3), z₀ = 0.3 nm: Tabor's parameter, the elastic deformation by
+    /// adhesion over the range of the surface forces. DMT holds below about 0.1, JKR above about 5.
+    /// `None` without a work of adhesion. \[recalled\]
     #[must_use]
     pub fn tabor_parameter(&self) -> Option<f64> {
         const RANGE: f64 = 3e-10;
@@ -118,9 +120,9 @@ impl Asperity {
 }
 
 fn never_yields() -> ContactError {
-    let needed_by =
-        "every model of yielding (all but gw, persson, dmt and jkr; yield_strength will do)".into();
-    ContactError::Missing { field: "hardness", needed_by }
+    let reason =
+        "set hardness or yield_strength; only gw, persson, dmt and jkr work without".into();
+    ContactError::Missing { field: "hardness", reason }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The two bodies, and what the contact feels of them.
+//! The two bodies and their equivalent properties in contact.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,22 +18,22 @@ pub struct Body {
     pub youngs_modulus: f64,
     /// Poisson's ratio, in (-1, 0.5].
     pub poissons_ratio: f64,
-    /// Hardness \[Pa\]; 2.8 times the yield strength when not given. Without either, the body never
-    /// yields: only elastic models describe that (GW, Persson, DMT, JKR).
+    /// Hardness \[Pa\]; 2.8 times the yield strength if not given. Without either, the body never
+    /// yields: only the elastic models (GW, Persson, DMT, JKR) apply.
     #[serde(default)]
     pub hardness: Option<f64>,
-    /// Yield strength \[Pa\]; the hardness over 2.8 when not given.
+    /// Yield strength \[Pa\]; the hardness over 2.8 if not given.
     #[serde(default)]
     pub yield_strength: Option<f64>,
-    /// Thermal conductivity k \[W/(m K)\], for the thermal conductance alone.
+    /// Thermal conductivity k \[W/(m K)\]; used by the thermal conductance only.
     #[serde(default)]
     pub thermal_conductivity: Option<f64>,
-    /// Electrical resistivity ρ \[Ω m\], for the electrical conductance alone.
+    /// Electrical resistivity ρ \[Ω m\]; used by the electrical conductance only.
     #[serde(default)]
     pub electrical_resistivity: Option<f64>,
 }
 
-/// The equivalent properties of two bodies in contact: what the laws use.
+/// The equivalent properties of two bodies in contact, as the laws use them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
@@ -45,25 +45,24 @@ pub struct Interface {
     pub equivalent_shear_modulus: Option<f64>,
     /// ν of the softer body, in (-1, 0.5].
     pub poissons_ratio: f64,
-    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength when not given. Elastic
-    /// models alone (GW, Persson, DMT, JKR) do without either.
+    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength if not given. Only the
+    /// elastic models (GW, Persson, DMT, JKR) work without either.
     #[serde(default)]
     pub hardness: Option<f64>,
-    /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 when not given.
+    /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 if not given.
     #[serde(default)]
     pub yield_strength: Option<f64>,
-    /// Maximum contact pressure factor S; 0.454 + 0.41 ν when not given, and never recomputed
-    /// when it is.
+    /// Maximum contact pressure factor S; 0.454 + 0.41 ν if not given.
     #[serde(default)]
     pub pressure_factor: Option<f64>,
-    /// k \[W/(m K)\]: 2/k = 1/k₁ + 1/k₂; the thermal conductance alone needs it.
+    /// k \[W/(m K)\]: 2/k = 1/k₁ + 1/k₂; used by the thermal conductance only.
     #[serde(default)]
     pub thermal_conductivity: Option<f64>,
-    /// ρ \[Ω m\]: 2ρ = ρ₁ + ρ₂; the electrical conductance alone needs it.
+    /// ρ \[Ω m\]: 2ρ = ρ₁ + ρ₂; used by the electrical conductance only.
     #[serde(default)]
     pub electrical_resistivity: Option<f64>,
-    /// w_a = γ₁ + γ₂ - γ₁₂ \[J/m²\], at least 0: the work of adhesion of the two surfaces; DMT and JKR
-    /// alone need it.
+    /// w_a = γ₁ + γ₂ - γ₁₂ \[J/m²\], at least 0: the work of adhesion of the two surfaces; used by
+    /// DMT and JKR only.
     #[serde(default)]
     pub work_of_adhesion: Option<f64>,
 }
@@ -77,13 +76,16 @@ fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
     }
 }
 
-fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Result<(), ContactError> {
+fn check_conduction(
+    conductivity: Option<f64>,
+    resistivity: Option<f64>,
+) -> Result<(), ContactError> {
     conductivity.map(|k| positive("thermal_conductivity", k)).transpose()?;
     resistivity.map(|rho| positive("electrical_resistivity", rho)).transpose()?;
     Ok(())
 }
 
-/// Each from the other, where only one is given.
+/// Each is derived from the other if only one is given.
 fn hardness_and_yield(
     hardness: Option<f64>,
     yield_strength: Option<f64>,
@@ -102,14 +104,14 @@ impl Body {
         Self { hardness: Some(hardness), ..Self::elastic(youngs_modulus, poissons_ratio) }
     }
 
-    /// A body of which the yield strength \[Pa\] is known, and not the hardness.
+    /// A body with this yield strength \[Pa\]; the hardness follows.
     #[must_use]
     pub fn yielding(youngs_modulus: f64, poissons_ratio: f64, yield_strength: f64) -> Self {
         let yield_strength = Some(yield_strength);
         Self { yield_strength, ..Self::elastic(youngs_modulus, poissons_ratio) }
     }
 
-    /// A body that never yields, such as rubber: for GW, Persson, DMT and JKR alone.
+    /// A body that never yields, such as rubber: for GW, Persson, DMT and JKR only.
     #[must_use]
     pub fn elastic(youngs_modulus: f64, poissons_ratio: f64) -> Self {
         Self {
@@ -122,11 +124,11 @@ impl Body {
         }
     }
 
-    /// Checks every field; returns the hardness \[Pa\], where there is one.
+    /// Checks every field; returns the hardness \[Pa\], if there is one.
     fn check(&self) -> Result<Option<f64>, ContactError> {
         positive("youngs_modulus", self.youngs_modulus)?;
         poissons_ratio(self.poissons_ratio)?;
-        conducting(self.thermal_conductivity, self.electrical_resistivity)?;
+        check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
         Ok(hardness_and_yield(self.hardness, self.yield_strength)?.0)
     }
 
@@ -169,8 +171,8 @@ impl Interface {
         }
     }
 
-    /// Two deformable bodies. Hardness, yield strength and ν are those of the one with the lower
-    /// hardness; of the one with the lower Young's modulus, where one has none.
+    /// Two deformable bodies. Hardness, yield strength and ν are those of the body with the lower
+    /// hardness, or with the lower Young's modulus if either body has no hardness.
     ///
     /// # Errors
     /// [`ContactError`] naming the field, of either body, that is out of range.
@@ -182,7 +184,7 @@ impl Interface {
         let softer = if first_is_softer { first } else { second };
         let (a, b) = (first.compliances(), second.compliances());
         let both = |of: fn(&Body) -> Option<f64>| of(first).zip(of(second));
-        // Products of ratios: they stay among the doubles.
+        // Written as ratios, so that no product overflows.
         let conductivities = both(|body| body.thermal_conductivity);
         let resistivities = both(|body| body.electrical_resistivity);
         Ok(Self {
@@ -192,8 +194,8 @@ impl Interface {
         })
     }
 
-    /// A deformable body on a rigid one, of which nothing else is known: what conducts through both
-    /// is left open.
+    /// A deformable body on a rigid one. Conductivity and resistivity are not set: those of the
+    /// rigid body are unknown.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
@@ -202,14 +204,13 @@ impl Interface {
         Ok(body.interface(body.compliances()))
     }
 
-    /// An interface that never yields, such as rubber on anything: for GW, Persson, DMT and JKR
-    /// alone.
+    /// An interface that never yields, such as rubber on glass: for GW, Persson, DMT and JKR only.
     #[must_use]
     pub fn elastic(equivalent_modulus: f64, poissons_ratio: f64) -> Self {
         Self { hardness: None, ..Self::new(equivalent_modulus, poissons_ratio, 0.0) }
     }
 
-    /// Checks every field; returns hardness and yield strength \[Pa\], where there is either, and
+    /// Checks every field; returns hardness and yield strength \[Pa\], if there is either, and
     /// the pressure factor.
     ///
     /// # Errors
@@ -220,7 +221,7 @@ impl Interface {
             positive("equivalent_shear_modulus", shear)?;
         }
         poissons_ratio(self.poissons_ratio)?;
-        conducting(self.thermal_conductivity, self.electrical_resistivity)?;
+        check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
         if let Some(value) = self.work_of_adhesion.filter(|w| !(*w >= 0.0 && w.is_finite())) {
             let (field, required) = ("work_of_adhesion", "a finite number, at least 0,");
             return Err(ContactError::OutOfRange { field, value, required });
@@ -268,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn what_conducts_is_the_mean_of_both_bodies_and_of_no_single_one() {
+    fn conductivity_and_resistivity_are_means_and_need_both_bodies() {
         let mut one = Body::new(210e9, 0.28, 7e9);
         let mut other = one;
         (one.thermal_conductivity, other.thermal_conductivity) = (Some(50.0), Some(100.0));

@@ -1,4 +1,4 @@
-//! What is in contact.
+//! The scene: interface, surface, nominal area and heights.
 
 pub(crate) mod asperity;
 pub(crate) mod interface;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::positive;
 use crate::{Asperity, ContactError, HeightDistribution, Interface, Surface};
 
-/// Two bodies, their equivalent rough surface, and how much of it there is.
+/// Two bodies, their equivalent rough surface and its nominal area.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
@@ -20,11 +20,11 @@ pub struct Scene {
     pub surface: Surface,
     /// A_n \[m²\], > 0.
     pub nominal_area: f64,
-    /// How the asperity heights are spread; Gaussian unless said.
+    /// Distribution of the asperity heights; Gaussian by default.
     #[serde(default)]
     pub heights: HeightDistribution,
-    /// How far the mean of the asperity heights lies above the mean plane of the surface \[m\],
-    /// where it was measured; that of an isotropic Gaussian surface unless said.
+    /// Measured height of the mean of the asperities above the mean plane of the surface \[m\]; by
+    /// default that of an isotropic Gaussian surface.
     #[serde(default)]
     pub mean_plane_offset: Option<f64>,
 }
@@ -50,7 +50,7 @@ impl Scene {
         Asperity::new(&self.interface, self.surface.asperity_radius)
     }
 
-    /// Checks what does not depend on the interface.
+    /// Checks every field but the interface.
     pub(crate) fn check_surface(&self) -> Result<(), ContactError> {
         self.surface.check()?;
         positive("nominal_area", self.nominal_area)?;
@@ -64,7 +64,7 @@ impl Scene {
         Ok(())
     }
 
-    /// How far the mean of the asperity heights lies above the mean plane of the surface \[m\].
+    /// Height of the mean of the asperities above the mean plane of the surface \[m\].
     #[must_use]
     pub fn mean_plane_offset(&self) -> f64 {
         self.mean_plane_offset.unwrap_or_else(|| self.surface.mean_plane_offset())
@@ -77,7 +77,8 @@ impl Scene {
     }
 
     /// θ = E σ_z^1.5/(w_a √R), Fuller & Tabor's adhesion parameter: above
-    /// [`HIDES_ADHESION`](Self::HIDES_ADHESION), roughness hides adhesion. `None` without a work of adhesion above 0. \[recalled\]
+    /// [`HIDES_ADHESION`](Self::HIDES_ADHESION), roughness hides adhesion. `None` without a work of
+    /// adhesion above 0. \[recalled\]
     #[must_use]
     pub fn adhesion_parameter(&self) -> Option<f64> {
         let Surface { asperity_radius: radius, asperity_height_std: sigma, .. } = self.surface;

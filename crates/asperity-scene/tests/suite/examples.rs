@@ -48,7 +48,7 @@ fn an_elastomer_has_no_hardness_and_greenwood_and_williamson_need_none() {
     let file = example("elastomer-on-glass.toml");
     let (allowed, left_out) = file.models();
     assert_eq!(allowed.iter().map(|model| model.id()).collect::<Vec<_>>(), ["gw"]);
-    let reason = "hardness is missing: every model of yielding (all but gw, persson, dmt and jkr; yield_strength will do) needs it";
+    let reason = "hardness is missing: set hardness or yield_strength; only gw, persson, dmt and jkr work without";
     assert!(left_out.iter().all(|model| model.reason.to_string() == reason), "{left_out:?}");
 }
 
