@@ -102,5 +102,5 @@ pub(crate) fn recommend<'py>(
     };
     let places = advice.evidence.iter().map(|at| place(&at.nearest)).collect::<PyResult<_>>()?;
     let simplest = advice.simplest.as_ref().map(|model| model.id().to_string());
-    Ok((advice.to_string(), simplest, advice.told().join("\n"), places, rows))
+    Ok((advice.to_string(), simplest, advice.summary().join("\n"), places, rows))
 }

@@ -354,7 +354,7 @@ def test_plans_and_recommendations(scene: asperity.Scene) -> None:
     among = asperity.recommend(asperity.Scene(sticky, scene.surface, 1e-4), load=1.0)
     assert {"dmt", "jkr", "jkr-separation"} <= among.deviations.keys() | among.refused.keys()
     far = asperity.recommend(scene, 30.0)
-    assert far.evidence.startswith("no evidence here: nothing touches")
+    assert far.evidence.startswith("no boundary-element solution is close: less than one asperity")
     with pytest.raises(ValueError, match=r"within is 5\.0: a share above 0 and at most 1"):
         asperity.recommend(scene, [1.0], within=5)
     bare = asperity.Scene(asperity.Interface(116e9, 0.31, 1e9), scene.surface, 1e-4)

@@ -1,18 +1,17 @@
-//! A recommendation in words.
+//! A recommendation as text.
 
 use std::fmt;
 
 use crate::{
     At, Comparison, ContactError, Described, EvidenceAt, Nearest, Recommendation, Separation,
-    ranking,
+    evidence::NONE, ranking,
 };
 
 impl Recommendation {
-    /// What the evidence says, a sentence for each case that places are near to: where it is from, and
-    /// which of these models were nearest to boundary elements there, in area and in stiffness; and
-    /// where there is none.
+    /// The evidence in lines, one for each solved case: which of these models were nearest to boundary
+    /// elements in area and in stiffness; and the separations or loads without evidence.
     #[must_use]
-    pub fn told(&self) -> Vec<String> {
+    pub fn summary(&self) -> Vec<String> {
         let mut groups: Vec<Vec<&EvidenceAt>> = vec![];
         for place in &self.evidence {
             match groups.iter_mut().find(|group| alike(&group[0].nearest, &place.nearest)) {
@@ -20,16 +19,16 @@ impl Recommendation {
                 None => groups.push(vec![place]),
             }
         }
-        let mut told: Vec<String> = groups.iter().map(|group| self.told_of(group)).collect();
+        let mut lines: Vec<String> = groups.iter().map(|group| self.group_summary(group)).collect();
         let near: Vec<_> =
             self.evidence.iter().filter_map(|place| place.nearest.as_ref().ok()).collect();
         if groups.iter().filter(|group| group[0].nearest.is_ok()).count() > 1 {
-            told.push(format!("over these {} places, {}", near.len(), self.nearest(&near)));
+            lines.push(format!("over these {} places, {}", near.len(), self.nearest(&near)));
         }
-        told
+        lines
     }
 
-    /// Which of the models were nearest to boundary elements in all of these cases.
+    /// The models nearest to boundary elements in all of these cases.
     fn nearest(&self, near: &[&Nearest<'_>]) -> String {
         let off = |id: &str| {
             let of = |near: &&Nearest<'_>| {
@@ -40,8 +39,8 @@ impl Recommendation {
         ranking::nearest(self.comparisons.iter().map(|c| c.model.id()), off)
     }
 
-    /// Of places that are near to the same case, or have none for the same reason.
-    fn told_of(&self, group: &[&EvidenceAt]) -> String {
+    /// The line for rows that are nearest to the same case, or have none for the same reason.
+    fn group_summary(&self, group: &[&EvidenceAt]) -> String {
         let [first, last] = [0, group.len() - 1].map(|k| short(group[k].at));
         let places = match (group.len(), self.evidence.len()) {
             (some, all) if some == all => String::new(),
@@ -54,7 +53,7 @@ impl Recommendation {
             Err(reason) if places.is_empty() => reason.to_string(),
             Err(reason) => {
                 let reason = reason.to_string();
-                format!("no evidence{places}{}", reason.trim_start_matches("no evidence here"))
+                format!("{NONE}{places}{}", reason.trim_start_matches(NONE))
             }
             Ok(far) => {
                 let nearest = self.nearest(&[far]);
@@ -64,7 +63,7 @@ impl Recommendation {
     }
 }
 
-/// The place to four digits, for a sentence.
+/// The separation or load to four digits.
 fn short(at: At) -> At {
     let four = |x: f64| format!("{x:.3e}").parse().unwrap_or(x);
     match at {
@@ -75,7 +74,7 @@ fn short(at: At) -> At {
     }
 }
 
-/// Whether two places have the same case, or none for the same reason.
+/// True if two rows have the same case, or none for the same reason.
 fn alike(
     one: &Result<Nearest<'_>, ContactError>,
     other: &Result<Nearest<'_>, ContactError>,
@@ -105,7 +104,7 @@ impl fmt::Display for Recommendation {
             }
             None => writeln!(f, "no model that holds is within {within:.3} % of {reference}")?,
         }
-        self.told().iter().try_for_each(|told| writeln!(f, "{told}"))?;
+        self.summary().iter().try_for_each(|line| writeln!(f, "{line}"))?;
         let width =
             self.comparisons.iter().map(|c| c.model.name().len()).max().unwrap_or(0).max(12);
         for Comparison { model, deviations, outside, off, .. } in &self.comparisons {

@@ -1,4 +1,4 @@
-//! What was found where models stood beside boundary elements: the table that advice comes of.
+//! Models compared with boundary elements: the table on which advice is based.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -7,17 +7,17 @@ use serde::Serialize;
 
 use crate::{ContactError, HeightDistribution, Scene, evidence_csv};
 
-/// Scenes that are farther than this factor beyond the last case have no evidence.
+/// Scenes farther than this factor beyond the solved range have no evidence.
 const BEYOND: f64 = 1.5;
-/// What a refusal is of.
-const NONE: &str = "no evidence here";
-/// Below this plasticity index next to nothing flows: held against elastic cases.
+/// First clause of a refusal.
+pub(crate) const NONE: &str = "no boundary-element solution is close";
+/// Below this plasticity index almost nothing yields: compared with elastic cases.
 const ELASTIC: f64 = 1.0 / BEYOND;
 
-/// Every model beside boundary elements on generated surfaces, as `cargo xtask truth` finds it:
-/// isotropic, Gaussian and periodic, of 512 x 512 pixels with shortest waves of 8, as
-/// [`RandomSurface`](crate::bem::RandomSurface) makes them, elastic and with plasticity indices
-/// (moments and E, S, H taken as the models take them) of 1, 2 and 4.
+/// Every model compared with boundary elements on generated surfaces, as `cargo xtask truth`
+/// computes them: isotropic, Gaussian and periodic, 512 x 512 pixels with shortest waves of 8
+/// pixels, from [`RandomSurface`](crate::bem::RandomSurface), elastic and with plasticity indices
+/// (moments, E, S and H as the models use them) of 1, 2 and 4.
 ///
 /// ```
 /// use asperity::{Evidence, Interface, ProfileMoments, Scene, Surface};
@@ -27,7 +27,7 @@ const ELASTIC: f64 = 1.0 / BEYOND;
 /// let near = Evidence::committed()?.nearest(&scene, 2e8)?;
 /// let off = near.deviation("ke").and_then(|found| found.area);
 /// assert!(near.away < 2.0 && off.is_some_and(|off| off.abs() < 0.5), "{near:?}");
-/// // Nothing is known of a surface with so many scales.
+/// // No surface of so large a bandwidth was solved.
 /// scene.surface = Surface::from_moments(&ProfileMoments { m0: 1e-11, m2: 2.5e-3, m4: 1e9 })?;
 /// let refused = Evidence::committed()?.nearest(&scene, 2e8);
 /// assert!(refused.unwrap_err().to_string().contains("alpha"));
@@ -44,32 +44,32 @@ pub struct Evidence {
 pub struct EvidenceCase {
     /// m₀ m₄/m₂².
     pub alpha: f64,
-    /// ψ = √(σ_z/w_c); 0 where nothing yields.
+    /// ψ = √(σ_z/w_c); 0 for elastic cases.
     pub plasticity_index: f64,
     /// p/(E g), with the root mean square gradient g.
     pub load: f64,
     /// Boundary elements: the mean of several surfaces.
     pub bem: EvidenceRow,
-    /// What the models say, by their ids.
+    /// Results of the models, by id.
     #[serde(skip)]
     pub models: Vec<(String, EvidenceRow)>,
 }
 
-/// Numbers without a unit; none where there is no such number.
+/// Dimensionless results; `None` if not available.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 #[non_exhaustive]
 pub struct EvidenceRow {
     /// Real over nominal area.
     pub area_fraction: Option<f64>,
-    /// Least and largest of the surfaces.
+    /// Smallest and largest value of the surfaces.
     pub area_span: Option<[f64; 2]>,
     /// -dp/d(gap) √m₀/E.
     pub stiffness: Option<f64>,
-    /// Least and largest of the surfaces.
+    /// Smallest and largest value of the surfaces.
     pub stiffness_span: Option<[f64; 2]>,
 }
 
-/// How far a model was off, relative to boundary elements.
+/// Deviation of a model, relative to boundary elements.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 #[non_exhaustive]
 pub struct Deviation {
@@ -89,7 +89,7 @@ pub struct Deviation {
 pub struct Nearest<'e> {
     /// The case.
     pub case: &'e EvidenceCase,
-    /// The factor by which the scene is farthest from it, in α, in ψ or in p/(E g); at least 1.
+    /// The largest factor between scene and case, in α, ψ or p/(E g); at least 1.
     pub away: f64,
 }
 
@@ -106,7 +106,7 @@ impl fmt::Display for Nearest<'_> {
 }
 
 impl Deviation {
-    /// Of two, what is farther off, each by itself.
+    /// The larger deviations of two, each quantity separately.
     #[must_use]
     pub fn worse(self, other: Self) -> Self {
         type Pair = (Option<f64>, Option<f64>);
@@ -121,7 +121,7 @@ impl Deviation {
 }
 
 impl Nearest<'_> {
-    /// How far a model was off there.
+    /// Deviation of a model in this case; `None` for an unknown model.
     #[must_use]
     pub fn deviation(&self, id: &str) -> Option<Deviation> {
         let EvidenceCase { bem, models, .. } = self.case;
@@ -140,14 +140,14 @@ impl Nearest<'_> {
 }
 
 impl Evidence {
-    /// The text of what is committed, a csv with the columns [`COLUMNS`](Self::COLUMNS).
+    /// The committed table, a csv with the columns [`COLUMNS`](Self::COLUMNS).
     pub const CSV: &'static str = include_str!("../data/truth.csv");
 
-    /// The columns of evidence; `low` and `high` are of the surfaces, for `bem` alone. Stiffnesses
-    /// -dp/d(gap) are in units of E/√m₀.
+    /// Columns of the table; `low` and `high` are the extremes of the surfaces, for `bem` only.
+    /// Stiffnesses -dp/d(gap) are in units of E/√m₀.
     pub const COLUMNS: [&'static str; 10] = evidence_csv::COLUMNS;
 
-    /// What is committed.
+    /// The committed evidence.
     ///
     /// # Errors
     /// Those of [`parse`](Self::parse).
@@ -159,13 +159,13 @@ impl Evidence {
     /// Reads evidence from a text like [`CSV`](Self::CSV).
     ///
     /// # Errors
-    /// [`ContactError::Refused`] with the line, the column and what stands there, where that is none
-    /// of such a text, and where it has no cases.
+    /// [`ContactError::Refused`] with line, column and content of the first invalid field, or if
+    /// there are no cases.
     pub fn parse(text: &str) -> Result<Self, ContactError> {
         Ok(Self { cases: evidence_csv::cases(text)? })
     }
 
-    /// What was solved, in words: `alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001
+    /// The solved cases in one line: `alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001
     /// to 0.2`.
     #[must_use]
     pub fn solved(&self) -> String {
@@ -175,26 +175,26 @@ impl Evidence {
             all.dedup();
             all
         };
-        let words = |all: Vec<String>| all.join(", ");
+        let listed = |all: Vec<String>| all.join(", ");
         let alpha = each(|case| case.alpha).iter().map(|x| format!("{x:.1}")).collect();
         let index = each(|case| case.plasticity_index).iter().map(ToString::to_string).collect();
         let [lightest, heaviest] = self.range(|case| case.load);
-        let (alpha, index) = (words(alpha), words(index));
+        let (alpha, index) = (listed(alpha), listed(index));
         format!("alpha {alpha}, elastic and psi {index}, p/(E g) from {lightest} to {heaviest}")
     }
 
-    /// That there is none, and why.
+    /// The error for a scene without evidence.
     pub(crate) fn none(reason: String) -> ContactError {
         ContactError::Refused { model: NONE.into(), reason }
     }
 
-    /// The least and the largest above 0.
+    /// The smallest and the largest value above 0.
     fn range(&self, of: impl Fn(&EvidenceCase) -> f64) -> [f64; 2] {
         let known = self.cases.iter().map(of).filter(|x| *x > 0.0);
         known.fold([f64::INFINITY, 0.0], |[low, high], x| [low.min(x), high.max(x)])
     }
 
-    /// All cases: surface by surface, on each material by material, load by load.
+    /// All cases, ordered by surface, material and load.
     #[must_use]
     pub fn cases(&self) -> &[EvidenceCase] {
         &self.cases
@@ -203,15 +203,15 @@ impl Evidence {
     /// The case nearest to a scene at a mean pressure \[Pa\].
     ///
     /// # Errors
-    /// [`ContactError::Refused`] naming what of the scene has no evidence, and the range that has: other
-    /// heights than Gaussian ones and surfaces that stick have none; what is wrong with the scene.
+    /// [`ContactError::Refused`] naming the property of the scene outside the solved range, and the
+    /// range; heights must be Gaussian, and roughness must hide adhesion. Errors of the scene.
     pub fn nearest(&self, scene: &Scene, pressure: f64) -> Result<Nearest<'_>, ContactError> {
         let none = Self::none;
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
-            return Err(none("heights that are not Gaussian: no such surface was solved".into()));
+            return Err(none("the heights are not Gaussian, the solved surfaces are".into()));
         }
         if scene.adhesion_parameter().is_some_and(|theta| theta < Scene::HIDES_ADHESION) {
-            return Err(none("surfaces that stick: none was solved with adhesion".into()));
+            return Err(none("the surfaces adhere, the solved ones do not".into()));
         }
         let asperity = scene.asperity()?;
         let index = match asperity.hardness {
@@ -231,15 +231,15 @@ impl Evidence {
             if place[k] > 0.0 && !(low..=high).contains(&place[k]) {
                 let value = place[k];
                 let found = match k {
-                    0 => format!("{value:.1}: {low:.1} to {high:.1}"),
-                    // Anything below is elastic.
-                    1 => format!("{value:.1}: at most {high:.1}"),
-                    _ => format!("{value:.1e}: {low:.1e} to {high:.1e}"),
+                    0 => format!("{value:.1}; solved range {low:.1} to {high:.1}"),
+                    // Smaller indices are compared with elastic cases.
+                    1 => format!("{value:.1}; solved up to {high:.1}"),
+                    _ => format!("{value:.1e}; solved range {low:.1e} to {high:.1e}"),
                 };
-                return Err(none(format!("{field} is {found} is near what was solved")));
+                return Err(none(format!("{field} = {found}")));
             }
         }
-        // ψ is 0 on both sides, or on none.
+        // ψ is 0 for both or for neither.
         let away = |case: &EvidenceCase| {
             let logs = place.iter().zip(of(case)).filter(|(a, b)| **a > 0.0 || *b > 0.0);
             logs.map(|(a, b)| (a / b).ln().abs())
@@ -247,7 +247,7 @@ impl Evidence {
         };
         let found = self.cases.iter().map(|case| (away(case), case));
         let found = found.min_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-        let ([_, most], case) = found.ok_or_else(|| none("nothing was solved".into()))?;
+        let ([_, most], case) = found.ok_or_else(|| none("there are no cases".into()))?;
         Ok(Nearest { case, away: most.exp() })
     }
 }
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_committed_is_whole() {
+    fn the_committed_table_is_complete() {
         let evidence = Evidence::committed().unwrap();
         let [alpha, index, load] = [3, 4, 8];
         assert_eq!(evidence.cases().len(), alpha * index * load);
@@ -293,12 +293,12 @@ mod tests {
         }
     }
 
-    /// One home: other texts name what `solved` names.
+    /// Other texts repeat the line of `solved`.
     #[test]
-    fn what_was_solved_is_said() {
+    fn the_solved_cases_are_listed() {
         let solved = Evidence::committed().unwrap().solved();
-        let said = "alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001 to 0.2";
-        assert_eq!(solved, said);
+        let wanted = "alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001 to 0.2";
+        assert_eq!(solved, wanted);
     }
 
     #[test]
@@ -317,7 +317,7 @@ mod tests {
         }
         let near = evidence.nearest(&scene(10.0, 2.2), 0.011 * unit()).unwrap();
         assert!((near.case.plasticity_index - 2.0).abs() < 1e-9 && near.away < 1.5, "{near:?}");
-        // Nearly elastic is elastic.
+        // Small indices are compared with elastic cases.
         let near = evidence.nearest(&scene(10.0, 0.3), 0.011 * unit()).unwrap();
         assert!(near.case.plasticity_index <= 0.0);
     }
@@ -329,13 +329,13 @@ mod tests {
             found.unwrap_err().to_string()
         };
         for (found, field) in [
-            (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) is 1.6"),
-            (refused(100.0, 2.0, 0.01), "alpha (m0 m4/m2^2) is 100.0: 2.0 to 44.3 is near"),
-            (refused(8.0, 20.0, 0.01), "plasticity_index is 20.0: at most 6.0 is near"),
-            (refused(8.0, 2.0, 1e-5), "p/(E g) is 1.0e-5: 6.7e-4 to 3.0e-1 is near"),
-            (refused(8.0, 2.0, 0.5), "p/(E g) is 5.0e-1"),
+            (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6"),
+            (refused(100.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 100.0; solved range 2.0 to 44.3"),
+            (refused(8.0, 20.0, 0.01), "plasticity_index = 20.0; solved up to 6.0"),
+            (refused(8.0, 2.0, 1e-5), "p/(E g) = 1.0e-5; solved range 6.7e-4 to 3.0e-1"),
+            (refused(8.0, 2.0, 0.5), "p/(E g) = 5.0e-1"),
         ] {
-            assert!(found.starts_with(&format!("no evidence here: {field}")), "{found}");
+            assert!(found.starts_with(&format!("{NONE}: {field}")), "{found}");
         }
         let mut exponential = scene(8.0, 2.0);
         exponential.heights = HeightDistribution::Exponential;

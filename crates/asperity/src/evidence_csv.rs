@@ -1,4 +1,4 @@
-//! Evidence as a text: one row of boundary elements, then those of the models beside them.
+//! Evidence as csv: a row of boundary elements, then the rows of the models for the same case.
 
 use crate::ContactError;
 use crate::evidence::{EvidenceCase, EvidenceRow};
@@ -16,7 +16,7 @@ pub(crate) const COLUMNS: [&str; 10] = [
     "stiffness_high",
 ];
 
-/// Reads all cases; nothing that is no number is passed over.
+/// Reads all cases; any invalid number is an error.
 pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
     let refused = |line: usize, reason: &str| ContactError::Refused {
         model: "evidence".into(),
@@ -35,13 +35,13 @@ pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
         }
         let number = |k: usize| match fields[k].parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(refused(line, &format!("{} is {:?}: no number", COLUMNS[k], fields[k]))),
+            _ => Err(refused(line, &format!("{} is {:?}, not a number", COLUMNS[k], fields[k]))),
         };
         let optional = |k: usize| (!fields[k].is_empty()).then(|| number(k)).transpose();
         let span = |k: usize| match (optional(k)?, optional(k + 1)?) {
             (Some(low), Some(high)) => Ok(Some([low, high])),
             (None, None) => Ok(None),
-            _ => Err(refused(line, &format!("{} or its other end is missing", COLUMNS[k]))),
+            _ => Err(refused(line, &format!("{} or its counterpart is missing", COLUMNS[k]))),
         };
         let row = EvidenceRow {
             area_fraction: optional(4)?,
@@ -54,7 +54,7 @@ pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
             ("bem", _) => {
                 let whole = row.area_fraction.is_some() && row.stiffness.is_some();
                 if !whole || row.area_span.is_none() || row.stiffness_span.is_none() {
-                    return Err(refused(line, "a number of boundary elements is missing"));
+                    return Err(refused(line, "a result of boundary elements is missing"));
                 }
                 let (bem, models) = (row, vec![]);
                 cases.push(EvidenceCase { alpha, plasticity_index, load, bem, models });
@@ -62,11 +62,11 @@ pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
             (id, Some(case)) => {
                 let known = [case.alpha, case.plasticity_index, case.load];
                 if known.map(f64::to_bits) != [alpha, plasticity_index, load].map(f64::to_bits) {
-                    return Err(refused(line, "no row of bem for this case"));
+                    return Err(refused(line, "this case has no row of bem"));
                 }
                 case.models.push((id.into(), row));
             }
-            (_, None) => return Err(refused(line, "no row of bem before it")),
+            (_, None) => return Err(refused(line, "a row of bem must come first")),
         }
     }
     if cases.is_empty() {
@@ -81,7 +81,7 @@ mod tests {
     use crate::Evidence;
 
     #[test]
-    fn what_is_no_evidence_is_refused_with_its_line() {
+    fn invalid_evidence_is_refused_with_its_line() {
         let head = COLUMNS.join(",");
         let bem = "3,0,0.1,bem,0.2,0.1,0.3,1,0.9,1.1";
         let read = |rows: &[&str]| cases(&[&[head.as_str()], rows].concat().join("\n"));
@@ -90,18 +90,18 @@ mod tests {
             found[0].models,
             [("gw".into(), EvidenceRow { area_fraction: Some(0.25), ..EvidenceRow::default() })]
         );
-        for (rows, said) in [
+        for (rows, wanted) in [
             (&[][..], "line 1: no cases"),
-            (&["3,0,0.1,gw,0.2,,,,,"], "line 2: no row of bem before it"),
-            (&[bem, "3,0,0.2,gw,0.2,,,,,"], "line 3: no row of bem for this case"),
-            (&[bem, "3,0,0.1,gw,O.2,,,,,"], "line 3: area_fraction is \"O.2\": no number"),
-            (&[bem, "3,0,0.1,gw,nan,,,,,"], "line 3: area_fraction is \"nan\": no number"),
+            (&["3,0,0.1,gw,0.2,,,,,"], "line 2: a row of bem must come first"),
+            (&[bem, "3,0,0.2,gw,0.2,,,,,"], "line 3: this case has no row of bem"),
+            (&[bem, "3,0,0.1,gw,O.2,,,,,"], "line 3: area_fraction is \"O.2\", not a number"),
+            (&[bem, "3,0,0.1,gw,nan,,,,,"], "line 3: area_fraction is \"nan\", not a number"),
             (&[bem, "3,0,0.1,gw,0.2,,,"], "line 3: 8 fields, not 10"),
-            (&["3,0,0.1,bem,0.2,0.1,,1,0.9,1.1"], "line 2: area_low or its other end is missing"),
-            (&["3,0,0.1,bem,0.2,0.1,0.3,,0.9,1.1"], "line 2: a number of boundary elements"),
+            (&["3,0,0.1,bem,0.2,0.1,,1,0.9,1.1"], "line 2: area_low or its counterpart is missing"),
+            (&["3,0,0.1,bem,0.2,0.1,0.3,,0.9,1.1"], "line 2: a result of boundary elements"),
         ] {
             let error = read(rows).unwrap_err().to_string();
-            assert!(error.starts_with(&format!("evidence: {said}")), "{error}");
+            assert!(error.starts_with(&format!("evidence: {wanted}")), "{error}");
         }
         let error = Evidence::parse("alpha,model\n").unwrap_err().to_string();
         assert!(error.contains("line 1: the columns alpha,plasticity_index,"), "{error}");

@@ -1,10 +1,10 @@
-//! Which models were nearest to boundary elements, in words.
+//! The models nearest to boundary elements, as a sentence.
 
-/// So many are named.
+/// Number of models named.
 const NAMED: usize = 3;
 
-/// The models nearest in area, and in stiffness: each with its largest deviation, `off` of a model
-/// being its deviations in area and in stiffness at each place. A model without one everywhere is
+/// The models nearest in area and in stiffness, each with its largest deviation. `off` returns the
+/// deviations of a model in area and stiffness at each load; models with a missing deviation are
 /// not named.
 pub(crate) fn nearest<'m>(
     models: impl IntoIterator<Item = &'m str>,
@@ -32,7 +32,7 @@ pub(crate) fn nearest<'m>(
         }
         [Some(area), None] => format!("nearest in area were {area}"),
         [None, Some(stiffness)] => format!("nearest in stiffness were {stiffness}"),
-        [None, None] => "no model has an area or a stiffness at every place".into(),
+        [None, None] => "no model has an area or a stiffness at every load".into(),
     }
 }
 

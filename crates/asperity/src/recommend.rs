@@ -1,4 +1,5 @@
-//! Which model does a scene need? What it takes to be near another, and what boundary elements say.
+//! Which model does a scene need? The simplest that agrees with a reference model, and how far each
+//! model is from boundary elements.
 
 use serde::Serialize;
 
@@ -7,8 +8,7 @@ use crate::{
     Nearest, Quantity, Request, Scene, Severity,
 };
 
-/// The id of the model that others are held against where none is named: `ke`, or `gw` where there is
-/// no hardness.
+/// The id of the default reference model: `ke`, or `gw` without a hardness.
 ///
 /// ```
 /// use asperity::{Interface, Scene, Surface, usual_reference};
@@ -25,26 +25,26 @@ pub fn usual_reference(scene: &Scene) -> &'static str {
     }
 }
 
-/// How far one model is from the reference.
+/// Deviations of one model from the reference.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Comparison {
     /// The model.
     pub model: Model,
-    /// Largest deviation from the reference relative to it, over the separations, for each
-    /// quantity asked; or why the model could not answer.
+    /// Largest relative deviation from the reference over all rows, for each requested quantity; or
+    /// the error of the model.
     pub deviations: Result<Vec<(Quantity, f64)>, ContactError>,
     /// Parts of the model's laws, a measure of its complexity.
     pub regimes: usize,
-    /// Why a model that is near enough does not hold there: the reference may not hold either.
+    /// Why a model within the limit is not valid there; the reference may be invalid too.
     pub outside: Option<Finding>,
-    /// How far the model was from boundary elements in the cases nearest to the scene, where there
-    /// are any: the largest over the separations and loads.
+    /// Largest deviation of the model from boundary elements in the solved cases nearest to the
+    /// scene, if there are any.
     pub off: Option<Deviation>,
 }
 
 impl Comparison {
-    /// The largest deviation of any quantity; infinite where the model could not answer.
+    /// The largest deviation of any quantity; infinite if the model failed.
     #[must_use]
     pub fn largest(&self) -> f64 {
         let none = |_: &ContactError| f64::INFINITY;
@@ -53,29 +53,27 @@ impl Comparison {
     }
 }
 
-/// All models against a reference, and the simplest that is near enough.
+/// All models compared with a reference, and the simplest within a limit.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct Recommendation {
-    /// The model that the others are compared with.
+    /// The reference model.
     pub reference: Model,
-    /// Largest relative deviation that was allowed.
+    /// Largest relative deviation allowed.
     pub within: f64,
-    /// The first of the comparisons that is within it and holds there, or else the reference if that
-    /// holds.
+    /// The first model of the comparisons that is within the limit and valid; otherwise the
+    /// reference, if that is valid.
     pub simplest: Option<Model>,
-    /// Every model, the simplest first: upright asperities of one radius, random ones, none, asperities
-    /// at all angles; then fewest parts of the force law, then the order of [`Model::all`], which is
-    /// that of their years.
+    /// Models from simplest to most complex: upright asperities of one radius, random asperities,
+    /// no asperities, inclined contacts; then by number of parts of the force law and by year.
     pub comparisons: Vec<Comparison>,
-    /// For each separation or load, where boundary elements were nearest to the scene; or why there is
-    /// no such case.
+    /// For each separation or load, the nearest solved case, or why there is none.
     pub evidence: Vec<EvidenceAt>,
 }
 
 impl Recommendation {
-    /// The same for a surface that is unlike those that were solved, and why, which a
-    /// [`Scene`] does not tell: the evidence is not of it.
+    /// Removes the evidence, for a surface that differs from the solved ones in a property that a
+    /// [`Scene`] does not hold; `reason` names it.
     #[must_use]
     pub fn without_evidence(mut self, reason: &str) -> Self {
         for place in &mut self.evidence {
@@ -86,24 +84,24 @@ impl Recommendation {
     }
 }
 
-/// What boundary elements say of a separation or load.
+/// Evidence for a separation or load.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
 pub struct EvidenceAt {
-    /// The place.
+    /// The separation or load.
     pub at: At,
-    /// The nearest case; or why there is none.
+    /// The nearest solved case, or why there is none.
     pub nearest: Result<Nearest<'static>, ContactError>,
 }
 
-/// Compares all models with `reference` at the request's separations, and names the simplest that
-/// stays `within` a relative deviation of it in every asked quantity, and is made for what the scene is
-/// there: where asperities yield, no model without yielding is recommended.
+/// Compares all models with `reference` at the separations and loads of the request. Recommends the
+/// simplest that deviates by at most `within` in every requested quantity and is valid there: no
+/// model without yielding where asperities yield.
 ///
 /// ```
 /// use asperity::{Interface, Quantity, Request, Scene, Surface, linspace, recommend};
 ///
-/// // A soft, smooth surface that never yields: Greenwood & Williamson will do.
+/// // A smooth surface that hardly yields: Greenwood & Williamson is sufficient.
 /// let interface = Interface::new(116e9, 0.31, 7e9);
 /// let surface = Surface::from_plasticity_index(0.3, 0.04, 1e-7, &interface)?;
 /// let scene = Scene::new(interface, surface, 1e-4);
@@ -114,8 +112,8 @@ pub struct EvidenceAt {
 /// ```
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] when `within` is no share above 0 and at most 1, or there are no separations, and
-/// what the reference model cannot answer.
+/// [`ContactError::OutOfRange`] unless 0 < `within` ≤ 1 and there is at least one separation or load;
+/// errors of the reference model.
 pub fn recommend(
     scene: &Scene,
     request: &Request,
@@ -125,8 +123,8 @@ pub fn recommend(
     recommend_among(Model::all(), scene, request, reference, within)
 }
 
-/// As [`recommend`], among these models: those with a scene's options, say, or with some of your
-/// own. Of two that are equally simple, the one that stands first here is named.
+/// Like [`recommend`], among these models, such as models with options or of your own. Of two equally
+/// simple models, the first of the list is named.
 ///
 /// # Errors
 /// Those of [`recommend`].
@@ -175,13 +173,13 @@ pub fn recommend_among(
     Ok(Recommendation { reference: reference.clone(), within, simplest, comparisons, evidence })
 }
 
-/// What a model is not made for at these places, whatever others are.
+/// The finding that makes a model invalid at these separations or loads.
 fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
     let found = Check::answers(model, scene, places).into_iter();
     found.filter(|finding| finding.severity < Severity::Note).find(Finding::is_of_model)
 }
 
-/// At separations, the pressure is the reference's.
+/// At separations, the pressure is that of the reference.
 fn evidence(
     scene: &Scene,
     request: &Request,
@@ -195,7 +193,7 @@ fn evidence(
         let touching = touching.as_ref().and_then(|t| t.evaluate(Quantity::Contacts, at).ok());
         let contacts = touching.map(|contacts| contacts.value());
         if let Some(contacts) = contacts.filter(|contacts| *contacts < 1.0) {
-            let reason = format!("nothing touches: of all asperities, {contacts:.1e} do");
+            let reason = format!("less than one asperity touches ({contacts:.1e})");
             return Err(Evidence::none(reason));
         }
         let pressure = at.pressure(scene).map_or_else(
@@ -218,13 +216,13 @@ fn answers(model: &Model, scene: &Scene, request: &Request) -> Result<Vec<Column
     request.quantities.iter().map(column).collect()
 }
 
-/// Infinite where there is none that is a number.
+/// Infinite if a deviation is not a number.
 fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Column) -> f64 {
     let deviations = found.iter().zip(wanted).map(|(a, b)| a.deviation(b, quantity));
     deviations.fold(0.0, |most, d| most.max(d.map_or(f64::INFINITY, f64::abs)))
 }
 
-/// 0 for a model that has no law of an asperity.
+/// 0 for a model without a law of an asperity.
 fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
     let law = |model: &dyn crate::AsperityModel| {
         model.law(&scene.asperity().ok()?, Quantity::Force, request.tolerance).ok()?
@@ -257,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_model_lacks_is_said_beside_it() {
+    fn the_error_of_a_model_stands_beside_it() {
         let rough = advice(6.0, 0.05);
         let text = rough.to_string();
         assert!(text.contains("Gao          equivalent_shear_modulus is missing"), "{text}");
@@ -267,8 +265,8 @@ mod tests {
         let off = rough.comparisons.iter().find(|c| c.model.id() == "ke").unwrap().off.unwrap();
         assert!(off.area.is_some_and(|off| off.abs() < 1.0) && off.stiffness.is_some(), "{off:?}");
         let smooth = advice(0.3, 0.05);
-        assert!(smooth.told()[0].contains("elastic"), "{smooth}");
-        // Models that yield were not asked where nothing does.
+        assert!(smooth.summary()[0].contains("elastic"), "{smooth}");
+        // Models with yielding have no elastic evidence.
         let ke = smooth.comparisons.iter().find(|c| c.model.id() == "ke").unwrap();
         assert!(ke.off.is_none());
     }
@@ -279,7 +277,7 @@ mod tests {
         let surface = Surface::from_plasticity_index(0.8, 0.04, 1e-6, &interface).unwrap();
         let scene = Scene::new(interface, surface, 3e-5);
         let request = Request::new([Quantity::Force]).at([0.0]);
-        // A third of the load by asperities that yield, and yet but few per cent off.
+        // Yielding asperities carry a third of the load, and the deviation is only a few per cent.
         let ask = |reference: &str, models: &[&str]| {
             let models = models.iter().map(|id| id.parse().unwrap()).collect();
             recommend_among(models, &scene, &request, &reference.parse().unwrap(), 0.3).unwrap()
@@ -309,16 +307,27 @@ mod tests {
         let advice = recommend_among(models, &scene, &request, &ke, 0.1).unwrap();
         let there: Vec<bool> = advice.evidence.iter().map(|place| place.nearest.is_ok()).collect();
         assert_eq!(there, [false, false, true, true, true]);
-        let told = advice.told();
-        assert_eq!(told.len(), 4, "{told:?}");
-        assert!(told[3].starts_with("over these 3 places, nearest in area were "), "{told:?}");
-        assert!(told[0].starts_with("no evidence at 2 places from a pressure of "), "{told:?}");
+        let summary = advice.summary();
+        assert_eq!(summary.len(), 4, "{summary:?}");
         assert!(
-            told[1].starts_with("boundary elements on surfaces like this one at 2 places from")
+            summary[3].starts_with("over these 3 places, nearest in area were "),
+            "{summary:?}"
         );
-        assert!(told[1].contains("p/(E g) 0.01 ") && told[2].contains("p/(E g) 0.1 "), "{told:?}");
-        for told in &told[1..] {
-            let (_, named) = told.split_once("nearest in area were ").unwrap();
+        assert!(
+            summary[0].starts_with(
+                "no boundary-element solution is close at 2 places from a pressure of "
+            ),
+            "{summary:?}"
+        );
+        assert!(
+            summary[1].starts_with("boundary elements on surfaces like this one at 2 places from")
+        );
+        assert!(
+            summary[1].contains("p/(E g) 0.01 ") && summary[2].contains("p/(E g) 0.1 "),
+            "{summary:?}"
+        );
+        for summary in &summary[1..] {
+            let (_, named) = summary.split_once("nearest in area were ").unwrap();
             assert!(named.contains("ke (") && named.contains("jg ("), "{named}");
             assert!(!named.contains("random") && !named.contains("persson"), "{named}");
         }
@@ -326,36 +335,43 @@ mod tests {
     }
 
     #[test]
-    fn a_surface_unlike_those_that_were_solved_has_no_evidence() {
+    fn a_surface_unlike_the_solved_ones_has_no_evidence() {
         let known = advice(2.0, 0.05);
         assert!(known.evidence.iter().any(|place| place.nearest.is_ok()), "{known}");
         let without = known.clone().without_evidence("the heights have a kurtosis of 175");
-        assert_eq!(without.told(), ["no evidence here: the heights have a kurtosis of 175"]);
+        assert_eq!(
+            without.summary(),
+            ["no boundary-element solution is close: the heights have a kurtosis of 175"]
+        );
         assert!(without.comparisons.iter().all(|found| found.off.is_none()));
         let ids = |all: &Recommendation| all.simplest.as_ref().map(|m| m.id().to_string());
         assert_eq!(ids(&without), ids(&known));
     }
 
     #[test]
-    fn outside_of_what_was_solved_that_is_said() {
+    fn scenes_outside_the_solved_range_have_no_evidence() {
         let interface = Interface::new(116e9, 0.31, 1.12e9);
         let surface = Surface::from_plasticity_index(30.0, 0.04, 1e-6, &interface).unwrap();
         let scene = Scene::new(interface, surface, 3e-5);
         let request = Request::new([Quantity::Area]).at_loads([100.0]);
         let advice = recommend(&scene, &request, &"ke".parse().unwrap(), 0.1).unwrap();
-        let told = advice.told().remove(0);
+        let summary = advice.summary().remove(0);
         assert!(
-            told.starts_with("no evidence here: plasticity_index is 30.0: at most 6.0"),
-            "{told}"
+            summary.starts_with(
+                "no boundary-element solution is close: plasticity_index = 30.0; solved up to 6.0"
+            ),
+            "{summary}"
         );
         assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_none()));
         let far = Request::new([Quantity::Force]).at([2.0, 30.0]);
-        let told = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().told().remove(0);
-        let apart = "no evidence at a separation of 2 asperity_height_std: plasticity_index";
-        assert!(told.starts_with(apart), "{told}");
+        let summary =
+            recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
+        let apart = "no boundary-element solution is close at a separation of 2 asperity_height_std: plasticity_index";
+        assert!(summary.starts_with(apart), "{summary}");
         let far = Request::new([Quantity::Force]).at([30.0]);
-        let told = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().told().remove(0);
-        assert!(told.starts_with("no evidence here: nothing touches: of all"), "{told}");
+        let summary =
+            recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
+        assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
         let refused = recommend(&scene, &request, &"ke".parse().unwrap(), 5.0).unwrap_err();
         assert!(refused.to_string().starts_with("within is 5.0: a share above 0"), "{refused}");
     }

@@ -120,7 +120,7 @@ impl Recommend {
         };
         let order = "simplest first: upright asperities before random ones, none, and all angles, few parts of the force law before many, old before new";
         say("note", &format!("{chosen}; {order}"));
-        advice.told().iter().for_each(|told| say("note", told));
+        advice.summary().iter().for_each(|line| say("note", line));
         self.output.write(&table)
     }
 }
