@@ -127,6 +127,15 @@ impl ShiftedGaussian {
         }
     }
 
+    /// The segment of a place, if there is one, built if need be.
+    #[inline]
+    pub(crate) fn segment(&self, place: Place) -> Result<Option<&Segment>, QuadratureError> {
+        match self.rules.ready(place) {
+            Some(segment) => Ok(Some(segment)),
+            None => self.rules.at(place, &self.task),
+        }
+    }
+
     /// Terms of the polynomial that serves s; 0 where each evaluation integrates anew.
     ///
     /// # Errors
@@ -255,7 +264,7 @@ pub(crate) mod tests {
     }
 
     /// x^p up to 1, then as much less than nothing.
-    fn both_signs(p: f64) -> Density {
+    pub(crate) fn both_signs(p: f64) -> Density {
         let [mut above, mut below] = [power(p), power(p)].map(|mut d| d.pieces.remove(0));
         (above.to, below.from, below.sign) = (1.0, 1.0, -1.0);
         Density { pieces: vec![above, below] }

@@ -75,6 +75,23 @@ impl Patch {
         self.keys.0
     }
 
+    pub(crate) fn keys(&self) -> (f64, f64) {
+        self.keys
+    }
+
+    /// x at the scale of the points.
+    #[inline(always)]
+    pub(crate) fn offset(&self, s: f64) -> f64 {
+        s - self.centre
+    }
+
+    /// u there.
+    #[inline(always)]
+    pub(crate) fn variable(&self, s: f64) -> f64 {
+        let x = self.offset(s);
+        (self.slopes.0 * x + self.half) / (x + self.pole)
+    }
+
     /// Whether it is for one scale only.
     pub(crate) fn unstretched(&self) -> bool {
         self.stretch <= 0.0
@@ -147,6 +164,12 @@ pub(crate) struct Tilt {
 }
 
 impl Tilt {
+    /// Minus the logarithm at the scale of the points.
+    #[inline(always)]
+    pub(crate) fn exponent(self, x: f64) -> f64 {
+        self.depth + x * self.y
+    }
+
     #[cold]
     fn factor(self, x: f64, ratio: f64) -> f64 {
         (-(self.depth + x * self.y + 0.5 * (ratio * ratio - 1.0) * self.y2)).exp()

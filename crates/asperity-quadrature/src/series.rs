@@ -179,6 +179,19 @@ impl Series {
         fours.iter().fold(sum, |sum, four| powers.add(sum, four))
     }
 
+    /// The values at many u, where there is no v, with the digits of one at a time.
+    #[inline(always)]
+    pub(crate) fn lanes<const N: usize>(&self, u: [f64; N]) -> [f64; N] {
+        let powers = u.map(Powers::new);
+        let mut sums = [0.0; N];
+        for four in &self.fours {
+            for (sum, powers) in sums.iter_mut().zip(&powers) {
+                *sum = powers.add(*sum, four);
+            }
+        }
+        sums
+    }
+
     pub(crate) fn coefficients(&self) -> usize {
         LANES * self.fours.len()
     }
@@ -189,14 +202,14 @@ impl Series {
 struct Powers(f64, f64, f64);
 
 impl Powers {
-    #[inline]
+    #[inline(always)]
     fn new(u: f64) -> Self {
         let square = u * u;
         Self(u, square, square * square)
     }
 
     /// u⁴ sum + a + b u + c u² + d u³.
-    #[inline]
+    #[inline(always)]
     fn add(self, sum: f64, &[a, c, b, d]: &[f64; LANES]) -> f64 {
         sum * self.2 + ((a + b * self.0) + (c + d * self.0) * self.1)
     }
