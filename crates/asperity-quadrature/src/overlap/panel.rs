@@ -106,7 +106,7 @@ impl Panel {
 
 impl Series {
     #[inline]
-    fn ln(&self, share: f64) -> f64 {
+    pub(crate) fn ln(&self, share: f64) -> f64 {
         let y = if self.start > 0.0 { beside(share) } else { centred(share) };
         let smooth = chebyshev_sum(&self.terms, y);
         if self.power == 0.0 { smooth } else { smooth + self.power * share.max(0.0).ln() }
