@@ -126,7 +126,9 @@ fn the_upper_end_of_a_table_is_reached_with_few_samples() {
                     let found = found.unwrap();
                     for (n, value) in [found.value, found.slope].into_iter().enumerate() {
                         let off = (value * found.ln_scale.exp() / exact[n] - 1.0).abs();
-                        assert!(off <= 1e-11, "{cell} {unit} {share} [{n}]: {off:e} {found:?}");
+                        // What is left above d is known no better than d itself.
+                        let allowed = 1e-10 + 4.0 * f64::EPSILON * end / left;
+                        assert!(off <= allowed, "{cell} {unit} {share} [{n}]: {off:e} {found:?}");
                     }
                 }
             }

@@ -124,8 +124,15 @@ impl<'s> Fitter<'s> {
             return Ok(false);
         }
         let end = |g: f64| if g < 8.0 * rounding * largest { 0.0 } else { g };
-        let shape = Shape::Linear([end(at(0.0)), end(at(1.0))]);
-        self.panels.push(Panel::new(low, high, shape, off / largest));
+        let ends = [end(at(0.0)), end(at(1.0))];
+        // Distances are counted from where there is less: no difference is left of it there.
+        let panel = if ends[0] <= ends[1] {
+            Panel::new(low, high, Shape::Linear(ends), off / largest)
+        } else {
+            let shape = Shape::Linear([ends[1], ends[0]]);
+            Panel { anchor: high, side: -1.0, ..Panel::new(low, high, shape, off / largest) }
+        };
+        self.panels.push(panel);
         Ok(true)
     }
 

@@ -73,6 +73,7 @@ fn leaf(panel: &Panel, place: usize) -> Node {
         Shape::Zero => Some([0.0; NODES]),
         Shape::Linear([near, far]) => {
             let [below, above] = &lobatto().linear;
+            let (below, above) = if panel.side > 0.0 { (below, above) } else { (above, below) };
             Some(std::array::from_fn(|j| width * (near * below[j] + far * above[j])))
         }
         Shape::Series(_) => panel.is_gentle().then(|| {
