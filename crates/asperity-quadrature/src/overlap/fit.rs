@@ -120,7 +120,11 @@ impl<'s> Fitter<'s> {
             let place = next_to(end, other);
             off = off.max((self.ln(place)?.exp() - at((place - low) / (high - low))).abs());
         }
-        if largest == 0.0 || !largest.is_finite() || off.is_nan() || off > rounding.min(1e-9) * largest {
+        if largest == 0.0
+            || !largest.is_finite()
+            || off.is_nan()
+            || off > rounding.min(1e-9) * largest
+        {
             return Ok(false);
         }
         let end = |g: f64| if g < 8.0 * rounding * largest { 0.0 } else { g };
