@@ -1,6 +1,6 @@
 //! One integral at many s, as plain numbers: values of the same segment side by side.
 
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
 
 use crate::exponential::{LEAST, exp};
 use crate::gaussian::ShiftedGaussian;
@@ -9,8 +9,8 @@ use crate::rules::{SEGMENTS, locate};
 use crate::segment::Segment;
 use crate::{Moments, QuadratureError};
 
-/// Values side by side: two of the widest registers, eight of the narrowest.
-pub(crate) const LANES: usize = 16;
+/// Values side by side: the widest register, four of the narrowest.
+const LANES: usize = 8;
 /// Values that are sorted by segment together: they stay in the fastest memory.
 const BATCH: usize = 2048;
 /// Shorter runs in one segment, on average, are worth sorting.
@@ -74,15 +74,16 @@ impl ShiftedGaussian {
     ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
         let level = Level::new();
         let mut all = ColumnAccuracy::NONE;
-        let mut indices = [0; BATCH];
+        let mut buffers = Buffers::default();
+        buffers.indices.resize(s.len().min(BATCH), 0);
         let batches = s.chunks(BATCH).zip(out.chunks_mut(BATCH));
         for (k, (s, out)) in batches.enumerate() {
-            let indices = &mut indices[..s.len()];
+            let indices = &mut buffers.indices[..s.len()];
             let changes = dispatch!(level, simd => locate_all(simd, s, column.shift, indices));
             let filled = if changes * SHORT <= s.len() {
                 self.runs(level, indices, (s, column), out)
             } else {
-                self.sorted(level, indices, (s, column), out)
+                self.sorted(level, &mut buffers, (s, column), out)
             };
             all = all.and(filled.map_err(|(index, error)| (k * BATCH + index, error))?);
         }
@@ -111,10 +112,14 @@ impl ShiftedGaussian {
     fn sorted(
         &self,
         level: Level,
-        indices: &mut [u32],
+        buffers: &mut Buffers,
         (s, column): (&[f64], Column),
         out: &mut [f64],
     ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
+        let Buffers { indices, sorted, values } = buffers;
+        let indices = &mut indices[..s.len()];
+        sorted.resize(BATCH, 0.0);
+        values.resize(BATCH, 0.0);
         // Where the next value of each segment goes.
         let mut next = [0u32; SEGMENTS + 1];
         indices.iter().for_each(|index| next[*index as usize] += 1);
@@ -122,12 +127,11 @@ impl ShiftedGaussian {
         for next in &mut next {
             total += std::mem::replace(next, total);
         }
-        let (mut sorted, mut values) = ([0.0; BATCH], [0.0; BATCH]);
         for (place, s) in indices.iter_mut().zip(s) {
             let next = &mut next[*place as usize];
             *place = *next;
             *next += 1;
-            sorted[*place as usize % BATCH] = *s;
+            sorted[*place as usize] = *s;
         }
         let (mut all, mut from) = (ColumnAccuracy::NONE, 0);
         for to in next.into_iter().map(|next| next as usize) {
@@ -142,7 +146,7 @@ impl ShiftedGaussian {
             from = to;
         }
         for (out, place) in out.iter_mut().zip(indices.iter()) {
-            *out = values[*place as usize % BATCH];
+            *out = values[*place as usize];
         }
         Ok(all)
     }
@@ -197,6 +201,14 @@ impl Column {
     }
 }
 
+/// What batches are sorted in: where each value is, the values of s, and the numbers.
+#[derive(Default)]
+struct Buffers {
+    indices: Vec<u32>,
+    sorted: Vec<f64>,
+    values: Vec<f64>,
+}
+
 /// The product of polynomial, scale and factor, in units of the last place.
 const ROUNDED: f64 = 4.0;
 
@@ -212,108 +224,92 @@ fn locate_all<S: Simd>(_: S, s: &[f64], shift: f64, indices: &mut [u32]) -> usiz
 impl Segment {
     #[inline(always)]
     fn fill<S: Simd>(&self, simd: S, s: &[f64], column: Column, out: &mut [f64]) -> ColumnAccuracy {
-        let mut seen = Extremes::NONE;
+        let splat = |value: f64| f64x8::splat(simd, value);
+        let mut seen = Extremes {
+            exponent: splat(0.0),
+            smallest: splat(f64::INFINITY),
+            largest: splat(0.0),
+            condition: splat(1.0),
+        };
         let whole = s.len() / LANES * LANES;
         let (blocks, rest) = s.split_at(whole);
         let (filled, left) = out.split_at_mut(whole);
         for (s, out) in blocks.chunks_exact(LANES).zip(filled.chunks_exact_mut(LANES)) {
-            let mut lanes = [0.0; LANES];
-            lanes.copy_from_slice(s);
-            out.copy_from_slice(&self.lanes(simd, lanes, column, &mut seen));
+            let found = self.eight(simd, f64x8::from_slice(simd, s), column, &mut seen);
+            found.store_slice(out);
         }
         if let Some(last) = rest.last() {
             let mut lanes = [*last; LANES];
             lanes[..rest.len()].copy_from_slice(rest);
-            left.copy_from_slice(&self.lanes(simd, lanes, column, &mut seen)[..rest.len()]);
+            let found = self.eight(simd, f64x8::from_slice(simd, &lanes), column, &mut seen);
+            found.store_slice(&mut lanes);
+            left.copy_from_slice(&lanes[..rest.len()]);
         }
-        self.accuracy(column, &seen)
+        self.accuracy(
+            column,
+            [seen.exponent.reduce_min(), seen.smallest.reduce_min()],
+            [seen.largest.reduce_max(), seen.condition.reduce_max()],
+        )
     }
 
     #[inline(always)]
-    fn lanes<S: Simd>(
+    fn eight<S: Simd>(
         &self,
-        _: S,
-        s: [f64; LANES],
+        simd: S,
+        s: f64x8<S>,
         column: Column,
-        seen: &mut Extremes,
-    ) -> [f64; LANES] {
+        seen: &mut Extremes<S>,
+    ) -> f64x8<S> {
         let k = usize::from(column.slope);
-        let moved = s.map(|s| s + column.shift);
-        let u = moved.map(|s| self.patch.variable(s));
-        let sums = self.power[k].lanes(u);
-        let scaled = sums.map(|sum| sum * column.factor);
-        let mut out = scaled;
+        let s = s + column.shift;
+        let (x, u) = self.patch.eight(s);
+        let sum = self.power[k].eight(simd, u);
+        let mut out = sum * column.factor;
         if self.tilt.is_some() || !self.patch.negative() {
-            let exponents = moved.map(|s| self.exponent(s));
-            out = std::array::from_fn(|j| scaled[j] * exp(exponents[j]));
-            for (least, exponent) in seen.exponent.iter_mut().zip(exponents) {
-                *least = if exponent < *least { exponent } else { *least };
-            }
+            let above = s.max(f64x8::splat(simd, 0.0));
+            let scale = above * -0.5 * above;
+            let exponent = self.tilt.map_or(scale, |tilt| scale - tilt.eight(x));
+            out = out * exp(simd, exponent);
+            seen.exponent = seen.exponent.min(exponent);
         }
-        for j in 0..LANES {
-            let size = out[j].abs();
-            seen.smallest[j] = if size >= seen.smallest[j] { seen.smallest[j] } else { size };
-            seen.largest[j] = if size <= seen.largest[j] { seen.largest[j] } else { size };
-        }
-        let sizes = match (&self.size, self.growth) {
-            (size, Some(growth)) if column.slope => {
-                let of_value = size.as_ref().map_or(&self.power, |size| size)[0].lanes(u);
-                Some(of_value.map(|size| growth[0] * size))
-            }
-            (Some(size), _) => Some(size[k].lanes(u)),
+        let size = out.abs();
+        (seen.smallest, seen.largest) = (seen.smallest.min(size), seen.largest.max(size));
+        let sizes = self.size.as_ref().unwrap_or(&self.power);
+        let integral = match self.growth {
+            Some(growth) if column.slope => Some(sizes[0].eight(simd, u) * growth[0]),
+            _ if self.size.is_some() => Some(sizes[k].eight(simd, u)),
             _ => None,
         };
-        if let Some(sizes) = sizes {
-            for j in 0..LANES {
-                let condition = sizes[j] / sums[j].abs();
-                seen.condition[j] =
-                    if condition <= seen.condition[j] { seen.condition[j] } else { condition };
-            }
+        if let Some(integral) = integral {
+            seen.condition = seen.condition.max(integral / sum.abs());
         }
         out
     }
 
-    /// The logarithm of all that has been taken out.
-    #[inline(always)]
-    fn exponent(&self, s: f64) -> f64 {
-        let scale = if s > 0.0 { -0.5 * s * s } else { 0.0 };
-        self.tilt.map_or(scale, |tilt| scale - tilt.exponent(self.patch.offset(s)))
-    }
-
-    fn accuracy(&self, column: Column, seen: &Extremes) -> ColumnAccuracy {
-        let least = |lanes: &[f64; LANES]| lanes.iter().copied().fold(f64::INFINITY, f64::min);
-        // Not `max`, which ignores what is not a number.
-        let most =
-            |lanes: &[f64; LANES]| lanes.iter().fold(0.0, |m, f| if *f <= m { m } else { *f });
-        let (exponent, condition) = (least(&seen.exponent), most(&seen.condition));
+    /// From the least exponent and size, and from the largest size and condition.
+    fn accuracy(
+        &self,
+        column: Column,
+        [exponent, smallest]: [f64; 2],
+        [largest, condition]: [f64; 2],
+    ) -> ColumnAccuracy {
         let (lowest, highest) = self.patch.keys();
         // Of the square of s, and of its sum with the tilt.
         let share = if self.tilt.is_some() { 1.0 } else { 0.5 };
         let error = self.error[0] * condition
             + column.rounding(lowest.abs().max(highest.abs()), self.steepness)
             + (share * exponent.abs() + ROUNDED) * f64::EPSILON;
-        let normal = exponent > LEAST
-            && least(&seen.smallest) >= f64::MIN_POSITIVE
-            && most(&seen.largest) <= f64::MAX;
+        let normal = exponent > LEAST && smallest >= f64::MIN_POSITIVE && largest <= f64::MAX;
         ColumnAccuracy { error, condition, normal, lowest }
     }
 }
 
 /// Extremes of each lane.
-struct Extremes {
-    exponent: [f64; LANES],
-    smallest: [f64; LANES],
-    largest: [f64; LANES],
-    condition: [f64; LANES],
-}
-
-impl Extremes {
-    const NONE: Self = Self {
-        exponent: [0.0; LANES],
-        smallest: [f64::INFINITY; LANES],
-        largest: [0.0; LANES],
-        condition: [1.0; LANES],
-    };
+struct Extremes<S: Simd> {
+    exponent: f64x8<S>,
+    smallest: f64x8<S>,
+    largest: f64x8<S>,
+    condition: f64x8<S>,
 }
 
 #[cfg(test)]

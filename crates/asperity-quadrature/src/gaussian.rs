@@ -8,7 +8,7 @@ use crate::segment::Segment;
 use crate::{Density, QuadratureError};
 
 /// Below this s slopes are small differences of large integrals, and are held to themselves.
-const DEEP: f64 = -8.0;
+pub(crate) const DEEP: f64 = -8.0;
 /// Tolerances of slopes below this are wishes: rounding comes first.
 const FINEST: f64 = 4e-12;
 

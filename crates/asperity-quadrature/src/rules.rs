@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::gaussian::DEEP;
 use crate::patch::{Patch, Place};
 use crate::segment::Segment;
 use crate::{Density, Nearby, QuadratureError};
@@ -99,7 +100,17 @@ impl Rules {
 
     fn build(&self, index: usize, task: &Task) -> Result<Box<Segment>, QuadratureError> {
         let patch = Patch::new(range(index), self.stretch);
-        let segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        let mut segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        // Slopes far below are small differences, and need a density that is no approximation.
+        let wanted = 0.1 * task.tolerance / (1.0 - patch.lowest());
+        if patch.keys().1 <= DEEP
+            && task.density.is_prepared()
+            && segment.error[0] > wanted
+            && let Ok(finer) = Segment::new(&task.density.unprepared(), self.scale, patch, task.tolerance)
+            && finer.error[0] < segment.error[0]
+        {
+            segment = finer;
+        }
         task.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
         Ok(Box::new(segment))
     }
