@@ -127,6 +127,11 @@ impl Density {
         Self { pieces: self.pieces.iter().map(unprepared).collect() }
     }
 
+    /// Whether the samples of any piece are prepared, so that those of a single integral are better.
+    pub(crate) fn is_prepared(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.sampler.unprepared().is_some())
+    }
+
     /// The ends and kinks of all pieces strictly inside `(low, high)`, ascending, each once.
     #[must_use]
     pub fn breaks(&self, low: f64, high: f64) -> Vec<f64> {

@@ -8,7 +8,7 @@ use crate::segment::Segment;
 use crate::{Density, QuadratureError};
 
 /// Below this s slopes are small differences of large integrals, and are held to themselves.
-const DEEP: f64 = -8.0;
+pub(crate) const DEEP: f64 = -8.0;
 /// Tolerances of slopes below this are wishes: rounding comes first.
 const FINEST: f64 = 4e-12;
 
@@ -124,6 +124,15 @@ impl ShiftedGaussian {
         match self.rules.at(place, &self.task)? {
             Some(segment) => Ok((segment.with_power(place, k), segment.error[k - 1])),
             None => self.task.directly(s, self.scale, k as i32),
+        }
+    }
+
+    /// The segment of a place, if there is one, built if need be.
+    #[inline]
+    pub(crate) fn segment(&self, place: Place) -> Result<Option<&Segment>, QuadratureError> {
+        match self.rules.ready(place) {
+            Some(segment) => Ok(Some(segment)),
+            None => self.rules.at(place, &self.task),
         }
     }
 
@@ -255,7 +264,7 @@ pub(crate) mod tests {
     }
 
     /// x^p up to 1, then as much less than nothing.
-    fn both_signs(p: f64) -> Density {
+    pub(crate) fn both_signs(p: f64) -> Density {
         let [mut above, mut below] = [power(p), power(p)].map(|mut d| d.pieces.remove(0));
         (above.to, below.from, below.sign) = (1.0, 1.0, -1.0);
         Density { pieces: vec![above, below] }

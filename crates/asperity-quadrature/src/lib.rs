@@ -26,9 +26,11 @@
 
 mod any_scale;
 mod chebyshev;
+mod column;
 mod density;
 mod discretise;
 mod error;
+mod exponential;
 mod gaussian;
 mod kronrod;
 mod legendre;
@@ -46,6 +48,7 @@ mod weight;
 
 pub use any_scale::AnyScale;
 pub use chebyshev::{chebyshev_roots, chebyshev_terms};
+pub use column::{Column, ColumnAccuracy};
 pub use density::{Density, Piece, Sampler, Weighted};
 pub use discretise::{Discretised, Goal, discretise};
 pub use error::{QuadratureError, WeightFault};

@@ -1,6 +1,6 @@
 //! I(s) and its neighbourhood for one s at one scale: for scenes that are asked for few values.
 
-use crate::gaussian::Moments;
+use crate::gaussian::{DEEP, Moments};
 use crate::rules::{HIGHEST, LOWEST};
 use crate::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
 use crate::{Density, Goal, QuadratureError};
@@ -56,7 +56,9 @@ impl Nearby {
             return Ok(made);
         }
         let noise = if s < LOWEST { 100.0 * rounding } else { weight.noise() };
-        let aim = noise.max(0.1 * tolerance);
+        // Far below slopes are small differences, and wanted as well.
+        let share = if s < DEEP { 0.1 / (1.0 - s) } else { 0.1 };
+        let aim = noise.max(share * tolerance);
         let goal = Goal { aim, refuse: (0.2 * tolerance).max(4.0 * aim) };
         let window = |depth| weight.window(depth);
         let found = masses(density, scale, (s, &window), &|t| weight.at(t), goal)?;

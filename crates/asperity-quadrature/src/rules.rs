@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::gaussian::DEEP;
 use crate::patch::{Patch, Place};
 use crate::segment::Segment;
 use crate::{Density, Nearby, QuadratureError};
@@ -60,7 +61,7 @@ pub(crate) struct Rules {
 
 impl Rules {
     pub(crate) fn new(scale: f64, stretch: f64) -> Self {
-        let segments = (0..NEGATIVE + POSITIVE).map(|_| OnceLock::new()).collect();
+        let segments = (0..SEGMENTS).map(|_| OnceLock::new()).collect();
         Self { scale, inverse: scale.recip(), stretch, segments }
     }
 
@@ -78,7 +79,7 @@ impl Rules {
     /// The rule for a place, if it has been built: all there is to do, nearly always.
     #[inline]
     pub(crate) fn ready(&self, place: Place) -> Option<&Segment> {
-        let built = self.segments[locate(place.key())?].get()?;
+        let built = self.segments.get(locate(place.key()))?.get()?;
         built.as_ref().ok().map(Box::as_ref)
     }
 
@@ -89,8 +90,9 @@ impl Rules {
         place: Place,
         task: &Task,
     ) -> Result<Option<&Segment>, QuadratureError> {
-        let Some(index) = locate(place.key()) else { return Ok(None) };
-        match self.segments[index].get_or_init(|| self.build(index, task)) {
+        let index = locate(place.key());
+        let Some(cell) = self.segments.get(index) else { return Ok(None) };
+        match cell.get_or_init(|| self.build(index, task)) {
             Ok(segment) => Ok(Some(segment)),
             Err(error) => Err(error.clone()),
         }
@@ -98,36 +100,47 @@ impl Rules {
 
     fn build(&self, index: usize, task: &Task) -> Result<Box<Segment>, QuadratureError> {
         let patch = Patch::new(range(index), self.stretch);
-        let segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        let mut segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        // Slopes far below are small differences, and need a density that is no approximation.
+        let wanted = 0.1 * task.tolerance / (1.0 - patch.lowest());
+        if patch.keys().1 <= DEEP
+            && task.density.is_prepared()
+            && segment.error[0] > wanted
+            && let Ok(finer) = Segment::new(&task.density.unprepared(), self.scale, patch, task.tolerance)
+            && finer.error[0] < segment.error[0]
+        {
+            segment = finer;
+        }
         task.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
         Ok(Box::new(segment))
     }
 }
 
-/// The index of the rule for s.
-#[inline]
-fn locate(s: f64) -> Option<usize> {
-    if !(LOWEST..=HIGHEST).contains(&s) {
-        return None;
-    }
-    Some(if s < 0.0 {
-        // -64 itself belongs to the last range.
-        NEGATIVE - 1 - ((-s) as usize).min(NEGATIVE - 1)
-    } else {
-        NEGATIVE + ((s + OFFSET).to_bits() >> 50) as usize - FIRST
-    })
+/// How many rules there are.
+pub(crate) const SEGMENTS: usize = NEGATIVE + POSITIVE;
+
+/// The index of the rule for s; [`SEGMENTS`] where there is none. Bits, not branches: it is found
+/// for many s side by side.
+#[inline(always)]
+pub(crate) fn locate(s: f64) -> usize {
+    // From 64 to 128 the highest six bits of the mantissa count the units.
+    let below = ((s + 128.0).to_bits() >> 46).wrapping_sub(FIRST_BELOW);
+    let above = ((s + OFFSET).to_bits() >> 50).wrapping_sub(FIRST).wrapping_add(NEGATIVE as u64);
+    let index = if s < 0.0 { below } else { above };
+    if s >= LOWEST && s <= HIGHEST { index as usize } else { SEGMENTS }
 }
 
+const FIRST_BELOW: u64 = 64f64.to_bits() >> 46;
 /// Ranges above zero are quarter octaves of s + OFFSET: as wide as the tilt of a rule allows.
 const OFFSET: f64 = 4.5;
-const FIRST: usize = (OFFSET.to_bits() >> 50) as usize;
+const FIRST: u64 = OFFSET.to_bits() >> 50;
 
 fn range(index: usize) -> (f64, f64) {
     if index < NEGATIVE {
         let low = index as f64 - NEGATIVE as f64;
         return (low, low + 1.0);
     }
-    let quarter = |k: usize| f64::from_bits(((FIRST + k) as u64) << 50) - OFFSET;
+    let quarter = |k: usize| f64::from_bits((FIRST + k as u64) << 50) - OFFSET;
     let k = index - NEGATIVE;
     (quarter(k).max(0.0), quarter(k + 1))
 }
@@ -140,14 +153,16 @@ mod tests {
     fn every_s_falls_inside_its_range() {
         for k in -640..8000 {
             let s = f64::from(k) * 0.1;
-            let (low, high) = range(locate(s).unwrap());
+            let (low, high) = range(locate(s));
             assert!(
                 low <= s && s <= high && high - low <= 0.26 * (s.abs() + 5.0),
                 "{s} {low} {high}"
             );
         }
-        assert!(locate(HIGHEST).unwrap() < NEGATIVE + POSITIVE);
-        assert!(locate(-64.5).is_none() && locate(2e9).is_none());
-        assert_eq!(locate(LOWEST).unwrap(), 0);
+        assert!(locate(HIGHEST) < SEGMENTS && locate(-1e-300) <= NEGATIVE);
+        for nowhere in [-64.5, 2e9, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(locate(nowhere), SEGMENTS);
+        }
+        assert_eq!(locate(LOWEST), 0);
     }
 }

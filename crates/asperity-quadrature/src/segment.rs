@@ -7,15 +7,17 @@ use crate::{Density, QuadratureError};
 /// The integral for all s and scales of a patch.
 #[derive(Debug)]
 pub(crate) struct Segment {
-    patch: Patch,
+    pub(crate) patch: Patch,
     /// ∫ zᵏ, k = 0, 1, 2, without the factor that was taken out.
-    power: [Series; 3],
+    pub(crate) power: [Series; 3],
     /// ∫ zᵏ, k = 0, 1, 2, of the absolute value, where it is another.
-    size: Option<[Series; 3]>,
+    pub(crate) size: Option<[Series; 3]>,
     /// Bounds on the sizes for k = 1 and 2 over that for 0, below 0: z has both signs.
-    growth: Option<[f64; 2]>,
+    pub(crate) growth: Option<[f64; 2]>,
+    /// The largest ratio of the sizes for k = 1 and 0.
+    pub(crate) steepness: f64,
     /// What has been taken out.
-    tilt: Option<Tilt>,
+    pub(crate) tilt: Option<Tilt>,
     /// Errors for k = 0 and 1, and for 2, relative to the sizes.
     pub(crate) error: [f64; 2],
     pub(crate) evaluations: usize,
@@ -66,6 +68,7 @@ impl Segment {
             power: Default::default(),
             size: None,
             growth: None,
+            steepness: 0.0,
             tilt: None,
             error: [0.0; 2],
             evaluations,
@@ -85,6 +88,10 @@ impl Segment {
             let square = squares.fold(0.0, f64::max);
             [square.sqrt(), square]
         });
+        segment.steepness = segment.growth.map_or_else(
+            || sizes[1].iter().zip(&sizes[0]).map(|(slope, size)| slope / size).fold(0.0, f64::max),
+            |growth| growth[0],
+        );
         let extent = |samples: &[f64]| {
             samples
                 .iter()

@@ -3,6 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
+use fearless_simd::{Simd, SimdBase, f64x8};
+
 /// Coefficients that are handled together: products that do not wait for each other.
 const LANES: usize = 4;
 /// Numbers of points that are tried, fewest first. With more, powers would lose digits.
@@ -177,6 +179,18 @@ impl Series {
             (sum, fours) = (powers.add(sum, &four), rest);
         }
         fours.iter().fold(sum, |sum, four| powers.add(sum, four))
+    }
+
+    /// The values at eight u, where there is no v, with the digits of one at a time.
+    #[inline(always)]
+    pub(crate) fn eight<S: Simd>(&self, simd: S, u: f64x8<S>) -> f64x8<S> {
+        let square = u * u;
+        let fourth = square * square;
+        let mut sum = f64x8::splat(simd, 0.0);
+        for &[a, c, b, d] in &self.fours {
+            sum = sum * fourth + ((u * b + a) + (u * d + c) * square);
+        }
+        sum
     }
 
     pub(crate) fn coefficients(&self) -> usize {

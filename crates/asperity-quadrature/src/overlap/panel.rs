@@ -2,10 +2,8 @@
 
 use std::sync::OnceLock;
 
-use nalgebra::DMatrix;
-
 use super::fit::RANGE;
-use super::lobatto::{NODES, Samples, centred, coefficients, lobatto};
+use super::lobatto::{Samples, centred, coefficients, dot, lobatto};
 use crate::chebyshev::chebyshev_sum;
 
 /// Terms of a series on a panel without a special end, at most; the four beyond tell its error.
@@ -108,7 +106,7 @@ impl Panel {
 
 impl Series {
     #[inline]
-    fn ln(&self, share: f64) -> f64 {
+    pub(crate) fn ln(&self, share: f64) -> f64 {
         let y = if self.start > 0.0 { beside(share) } else { centred(share) };
         let smooth = chebyshev_sum(&self.terms, y);
         if self.power == 0.0 { smooth } else { smooth + self.power * share.max(0.0).ln() }
@@ -129,7 +127,7 @@ impl Series {
     /// Beside an end, from samples at [`end_shares`]; and the error of the logarithm.
     pub(crate) fn beside_an_end(samples: &Samples) -> (Self, f64) {
         let fit = end_fit();
-        let found: Vec<f64> = (0..=END_TERMS).map(|k| row(&fit.inverse, k, samples)).collect();
+        let found: Vec<f64> = fit.inverse.iter().map(|row| dot(row, samples)).collect();
         let series = Self { power: found[0], start: NEAREST, terms: found[1..].to_vec() };
         let off = |(share, wanted): (&f64, &f64)| (series.ln(*share) - wanted).abs();
         let error = fit.shares.iter().zip(samples).map(off).fold(0.0, f64::max);
@@ -137,10 +135,6 @@ impl Series {
         let error = 4.0 * error / (1.0 + series.power).clamp(1e-3, 1.0);
         (series, error)
     }
-}
-
-fn row(matrix: &DMatrix<f64>, k: usize, samples: &Samples) -> f64 {
-    matrix.row(k).iter().zip(samples).map(|(a, b)| a * b).sum()
 }
 
 /// The distances over the width at which a panel beside an end is sampled.
@@ -151,21 +145,48 @@ pub(crate) fn end_shares() -> &'static Samples {
 /// Least squares for a power of the distance and a series.
 struct EndFit {
     shares: Samples,
-    inverse: DMatrix<f64>,
+    inverse: [Samples; END_TERMS + 1],
 }
 
 fn end_fit() -> &'static EndFit {
     static FIT: OnceLock<EndFit> = OnceLock::new();
     FIT.get_or_init(|| {
         let shares = lobatto().nodes.map(|v| NEAREST + (1.0 - NEAREST) * v);
-        let basis = DMatrix::from_fn(NODES, END_TERMS + 1, |i, k| match k {
-            0 => shares[i].ln(),
-            k => ((k - 1) as f64 * beside(shares[i]).clamp(-1.0, 1.0).acos()).cos(),
-        });
-        // The columns are independent: the matrix of the normal equations has an inverse.
-        let inverse = basis.svd(true, true).pseudo_inverse(1e-14).unwrap_or_default();
+        let column = |k: usize| match k {
+            0 => shares.map(f64::ln),
+            k => shares.map(|v| ((k - 1) as f64 * beside(v).clamp(-1.0, 1.0).acos()).cos()),
+        };
+        let inverse = pseudo_inverse(std::array::from_fn(column));
         EndFit { shares, inverse }
     })
+}
+
+/// The rows that turn samples into the factors of independent columns, by least squares: Gram and
+/// Schmidt, twice each, and back substitution.
+fn pseudo_inverse<const N: usize>(columns: [Samples; N]) -> [Samples; N] {
+    let (mut q, mut r) = (columns, [[0.0; N]; N]);
+    for k in 0..N {
+        let (before, rest) = q.split_at_mut(k);
+        let own = &mut rest[0];
+        for _ in 0..2 {
+            for (j, other) in before.iter().enumerate() {
+                let share = dot(other, own);
+                own.iter_mut().zip(other).for_each(|(own, other)| *own -= share * other);
+                r[j][k] += share;
+            }
+        }
+        r[k][k] = dot(own, own).sqrt();
+        own.iter_mut().for_each(|own| *own /= r[k][k]);
+    }
+    for k in (0..N).rev() {
+        let (upto, above) = q.split_at_mut(k + 1);
+        let own = &mut upto[k];
+        for (row, share) in above.iter().zip(&r[k][k + 1..]) {
+            own.iter_mut().zip(row).for_each(|(own, row)| *own -= share * row);
+        }
+        own.iter_mut().for_each(|own| *own /= r[k][k]);
+    }
+    q
 }
 
 /// The variable of the series beside an end, in [-1, 1].

@@ -149,7 +149,7 @@ impl<'a> Run<'a> {
             slope.iter_mut().for_each(|s| *s /= self.view.unit);
         } else {
             let around = (kink, kinks.get(above).copied().unwrap_or(f64::INFINITY));
-            if Slopes::missing((low, high), around, 0) > 0.0 {
+            if Slopes::missing(density, (low, high), around, 0) > 0.0 {
                 let found = Slopes::new(density, (low, high), (low, high), around, 0)?;
                 if found.off > 32.0 * found.noise {
                     return Ok(false);
