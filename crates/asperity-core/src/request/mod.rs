@@ -1,6 +1,7 @@
 //! What is asked of a scene.
 
 pub(crate) mod quantity;
+pub(crate) mod quantity_table;
 pub(crate) mod separation;
 pub(crate) mod tolerance;
 
