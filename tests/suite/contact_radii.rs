@@ -86,7 +86,7 @@ fn what_follows_from_the_radii_is_a_sum_over_asperities() {
         let (k, rho, nominal) = (2.0 * 50.0, 2.0 / 1.7e-7, scene.nominal_area);
         let factors = [2.0 * e, 8.0 * g, k, rho, k / nominal, rho / nominal, 1.0];
         for (quantity, factor) in asked.into_iter().zip(factors) {
-            let found = scenes::value(&*contact, quantity, 1.0);
+            let found = scenes::value(&contact, quantity, 1.0);
             let error = (found / (factor * sum) - 1.0).abs();
             assert!(error < 1e-9, "{} {quantity}: {error:.1e}", model.id());
         }
@@ -98,7 +98,7 @@ fn for_elastic_asperities_unloading_is_loading_backwards() {
     let asked = [Quantity::Tangent, Quantity::UnloadingStiffness];
     for (id, same) in [("gw", true), ("ke", false)] {
         let contact = scenes::compiled(&scenes::model(id), &scene("severe"), &asked, 1e-12);
-        let [tangent, unloading] = asked.map(|q| scenes::value(&*contact, q, 1.0));
+        let [tangent, unloading] = asked.map(|q| scenes::value(&contact, q, 1.0));
         assert_eq!((unloading / tangent - 1.0).abs() < 1e-11, same, "{id}: {unloading} {tangent}");
         assert!(unloading > tangent * (1.0 - 1e-11));
     }

@@ -186,7 +186,7 @@ fn the_additive_reading_is_positive_at_any_roughness() {
         }
     };
     for index in [0.1, 0.7, 1.3, 2.0, 2.7, 3.5, 4.6, 6.0, 12.0, 100.0] {
-        positive(&first.on(&with_index(index)).unwrap(), index);
+        positive(&*first.on(&with_index(index)).unwrap(), index);
     }
     // The same door shows the printed reading's negative totals: this test can fail.
     let printed = compiled(&model("at"), &with_index(2.0), &[Quantity::Force], 1e-8);

@@ -45,7 +45,8 @@ fn where_the_printed_force_rises_and_falls_all_crossings_are_given() {
 }
 
 /// Crossings seen by looking closely: nothing of the force is narrower than a standard deviation.
-fn seen(contact: &dyn Contact, load: f64) -> Vec<f64> {
+fn seen(contact: &impl AsRef<dyn Contact>, load: f64) -> Vec<f64> {
+    let contact = contact.as_ref();
     let force = |s: f64| contact.evaluate(Quantity::Force, s).unwrap().value() - load;
     let grid: Vec<f64> = (0..8000).map(|k| -60.0 + 0.01 * f64::from(k)).collect();
     grid.windows(2).filter(|p| force(p[0]) * force(p[1]) <= 0.0).map(|p| p[0]).collect()

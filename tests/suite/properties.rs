@@ -31,7 +31,8 @@ fn compiled(id: &str, scene: &Scene, tolerance: f64) -> Box<dyn Contact> {
 }
 
 /// ln of a quantity: also where its value underflows.
-fn ln(compiled: &dyn Contact, quantity: Quantity, s: f64) -> f64 {
+fn ln(compiled: &impl AsRef<dyn Contact>, quantity: Quantity, s: f64) -> f64 {
+    let compiled = compiled.as_ref();
     compiled.evaluate(quantity, s).unwrap().ln_value()
 }
 

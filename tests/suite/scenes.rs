@@ -63,7 +63,8 @@ pub fn compiled(
 }
 
 /// A value of a compiled scene, in SI units.
-pub fn value(compiled: &dyn Contact, quantity: Quantity, separation: f64) -> f64 {
+pub fn value(compiled: &impl AsRef<dyn Contact>, quantity: Quantity, separation: f64) -> f64 {
+    let compiled = compiled.as_ref();
     compiled.evaluate(quantity, separation).unwrap().value()
 }
 

@@ -8,7 +8,7 @@ use asperity_quadrature::gauss_kronrod;
 use crate::scenes::{close, compiled, model, named, unit, upright, value, with_index};
 
 /// -dF/dd \[N/m\] by central differences over 4, 2 and 1 times a step, extrapolated twice.
-fn central_difference(compiled: &dyn Contact, separation: f64) -> f64 {
+fn central_difference(compiled: &impl AsRef<dyn Contact>, separation: f64) -> f64 {
     let force = |s| value(compiled, Quantity::Force, s);
     let step = 0.02;
     let [a, b, c] = [4.0, 2.0, 1.0].map(|k| {
@@ -16,10 +16,15 @@ fn central_difference(compiled: &dyn Contact, separation: f64) -> f64 {
         (force(separation - h) - force(separation + h)) / (2.0 * h)
     });
     let (ab, bc) = ((4.0 * b - a) / 3.0, (4.0 * c - b) / 3.0);
-    (16.0 * bc - ab) / 15.0 / compiled.scene().surface.asperity_height_std
+    (16.0 * bc - ab) / 15.0 / compiled.as_ref().scene().surface.asperity_height_std
 }
 
-fn assert_tangent(compiled: &dyn Contact, separations: &[f64], tolerance: f64, what: &str) {
+fn assert_tangent(
+    compiled: &impl AsRef<dyn Contact>,
+    separations: &[f64],
+    tolerance: f64,
+    what: &str,
+) {
     for &separation in separations {
         let tangent = value(compiled, Quantity::Tangent, separation);
         let difference = central_difference(compiled, separation);

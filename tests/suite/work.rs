@@ -213,18 +213,18 @@ fn what_a_lateral_law_has_tabulated_moves_along() {
         averages.load(Ordering::Relaxed)
     };
     let first = LateralSpy(averages.clone()).compile(&with_index(6.0), &request).unwrap();
-    let building = evaluate(&first);
+    let building = evaluate(&*first);
     assert!(building > 1000, "{building}");
     // Half as rough: the same x again, and only a few cells of smaller x that no one needed yet.
-    let moved = evaluate(&first.on(&with_index(6.0 / 2f64.sqrt())).unwrap());
+    let moved = evaluate(&*first.on(&with_index(6.0 / 2f64.sqrt())).unwrap());
     assert!(moved - building < building / 5, "{moved} after {building}");
     // The same roughness with other counts: nothing at all.
     let mut scene = with_index(6.0);
     scene.nominal_area *= 7.0;
-    let again = evaluate(&first.on(&scene).unwrap());
+    let again = evaluate(&*first.on(&scene).unwrap());
     assert!(again == moved, "{again} after {moved}");
     let anew = LateralSpy(averages.clone()).compile(&with_index(6.0), &request).unwrap();
-    assert!(evaluate(&anew) - again == building, "compiled anew, it is built anew");
+    assert!(evaluate(&*anew) - again == building, "compiled anew, it is built anew");
 }
 
 #[test]

@@ -106,7 +106,7 @@ impl fmt::Display for Warning {
                 quantity.unit()
             ),
             Self::Adhesion { model, quantity, count, at, value } => {
-                let why = match cause_of(*quantity) {
+                let why = match quantity.origin() {
                     Quantity::Force => "adhesion pulls the surfaces together there",
                     _ => {
                         "the pull of adhesion grows on approach there, and a dead load is not held: solve --all, or separations_at, shows every separation; the smallest is the one reached when pulling"
@@ -203,7 +203,7 @@ impl Warnings {
         };
         let value = evaluation.value();
         let (of, signed) = match quantity.is_absolute() {
-            true => (cause_of(quantity), behind(cause_of(quantity)).unwrap_or(0.0)),
+            true => (quantity.origin(), behind(quantity.origin()).unwrap_or(0.0)),
             false => (quantity, value),
         };
         if signed < 0.0 {
@@ -293,22 +293,6 @@ impl Warning {
             | Self::Cancelled { quantity, .. } => Some(*quantity),
             _ => None,
         };
-        (std::mem::discriminant(self), quantity.map(cause_of))
-    }
-}
-
-/// The quantity whose sign and size another one shares.
-fn cause_of(quantity: Quantity) -> Quantity {
-    match quantity {
-        Quantity::AreaFraction | Quantity::LnArea => Quantity::Area,
-        Quantity::Pressure | Quantity::LnForce | Quantity::MeanPressure => Quantity::Force,
-        Quantity::UnloadingStiffness
-        | Quantity::TangentialStiffness
-        | Quantity::ThermalConductance
-        | Quantity::ElectricalConductance
-        | Quantity::ThermalConductancePerArea
-        | Quantity::ElectricalConductancePerArea => Quantity::ContactRadiusSum,
-        quantity if quantity.regime().is_some() => Quantity::Force,
-        quantity => quantity,
+        (std::mem::discriminant(self), quantity.map(Quantity::origin))
     }
 }

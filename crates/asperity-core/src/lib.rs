@@ -29,8 +29,9 @@ pub use asperity_quadrature::{Density, Moments, Piece, QuadratureError, Sampler}
 pub use check::{Check, DerivedNumber, Finding, Severity};
 pub use diagnostic::{Warning, Warnings};
 pub use engine::arrays::FillReport;
+pub use engine::case::Case;
 pub use engine::plan::{Method, Plan, PlannedPart, Step};
-pub use engine::sweep::{Case, Sweep};
+pub use engine::sweep::Sweep;
 pub use error::{ContactError, positive};
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
@@ -43,7 +44,7 @@ pub use model::asperity_model::AsperityModel;
 pub use model::contact::Contact;
 pub use model::contact_model::ContactModel;
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity};
-pub use request::quantity::Quantity;
+pub use request::quantity_table::Quantity;
 pub use request::separation::{At, Datum, Separation, SeparationUnit};
 pub use request::tolerance::Tolerance;
 pub use request::{Request, linspace};

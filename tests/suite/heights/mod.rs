@@ -8,7 +8,7 @@ mod weibull;
 use std::f64::consts::PI;
 
 use asperity::{
-    Contact, HeightDistribution, Heights, Model, Quantity, Scene, StandardisedHeights, Tolerance,
+    HeightDistribution, Heights, Model, Quantity, Scene, StandardisedHeights, Tolerance,
     greenwood_integral,
 };
 use asperity_quadrature::gauss_kronrod;

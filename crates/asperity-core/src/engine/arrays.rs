@@ -1,28 +1,19 @@
-//! Values of many separations in plain arrays: a few nanoseconds each, and nothing kept beside them.
+//! Values of many separations in plain arrays: a few nanoseconds each, with one bound for all.
 
-use asperity_quadrature::Moments;
+use asperity_quadrature::{Column, ColumnAccuracy};
 
 use crate::diagnostic::CANCELLED;
-use crate::engine::compiled::Compiled;
+use crate::engine::averages::Averages;
+use crate::engine::prepared::Prepared;
+use crate::request::quantity_table::Derivation;
 use crate::{At, Contact, ContactError, Quantity};
 
-/// Rows whose integrals are taken together: they stay in the fastest memory.
-const TOGETHER: usize = 128;
-/// Below this logarithm a scale is no normal number, and what it is multiplied with may make it one.
-const LEAST: f64 = -700.0;
-/// Below this, slopes are looked at one by one.
+/// Values that fall back together to one at a time, if one of them has to.
+const TOGETHER: usize = 16_384;
+/// Below this, slopes are small differences of large integrals and each is held to its tolerance.
 const DEEP: f64 = -8.0;
 
-/// What a quantity is read from.
-struct Read {
-    base: Quantity,
-    slope: bool,
-    factor: f64,
-    /// What it is divided by.
-    per: f64,
-}
-
-/// What is known of all values of plain arrays.
+/// Bounds on all values of plain arrays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FillReport {
@@ -47,27 +38,31 @@ impl FillReport {
     }
 }
 
-/// The way that any contact has: one row after the other.
-pub(crate) fn one_by_one(
+/// Fills a column for each quantity: from `prepared` integrals where the quantity is a multiple of
+/// one, otherwise value by value.
+pub(crate) fn fill(
     contact: &(impl Contact + ?Sized),
+    prepared: Option<&Prepared>,
     quantities: &[Quantity],
     separations: &[f64],
     columns: &mut [&mut [f64]],
 ) -> Result<FillReport, ContactError> {
-    let mut all = FillReport::NONE;
+    check(quantities, separations, columns)?;
+    let mut report = FillReport::NONE;
     for (quantity, column) in quantities.iter().zip(columns) {
-        for (s, value) in separations.iter().zip(column.iter_mut()) {
-            let found = contact.evaluate_at(*quantity, At::from(*s))?;
-            *value = found.value();
-            let (bound, condition) = (found.bound(*quantity), found.condition());
-            all = all.with(FillReport { bound, condition });
+        for (s, values) in separations.chunks(TOGETHER).zip(column.chunks_mut(TOGETHER)) {
+            let filled = prepared.and_then(|prepared| multiple(prepared, *quantity, s, values));
+            report = report.with(match filled {
+                Some(filled) => filled,
+                None => one_by_one(contact, *quantity, s, values)?,
+            });
         }
     }
-    Ok(all)
+    Ok(report)
 }
 
 /// Whether the columns are as many as the quantities, and as long as the separations.
-pub(crate) fn check(
+fn check(
     quantities: &[Quantity],
     separations: &[f64],
     columns: &[&mut [f64]],
@@ -84,92 +79,62 @@ pub(crate) fn check(
     }
 }
 
-impl Compiled {
-    /// [`Contact::fill`] where all quantities are integrals times a number.
-    pub(crate) fn filled(
-        &self,
-        quantities: &[Quantity],
-        separations: &[f64],
-        columns: &mut [&mut [f64]],
-    ) -> Result<FillReport, ContactError> {
-        let reads: Option<Vec<Read>> = quantities.iter().map(|q| self.read(*q)).collect();
-        let Some(reads) = reads else {
-            return one_by_one(self, quantities, separations, columns);
-        };
-        let slopes = reads.iter().any(|read| read.slope);
-        let mut all = FillReport::NONE;
-        let (mut moments, mut scales) = ([Moments::NONE; TOGETHER], [0.0; TOGETHER]);
-        for (k, s) in separations.chunks(TOGETHER).enumerate() {
-            let (moments, scales) = (&mut moments[..s.len()], &mut scales[..s.len()]);
-            let (mut base, mut known) = (None, false);
-            for (j, (read, column)) in reads.iter().zip(columns.iter_mut()).enumerate() {
-                let out = &mut column[TOGETHER * k..][..s.len()];
-                if base != Some(read.base) {
-                    base = Some(read.base);
-                    known = self.channel(read.base)?.total.run(s, slopes, moments).is_some();
-                    let ln_scales = moments.iter().map(|moments| moments.ln_scale);
-                    scales.iter_mut().zip(ln_scales).for_each(|(scale, ln)| *scale = ln.exp());
-                }
-                let filled = known.then(|| read.fill(s, moments, scales, out)).flatten();
-                all = all.with(match filled {
-                    Some(filled) => filled,
-                    None => one_by_one(self, &quantities[j..=j], s, &mut [out])?,
-                });
-            }
-        }
-        Ok(all)
+fn one_by_one(
+    contact: &(impl Contact + ?Sized),
+    quantity: Quantity,
+    separations: &[f64],
+    values: &mut [f64],
+) -> Result<FillReport, ContactError> {
+    let mut report = FillReport::NONE;
+    for (s, value) in separations.iter().zip(values) {
+        let found = contact.evaluate_at(quantity, At::from(*s))?;
+        *value = found.value();
+        let (bound, condition) = (found.bound(quantity), found.condition());
+        report = report.with(FillReport { bound, condition });
     }
-
-    fn read(&self, quantity: Quantity) -> Option<Read> {
-        let height_std = self.scene().surface.asperity_height_std;
-        let nominal_area = self.scene().nominal_area;
-        let own = matches!(self.bases(Quantity::Stiffness), [Quantity::Stiffness]);
-        let (base, slope, per) = match quantity {
-            Quantity::Force | Quantity::Area | Quantity::Contacts => (quantity, false, 1.0),
-            Quantity::Stiffness if own => (quantity, false, 1.0),
-            Quantity::Stiffness | Quantity::Tangent => (Quantity::Force, true, height_std),
-            Quantity::Pressure => (Quantity::Force, false, nominal_area),
-            Quantity::AreaFraction => (Quantity::Area, false, nominal_area),
-            _ => return None,
-        };
-        self.check_requested(quantity).ok()?;
-        let factor = self.channel(base).ok()?.units.factor;
-        Some(Read { base, slope, factor, per })
-    }
+    Ok(report)
 }
 
-impl Read {
-    /// The values, and what is known of them; none where one is to be looked at by itself.
-    fn fill(
-        &self,
-        s: &[f64],
-        moments: &[Moments],
-        scales: &[f64],
-        out: &mut [f64],
-    ) -> Option<FillReport> {
-        let n = usize::from(self.slope);
-        let (mut plain, mut error, mut condition) = (true, 0.0_f64, 1.0_f64);
-        let (mut deepest, mut least) = (0.0_f64, 0.0_f64);
-        for (k, of) in moments.iter().enumerate() {
-            let value = if self.slope { of.slope } else { of.value };
-            let size = of.sizes[n];
-            // In the order in which one value is made: the same digits.
-            let scaled = if self.slope {
-                value / self.per * self.factor
-            } else {
-                value * self.factor / self.per
-            };
-            out[k] = scaled * scales[k];
-            plain &= out[k].abs() >= f64::MIN_POSITIVE && out[k].abs() < f64::INFINITY;
-            let cancelled = if value >= size { 1.0 } else { size / value.abs() };
-            condition = condition.max(cancelled);
-            error = error.max(of.error * cancelled);
-            deepest = deepest.min(s[k]);
-            least = least.min(of.ln_scale);
+/// The values, if the quantity is a multiple of an integral and every value is a normal number.
+fn multiple(
+    prepared: &Prepared,
+    quantity: Quantity,
+    separations: &[f64],
+    values: &mut [f64],
+) -> Option<FillReport> {
+    (&prepared).check_requested(quantity).ok()?;
+    let (base, slope, factor) = factor(prepared, quantity)?;
+    let channel = prepared.channel(base).ok()?;
+    let column = Column { shift: 0.0, slope, factor: factor * channel.units.factor };
+    if !column.factor.is_normal() {
+        return None;
+    }
+    let ColumnAccuracy { error, condition, normal, lowest } =
+        channel.total.fill(separations, column, values)?;
+    // The factor is a product of two or three numbers.
+    let report = FillReport { bound: error + f64::EPSILON, condition };
+    (normal && !(slope && lowest < DEEP)).then_some(report)
+}
+
+/// The law, whether its slope is meant, and the factor, for a multiple of an integral.
+fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f64)> {
+    let scene = &prepared.scene;
+    match quantity.derivation() {
+        Derivation::Integral => Some((quantity, false, 1.0)),
+        Derivation::IntegralOrSlope(_) if prepared.facts.laws.own_stiffness => {
+            Some((quantity, false, 1.0))
         }
-        let plain = plain && least > LEAST && !(self.slope && deepest < DEEP);
-        // The rounding of the scale's logarithm, as of one value.
-        let bound = error + (0.5 * least.abs() + 3.0) * f64::EPSILON;
-        plain.then_some(FillReport { bound, condition })
+        Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => {
+            Some((of, true, 1.0 / scene.surface.asperity_height_std))
+        }
+        Derivation::PerNominalArea(of) => {
+            let (base, slope, total) = factor(prepared, of)?;
+            Some((base, slope, total / scene.nominal_area))
+        }
+        Derivation::ContactRadii(radii) => {
+            let factor = radii.on(&scene.interface, quantity).ok()?;
+            Some((quantity.origin(), false, factor))
+        }
+        Derivation::Ratio(..) | Derivation::Logarithm(_) | Derivation::RegimeShare(_) => None,
     }
 }

@@ -1,24 +1,21 @@
-//! The integrals of one case of a sweep: shared where parts recur, made where they are asked for
-//! where they do not.
+//! The integrals of one case: shared where parts recur in other cases, otherwise made for the
+//! separation asked for.
 
 use std::rc::Rc;
 
 use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
-use crate::engine::case::{LocalShape, Worker};
-use crate::engine::channel::{Laws, Units, failed};
+use crate::engine::averages::{Averages, all_parts};
+use crate::engine::channel::{Units, failed};
 use crate::engine::height_integral::HeightIntegral;
-use crate::engine::inverse::{ForceCurve, Target, check_load, sum_of};
-use crate::engine::readings::{Integrals, Reading};
-use crate::request::separation::Place;
-use crate::{
-    At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Regime, Scene, Tolerance,
-};
+use crate::engine::laws::Laws;
+use crate::engine::shapes::{LocalShape, RecentShapes};
+use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
 
-/// Nearer than this to where an integral was made, its bound holds as good as there.
+/// Within this distance of where an integral was made, its bound holds as well as there.
 const SETTLED: f64 = 1e-3;
 
-/// How the integral of one part is come by.
+/// How the integral of one part is obtained.
 enum Source {
     /// It recurs: rules for any scale.
     Shared(Rc<LocalShape>),
@@ -26,8 +23,8 @@ enum Source {
     Alone(Option<Nearby>),
 }
 
-/// One law of the case.
-struct OfLaw<'c> {
+/// The integral of one law of the case.
+struct LawIntegrals<'c> {
     base: Quantity,
     law: &'c Law,
     units: Units,
@@ -40,157 +37,144 @@ pub(crate) struct CaseIntegrals<'c> {
     scene: &'c Scene,
     laws: &'c Laws,
     tolerance: Tolerance,
-    of_laws: Vec<OfLaw<'c>>,
-    /// Where they are asked for.
-    at: At,
-    s: f64,
+    law_integrals: Vec<LawIntegrals<'c>>,
 }
 
 impl<'c> CaseIntegrals<'c> {
-    /// Nothing recurs.
+    /// The integrals of a scene of its own.
     pub(crate) fn alone(
         scene: &'c Scene,
         laws: &'c Laws,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
-        let of_law = |(base, law): &'c (Quantity, Law)| {
-            let units = Units::new(*base, law, scene)?;
-            let parts = law.parts.iter().filter(|_| gaussian);
-            let sources = parts.map(|_| Source::Alone(None)).collect();
-            Ok(OfLaw { base: *base, law, units, sources })
-        };
-        let of_laws = laws.laws.iter().map(of_law).collect::<Result<_, ContactError>>()?;
-        Ok(Self { scene, laws, tolerance, of_laws, at: At::sigmas(0.0), s: 0.0 })
+        Self::new(scene, laws, tolerance, |_, _| Source::Alone(None))
     }
 
-    /// Functions of the neighbours' laws recur, and so do sums of powers.
-    pub(crate) fn new(
-        worker: &mut Worker<'_>,
+    /// The integrals of a case among others: functions in the laws of its neighbours recur, and so
+    /// do sums of powers.
+    pub(crate) fn sharing(
+        (shapes, neighbours): (&mut RecentShapes<'_>, [Option<&Laws>; 2]),
         scene: &'c Scene,
         laws: &'c Laws,
-        neighbours: [Option<&Laws>; 2],
+        tolerance: Tolerance,
+    ) -> Result<Self, ContactError> {
+        let mut place = 0;
+        Self::new(scene, laws, tolerance, |(k, j), part| {
+            let recurs = |other: &&Laws| {
+                let other = other.laws.get(k).and_then(|(_, law)| law.parts.get(j));
+                other.is_some_and(|other| part.recurs_in(other))
+            };
+            let shared =
+                matches!(part.form, Formula::Powers(_)) || neighbours.iter().flatten().any(recurs);
+            place += 1;
+            match shared {
+                true => Source::Shared(shapes.shape(place - 1, part)),
+                false => Source::Alone(None),
+            }
+        })
+    }
+
+    /// `source` decides for each part, given the indices of its law and of itself.
+    fn new(
+        scene: &'c Scene,
+        laws: &'c Laws,
+        tolerance: Tolerance,
+        mut source: impl FnMut((usize, usize), &Part) -> Source,
     ) -> Result<Self, ContactError> {
         let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
-        let mut place = 0;
-        let mut of_laws = Vec::with_capacity(laws.laws.len());
+        let mut law_integrals = Vec::with_capacity(laws.laws.len());
         for (k, (base, law)) in laws.laws.iter().enumerate() {
             let units = Units::new(*base, law, scene)?;
-            let mut sources = vec![];
-            for (j, part) in law.parts.iter().enumerate().filter(|_| gaussian) {
-                let recurs = |other: &&Laws| {
-                    let other = other.laws.get(k).and_then(|(_, law)| law.parts.get(j));
-                    other.is_some_and(|other| part.recurs_in(other))
-                };
-                let shared = matches!(part.form, Formula::Powers(_))
-                    || neighbours.iter().flatten().any(recurs);
-                sources.push(match shared {
-                    true => Source::Shared(worker.shape(place, part)),
-                    false => Source::Alone(None),
-                });
-                place += 1;
-            }
-            of_laws.push(OfLaw { base: *base, law, units, sources });
+            let parts = law.parts.iter().enumerate().filter(|_| gaussian);
+            let sources = parts.map(|(j, part)| source((k, j), part)).collect();
+            law_integrals.push(LawIntegrals { base: *base, law, units, sources });
         }
-        let tolerance = worker.sweep.tolerance;
-        Ok(Self { scene, laws, tolerance, of_laws, at: At::sigmas(0.0), s: 0.0 })
+        Ok(Self { scene, laws, tolerance, law_integrals })
     }
 
-    /// Goes to where the case is asked about.
-    pub(crate) fn reading(&mut self, at: At) -> Result<Reading<'c>, ContactError> {
-        let load_of = |field, load| check_load(field, load, self.laws.adhesive);
-        let place = match at {
-            At::Separation(separation) => separation.place(self.scene)?,
-            At::Load(load) => self.place_of_load(load_of("load", load)?)?,
-            At::Pressure(pressure) => {
-                let pressure = load_of("pressure", pressure)?;
-                self.place_of_load(pressure * self.scene.nominal_area)?
-            }
-        };
-        (self.at, self.s) = (at, place.s);
-        let Laws { own_stiffness, .. } = *self.laws;
-        Ok(Reading { scene: self.scene, own_stiffness, tolerance: self.tolerance, place, at })
-    }
-
-    fn place_of_load(&mut self, load: f64) -> Result<Place, ContactError> {
-        let (scene, tolerance) = (self.scene, self.tolerance);
-        let Laws { monotone, adhesive, .. } = *self.laws;
-        let of_law = self.of_law(Quantity::Force)?;
-        let signed = of_law.law.is_signed();
-        let Units { factor, begins, .. } = of_law.units;
-        let target = Target { load, factor, monotone, signed, adhesive, begins };
-        target.first(&mut OfForce { of_law, scene, tolerance })
-    }
-
-    fn of_law(&mut self, base: Quantity) -> Result<&mut OfLaw<'c>, ContactError> {
-        let found = self.of_laws.iter_mut().find(|of_law| of_law.base == base);
+    fn law(&mut self, base: Quantity) -> Result<&mut LawIntegrals<'c>, ContactError> {
+        let found = self.law_integrals.iter_mut().find(|law| law.base == base);
         found.ok_or(ContactError::NotRequested { quantity: base })
     }
 }
 
-impl Integrals for CaseIntegrals<'_> {
-    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
-        let (s, at, scene, tolerance) = (self.s, self.at, self.scene, self.tolerance);
-        let of_law = self.of_law(base)?;
-        of_law.settle(s, tolerance).map_err(failed(base, at))?;
-        let moments = of_law.at(s, slope, scene, tolerance).map_err(failed(base, at))?;
-        Ok((moments, of_law.units.factor))
+impl<'c> Averages<'c> for CaseIntegrals<'c> {
+    fn scene(&self) -> &'c Scene {
+        self.scene
     }
 
-    fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {
-        let (s, at, scene, tolerance) = (self.s, self.at, self.scene, self.tolerance);
-        let (total, _) = self.moments(Quantity::Force, false)?;
-        let OfLaw { law, units, .. } = *self.of_law(Quantity::Force)?;
-        let (mut share, mut size) = (0.0, 0.0);
-        for part in law.parts.iter().filter(|part| part.regime == regime) {
-            let part = if matches!(scene.heights, HeightDistribution::Gaussian) {
-                let seen = units.begins.seen(s);
-                alone(part, units.scale, seen, tolerance.relative()).map(|made| made.at(seen))
-            } else {
-                let density = Density { pieces: vec![part.piece()] };
-                HeightIntegral::new(density, law, scene, tolerance.relative()).once(s, false)
-            };
-            let part = part.map_err(failed(Quantity::Force, at))?;
-            let one = part.value / total.value * (part.ln_scale - total.ln_scale).exp();
-            share += one;
-            size += one.abs();
+    fn laws(&self) -> &'c Laws {
+        self.laws
+    }
+
+    fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
+    fn units(&self, base: Quantity) -> Result<Units, ContactError> {
+        let found = self.law_integrals.iter().find(|law| law.base == base);
+        Ok(found.ok_or(ContactError::NotRequested { quantity: base })?.units)
+    }
+
+    fn integral(
+        &mut self,
+        base: Quantity,
+        (s, at): (f64, At),
+        slope: bool,
+    ) -> Result<Moments, ContactError> {
+        let (scene, tolerance) = (self.scene, self.tolerance);
+        self.law(base)?.at(s, slope, scene, tolerance).map_err(failed(base, at))
+    }
+
+    fn parts(
+        &mut self,
+        base: Quantity,
+        (s, at): (f64, At),
+        slope: bool,
+    ) -> Result<Vec<Moments>, ContactError> {
+        let (scene, tolerance) = (self.scene, self.tolerance.relative());
+        let of_law = self.law(base)?;
+        let LawIntegrals { law, units, .. } = *of_law;
+        if of_law.sources.is_empty() {
+            let parts = law.parts.iter().map(|part| {
+                let alone = Density { pieces: vec![part.piece()] };
+                HeightIntegral::new(alone, law, scene, tolerance).once(s, slope)
+            });
+            return all_parts(parts, base, at);
         }
-        Ok((share, size))
-    }
-}
-
-/// The force, to be inverted.
-struct OfForce<'c, 'l> {
-    of_law: &'c mut OfLaw<'l>,
-    scene: &'l Scene,
-    tolerance: Tolerance,
-}
-
-impl ForceCurve for OfForce<'_, '_> {
-    fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
-        let found = self.of_law.at(s, true, self.scene, self.tolerance);
-        found.map_err(failed(Quantity::Force, s.into()))
-    }
-
-    fn parts(&mut self, s: f64) -> Result<Moments, ContactError> {
-        let OfLaw { law, sources, .. } = &*self.of_law;
-        if !sources.is_empty() {
-            return self.at(s);
-        }
-        let parts = law.parts.iter().map(|part| {
-            let alone = Density { pieces: vec![part.piece()] };
-            HeightIntegral::new(alone, law, self.scene, self.tolerance.relative()).once(s, true)
+        let s = units.begins.seen(s);
+        let parts = law.parts.iter().zip(&mut of_law.sources).map(|(part, source)| {
+            let (factor, moments) = source.at(part, (s, units.scale), slope, tolerance)?;
+            Ok(Moments::NONE.plus(factor, &moments))
         });
-        sum_of(parts).map_err(failed(Quantity::Force, s.into()))
+        all_parts(parts, base, at)
     }
 
-    fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
-        let settled = self.of_law.settle(s, self.tolerance);
-        settled.map_err(failed(Quantity::Force, s.into()))
+    fn settle(&mut self, base: Quantity, (s, at): (f64, At)) -> Result<bool, ContactError> {
+        let tolerance = self.tolerance;
+        self.law(base)?.settle(s, tolerance).map_err(failed(base, at))
     }
 }
 
-impl OfLaw<'_> {
+impl Source {
+    /// The integral of a part at s and a scale, and its factor.
+    fn at(
+        &mut self,
+        part: &Part,
+        (s, scale): (f64, f64),
+        slope: bool,
+        tolerance: f64,
+    ) -> Result<(f64, Moments), QuadratureError> {
+        Ok(match self {
+            Self::Shared(shape) if slope => (part.factor(), shape.0.integral.at(s, scale)?),
+            Self::Shared(shape) => (part.factor(), shape.0.integral.value(s, scale)?),
+            Self::Alone(Some(made)) if made.serves(s) => (1.0, made.at(s)),
+            Self::Alone(made) => (1.0, made.insert(alone(part, scale, s, tolerance)?).at(s)),
+        })
+    }
+}
+
+impl LawIntegrals<'_> {
     /// The sum over the parts.
     fn at(
         &mut self,
@@ -207,22 +191,13 @@ impl OfLaw<'_> {
         let (given, s, slope) = (s, begins.seen(s), slope || begins.elsewhere());
         let mut sum = Moments::NONE;
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
-            let (factor, m) = match source {
-                Source::Shared(shape) if slope => (part.factor(), shape.0.integral.at(s, scale)?),
-                Source::Shared(shape) => (part.factor(), shape.0.integral.value(s, scale)?),
-                Source::Alone(made) => {
-                    if !made.as_ref().is_some_and(|made| made.serves(s)) {
-                        *made = Some(alone(part, scale, s, relative)?);
-                    }
-                    (1.0, made.as_ref().map_or(sum, |made| made.at(s)))
-                }
-            };
+            let (factor, m) = source.at(part, (s, scale), slope, relative)?;
             sum = sum.plus(factor, &m);
         }
         Ok(begins.widened(given, sum))
     }
 
-    /// Makes integrals anew that were made too far from s for their bounds to hold; tells whether
+    /// Makes integrals anew that were made too far from s for their bounds to hold; returns whether
     /// there were any.
     fn settle(&mut self, s: f64, tolerance: Tolerance) -> Result<bool, QuadratureError> {
         let (mut moved, s) = (false, self.units.begins.seen(s));

@@ -1,4 +1,4 @@
-//! The integral of one law on one scene.
+//! The integral of one law on one scene, prepared for many separations.
 
 use std::sync::{Arc, OnceLock};
 
@@ -6,15 +6,15 @@ use asperity_quadrature::{Density, QuadratureError};
 
 use crate::engine::height_integral::HeightIntegral;
 use crate::engine::onset::Onset;
-use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance, Validity};
+use crate::{At, ContactError, Law, Quantity, Scene, Tolerance};
 
-/// Scales w_c/σ_z outside mean nothing, and powers of them leave the doubles.
+/// Powers of scales w_c/σ_z outside overflow f64, and no surface has them.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// The integral of one law.
 #[derive(Debug)]
 pub(crate) struct Channel {
-    /// What the law is of.
+    /// The quantity of the law.
     pub(crate) base: Quantity,
     pub(crate) law: Arc<Law>,
     pub(crate) units: Units,
@@ -36,7 +36,7 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    /// Refuses scenes whose numbers leave the doubles.
+    /// Refuses scenes whose numbers overflow f64.
     pub(crate) fn new(base: Quantity, law: &Law, scene: &Scene) -> Result<Self, ContactError> {
         let height_std = scene.surface.asperity_height_std;
         let factor = scene.asperities() * law.value_unit;
@@ -53,99 +53,7 @@ impl Units {
     }
 }
 
-/// The laws that quantities come of.
-pub(crate) fn bases(quantity: Quantity, own_stiffness: bool) -> &'static [Quantity] {
-    match quantity {
-        Quantity::Area | Quantity::AreaFraction | Quantity::LnArea => &[Quantity::Area],
-        Quantity::MeanPressure => &[Quantity::Force, Quantity::Area],
-        Quantity::Contacts => &[Quantity::Contacts],
-        Quantity::ContactRadiusSum
-        | Quantity::UnloadingStiffness
-        | Quantity::TangentialStiffness
-        | Quantity::ThermalConductance
-        | Quantity::ElectricalConductance
-        | Quantity::ThermalConductancePerArea
-        | Quantity::ElectricalConductancePerArea => &[Quantity::ContactRadiusSum],
-        Quantity::Stiffness if own_stiffness => &[Quantity::Stiffness],
-        _ => &[Quantity::Force],
-    }
-}
-
-/// The laws of one asperity that quantities come of.
-#[derive(Debug)]
-pub(crate) struct Laws {
-    pub(crate) asperity: Asperity,
-    /// Whether the model has a law for the stiffness; not looked at where none is asked for.
-    pub(crate) own_stiffness: bool,
-    /// Whether the force never rises with the separation.
-    pub(crate) monotone: bool,
-    /// Whether loads may be tensions.
-    pub(crate) adhesive: bool,
-    pub(crate) laws: Vec<(Quantity, Law)>,
-    by_load: bool,
-}
-
-impl Laws {
-    /// Those that these quantities need, and the force's where loads are to be met.
-    pub(crate) fn new(
-        model: &dyn AsperityModel,
-        asperity: Asperity,
-        quantities: &[Quantity],
-        by_load: bool,
-        tolerance: Tolerance,
-    ) -> Result<Self, ContactError> {
-        let Validity { force_monotone: monotone, adhesive, .. } = model.validity();
-        let (own_stiffness, laws) = (false, vec![]);
-        let mut found = Self { asperity, own_stiffness, monotone, adhesive, laws, by_load };
-        for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
-            if quantity == Quantity::Stiffness && !found.own_stiffness {
-                let own = model.law(&asperity, quantity, tolerance)?;
-                found.own_stiffness = own.is_some();
-                found.laws.extend(own.map(|law| (quantity, law)));
-            }
-            for &base in bases(quantity, found.own_stiffness) {
-                if !found.laws.iter().any(|(known, _)| *known == base) {
-                    let law = Self::law(model, &asperity, base, tolerance)?;
-                    found.laws.push((base, law));
-                }
-            }
-        }
-        // Without any work of adhesion there are no tensions to be met.
-        let pulls = |(base, law): &(Quantity, Law)| *base == Quantity::Force && law.is_signed();
-        found.adhesive &= found.laws.iter().any(pulls);
-        Ok(found)
-    }
-
-    /// The model's law, or the one that every model has.
-    fn law(
-        model: &dyn AsperityModel,
-        asperity: &Asperity,
-        base: Quantity,
-        tolerance: Tolerance,
-    ) -> Result<Law, ContactError> {
-        match model.law(asperity, base, tolerance)? {
-            Some(law) => Ok(law),
-            // Every asperity that is reached touches, and what has an area has a contact.
-            None if base == Quantity::Contacts && model.validity().adhesive => {
-                let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
-                let unit = area.interference_unit;
-                Ok(Law::counting(unit).beginning_at(area.begins))
-            }
-            None if base == Quantity::Contacts => Ok(Law::counting(asperity.radius)),
-            None if base == Quantity::ContactRadiusSum => {
-                let area = Self::law(model, asperity, Quantity::Area, tolerance)?;
-                crate::law::contact_radii::law(model, &area)
-            }
-            None => Err(ContactError::NoLaw { model: model.name().into(), quantity: base }),
-        }
-    }
-
-    /// Whether they are those of this asperity, and all that is needed.
-    pub(crate) fn serve(&self, asperity: &Asperity, by_load: bool) -> bool {
-        self.asperity == *asperity && (self.by_load || !by_load)
-    }
-}
-
+/// The error of an integral at `at`, in the caller's units.
 pub(crate) fn failed(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
     move |source| ContactError::Integral { quantity, at, source }
 }
@@ -163,7 +71,7 @@ impl Channel {
         Ok(Self { base, law, units, total, parts, scene, tolerance })
     }
 
-    /// The integrals of the law's parts, each alone.
+    /// The integral of each part of the law.
     pub(crate) fn parts(&self) -> &[HeightIntegral] {
         self.parts.get_or_init(|| {
             let integral = |part: &crate::Part| {

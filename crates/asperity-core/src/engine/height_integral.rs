@@ -3,7 +3,8 @@
 use std::sync::{Arc, LazyLock, OnceLock};
 
 use asperity_quadrature::{
-    Cells, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian, Weight,
+    Cells, Column, ColumnAccuracy, Curvature, Density, Moments, Overlap, QuadratureError,
+    ShiftedGaussian, Weight,
 };
 
 use crate::engine::onset::Onset;
@@ -69,7 +70,7 @@ impl HeightIntegral {
         }
     }
 
-    /// How often the density has been sampled for rules.
+    /// Number of samples of the density for rules.
     pub(crate) fn samples(&self) -> usize {
         match &self.over {
             Over::Gaussian(integral) => integral.evaluations(),
@@ -77,7 +78,7 @@ impl HeightIntegral {
         }
     }
 
-    /// I(s) alone; only what is asked is summed where that saves work.
+    /// I(s) alone, without the slope where that saves work.
     #[inline]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match &self.over {
@@ -86,8 +87,20 @@ impl HeightIntegral {
         }
     }
 
-    /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is to
-    /// be as long: `None` where that saves nothing, or any is refused.
+    /// Plain numbers at each s, with its onset as the shift of the column; `None` for other than
+    /// Gaussian heights, or if any s is refused.
+    pub(crate) fn fill(
+        &self,
+        s: &[f64],
+        column: Column,
+        out: &mut [f64],
+    ) -> Option<ColumnAccuracy> {
+        let Over::Gaussian(integral) = &self.over else { return None };
+        integral.fill(s, Column { shift: self.begins.0, ..column }, out).ok()
+    }
+
+    /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is as
+    /// long: `None` for heights where that saves nothing, or if any s is refused.
     pub(crate) fn run(&self, s: &[f64], slopes: bool, out: &mut [Moments]) -> Option<()> {
         let Over::Gaussian(integral) = &self.over else { return None };
         if self.begins.elsewhere() {
@@ -103,7 +116,7 @@ impl HeightIntegral {
         .ok()
     }
 
-    /// d²I/ds², where it comes of the nodes.
+    /// d²I/ds², for Gaussian heights.
     pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
         let Over::Gaussian(integral) = &self.over else { return None };
         let found = integral.curvature(self.begins.seen(s));
@@ -115,7 +128,7 @@ impl HeightIntegral {
         self.answer(s, Asked { slope: true, many: true })
     }
 
-    /// I(s), and -dI/ds where it is asked for, with nothing prepared for other s.
+    /// I(s), and -dI/ds if `slope` is set, with nothing prepared for other s.
     pub(crate) fn once(&self, s: f64, slope: bool) -> Result<Moments, QuadratureError> {
         self.answer(s, Asked { slope, many: false })
     }
@@ -131,18 +144,18 @@ impl HeightIntegral {
         if asked.slope || !self.begins.elsewhere() {
             return Ok(self.begins.widened(s, ask(asked)?));
         }
-        // The slope tells what a rounded s does to the value: roughly is enough.
+        // The slope bounds the effect of a rounded s on the value: roughly is enough.
         let found = ask(Asked { slope: true, ..asked });
         let found = found.or_else(|_| ask(Asked { slope: false, many: false }))?;
         Ok(self.begins.widened(s, found))
     }
 }
 
-/// What is asked of an integral.
+/// The extent of a question to an integral.
 #[derive(Debug, Clone, Copy)]
 struct Asked {
     slope: bool,
-    /// Whether others will be asked for nearby.
+    /// Whether others nearby will follow.
     many: bool,
 }
 
@@ -185,7 +198,7 @@ pub(crate) struct Exponential {
     density: Density,
     scale: f64,
     below: Followed,
-    /// For slopes that are small differences of what `below` knows.
+    /// For slopes that are small differences of the values of `below`.
     finer: OnceLock<Followed>,
     above: OnceLock<Result<Moments, QuadratureError>>,
     tolerance: f64,

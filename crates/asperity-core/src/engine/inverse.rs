@@ -1,12 +1,10 @@
 //! From a load back to the separations that carry it.
 
-use asperity_quadrature::{Moments, QuadratureError};
+use asperity_quadrature::Moments;
 
-use crate::engine::channel::{Units, failed};
-use crate::engine::compiled::Compiled;
 use crate::engine::onset::Onset;
 use crate::request::separation::{HIGHEST, LOWEST, Place};
-use crate::{At, ContactError, Quantity};
+use crate::{At, ContactError};
 
 /// Below this all asperities are in contact.
 pub(crate) const DEEP: f64 = -64.0;
@@ -62,58 +60,6 @@ pub(crate) fn check_load(
         true => Err(ContactError::OutOfRange { field, value, required }),
         false => crate::positive(field, value),
     }
-}
-
-impl Compiled {
-    fn target(&self, load: f64) -> Result<Target, ContactError> {
-        let channel = self.channel(Quantity::Force)?;
-        let signed = channel.law.is_signed();
-        let (Units { factor, begins, .. }, monotone) = (channel.units, self.monotone());
-        let adhesive = self.adhesive();
-        Ok(Target { load, factor, monotone, signed, adhesive, begins })
-    }
-
-    /// Where a load is first met on approach.
-    pub(crate) fn place_of_load(&self, load: f64) -> Result<Place, ContactError> {
-        self.target(load)?.first(&mut OfChannel(self))
-    }
-
-    /// All separations d/σ_z that carry a load, ascending.
-    pub(crate) fn all_places_of_load(&self, load: f64) -> Result<Vec<f64>, ContactError> {
-        self.target(load)?.all(&mut OfChannel(self))
-    }
-}
-
-/// The force of a compiled scene.
-struct OfChannel<'c>(&'c Compiled);
-
-impl ForceCurve for OfChannel<'_> {
-    fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
-        let total = &self.0.channel(Quantity::Force)?.total;
-        total.at(s).map_err(failed(Quantity::Force, s.into()))
-    }
-
-    fn parts(&mut self, s: f64) -> Result<Moments, ContactError> {
-        let parts = self.0.channel(Quantity::Force)?.parts();
-        sum_of(parts.iter().map(|part| part.at(s))).map_err(failed(Quantity::Force, s.into()))
-    }
-}
-
-/// The sum of integrals at one s, whatever their scales.
-pub(crate) fn sum_of(
-    mut parts: impl Iterator<Item = Result<Moments, QuadratureError>>,
-) -> Result<Moments, QuadratureError> {
-    parts.try_fold(Moments::NONE, |sum, part| {
-        let (small, large) = match part? {
-            part if sum.sizes[0] == 0.0 => (sum, part),
-            part if part.ln_scale > sum.ln_scale => (sum, part),
-            part => (part, sum),
-        };
-        Ok(large.plus(
-            (small.ln_scale - large.ln_scale).exp(),
-            &Moments { ln_scale: large.ln_scale, ..small },
-        ))
-    })
 }
 
 /// Which integral is set against the load.
@@ -275,7 +221,7 @@ mod tests {
     use super::*;
     use crate::{
         Asperity, AsperityModel, Citation, Contact, ContactModel, Described, Interface, Law, Power,
-        Provenance, Request, Scene, Surface, Tolerance,
+        Provenance, Quantity, Request, Scene, Surface, Tolerance,
     };
 
     #[derive(Debug)]

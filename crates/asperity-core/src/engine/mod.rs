@@ -1,17 +1,22 @@
 //! The one integral: laws averaged over heights, and loads turned back into separations.
 
 pub(crate) mod arrays;
+pub(crate) mod averages;
 pub(crate) mod case;
 pub(crate) mod case_integrals;
 pub(crate) mod channel;
 pub(crate) mod compiled;
 pub(crate) mod crossings;
-pub(crate) mod few;
 pub(crate) mod height_integral;
-pub(crate) mod integrals;
 pub(crate) mod inverse;
+pub(crate) mod laws;
+pub(crate) mod list;
 pub(crate) mod onset;
 pub(crate) mod parallel;
 pub(crate) mod plan;
+pub(crate) mod prepared;
 pub(crate) mod readings;
+pub(crate) mod row;
+pub(crate) mod shapes;
 pub(crate) mod sweep;
+pub(crate) mod worker;

@@ -1,20 +1,21 @@
 //! Work on all cores, in order, where there are threads.
 
-/// Fewer rows than this are answered on the calling thread: handing them out costs more.
-#[cfg(feature = "rayon")]
-const FROM: usize = 2048;
+/// From 2048 rows on runs of 512 are handed out; with fewer, handing them out costs more.
+pub(crate) const MANY: (usize, usize) = (2048, 512);
 
-/// What `f` makes of runs of items, column by column, joined in order.
+/// The columns that `f` returns for runs of items, joined in order: `least` items or more are handed
+/// out in runs of `length`, fewer are left to the calling thread.
 #[cfg(feature = "rayon")]
 pub(crate) fn columns<T: Sync, R: Send>(
     items: &[T],
+    (least, length): (usize, usize),
     f: impl Fn(&[T]) -> Vec<Vec<R>> + Sync + Send,
 ) -> Vec<Vec<R>> {
     use rayon::prelude::*;
-    if items.len() < FROM {
+    if items.len() < least {
         return f(items);
     }
-    let runs: Vec<Vec<Vec<R>>> = items.par_chunks(512).map(f).collect();
+    let runs: Vec<Vec<Vec<R>>> = items.par_chunks(length).map(f).collect();
     let join = |mut all: Vec<Vec<R>>, run: Vec<Vec<R>>| {
         all.iter_mut().zip(run).for_each(|(column, more)| column.extend(more));
         all
@@ -22,7 +23,7 @@ pub(crate) fn columns<T: Sync, R: Send>(
     runs.into_iter().reduce(join).unwrap_or_default()
 }
 
-/// What `f` makes of each run of `length` items, joined in order.
+/// The results of `f` for runs of `length` items, joined in order.
 #[cfg(feature = "rayon")]
 pub(crate) fn map_runs<T: Sync, R: Send>(
     items: &[T],
@@ -45,6 +46,7 @@ pub(crate) fn both<A: Send, B: Send>(
 #[cfg(not(feature = "rayon"))]
 pub(crate) fn columns<T: Sync, R: Send>(
     items: &[T],
+    _: (usize, usize),
     f: impl Fn(&[T]) -> Vec<Vec<R>> + Sync + Send,
 ) -> Vec<Vec<R>> {
     f(items)

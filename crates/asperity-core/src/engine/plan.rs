@@ -1,4 +1,4 @@
-//! How a compiled scene answers: what is integrated, with how many terms, and what is left out.
+//! The plan of an answer: integrals, terms of their polynomials, and parts that are left out.
 
 use std::fmt;
 
@@ -6,9 +6,10 @@ use asperity_quadrature::reach;
 
 use serde::Serialize;
 
+use crate::engine::averages::place;
 use crate::engine::channel::{Channel, failed};
-use crate::engine::compiled::Compiled;
-use crate::{At, Contact, ContactError, HeightDistribution, Part, Quantity, Request};
+use crate::engine::prepared::Prepared;
+use crate::{At, ContactError, HeightDistribution, Part, Quantity, Request};
 
 /// How an integral over the heights is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -41,11 +42,11 @@ impl fmt::Display for Method {
 pub struct PlannedPart {
     /// Name of the part.
     pub name: String,
-    /// What its formula is, in words: a sum of powers, an angle average in closed form or
-    /// tabulated, another function.
+    /// Kind of its formula: a sum of powers, an angle average in closed form or tabulated, another
+    /// function.
     pub form: String,
-    /// `None` where the part is integrated; otherwise the share of the whole, at most, that is
-    /// dropped with it because no asperity reaches it.
+    /// `None` for a part that is integrated; otherwise a bound on its share of the whole, for a part
+    /// that no asperity reaches.
     pub dropped: Option<f64>,
 }
 
@@ -53,21 +54,21 @@ pub struct PlannedPart {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Step {
-    /// Which law is integrated: that of the force for the tangent.
+    /// The quantity of the law that is integrated: the force for the tangent.
     pub law: Quantity,
-    /// The asked quantities that come of it.
+    /// The requested quantities that follow from it.
     pub quantities: Vec<Quantity>,
-    /// How.
+    /// How it is integrated.
     pub method: Method,
     /// The law's parts.
     pub parts: Vec<PlannedPart>,
     /// Terms of the shortest and the longest polynomial: products for each evaluation.
     pub terms: Option<(usize, usize)>,
-    /// How often the law has been sampled to build what the separations need.
+    /// Number of samples of the law for the polynomials of these separations.
     pub samples: usize,
 }
 
-/// What a compiled scene does for a request.
+/// The work of a compiled scene for a request.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Plan {
@@ -85,61 +86,57 @@ pub struct Plan {
     pub steps: Vec<Step>,
 }
 
-impl Compiled {
-    /// What is done for a request, in numbers; builds what its rows need.
-    pub(crate) fn planned(&self, request: &Request) -> Result<Plan, ContactError> {
-        let places: Vec<f64> = request
-            .at
-            .iter()
-            .map(|at| Ok(self.place(*at)?.s))
-            .collect::<Result<_, ContactError>>()?;
-        let steps = self.channels().iter().map(|channel| self.step(channel, &places));
-        let first = places.iter().zip(&request.at).min_by(|a, b| a.0.total_cmp(b.0));
-        let last = places.iter().zip(&request.at).max_by(|a, b| a.0.total_cmp(b.0));
-        Ok(Plan {
-            model: self.model().into(),
-            heights: self.scene().heights.name().into(),
-            tolerance: request.tolerance.relative(),
-            rows: places.len(),
-            range: first.zip(last).map(|((_, first), (_, last))| (*first, *last)),
-            steps: steps.collect::<Result<_, _>>()?,
-        })
-    }
-
-    fn step(&self, channel: &Channel, places: &[f64]) -> Result<Step, ContactError> {
-        let law = channel.base;
-        let comes_of = |q: &Quantity| self.bases(*q).contains(&law);
-        let quantities = self.quantities().iter().copied().filter(comes_of).collect();
-        let mut terms: Option<(usize, usize)> = None;
-        let mut farthest: f64 = 0.0;
-        for &s in places {
-            let failed = failed(law, s.into());
-            channel.total.value(s).map_err(&failed)?;
-            if let Some(n) = channel.total.terms(s).map_err(&failed)? {
-                let (least, most) = terms.unwrap_or((n, n));
-                terms = Some((least.min(n), most.max(n)));
-            }
-            farthest = farthest.max(reach(channel.units.begins.seen(s)));
-        }
-        let method = match self.scene().heights {
-            HeightDistribution::Gaussian => Method::Polynomials,
-            HeightDistribution::Exponential => Method::OneIntegral,
-            HeightDistribution::Weibull(_) | HeightDistribution::Other(_) => Method::Panels,
-        };
-        // Beyond the reach, the Gaussian is below 1e-20 of its largest value.
-        let out_of_reach = |part: &Part| {
-            method == Method::Polynomials && part.range.start * channel.units.scale > farthest
-        };
-        let planned = |part: &Part| PlannedPart {
-            name: part.name.to_string(),
-            form: part.form.describe().into(),
-            dropped: out_of_reach(part).then_some(1e-20),
-        };
-        let parts = channel.law.parts.iter().map(planned).collect();
-        Ok(Step { law, quantities, method, parts, terms, samples: channel.total.samples() })
-    }
+/// The plan for a request; builds what its rows need.
+pub(crate) fn plan(prepared: &Prepared, request: &Request) -> Result<Plan, ContactError> {
+    let mut averages = prepared;
+    let places = request.at.iter().map(|at| Ok(place(&mut averages, *at)?.s));
+    let places: Vec<f64> = places.collect::<Result<_, ContactError>>()?;
+    let steps = prepared.channels.iter().map(|channel| step(prepared, channel, &places));
+    let rows = || places.iter().zip(&request.at);
+    let first = rows().min_by(|a, b| a.0.total_cmp(b.0));
+    let last = rows().max_by(|a, b| a.0.total_cmp(b.0));
+    Ok(Plan {
+        model: prepared.facts.model.clone(),
+        heights: prepared.scene.heights.name().into(),
+        tolerance: request.tolerance.relative(),
+        rows: places.len(),
+        range: first.zip(last).map(|((_, first), (_, last))| (*first, *last)),
+        steps: steps.collect::<Result<_, _>>()?,
+    })
 }
 
+fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, ContactError> {
+    let law = channel.base;
+    let needs_law = |q: &Quantity| prepared.laws_of(*q).any(|base| base == law);
+    let quantities = prepared.facts.quantities.iter().copied().filter(needs_law).collect();
+    let mut terms: Option<(usize, usize)> = None;
+    let mut farthest: f64 = 0.0;
+    for &s in places {
+        let failed = failed(law, s.into());
+        channel.total.value(s).map_err(&failed)?;
+        if let Some(n) = channel.total.terms(s).map_err(&failed)? {
+            let (least, most) = terms.unwrap_or((n, n));
+            terms = Some((least.min(n), most.max(n)));
+        }
+        farthest = farthest.max(reach(channel.units.begins.seen(s)));
+    }
+    let method = match prepared.scene.heights {
+        HeightDistribution::Gaussian => Method::Polynomials,
+        HeightDistribution::Exponential => Method::OneIntegral,
+        HeightDistribution::Weibull(_) | HeightDistribution::Other(_) => Method::Panels,
+    };
+    // Beyond the reach, the Gaussian is below 1e-20 of its largest value.
+    let out_of_reach = |part: &Part| {
+        method == Method::Polynomials && part.range.start * channel.units.scale > farthest
+    };
+    let planned = |part: &Part| PlannedPart {
+        name: part.name.to_string(),
+        form: part.form.describe().into(),
+        dropped: out_of_reach(part).then_some(1e-20),
+    };
+    let parts = channel.law.parts.iter().map(planned).collect();
+    Ok(Step { law, quantities, method, parts, terms, samples: channel.total.samples() })
+}
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}, {} heights, ", self.model, self.heights)?;

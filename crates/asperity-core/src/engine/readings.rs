@@ -1,23 +1,22 @@
-//! From integrals to quantities: the one way there is, for compiled scenes and for sweeps.
+//! From integrals to quantities: the only path, for a value, a list, a load and a sweep.
 
 use asperity_quadrature::Moments;
 
 use crate::engine::channel::failed;
-use crate::law::contact_radii::per_radius;
+use crate::request::quantity_table::Derivation;
 use crate::request::separation::Place;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
 
-/// Where the integrals of one place come from.
+/// The integrals at one place.
 pub(crate) trait Integrals {
-    /// The integral of the law for `base` and what it is to be multiplied with; its slope too,
-    /// where that is wanted.
+    /// The integral of the law for `base`, with its slope if that is set, and its factor.
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError>;
 
     /// The share of a regime in the force, and the sum of its parts' absolute shares.
     fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError>;
 }
 
-/// What a quantity is read from, the integrals apart.
+/// The place of a reading, and what else a quantity depends on beside the integrals.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reading<'s> {
     pub(crate) scene: &'s Scene,
@@ -25,7 +24,7 @@ pub(crate) struct Reading<'s> {
     pub(crate) own_stiffness: bool,
     pub(crate) tolerance: Tolerance,
     pub(crate) place: Place,
-    /// As it was asked, for errors.
+    /// In the caller's units, for errors.
     pub(crate) at: At,
 }
 
@@ -37,48 +36,34 @@ impl Reading<'_> {
         quantity: Quantity,
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
-        match quantity {
-            Quantity::Force | Quantity::Area | Quantity::Contacts | Quantity::ContactRadiusSum => {
-                self.value(quantity, integrals)
+        match quantity.derivation() {
+            Derivation::Integral => self.value(quantity, integrals),
+            Derivation::IntegralOrSlope(_) if self.own_stiffness => self.value(quantity, integrals),
+            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => {
+                self.slope(quantity, of, integrals)
             }
-            Quantity::Stiffness if self.own_stiffness => self.value(quantity, integrals),
-            Quantity::Stiffness | Quantity::Tangent => self.slope(quantity, integrals),
-            _ => self.derived(quantity, integrals),
+            Derivation::PerNominalArea(of) => Ok(self.nominal(self.total(of, integrals)?)),
+            Derivation::ContactRadii(_) => self.total(quantity, integrals),
+            Derivation::Ratio(above, below) => {
+                let above = self.value(above, integrals)?;
+                self.ratio(quantity, above, self.value(below, integrals)?)
+            }
+            Derivation::Logarithm(of) => self.logarithm(quantity, self.value(of, integrals)?),
+            Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
         }
     }
 
-    /// What follows from force, area and contact radii.
-    fn derived(
+    /// An integral, or a multiple of the sum of contact radii.
+    fn total(
         &self,
         quantity: Quantity,
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
-        match quantity {
-            Quantity::AreaFraction => Ok(self.nominal(self.value(Quantity::Area, integrals)?)),
-            Quantity::LnForce => self.logarithm(quantity, self.value(Quantity::Force, integrals)?),
-            Quantity::LnArea => self.logarithm(quantity, self.value(Quantity::Area, integrals)?),
-            Quantity::UnloadingStiffness
-            | Quantity::TangentialStiffness
-            | Quantity::ThermalConductance
-            | Quantity::ElectricalConductance => {
-                let factor = per_radius(quantity, &self.scene.interface)?;
-                let radii = self.value(Quantity::ContactRadiusSum, integrals)?;
-                let [scaled, size] = [radii.scaled, radii.size].map(|x| x * factor);
-                Evaluation { scaled, size, ..radii }.held(radii.size, quantity)
-            }
-            Quantity::ThermalConductancePerArea | Quantity::ElectricalConductancePerArea => {
-                let total = quantity.over_area().unwrap_or(quantity);
-                Ok(self.nominal(self.derived(total, integrals)?))
-            }
-            Quantity::MeanPressure => {
-                let force = self.value(Quantity::Force, integrals)?;
-                self.ratio(quantity, force, self.value(Quantity::Area, integrals)?)
-            }
-            _ => match quantity.regime() {
-                Some(regime) => self.share(quantity, regime, integrals),
-                None => Ok(self.nominal(self.value(Quantity::Force, integrals)?)),
-            },
-        }
+        let Some(factor) = quantity.radius_factor() else { return self.value(quantity, integrals) };
+        let factor = factor.on(&self.scene.interface, quantity)?;
+        let radii = self.value(quantity.origin(), integrals)?;
+        let [scaled, size] = [radii.scaled, radii.size].map(|x| x * factor);
+        Evaluation { scaled, size, ..radii }.held(radii.size, quantity)
     }
 
     fn value(
@@ -86,7 +71,7 @@ impl Reading<'_> {
         base: Quantity,
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
-        // The slope tells what a rounded separation does to the value.
+        // The slope bounds the effect of a rounded separation.
         let (moments, factor) = integrals.moments(base, self.place.rounding > 0.0)?;
         Evaluation::of_value(&moments, factor, self.place).held(moments.sizes[0], base)
     }
@@ -94,11 +79,12 @@ impl Reading<'_> {
     fn slope(
         &self,
         quantity: Quantity,
+        of: Quantity,
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
-        let (moments, factor) = integrals.moments(Quantity::Force, true)?;
-        let missed = moments.slope_within(self.place.s, self.tolerance.relative());
-        missed.map_err(failed(quantity, self.at))?;
+        let (moments, factor) = integrals.moments(of, true)?;
+        let within = moments.slope_within(self.place.s, self.tolerance.relative());
+        within.map_err(failed(quantity, self.at))?;
         let height_std = self.scene.surface.asperity_height_std;
         Evaluation::of_slope(&moments, factor, height_std, self.place)
             .held(moments.sizes[1], quantity)
@@ -113,10 +99,10 @@ impl Reading<'_> {
 
     fn logarithm(&self, quantity: Quantity, of: Evaluation) -> Result<Evaluation, ContactError> {
         let ln = self.number(quantity, of.ln_value())?;
-        Ok(Evaluation::absolute(ln, of.cancelled() + 2.0 * f64::EPSILON * ln.abs()))
+        Ok(Evaluation::absolute(ln, of.ln_error()))
     }
 
-    /// Of the scaled values, so that it has a value where both underflow.
+    /// The ratio of the scaled values, which exists where both values underflow.
     fn ratio(
         &self,
         quantity: Quantity,
@@ -125,7 +111,12 @@ impl Reading<'_> {
     ) -> Result<Evaluation, ContactError> {
         let ratio = above.scaled / below.scaled * (above.ln_scale - below.ln_scale).exp();
         let ratio = self.number(quantity, ratio)?;
-        let error = above.cancelled() + below.cancelled() + 4.0 * f64::EPSILON;
+        // One scale for both cancels, however its logarithm is rounded.
+        let scales = match above.ln_scale - below.ln_scale {
+            0.0 => 0.0,
+            moved => 0.5 * (above.ln_scale.abs() + below.ln_scale.abs() + moved.abs()),
+        };
+        let error = above.cancelled() + below.cancelled() + (scales + 4.0) * f64::EPSILON;
         Ok(Evaluation::new(ratio, error))
     }
 
@@ -138,12 +129,12 @@ impl Reading<'_> {
         let force = self.value(Quantity::Force, integrals)?;
         self.number(quantity, force.ln_value())?;
         let (share, size) = integrals.share(regime)?;
-        // Each part is as good as the tolerance, and so is what it is divided by.
+        // Each part is as good as the tolerance, and so is the force that divides it.
         let error = size * (self.tolerance.relative() + force.cancelled());
         Ok(Evaluation::absolute(share, error))
     }
 
-    /// Nothing touches where a ratio or a logarithm is no number.
+    /// Ratios and logarithms have no value where nothing is in contact.
     fn number(&self, quantity: Quantity, value: f64) -> Result<f64, ContactError> {
         match value.is_finite() {
             true => Ok(value),

@@ -1,38 +1,14 @@
-//! Many scenes, one model: what their laws have in common is integrated once.
+//! Many scenes, one model: parts that their laws have in common are integrated once.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, PoisonError, RwLock};
-
-use asperity_quadrature::{AnyScale, Density};
-
-use crate::engine::case::Worker;
-use crate::{At, ContactError, ContactModel, Evaluation, Part, Quantity, Scene, Tolerance};
+use crate::engine::parallel::{both, map_runs};
+use crate::engine::shapes::Shapes;
+use crate::engine::worker::{Question, Worker};
+use crate::{Case, ContactError, ContactModel, Evaluation, Quantity, Tolerance};
 
 /// Cases handed to a thread at a time.
 const TOGETHER: usize = 256;
 /// Cases of a stream that are held in memory.
 const HELD: usize = 16_384;
-/// Shapes that are kept.
-const SHAPES: usize = 64;
-
-/// A scene, and where it is asked about.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct Case {
-    /// The scene.
-    pub scene: Scene,
-    /// A separation or a load.
-    pub at: At,
-}
-
-impl Case {
-    /// A scene at a separation or under a load; a plain number is a separation d/σ_z from the mean
-    /// of the asperity heights.
-    #[must_use]
-    pub fn new(scene: Scene, at: impl Into<At>) -> Self {
-        Self { scene, at: at.into() }
-    }
-}
 
 /// One model on many scenes: the part of a law that recurs, up to its units and a factor, is
 /// integrated once, whatever the scale it comes back at; one that does not recur is integrated
@@ -57,26 +33,16 @@ impl Case {
 /// ```
 #[derive(Debug)]
 pub struct Sweep<'m> {
-    pub(crate) model: &'m dyn ContactModel,
-    pub(crate) quantities: Vec<Quantity>,
-    pub(crate) tolerance: Tolerance,
-    shapes: RwLock<Vec<Arc<Shape>>>,
-}
-
-/// A part of a law without its factor, and its integral.
-#[derive(Debug)]
-pub(crate) struct Shape {
-    pub(crate) part: Part,
-    pub(crate) integral: AnyScale,
-    /// Whether it has been found again.
-    recurs: AtomicBool,
+    question: Question<'m>,
+    shapes: Shapes,
 }
 
 impl<'m> Sweep<'m> {
     /// Prepares nothing: laws are built for the scenes that come.
     #[must_use]
     pub fn new(model: &'m dyn ContactModel, quantities: &[Quantity], tolerance: Tolerance) -> Self {
-        Self { model, quantities: quantities.to_vec(), tolerance, shapes: RwLock::default() }
+        let question = Question { model, quantities: quantities.to_vec(), tolerance };
+        Self { question, shapes: Shapes::default() }
     }
 
     /// The quantities of one case, in the order of the sweep's.
@@ -84,7 +50,7 @@ impl<'m> Sweep<'m> {
     /// # Errors
     /// Those of [`ContactModel::compile`] and [`Contact::evaluate_at`](crate::Contact::evaluate_at).
     pub fn evaluate(&self, case: &Case) -> Result<Vec<Evaluation>, ContactError> {
-        match Worker::new(self).run(std::slice::from_ref(case)).pop() {
+        match self.worker().run(std::slice::from_ref(case)).pop() {
             Some(answer) => answer,
             None => Ok(vec![]),
         }
@@ -93,15 +59,13 @@ impl<'m> Sweep<'m> {
     /// Every case on all cores, in order. The digits do not depend on the number of threads.
     #[must_use]
     pub fn evaluate_all(&self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
-        crate::engine::parallel::map_runs(cases, TOGETHER, |cases| Worker::new(self).run(cases))
+        map_runs(cases, TOGETHER, |cases| self.worker().run(cases))
     }
 
     /// For every case its separation d/σ_z: that of its load, the largest that carries it.
     #[must_use]
     pub fn separations(&self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        crate::engine::parallel::map_runs(cases, TOGETHER, |cases| {
-            Worker::new(self).separations(cases)
-        })
+        map_runs(cases, TOGETHER, |cases| self.worker().separations(cases))
     }
 
     /// Every case on all cores, delivered in order with its number; however many there are, some
@@ -119,10 +83,8 @@ impl<'m> Sweep<'m> {
         let mut held: Vec<Case> = cases.by_ref().take(HELD).collect();
         while !held.is_empty() {
             // The next cases are made while these are answered.
-            let (answers, next) = crate::engine::parallel::both(
-                || self.evaluate_all(&held),
-                || cases.by_ref().take(HELD).collect::<Vec<_>>(),
-            );
+            let (answers, next) =
+                both(|| self.evaluate_all(&held), || cases.by_ref().take(HELD).collect::<Vec<_>>());
             for answer in answers {
                 deliver(count, answer)?;
                 count += 1;
@@ -132,30 +94,7 @@ impl<'m> Sweep<'m> {
         Ok(())
     }
 
-    /// The shape of a part, new or known.
-    pub(crate) fn shape(&self, part: &Part) -> Arc<Shape> {
-        let known = |shapes: &[Arc<Shape>]| shapes.iter().find(|s| s.part.recurs_in(part)).cloned();
-        let shapes = self.shapes.read().unwrap_or_else(PoisonError::into_inner);
-        if let Some(shape) = known(&shapes) {
-            shape.recurs.store(true, Ordering::Relaxed);
-            return shape;
-        }
-        drop(shapes);
-        let mut shapes = self.shapes.write().unwrap_or_else(PoisonError::into_inner);
-        // Another thread may have been faster.
-        if let Some(shape) = known(&shapes) {
-            return shape;
-        }
-        let part = part.without_factor();
-        let density = Density { pieces: vec![part.piece()] };
-        let integral = AnyScale::new(density, self.tolerance.relative());
-        let shape = Arc::new(Shape { part, integral, recurs: AtomicBool::new(false) });
-        if shapes.len() >= SHAPES {
-            shapes.retain(|shape| shape.recurs.load(Ordering::Relaxed));
-        }
-        if shapes.len() < SHAPES {
-            shapes.push(shape.clone());
-        }
-        shape
+    fn worker(&self) -> Worker<'_> {
+        Worker::new(&self.question, &self.shapes)
     }
 }

@@ -1,4 +1,4 @@
-//! The sum of the contact radii S = Σ √(Aᵢ/π), and what it says of joints.
+//! The sum of the contact radii S = Σ √(Aᵢ/π), and the stiffnesses and conductances of joints.
 //!
 //! Exact for upright asperities whose contacts are circles:
 //! ```text
@@ -7,44 +7,68 @@
 //! thermal conductance       2 k S         k = 2k₁k₂/(k₁+k₂), contacts far from each other    [derived]
 //! electrical conductance    2 S/ρ         ρ = (ρ₁+ρ₂)/2                                      [seen]
 //! ```
-//! Beside contacts that stick and are stretched (JKR) the first holds for motions so small that the
-//! edges stay where they are; opening farther has a curve of its own (`jkr-separation`).
+//! For contacts with adhesion (JKR) the first holds for motions so small that the edges of the
+//! contacts stay in place; farther opening has a law of its own (`jkr-separation`).
 //!
-//! The contacts constrict the flow each for itself: the constriction factor is 1.
+//! Each contact constricts the flow alone: the constriction factor is 1.
 
 use std::f64::consts::PI;
 
 use crate::{AsperityModel, ContactError, Formula, Interface, Law, Power, Quantity};
 
-/// What a unit of S brings.
-pub(crate) fn per_radius(quantity: Quantity, interface: &Interface) -> Result<f64, ContactError> {
-    let total = quantity.over_area().unwrap_or(quantity);
-    let given = |field: &'static str, value: Option<f64>, of: &str| {
-        let reason = format!("{quantity}{of} needs it");
-        value.ok_or(ContactError::Missing { field, reason })
-    };
-    let bodies = " (that of the interface, or those of both bodies)";
-    match total {
-        Quantity::UnloadingStiffness => Ok(2.0 * interface.equivalent_modulus),
-        Quantity::TangentialStiffness => {
-            let shear = interface.equivalent_shear_modulus;
-            Ok(8.0 * given("equivalent_shear_modulus", shear, "")?)
-        }
-        Quantity::ThermalConductance => {
-            let conductivity = interface.thermal_conductivity;
-            Ok(2.0 * given("thermal_conductivity", conductivity, bodies)?)
-        }
-        Quantity::ElectricalConductance => {
-            let resistivity = interface.electrical_resistivity;
-            Ok(2.0 / given("electrical_resistivity", resistivity, bodies)?)
-        }
-        _ => Ok(1.0),
+/// A property of the interface that turns S into a stiffness or a conductance.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RadiusFactor {
+    /// The factor, if the interface has the property.
+    factor: fn(&Interface) -> Option<f64>,
+    /// The property, as in scene files, and whose it may be.
+    field: &'static str,
+    whose: &'static str,
+}
+
+const EITHER: &str = " (that of the interface, or those of both bodies)";
+
+/// 2 E.
+pub(crate) const UNLOADING: RadiusFactor = RadiusFactor {
+    factor: |interface| Some(2.0 * interface.equivalent_modulus),
+    field: "equivalent_modulus",
+    whose: "",
+};
+/// 8 G.
+pub(crate) const SHEAR: RadiusFactor = RadiusFactor {
+    factor: |interface| interface.equivalent_shear_modulus.map(|shear| 8.0 * shear),
+    field: "equivalent_shear_modulus",
+    whose: "",
+};
+/// 2 k.
+pub(crate) const THERMAL: RadiusFactor = RadiusFactor {
+    factor: |interface| interface.thermal_conductivity.map(|conductivity| 2.0 * conductivity),
+    field: "thermal_conductivity",
+    whose: EITHER,
+};
+/// 2/ρ.
+pub(crate) const ELECTRICAL: RadiusFactor = RadiusFactor {
+    factor: |interface| interface.electrical_resistivity.map(|resistivity| 2.0 / resistivity),
+    field: "electrical_resistivity",
+    whose: EITHER,
+};
+
+impl RadiusFactor {
+    /// The factor of S in `quantity`.
+    pub(crate) fn on(self, interface: &Interface, quantity: Quantity) -> Result<f64, ContactError> {
+        let Self { factor, field, whose } = self;
+        let reason = || format!("{quantity}{whose} needs it");
+        let missing = || ContactError::Missing { field, reason: reason() };
+        factor(interface).ok_or_else(missing)
     }
 }
 
-/// Refuses what the interface lacks an input for.
+/// Refuses a quantity if the interface lacks an input for it.
 pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<(), ContactError> {
-    quantities.iter().try_for_each(|quantity| per_radius(*quantity, interface).map(drop))
+    quantities.iter().try_for_each(|quantity| match quantity.radius_factor() {
+        Some(factor) => factor.on(interface, *quantity).map(drop),
+        None => Ok(()),
+    })
 }
 
 /// The law a(w) of a contact's radius, from that of its area.

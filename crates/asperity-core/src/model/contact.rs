@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::engine::arrays::{self, FillReport};
+use crate::engine::parallel;
 use crate::response::{Cell, Response, respond};
 use crate::{
     At, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share, Warning,
@@ -58,8 +59,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         separations: &[f64],
         columns: &mut [&mut [f64]],
     ) -> Result<FillReport, ContactError> {
-        arrays::check(quantities, separations, columns)?;
-        arrays::one_by_one(self, quantities, separations, columns)
+        arrays::fill(self, None, quantities, separations, columns)
     }
 
     /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane (of
@@ -132,7 +132,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
             let of = |q: &Quantity| places.iter().map(|place| at(*q, place)).collect();
             request.quantities.iter().map(of).collect()
         };
-        let cells = |places: &[At]| crate::engine::parallel::columns(places, columns);
+        let cells = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
         respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
     }
@@ -218,69 +218,5 @@ impl dyn Contact + '_ {
         at: impl Into<At>,
     ) -> Result<Evaluation, ContactError> {
         self.second_derivative_at(quantity, at.into())
-    }
-}
-
-/// So that a reference to a box is a contact too.
-impl Contact for Box<dyn Contact> {
-    fn model(&self) -> &str {
-        (**self).model()
-    }
-
-    fn scene(&self) -> &Scene {
-        (**self).scene()
-    }
-
-    fn quantities(&self) -> &[Quantity] {
-        (**self).quantities()
-    }
-
-    fn notes(&self) -> &[Warning] {
-        (**self).notes()
-    }
-
-    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        (**self).evaluate_at(quantity, at)
-    }
-
-    fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
-        (**self).force_and_tangent_at(at)
-    }
-
-    fn fill(
-        &self,
-        quantities: &[Quantity],
-        separations: &[f64],
-        columns: &mut [&mut [f64]],
-    ) -> Result<FillReport, ContactError> {
-        (**self).fill(quantities, separations, columns)
-    }
-
-    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
-        (**self).separations_at(load)
-    }
-
-    fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
-        (**self).separation_at(load)
-    }
-
-    fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
-        (**self).shares_at(quantity, at)
-    }
-
-    fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        (**self).second_derivative_at(quantity, at)
-    }
-
-    fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
-        (**self).plan(request)
-    }
-
-    fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
-        (**self).on(scene)
-    }
-
-    fn respond(&self, request: &Request) -> Response {
-        (**self).respond(request)
     }
 }

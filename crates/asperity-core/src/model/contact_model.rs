@@ -1,7 +1,10 @@
 //! A contact model: named, swapped, applied to scenes.
 
+use std::sync::Arc;
+
 use crate::engine::compiled::Compiled;
-use crate::engine::few::few;
+use crate::engine::list::{answer_alone, answer_prepared, is_short};
+use crate::engine::prepared::{Facts, Prepared};
 use crate::{
     Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
     Scene, Tolerance,
@@ -62,9 +65,10 @@ impl<M: AsperityModel> ContactModel for M {
     }
 
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
-        match few(self, scene, request)? {
-            Some(answer) => Ok(answer),
-            None => Ok(Compiled::new(self, scene, request)?.respond(request)),
+        let facts = Facts::new(self, scene, request)?;
+        match is_short(request, scene) {
+            true => answer_alone(&facts, scene, request),
+            false => Ok(answer_prepared(&Prepared::new(Arc::new(facts), scene)?, request)),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The request: quantities, separations or loads, tolerance.
 
 pub(crate) mod quantity;
+pub(crate) mod quantity_table;
 pub(crate) mod separation;
 pub(crate) mod tolerance;
 

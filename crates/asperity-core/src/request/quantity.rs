@@ -1,182 +1,125 @@
-//! What can be asked of a contact.
+//! What follows from the table of quantities: names, units, labels and sources.
 
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
 use strsim::osa_distance;
 
-use crate::{ContactError, Regime};
-
-/// A quantity of the whole contact, by the name users ask for it.
-///
-/// ```
-/// use asperity_core::Quantity;
-///
-/// let quantity: Quantity = "mean-pressure".parse()?;
-/// assert_eq!((quantity.to_string().as_str(), quantity.unit()), ("mean-pressure", "Pa"));
-/// let mistyped = "stifness".parse::<Quantity>().unwrap_err().to_string();
-/// assert!(mistyped.contains("did you mean \"stiffness\"?"));
-/// # Ok::<(), asperity_core::ContactError>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Quantity {
-    /// Normal contact force \[N\].
-    Force,
-    /// Real contact area \[m²\].
-    Area,
-    /// Stiffness \[N/m\] as the model's paper defines it: the tangent for the models of upright
-    /// asperities, an average of asperity stiffnesses for Gao and AT.
-    Stiffness,
-    /// -dF/dd \[N/m\], jumps of the law included.
-    Tangent,
-    /// Force over nominal area \[Pa\].
-    Pressure,
-    /// Real over nominal area.
-    AreaFraction,
-    /// Number of asperities that touch: η A_n ∫ g(d + w) dw, the same for every model.
-    Contacts,
-    /// Sum of the contact radii √(A/π) \[m\], for upright asperities with circular contacts: what
-    /// the next six follow from.
-    ContactRadiusSum,
-    /// 2 E Σ a \[N/m\]: what small vibrations, ultrasound and modal tests feel, the slope at which
-    /// unloading begins. First loading follows the tangent, which is smaller where asperities yield.
-    /// Of contacts that stick (JKR), with edges that stay where they are, as they do for small motions.
-    UnloadingStiffness,
-    /// 8 G Σ a \[N/m\] in stick (Mindlin); needs the equivalent shear modulus.
-    TangentialStiffness,
-    /// 2 k Σ a \[W/K\], of contacts far from each other; needs the thermal conductivity.
-    ThermalConductance,
-    /// 2 Σ a/ρ \[S\], of contacts far from each other; needs the electrical resistivity.
-    ElectricalConductance,
-    /// The thermal conductance over the nominal area \[W/(m² K)\].
-    ThermalConductancePerArea,
-    /// The electrical conductance over the nominal area \[S/m²\].
-    ElectricalConductancePerArea,
-    /// Force over real area \[Pa\].
-    MeanPressure,
-    /// Natural logarithm of the absolute force in newtons, also where the force underflows.
-    LnForce,
-    /// Natural logarithm of the absolute area in square metres.
-    LnArea,
-    /// Share of the force that elastic asperities carry; signed where a model subtracts a part.
-    ElasticShare,
-    /// Share of the force that elastic-plastic asperities carry.
-    ElasticPlasticShare,
-    /// Share of the force that plastic asperities carry.
-    PlasticShare,
-}
+use crate::law::contact_radii::RadiusFactor;
+use crate::request::quantity_table::Derivation;
+use crate::{ContactError, Quantity, Regime};
 
 impl Quantity {
-    /// All quantities.
-    pub const ALL: [Self; 20] = [
-        Self::Force,
-        Self::Area,
-        Self::Stiffness,
-        Self::Tangent,
-        Self::Pressure,
-        Self::AreaFraction,
-        Self::Contacts,
-        Self::ContactRadiusSum,
-        Self::UnloadingStiffness,
-        Self::TangentialStiffness,
-        Self::ThermalConductance,
-        Self::ElectricalConductance,
-        Self::ThermalConductancePerArea,
-        Self::ElectricalConductancePerArea,
-        Self::MeanPressure,
-        Self::LnForce,
-        Self::LnArea,
-        Self::ElasticShare,
-        Self::ElasticPlasticShare,
-        Self::PlasticShare,
-    ];
-
     /// SI unit, as in the heads of tables; empty for pure numbers.
     #[must_use]
     pub fn unit(self) -> &'static str {
-        match self {
-            Self::Force => "N",
-            Self::Area => "m2",
-            Self::Stiffness
-            | Self::Tangent
-            | Self::UnloadingStiffness
-            | Self::TangentialStiffness => "N/m",
-            Self::ContactRadiusSum => "m",
-            Self::ThermalConductance => "W/K",
-            Self::ElectricalConductance => "S",
-            Self::ThermalConductancePerArea => "W/m2/K",
-            Self::ElectricalConductancePerArea => "S/m2",
-            Self::Pressure | Self::MeanPressure => "Pa",
-            Self::LnForce => "ln N",
-            Self::LnArea => "ln m2",
-            _ => "",
-        }
+        self.entry().unit
     }
 
-    /// Its column in a table, unit included: `force_N`, `tangent_N_per_m`, `contacts`.
+    /// Symbol, in ASCII: `F`, `A/A_n`, `ln F`.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        self.entry().symbol
+    }
+
+    /// Name in words, without a unit, as beside an axis: `thermal conductance per area`.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        self.entry().label
+    }
+
+    /// Definition in one sentence.
+    #[must_use]
+    pub fn definition(self) -> &'static str {
+        self.entry().definition
+    }
+
+    /// Column in a table, unit included: `force_N`, `tangent_N_per_m`, `contacts`.
     #[must_use]
     pub fn column(self) -> String {
-        let (name, unit) = (self.to_string().replace('-', "_"), self.unit().replace('/', "_per_"));
+        let (name, unit) = (self.entry().name.replace('-', "_"), self.unit().replace('/', "_per_"));
         match unit.as_str() {
             "" => name,
             unit => format!("{name}_{}", unit.replace(' ', "_")),
         }
     }
 
-    /// What it is over the nominal area, of a conductance per nominal area.
-    pub(crate) fn over_area(self) -> Option<Self> {
-        match self {
-            Self::ThermalConductancePerArea => Some(Self::ThermalConductance),
-            Self::ElectricalConductancePerArea => Some(Self::ElectricalConductance),
-            _ => None,
-        }
+    #[inline]
+    pub(crate) fn derivation(self) -> Derivation {
+        self.entry().derivation
     }
 
-    /// Whether its errors and deviations are differences: those of logarithms and shares are.
+    /// Whether errors and deviations are absolute: those of logarithms and shares are.
     #[must_use]
     pub fn is_absolute(self) -> bool {
-        matches!(self, Self::LnForce | Self::LnArea) || self.regime().is_some()
+        matches!(self.derivation(), Derivation::Logarithm(_) | Derivation::RegimeShare(_))
     }
 
-    /// The regime whose share it is.
+    /// The regime, for the share of a regime.
     #[must_use]
     pub fn regime(self) -> Option<Regime> {
-        match self {
-            Self::ElasticShare => Some(Regime::Elastic),
-            Self::ElasticPlasticShare => Some(Regime::ElasticPlastic),
-            Self::PlasticShare => Some(Regime::Plastic),
-            _ => None,
+        match self.derivation() {
+            Derivation::RegimeShare(regime) => Some(regime),
+            Derivation::Integral
+            | Derivation::IntegralOrSlope(_)
+            | Derivation::Slope(_)
+            | Derivation::PerNominalArea(_)
+            | Derivation::ContactRadii(_)
+            | Derivation::Ratio(..)
+            | Derivation::Logarithm(_) => None,
         }
+    }
+
+    /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
+    pub(crate) fn origin(self) -> Self {
+        match self.derivation() {
+            Derivation::Integral | Derivation::IntegralOrSlope(_) | Derivation::Slope(_) => self,
+            Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
+            Derivation::Ratio(above, _) => above.origin(),
+            Derivation::ContactRadii(_) => Self::ContactRadiusSum,
+            Derivation::RegimeShare(_) => Self::Force,
+        }
+    }
+
+    /// The property of the interface that this quantity needs, for a stiffness or a conductance.
+    pub(crate) fn radius_factor(self) -> Option<RadiusFactor> {
+        match self.derivation() {
+            Derivation::ContactRadii(factor) => Some(factor),
+            Derivation::PerNominalArea(of) => of.radius_factor(),
+            Derivation::Integral
+            | Derivation::IntegralOrSlope(_)
+            | Derivation::Slope(_)
+            | Derivation::Ratio(..)
+            | Derivation::Logarithm(_)
+            | Derivation::RegimeShare(_) => None,
+        }
+    }
+
+    /// The laws whose integrals this quantity needs, for a model with or without a law of the
+    /// stiffness.
+    pub(crate) fn laws(self, own_stiffness: bool) -> impl Iterator<Item = Self> {
+        let (first, second) = match self.derivation() {
+            Derivation::Integral => (self, None),
+            Derivation::IntegralOrSlope(_) if own_stiffness => (self, None),
+            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => (of, None),
+            Derivation::Ratio(above, below) => (above, Some(below)),
+            Derivation::PerNominalArea(_)
+            | Derivation::Logarithm(_)
+            | Derivation::ContactRadii(_)
+            | Derivation::RegimeShare(_) => (self.origin(), None),
+        };
+        std::iter::once(first).chain(second)
+    }
+
+    /// Whether this quantity is the slope of an integral.
+    pub(crate) fn is_slope(self) -> bool {
+        matches!(self.derivation(), Derivation::IntegralOrSlope(_) | Derivation::Slope(_))
     }
 }
 
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Force => "force",
-            Self::Area => "area",
-            Self::Stiffness => "stiffness",
-            Self::Tangent => "tangent",
-            Self::Pressure => "pressure",
-            Self::AreaFraction => "area-fraction",
-            Self::Contacts => "contacts",
-            Self::ContactRadiusSum => "contact-radius-sum",
-            Self::UnloadingStiffness => "unloading-stiffness",
-            Self::TangentialStiffness => "tangential-stiffness",
-            Self::ThermalConductance => "thermal-conductance",
-            Self::ElectricalConductance => "electrical-conductance",
-            Self::ThermalConductancePerArea => "thermal-conductance-per-area",
-            Self::ElectricalConductancePerArea => "electrical-conductance-per-area",
-            Self::MeanPressure => "mean-pressure",
-            Self::LnForce => "ln-force",
-            Self::LnArea => "ln-area",
-            Self::ElasticShare => "elastic-share",
-            Self::ElasticPlasticShare => "elastic-plastic-share",
-            Self::PlasticShare => "plastic-share",
-        })
+        f.pad(self.entry().name)
     }
 }
 
@@ -209,6 +152,35 @@ impl FromStr for Quantity {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn definitions_and_labels_stand_for_themselves() {
+        for quantity in Quantity::ALL {
+            let (label, definition) = (quantity.label(), quantity.definition());
+            assert!(!label.contains('-') || quantity == Quantity::ElasticPlasticShare, "{label}");
+            assert!(definition.ends_with('.') && !definition.contains("  "), "{definition}");
+            let same = |other: &Quantity| other.label() == label;
+            assert_eq!(Quantity::ALL.iter().filter(|other| same(other)).count(), 1);
+        }
+        assert_eq!(Quantity::ThermalConductancePerArea.label(), "thermal conductance per area");
+    }
+
+    #[test]
+    fn signs_come_from_an_integral_or_a_slope() {
+        use Quantity::{Area, ContactRadiusSum, Force};
+        for (quantity, origin) in [
+            (Quantity::MeanPressure, Force),
+            (Quantity::LnArea, Area),
+            (Quantity::ElectricalConductancePerArea, ContactRadiusSum),
+            (Quantity::PlasticShare, Force),
+            (Quantity::Tangent, Quantity::Tangent),
+        ] {
+            assert_eq!(quantity.origin(), origin);
+        }
+        for quantity in Quantity::ALL {
+            assert_eq!(quantity.origin().origin(), quantity.origin());
+        }
+    }
 
     #[test]
     fn a_separation_is_no_quantity_and_comes_unasked() {

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use asperity_quadrature::Moments;
 use serde::Serialize;
 
+use crate::request::quantity_table::Derivation;
 use crate::request::separation::Place;
 use crate::{ContactError, Quantity, Regime};
 
@@ -46,21 +47,28 @@ impl Evaluation {
         nominal_area: f64,
         error: f64,
     ) -> Option<Self> {
-        let value = match quantity {
-            Quantity::Force => force,
-            Quantity::Area => area,
-            Quantity::Pressure => force / nominal_area,
-            Quantity::AreaFraction => area / nominal_area,
-            Quantity::MeanPressure => force / area,
-            Quantity::LnForce => force.ln(),
-            Quantity::LnArea => area.ln(),
-            _ => return None,
-        };
-        Some(match quantity {
-            _ if quantity.is_absolute() => Self::absolute(value, error * (1.0 + value.abs())),
-            Quantity::MeanPressure => Self::new(value, 2.0 * error),
-            _ => Self::new(value, error),
-        })
+        let of = |quantity| Self::of_totals(quantity, (force, area), nominal_area, error);
+        match quantity.derivation() {
+            Derivation::Integral => {
+                let totals = [(Quantity::Force, force), (Quantity::Area, area)];
+                let found = totals.into_iter().find(|(known, _)| *known == quantity);
+                found.map(|(_, value)| Self::new(value, error))
+            }
+            Derivation::PerNominalArea(total) => {
+                of(total).map(|total| Self::new(total.value() / nominal_area, error))
+            }
+            Derivation::Ratio(above, below) => {
+                Some(Self::new(of(above)?.value() / of(below)?.value(), 2.0 * error))
+            }
+            Derivation::Logarithm(total) => {
+                let value = of(total)?.value().ln();
+                Some(Self::absolute(value, error * (1.0 + value.abs())))
+            }
+            Derivation::IntegralOrSlope(_)
+            | Derivation::Slope(_)
+            | Derivation::ContactRadii(_)
+            | Derivation::RegimeShare(_) => None,
+        }
     }
 
     /// The value; 0 only where it is below the smallest number a double can hold.
@@ -147,6 +155,17 @@ impl Evaluation {
         let off = of(own, self.relative_error()) + of(others, other.relative_error());
         let error = if size > 0.0 { off / size + f64::EPSILON } else { 0.0 };
         Self { scaled: own - others, ln_scale: 0.0, size, error }
+    }
+
+    /// Bound on the absolute error of [`ln_value`](Self::ln_value).
+    pub(crate) fn ln_error(&self) -> f64 {
+        let relative = self.cancelled();
+        let of_value = if relative < 1.0 { -(-relative).ln_1p() } else { f64::INFINITY };
+        // The logarithms of scale and scaled value are each rounded, and so is their sum, which may
+        // be much smaller than both; the scaled value is a product.
+        let (scale, scaled) = (self.ln_scale.abs(), self.scaled.abs().ln());
+        let rounded = 0.5 * scale + scaled.abs() + 0.5 * (self.ln_scale + scaled).abs() + 3.0;
+        of_value + rounded * f64::EPSILON
     }
 
     /// The error relative to the scaled value.

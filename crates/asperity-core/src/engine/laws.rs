@@ -1,0 +1,95 @@
+//! The laws of one asperity that a request needs.
+
+use std::sync::Arc;
+
+use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Tolerance, Validity};
+
+/// The laws of one asperity that quantities follow from.
+#[derive(Debug)]
+pub(crate) struct Laws {
+    pub(crate) asperity: Asperity,
+    /// Whether the model has a law for the stiffness; false if no stiffness is asked for.
+    pub(crate) own_stiffness: bool,
+    /// Whether the force never rises with the separation.
+    pub(crate) monotone: bool,
+    /// Whether loads may be tensions.
+    pub(crate) adhesive: bool,
+    pub(crate) laws: Vec<(Quantity, Arc<Law>)>,
+    by_load: bool,
+}
+
+impl Laws {
+    /// Those that these quantities need, and the force's if any place is a load.
+    pub(crate) fn new(
+        model: &dyn AsperityModel,
+        asperity: Asperity,
+        quantities: &[Quantity],
+        by_load: bool,
+        tolerance: Tolerance,
+    ) -> Result<Self, ContactError> {
+        let Validity { force_monotone: monotone, adhesive, .. } = model.validity();
+        let (own_stiffness, laws) = (false, vec![]);
+        let mut found = Self { asperity, own_stiffness, monotone, adhesive, laws, by_load };
+        for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
+            if quantity == Quantity::Stiffness && !found.own_stiffness {
+                let own = model.law(&asperity, quantity, tolerance)?;
+                found.own_stiffness = own.is_some();
+                found.laws.extend(own.map(|law| (quantity, Arc::new(law))));
+            }
+            for base in quantity.laws(found.own_stiffness) {
+                if found.law(base).is_none() {
+                    let law = make(model, &asperity, base, tolerance)?;
+                    found.laws.push((base, Arc::new(law)));
+                }
+            }
+        }
+        // Without any work of adhesion no load is a tension.
+        found.adhesive &= found.law(Quantity::Force).is_some_and(|law| law.is_signed());
+        Ok(found)
+    }
+
+    /// The law of this quantity.
+    pub(crate) fn law(&self, base: Quantity) -> Option<&Arc<Law>> {
+        self.laws.iter().find(|(known, _)| *known == base).map(|(_, law)| law)
+    }
+
+    /// Whether a part is subtracted in any of them.
+    pub(crate) fn are_signed(&self) -> bool {
+        self.laws.iter().any(|(_, law)| law.is_signed())
+    }
+
+    /// Whether they belong to this asperity and suffice.
+    pub(crate) fn serve(&self, asperity: &Asperity, by_load: bool) -> bool {
+        self.asperity == *asperity && (self.by_load || !by_load)
+    }
+}
+
+/// Whether any of these places is a load or a pressure.
+pub(crate) fn any_load(places: &[At]) -> bool {
+    places.iter().any(|at| !matches!(at, At::Separation(_)))
+}
+
+/// The model's law, or the one that every model has.
+fn make(
+    model: &dyn AsperityModel,
+    asperity: &Asperity,
+    base: Quantity,
+    tolerance: Tolerance,
+) -> Result<Law, ContactError> {
+    if let Some(law) = model.law(asperity, base, tolerance)? {
+        return Ok(law);
+    }
+    let area = || make(model, asperity, Quantity::Area, tolerance);
+    if base == Quantity::Contacts {
+        // Every asperity within reach is a contact; with adhesion, wherever there is an area.
+        return Ok(match model.validity().adhesive {
+            true => area()
+                .map(|area| Law::counting(area.interference_unit).beginning_at(area.begins))?,
+            false => Law::counting(asperity.radius),
+        });
+    }
+    if base == Quantity::ContactRadiusSum {
+        return crate::law::contact_radii::law(model, &area()?);
+    }
+    Err(ContactError::NoLaw { model: model.name().into(), quantity: base })
+}

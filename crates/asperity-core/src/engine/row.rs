@@ -1,0 +1,141 @@
+//! The quantities at one place: each integral is made when asked for and kept, or made beforehand
+//! with those of a run of places.
+
+use asperity_quadrature::Moments;
+
+use crate::engine::averages::{Averages, place, shares};
+use crate::engine::readings::{Integrals, Reading};
+use crate::request::separation::Place;
+use crate::response::Cell;
+use crate::{At, ContactError, Evaluation, Quantity, Regime};
+
+/// Number of quantities with laws: force, area, stiffness, contacts and contact radii.
+const LAWS: usize = 5;
+
+/// The integral of one law, with its slope or without.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LawIntegral {
+    pub(crate) base: Quantity,
+    pub(crate) moments: Moments,
+    pub(crate) has_slope: bool,
+}
+
+/// The quantities at one place.
+pub(crate) struct Row<'a, 's, A> {
+    reading: Reading<'s>,
+    integrals: AtPlace<'a, A>,
+}
+
+/// The integrals at one place.
+struct AtPlace<'a, A> {
+    averages: &'a mut A,
+    place: (f64, At),
+    /// Whether slopes are made with values.
+    slopes: bool,
+    made: [Option<LawIntegral>; LAWS],
+}
+
+impl<'a, 's, A: Averages<'s>> Row<'a, 's, A> {
+    /// The row for these quantities; a load is inverted.
+    #[inline]
+    pub(crate) fn new(
+        averages: &'a mut A,
+        quantities: &[Quantity],
+        at: At,
+    ) -> Result<Self, ContactError> {
+        let place = place(averages, at)?;
+        let slopes = place.rounding > 0.0 || quantities.iter().any(|q| q.is_slope());
+        Ok(Self::with(averages, (place, at), slopes, []))
+    }
+
+    /// The row where these integrals are known.
+    #[inline]
+    pub(crate) fn with(
+        averages: &'a mut A,
+        (place, at): (Place, At),
+        slopes: bool,
+        known: impl IntoIterator<Item = LawIntegral>,
+    ) -> Self {
+        let scene = averages.scene();
+        let own_stiffness = averages.laws().own_stiffness;
+        let reading = Reading { scene, own_stiffness, tolerance: averages.tolerance(), place, at };
+        let mut integrals = AtPlace { averages, place: (place.s, at), slopes, made: [None; LAWS] };
+        known.into_iter().for_each(|known| integrals.keep(known));
+        Self { reading, integrals }
+    }
+
+    /// One quantity.
+    #[inline]
+    pub(crate) fn quantity(&mut self, quantity: Quantity) -> Result<Evaluation, ContactError> {
+        self.integrals.averages.check_requested(quantity)?;
+        self.unchecked(quantity)
+    }
+
+    /// One quantity, whether or not it was requested.
+    #[inline]
+    pub(crate) fn unchecked(&mut self, quantity: Quantity) -> Result<Evaluation, ContactError> {
+        self.reading.of(quantity, &mut self.integrals)
+    }
+}
+
+/// The cells of one row.
+pub(crate) fn cells<'s>(
+    averages: &mut impl Averages<'s>,
+    quantities: &[Quantity],
+    at: At,
+) -> Vec<Cell> {
+    let requested = quantities.iter().map(|q| averages.check_requested(*q)).collect::<Vec<_>>();
+    let row = Row::new(averages, quantities, at).map_err(Box::new);
+    let refused = |requested: Result<(), ContactError>, error: &ContactError| {
+        Err(Box::new(requested.err().unwrap_or_else(|| error.clone())))
+    };
+    match row {
+        Ok(mut row) => quantities.iter().map(|q| row.quantity(*q).map_err(Box::new)).collect(),
+        Err(error) => requested.into_iter().map(|requested| refused(requested, &error)).collect(),
+    }
+}
+
+impl<A> AtPlace<'_, A> {
+    #[inline]
+    fn keep(&mut self, integral: LawIntegral) {
+        if let Some(free) = self.made.iter_mut().find(|made| made.is_none()) {
+            *free = Some(integral);
+        }
+    }
+}
+
+impl<'s, A: Averages<'s>> AtPlace<'_, A> {
+    #[inline]
+    fn make(&mut self, base: Quantity, slope: bool) -> Result<LawIntegral, ContactError> {
+        self.averages.settle(base, self.place)?;
+        let mut made = |has_slope| {
+            let moments = self.averages.integral(base, self.place, has_slope)?;
+            Ok(LawIntegral { base, moments, has_slope })
+        };
+        match made(slope || self.slopes) {
+            // A value does not fail for a slope that it does not need.
+            Err(_) if self.slopes && !slope => made(false),
+            made => made,
+        }
+    }
+}
+
+impl<'s, A: Averages<'s>> Integrals for AtPlace<'_, A> {
+    #[inline]
+    fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
+        let factor = self.averages.units(base)?.factor;
+        let serves = |made: &&LawIntegral| made.base == base && (made.has_slope || !slope);
+        if let Some(made) = self.made.iter().flatten().find(serves) {
+            return Ok((made.moments, factor));
+        }
+        let made = self.make(base, slope)?;
+        self.keep(made);
+        Ok((made.moments, factor))
+    }
+
+    fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {
+        let shares = shares(self.averages, Quantity::Force, self.place)?;
+        let of_regime = shares.iter().filter(|share| share.regime == regime);
+        Ok(of_regime.fold((0.0, 0.0), |(sum, size), s| (sum + s.share, size + s.share.abs())))
+    }
+}

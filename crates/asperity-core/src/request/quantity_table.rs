@@ -1,0 +1,209 @@
+//! The table of quantities: one entry for each, and everything else follows from it.
+
+use serde::{Deserialize, Serialize};
+
+use crate::Regime;
+use crate::law::contact_radii::{ELECTRICAL, RadiusFactor, SHEAR, THERMAL, UNLOADING};
+
+/// How a quantity follows from the laws of one asperity.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Derivation {
+    /// The integral of a law of its own over the heights.
+    Integral,
+    /// The same for models with such a law; for others the [`Slope`](Self::Slope) of this.
+    IntegralOrSlope(Quantity),
+    /// -d/dd of an integral.
+    Slope(Quantity),
+    /// Over the nominal area.
+    PerNominalArea(Quantity),
+    /// The sum of the contact radii times a property of the interface.
+    ContactRadii(RadiusFactor),
+    /// One integral over another.
+    Ratio(Quantity, Quantity),
+    /// The natural logarithm of the absolute value of an integral.
+    Logarithm(Quantity),
+    /// The share of a regime in the force.
+    RegimeShare(Regime),
+}
+
+/// An entry of the table.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Entry {
+    pub(crate) name: &'static str,
+    pub(crate) symbol: &'static str,
+    pub(crate) unit: &'static str,
+    pub(crate) label: &'static str,
+    pub(crate) definition: &'static str,
+    pub(crate) derivation: Derivation,
+}
+
+macro_rules! quantities {
+    ($($(#[$remark:meta])* $variant:ident {
+        name: $name:literal, symbol: $symbol:literal, unit: $unit:literal, label: $label:literal,
+        definition: $definition:literal, derivation: $derivation:expr $(,)?
+    })*) => {
+        /// A quantity of the whole contact, by the name users ask for it.
+        ///
+        /// ```
+        /// use asperity_core::Quantity;
+        ///
+        /// let quantity: Quantity = "mean-pressure".parse()?;
+        /// assert_eq!((quantity.to_string().as_str(), quantity.unit()), ("mean-pressure", "Pa"));
+        /// let mistyped = "stifness".parse::<Quantity>().unwrap_err().to_string();
+        /// assert!(mistyped.contains("did you mean \"stiffness\"?"));
+        /// # Ok::<(), asperity_core::ContactError>(())
+        /// ```
+        #[derive(
+            Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+        )]
+        #[serde(rename_all = "kebab-case")]
+        #[non_exhaustive]
+        pub enum Quantity {
+            $(
+                #[doc = concat!("`", $name, "` \\[", $unit, "\\]: ", $definition)]
+                $(#[$remark])*
+                $variant,
+            )*
+        }
+
+        impl Quantity {
+            /// All quantities.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
+
+            pub(crate) const fn entry(self) -> &'static Entry {
+                match self {
+                    $(Self::$variant => {
+                        const ENTRY: Entry = Entry {
+                            name: $name,
+                            symbol: $symbol,
+                            unit: $unit,
+                            label: $label,
+                            definition: $definition,
+                            derivation: $derivation,
+                        };
+                        &ENTRY
+                    })*
+                }
+            }
+        }
+    };
+}
+
+quantities! {
+    Force {
+        name: "force", symbol: "F", unit: "N", label: "force",
+        definition: "Normal force between the surfaces, over the whole nominal area.",
+        derivation: Derivation::Integral,
+    }
+    Area {
+        name: "area", symbol: "A", unit: "m2", label: "real contact area",
+        definition: "Real contact area: the sum of the areas of all contacts.",
+        derivation: Derivation::Integral,
+    }
+    Stiffness {
+        name: "stiffness", symbol: "K", unit: "N/m", label: "stiffness",
+        definition: "Stiffness as the model's paper defines it: the tangent for models of upright \
+            asperities, an average of asperity stiffnesses for Gao and AT.",
+        derivation: Derivation::IntegralOrSlope(Quantity::Force),
+    }
+    Tangent {
+        name: "tangent", symbol: "-dF/dd", unit: "N/m", label: "tangent stiffness",
+        definition: "Fall of the force with the separation, -dF/dd, jumps of the law included.",
+        derivation: Derivation::Slope(Quantity::Force),
+    }
+    Pressure {
+        name: "pressure", symbol: "p", unit: "Pa", label: "pressure",
+        definition: "Force over the nominal area.",
+        derivation: Derivation::PerNominalArea(Quantity::Force),
+    }
+    AreaFraction {
+        name: "area-fraction", symbol: "A/A_n", unit: "", label: "real over nominal area",
+        definition: "Real contact area over the nominal area.",
+        derivation: Derivation::PerNominalArea(Quantity::Area),
+    }
+    Contacts {
+        name: "contacts", symbol: "N", unit: "", label: "number of contacts",
+        definition: "Number of asperities in contact.",
+        derivation: Derivation::Integral,
+    }
+    /// Needs upright asperities with circular contacts.
+    ContactRadiusSum {
+        name: "contact-radius-sum", symbol: "sum a", unit: "m", label: "sum of contact radii",
+        definition: "Sum of the radii a = (A/pi)^(1/2) of all contacts.",
+        derivation: Derivation::Integral,
+    }
+    /// Small vibrations, ultrasound and modal tests measure this slope. First loading follows the
+    /// tangent, which is smaller where asperities yield. For contacts with adhesion (JKR) it holds
+    /// for motions so small that the edges of the contacts stay in place.
+    UnloadingStiffness {
+        name: "unloading-stiffness", symbol: "K_u", unit: "N/m", label: "unloading stiffness",
+        definition: "Stiffness at the start of elastic unloading, 2 E times the sum of contact radii.",
+        derivation: Derivation::ContactRadii(UNLOADING),
+    }
+    /// Needs the equivalent shear modulus.
+    TangentialStiffness {
+        name: "tangential-stiffness", symbol: "K_t", unit: "N/m", label: "tangential stiffness",
+        definition: "Tangential stiffness in full stick (Mindlin), 8 G times the sum of contact radii.",
+        derivation: Derivation::ContactRadii(SHEAR),
+    }
+    /// Needs the thermal conductivity.
+    ThermalConductance {
+        name: "thermal-conductance", symbol: "C_t", unit: "W/K", label: "thermal conductance",
+        definition: "Thermal conductance of contacts far from each other, 2 k times the sum of \
+            contact radii.",
+        derivation: Derivation::ContactRadii(THERMAL),
+    }
+    /// Needs the electrical resistivity.
+    ElectricalConductance {
+        name: "electrical-conductance", symbol: "C_e", unit: "S", label: "electrical conductance",
+        definition: "Electrical conductance of contacts far from each other, 2/rho times the sum of \
+            contact radii.",
+        derivation: Derivation::ContactRadii(ELECTRICAL),
+    }
+    ThermalConductancePerArea {
+        name: "thermal-conductance-per-area", symbol: "C_t/A_n", unit: "W/m2/K",
+        label: "thermal conductance per area",
+        definition: "Thermal conductance over the nominal area.",
+        derivation: Derivation::PerNominalArea(Quantity::ThermalConductance),
+    }
+    ElectricalConductancePerArea {
+        name: "electrical-conductance-per-area", symbol: "C_e/A_n", unit: "S/m2",
+        label: "electrical conductance per area",
+        definition: "Electrical conductance over the nominal area.",
+        derivation: Derivation::PerNominalArea(Quantity::ElectricalConductance),
+    }
+    MeanPressure {
+        name: "mean-pressure", symbol: "F/A", unit: "Pa", label: "mean contact pressure",
+        definition: "Force over the real contact area.",
+        derivation: Derivation::Ratio(Quantity::Force, Quantity::Area),
+    }
+    LnForce {
+        name: "ln-force", symbol: "ln F", unit: "ln N", label: "logarithm of the force",
+        definition: "Natural logarithm of the absolute force in newtons, also where the force \
+            itself underflows.",
+        derivation: Derivation::Logarithm(Quantity::Force),
+    }
+    LnArea {
+        name: "ln-area", symbol: "ln A", unit: "ln m2", label: "logarithm of the real contact area",
+        definition: "Natural logarithm of the absolute real contact area in square metres, also \
+            where the area itself underflows.",
+        derivation: Derivation::Logarithm(Quantity::Area),
+    }
+    /// Negative shares belong to models that subtract a part of their law.
+    ElasticShare {
+        name: "elastic-share", symbol: "F_e/F", unit: "", label: "elastic share of the force",
+        definition: "Share of the force on elastic asperities.",
+        derivation: Derivation::RegimeShare(Regime::Elastic),
+    }
+    ElasticPlasticShare {
+        name: "elastic-plastic-share", symbol: "F_ep/F", unit: "",
+        label: "elastic-plastic share of the force",
+        definition: "Share of the force on elastic-plastic asperities.",
+        derivation: Derivation::RegimeShare(Regime::ElasticPlastic),
+    }
+    PlasticShare {
+        name: "plastic-share", symbol: "F_p/F", unit: "", label: "plastic share of the force",
+        definition: "Share of the force on plastic asperities.",
+        derivation: Derivation::RegimeShare(Regime::Plastic),
+    }
+}
