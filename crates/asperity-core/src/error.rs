@@ -156,6 +156,17 @@ pub enum ContactError {
         /// Where it is.
         at: At,
     },
+    /// The force varies so wildly between two separations that not all those that carry a load are
+    /// found.
+    #[error(
+        "the separations that carry the load cannot be resolved between {from} and {to}: the force varies too much there"
+    )]
+    Unresolved {
+        /// The lower separation.
+        from: At,
+        /// The higher one.
+        to: At,
+    },
     /// A load that is carried so far out that no separation is looked at: heights with a heavy tail.
     #[error(
         "load is {load:?} N: at least {smallest:e} N, the force at {at}, the largest that is looked at, was required"

@@ -8,7 +8,8 @@ use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 use crate::engine::case::{LocalShape, Worker};
 use crate::engine::channel::{Laws, Units, failed};
 use crate::engine::height_integral::HeightIntegral;
-use crate::engine::inverse::{ForceCurve, Target, check_load, sum_of};
+use crate::engine::inverse::force_at::{Falls, ForceAt};
+use crate::engine::inverse::{ForceCurve, Target, check_load};
 use crate::engine::readings::{Integrals, Reading};
 use crate::request::separation::Place;
 use crate::{
@@ -114,12 +115,14 @@ impl<'c> CaseIntegrals<'c> {
 
     fn place_of_load(&mut self, load: f64) -> Result<Place, ContactError> {
         let (scene, tolerance) = (self.scene, self.tolerance);
-        let Laws { monotone, adhesive, .. } = *self.laws;
         let of_law = self.of_law(Quantity::Force)?;
-        let signed = of_law.law.is_signed();
-        let Units { factor, begins, .. } = of_law.units;
-        let target = Target { load, factor, monotone, signed, adhesive, begins };
-        target.first(&mut OfForce { of_law, scene, tolerance })
+        let (target, law) = (Target { load, factor: of_law.units.factor }, of_law.law);
+        let falls = Falls::of(law, scene, tolerance);
+        let total = || HeightIntegral::new(law.density(), law, scene, tolerance.relative());
+        let total = falls.as_ref().map(|_| total());
+        let falling = falls.as_ref().zip(total.as_ref());
+        let falling = falling.map(|(falls, total)| ForceAt { total, falls });
+        target.first(OfForce { of_law, scene, tolerance }, falling)
     }
 
     fn of_law(&mut self, base: Quantity) -> Result<&mut OfLaw<'c>, ContactError> {
@@ -170,18 +173,6 @@ impl ForceCurve for OfForce<'_, '_> {
     fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
         let found = self.of_law.at(s, true, self.scene, self.tolerance);
         found.map_err(failed(Quantity::Force, s.into()))
-    }
-
-    fn parts(&mut self, s: f64) -> Result<Moments, ContactError> {
-        let OfLaw { law, sources, .. } = &*self.of_law;
-        if !sources.is_empty() {
-            return self.at(s);
-        }
-        let parts = law.parts.iter().map(|part| {
-            let alone = Density { pieces: vec![part.piece()] };
-            HeightIntegral::new(alone, law, self.scene, self.tolerance.relative()).once(s, true)
-        });
-        sum_of(parts).map_err(failed(Quantity::Force, s.into()))
     }
 
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {

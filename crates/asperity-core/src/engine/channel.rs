@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use asperity_quadrature::{Density, QuadratureError};
 
 use crate::engine::height_integral::HeightIntegral;
+use crate::engine::inverse::force_at::Falls;
 use crate::engine::onset::Onset;
 use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance, Validity};
 
@@ -20,6 +21,7 @@ pub(crate) struct Channel {
     pub(crate) units: Units,
     pub(crate) total: HeightIntegral,
     parts: OnceLock<Vec<HeightIntegral>>,
+    falls: OnceLock<Option<Falls>>,
     scene: Scene,
     tolerance: Tolerance,
 }
@@ -77,8 +79,6 @@ pub(crate) struct Laws {
     pub(crate) asperity: Asperity,
     /// Whether the model has a law for the stiffness; not looked at where none is asked for.
     pub(crate) own_stiffness: bool,
-    /// Whether the force never rises with the separation.
-    pub(crate) monotone: bool,
     /// Whether loads may be tensions.
     pub(crate) adhesive: bool,
     pub(crate) laws: Vec<(Quantity, Law)>,
@@ -94,9 +94,9 @@ impl Laws {
         by_load: bool,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let Validity { force_monotone: monotone, adhesive, .. } = model.validity();
+        let Validity { adhesive, .. } = model.validity();
         let (own_stiffness, laws) = (false, vec![]);
-        let mut found = Self { asperity, own_stiffness, monotone, adhesive, laws, by_load };
+        let mut found = Self { asperity, own_stiffness, adhesive, laws, by_load };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
                 let own = model.law(&asperity, quantity, tolerance)?;
@@ -159,8 +159,14 @@ impl Channel {
     ) -> Result<Self, ContactError> {
         let units = Units::new(base, &law, scene)?;
         let total = HeightIntegral::new(law.density(), &law, scene, tolerance.relative());
-        let (parts, scene) = (OnceLock::new(), scene.clone());
-        Ok(Self { base, law, units, total, parts, scene, tolerance })
+        let (parts, falls, scene) = (OnceLock::new(), OnceLock::new(), scene.clone());
+        Ok(Self { base, law, units, total, parts, falls, scene, tolerance })
+    }
+
+    /// Where the law falls, if it does.
+    pub(crate) fn falls(&self) -> Option<&Falls> {
+        let of = || Falls::of(&self.law, &self.scene, self.tolerance);
+        self.falls.get_or_init(of).as_ref()
     }
 
     /// The integrals of the law's parts, each alone.

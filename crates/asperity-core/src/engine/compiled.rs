@@ -31,7 +31,6 @@ struct Facts {
     quantities: Vec<Quantity>,
     asperity: Asperity,
     own_stiffness: bool,
-    monotone: bool,
     adhesive: bool,
     notes: Vec<Warning>,
     tolerance: Tolerance,
@@ -47,7 +46,7 @@ impl Compiled {
         let by_load = request.at.iter().any(|at| !matches!(at, At::Separation(_)));
         let asperity = scene.asperity()?;
         contact_radii::check(&request.quantities, &scene.interface)?;
-        let Laws { own_stiffness, monotone, adhesive, laws, .. } =
+        let Laws { own_stiffness, adhesive, laws, .. } =
             Laws::new(model, asperity, &request.quantities, by_load, tolerance)?;
         let channel = |(base, law)| Channel::new(base, Arc::new(law), scene, tolerance);
         Ok(Self {
@@ -56,7 +55,6 @@ impl Compiled {
                 quantities: request.quantities.clone(),
                 asperity,
                 own_stiffness,
-                monotone,
                 adhesive,
                 notes: model.notes(),
                 tolerance,
@@ -64,14 +62,6 @@ impl Compiled {
             scene: scene.clone(),
             channels: laws.into_iter().map(channel).collect::<Result<_, _>>()?,
         })
-    }
-
-    pub(crate) fn monotone(&self) -> bool {
-        self.facts.monotone
-    }
-
-    pub(crate) fn adhesive(&self) -> bool {
-        self.facts.adhesive
     }
 
     fn load(&self, field: &'static str, load: f64) -> Result<f64, ContactError> {
@@ -242,6 +232,10 @@ impl Contact for Compiled {
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
         let place = self.place_of_load(self.load("load", load)?)?;
         Ok(Separation::sigmas(place.s))
+    }
+
+    fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
+        Ok(self.place_of_pull_off()?.map(Separation::sigmas))
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {

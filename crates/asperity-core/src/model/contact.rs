@@ -85,6 +85,15 @@ pub trait Contact: fmt::Debug + Send + Sync {
         found.last().copied().ok_or_else(|| self.unsupported("separations at a load"))
     }
 
+    /// Where the force is least, of a contact that was compiled for it: the largest tension is held
+    /// there. `None` where the force is negative nowhere.
+    ///
+    /// # Errors
+    /// Those of [`separations_at`](Self::separations_at).
+    fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
+        Err(self.unsupported("a pull-off"))
+    }
+
     /// The share of every part of the law in a quantity (in the force, for the tangent).
     ///
     /// # Errors
@@ -262,6 +271,10 @@ impl Contact for Box<dyn Contact> {
 
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
         (**self).separation_at(load)
+    }
+
+    fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
+        (**self).pull_off()
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
