@@ -8,6 +8,8 @@ use crate::request::separation::LOWEST;
 use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
 use asperity_quadrature::Moments;
 
+/// What the variation is needed to: bounds take its error in.
+const ENOUGH: f64 = 1e-8;
 /// More breaks of a density than these are not looked at one by one.
 const BREAKS: usize = 16;
 
@@ -41,7 +43,8 @@ impl Falls {
         places.sort_by(|a, b| b.total_cmp(a));
         places.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * (1.0 + a.abs()));
         let density = variation.density(law);
-        let variation = HeightIntegral::new(density, law, scene, tolerance.relative());
+        let enough = tolerance.relative().max(ENOUGH);
+        let variation = HeightIntegral::new(density, law, scene, enough);
         let unseen = farthest(&scene.heights, scene.surface.asperity_height_std)
             - first
             - law.begins * scale;
@@ -65,11 +68,13 @@ pub(crate) struct ForceAt<'c> {
 
 impl ForceAt<'_> {
     pub(crate) fn force(&self, s: f64) -> Result<Moments, ContactError> {
-        self.total.at(s).map_err(failed(Quantity::Force, s.into()))
+        // Without a slope, signs and bounds lead on.
+        let value = |_| Ok(Moments { slope: f64::NAN, ..self.total.value(s)? });
+        self.total.guide(s).or_else(value).map_err(failed(Quantity::Force, s.into()))
     }
 
     pub(crate) fn variation(&self, s: f64) -> Result<Moments, ContactError> {
-        self.falls.variation.at(s).map_err(failed(Quantity::Force, s.into()))
+        self.falls.variation.guide(s).map_err(failed(Quantity::Force, s.into()))
     }
 
     pub(crate) fn sample(&self, s: f64) -> Result<Sample, ContactError> {

@@ -42,6 +42,11 @@ impl Sample {
         }
     }
 
+    /// Whether the force is the level or more; it does not depend on what the sample is compared with.
+    fn reaches(&self, level: Level) -> bool {
+        self.force.value >= level.over(self.force.ln_scale)
+    }
+
     /// In units of exp(`ln_scale`).
     fn over(&self, ln_scale: f64) -> [Curve; 2] {
         self.tilted(ln_scale, 0.0, self.s)
@@ -154,10 +159,17 @@ impl Interval {
         [self.low, self.high].map(|sample| sample.over(ln_scale)[0].value - at)
     }
 
-    /// Whether the signs at both ends differ; a force that is the level counts as above it.
+    /// Whether the load lies between the forces at both ends.
     pub(crate) fn crosses(&self, level: Level) -> bool {
-        let [low, high] = self.ends(level);
-        (low >= 0.0) != (high >= 0.0)
+        self.low.reaches(level) != self.high.reaches(level)
+    }
+
+    /// Whether the force at either end is the level, as far as it is known.
+    pub(crate) fn touches(&self, level: Level) -> bool {
+        let (ln_scale, ends) = (self.ln_scale(), self.ends(level));
+        let known =
+            |(sample, excess): (&Sample, f64)| excess.abs() <= sample.over(ln_scale)[0].errors[0];
+        [&self.low, &self.high].into_iter().zip(ends).any(known)
     }
 
     /// Bounds of the force less a level, from how much it varies at most.

@@ -77,11 +77,13 @@ impl Compiled {
 
     /// All separations d/σ_z that carry a load, ascending.
     pub(crate) fn all_places_of_load(&self, load: f64) -> Result<Vec<f64>, ContactError> {
+        let largest = self.place_of_load(load)?.s;
         let (target, channel) = self.target(load)?;
-        match channel.falls() {
-            Some(falls) => target.all(&ForceAt { total: &channel.total, falls }),
-            None => Ok(vec![self.place_of_load(load)?.s]),
-        }
+        let Some(falls) = channel.falls() else { return Ok(vec![largest]) };
+        let mut found = target.crossings(&ForceAt { total: &channel.total, falls }, false)?;
+        found[0] = largest;
+        found.reverse();
+        Ok(found)
     }
 
     /// Where the force is least; `None` where it falls all the way to 0, and not below.
@@ -111,17 +113,17 @@ impl Target {
         }
         let found = self.crossings(&force, true)?;
         let s = found.first().copied().unwrap_or(f64::NAN);
-        Ok(place(s, &force.force(s)?))
+        let mut moments = force.force(s)?;
+        if moments.slope.is_nan() {
+            let near = 1e-6 * (1.0 + s.abs());
+            let [low, high] = [force.force(s - near)?, force.force(s + near)?];
+            let [low, high] = [low, high].map(|m| m.value * (m.ln_scale - moments.ln_scale).exp());
+            moments.slope = (low - high) / (2.0 * near);
+        }
+        Ok(place(s, &moments))
     }
 
-    /// All separations d/σ_z that carry it, ascending.
-    fn all(&self, force: &ForceAt<'_>) -> Result<Vec<f64>, ContactError> {
-        let mut found = self.crossings(force, false)?;
-        found.reverse();
-        Ok(found)
-    }
-
-    /// Crossings, or the refusal with the largest force where there is none.
+    /// From the largest on, or the largest alone; the refusal with the largest force if there is none.
     fn crossings(&self, force: &ForceAt<'_>, first_only: bool) -> Result<Vec<f64>, ContactError> {
         let sign = self.load.signum();
         // No force exceeds its variation, which falls all the way.

@@ -72,7 +72,8 @@ impl ForceAt<'_> {
                 continue;
             }
             if interval.is_narrow() {
-                found.push(interval.high.s);
+                let met = interval.crosses(level) || interval.touches(level);
+                found.extend(met.then_some(interval.high.s));
             } else {
                 let Interval { low, high } = interval;
                 let middle = self.sample(0.5 * (low.s + high.s))?;
@@ -107,7 +108,11 @@ impl ForceAt<'_> {
         }
         let at = interval.level(level);
         let excess = |s| Ok(interval.scaled(&self.force(s)?)[0] - at);
-        fallible(excess, |excess| bracketed_root(excess, interval.low.s, interval.high.s))
+        let (low, high) = (interval.low.s, interval.high.s);
+        let root = fallible(excess, |excess| bracketed_root(excess, low, high))?;
+        // Next to an end, rounding decides which side of it the root is on.
+        let [at_low, at_high] = interval.ends(level).map(f64::abs);
+        Ok(root.or(Some(if at_low < at_high { low } else { high })))
     }
 
     /// Where the force turns in an interval; one of its ends if it does not.
