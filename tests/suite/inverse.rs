@@ -19,7 +19,8 @@ fn every_model_finds_the_separation_it_came_from() {
                 if load <= 0.0 {
                     continue;
                 }
-                let found = compiled.separations_at(load).unwrap();
+                let found =
+                    compiled.separations_at(load).unwrap_or_else(|e| panic!("{model} {s} {e}"));
                 // d ln F/ds is at least 1 here, so the rule's 1e-10 moves the root by less.
                 assert!(found.iter().any(|d| (d.value - s).abs() < 1e-9), "{model} {s}: {found:?}");
             }

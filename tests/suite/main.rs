@@ -4,6 +4,7 @@
 mod arrays;
 mod check;
 mod contact_radii;
+mod crossings;
 mod figures;
 mod hard_cases;
 mod heights;

@@ -294,42 +294,66 @@ fn of_surfaces_next_to_smooth_all_asperities_pull_as_one() {
     }
 }
 
-/// A contact that fails between two of its separations.
+/// A contact that knows no pull-off.
 #[derive(Debug)]
-struct Failing<'c> {
-    contact: &'c dyn Contact,
-    from: f64,
-    to: f64,
-}
+struct Without<'c>(&'c dyn Contact);
 
-impl Contact for Failing<'_> {
+impl Contact for Without<'_> {
     fn model(&self) -> &str {
-        self.contact.model()
+        self.0.model()
     }
 
     fn scene(&self) -> &Scene {
-        self.contact.scene()
+        self.0.scene()
     }
 
     fn quantities(&self) -> &[Quantity] {
-        self.contact.quantities()
+        self.0.quantities()
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        let At::Separation(place) = at else { panic!("{at}") };
-        match (self.from..self.to).contains(&place.value) {
-            true => Err(ContactError::NoValue { quantity, at }),
-            false => self.contact.evaluate_at(quantity, at),
-        }
+        self.0.evaluate_at(quantity, at)
     }
 }
 
 #[test]
 fn a_pull_off_that_cannot_be_found_is_an_error_and_not_none() {
     let contact = compiled(&SEPARATION, &scene(work_of(1.0)), 1e-9);
-    let found = pull_off(&*contact).unwrap().unwrap().separation.value;
-    // Between two of the places that are looked at first lies nothing but the root.
-    let failing = Failing { contact: &*contact, from: found - 0.01, to: found + 0.01 };
-    let error = pull_off(&failing).unwrap_err().to_string();
-    assert!(error.starts_with("tangent has no value at a separation of"), "{error}");
+    let error = pull_off(&Without(&*contact)).unwrap_err().to_string();
+    assert!(error.contains("pull-off"), "{error}");
+    let asked = Request::new([Quantity::Area]);
+    let contact = SEPARATION.compile(&scene(work_of(1.0)), &asked).unwrap();
+    assert!(matches!(pull_off(&*contact), Err(ContactError::NotRequested { .. })));
+}
+
+#[test]
+fn tensions_between_nearly_smooth_surfaces_are_held_at_the_largest_separation() {
+    // w_p is 25 to 1600 asperity_height_std: the force turns that far out.
+    for height_std in [3.3e-8, 2e-9, 8.3e-10, 5e-10] {
+        let mut interface = Interface::elastic(1e6, 0.5);
+        interface.work_of_adhesion = Some(0.05);
+        let scene = Scene::new(interface, Surface::new(1e-4, 1e9, height_std), 1e-4);
+        let contact = compiled(&SEPARATION, &scene, 1e-10);
+        let force = |s: f64| contact.evaluate(Quantity::Force, s).unwrap().value();
+        let held = pull_off(&*contact).unwrap().unwrap();
+        let turn = held.separation.value;
+        for share in [0.1, 0.5, 0.9, 0.99, 0.9999, 1.0 - 1e-8] {
+            let tension = share * held.force.value();
+            let found = contact.separations_at(tension).unwrap();
+            let [low, high] = found[..] else { panic!("{height_std} {share}: {found:?}") };
+            assert!(low.value < turn && turn < high.value, "{height_std} {share}: {found:?}");
+            assert_eq!(contact.separation_at(tension).unwrap(), high);
+            for s in [low, high] {
+                let error = (force(s.value) / tension - 1.0).abs();
+                assert!(error < 1e-9, "{height_std} {share} {s:?}: {error:.1e}");
+            }
+            // Farther out, no separation holds as much.
+            let end = 2.2 * turn + 9.0;
+            for k in 1..4000 {
+                let s = high.value + (end - high.value) * f64::from(k) / 4000.0;
+                assert!(force(s) > tension, "{height_std} {share}: {s}");
+            }
+        }
+        assert!(contact.separations_at(1.001 * held.force.value()).is_err());
+    }
 }

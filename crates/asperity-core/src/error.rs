@@ -156,6 +156,16 @@ pub enum ContactError {
         /// Where it is.
         at: At,
     },
+    /// The force varies too much between two separations to find all those that carry the load.
+    #[error(
+        "the separations that carry the load cannot be resolved between {from} and {to}: the force varies too much there"
+    )]
+    Unresolved {
+        /// The lower separation.
+        from: At,
+        /// The upper separation.
+        to: At,
+    },
     /// A load so light that it is carried beyond the largest separation: heights with a heavy tail.
     #[error(
         "load is {load:?} N: at least {smallest:e} N, the force at the largest separation ({at}), was required"

@@ -106,7 +106,8 @@ impl Rules {
         if patch.keys().1 <= DEEP
             && task.density.is_prepared()
             && segment.error[0] > wanted
-            && let Ok(finer) = Segment::new(&task.density.unprepared(), self.scale, patch, task.tolerance)
+            && let Ok(finer) =
+                Segment::new(&task.density.unprepared(), self.scale, patch, task.tolerance)
             && finer.error[0] < segment.error[0]
         {
             segment = finer;

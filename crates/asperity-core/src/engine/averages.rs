@@ -1,9 +1,12 @@
 //! The averages of a scene's laws over its heights: one trait, whether they are prepared for many
 //! separations or made for one, and what follows from them for both: places, shares, inversion.
 
+use std::sync::Arc;
+
 use asperity_quadrature::{Moments, QuadratureError};
 
 use crate::engine::channel::{Units, failed};
+use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{ForceCurve, Target, check_load};
 use crate::engine::laws::Laws;
 use crate::request::separation::Place;
@@ -38,6 +41,13 @@ pub(crate) trait Averages<'s> {
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError>;
 
+    /// Where the law of the force falls, if it does: the force may then rise with the separation.
+    fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError>;
+
+    /// The force's integral and slope at s, to guide a search: with a slope also where its bound
+    /// exceeds the tolerance.
+    fn guide(&self, s: f64) -> Result<Moments, ContactError>;
+
     /// Makes the integrals for s itself where they were made too far from it for their bounds;
     /// returns whether there were any.
     fn settle(&mut self, _base: Quantity, _place: (f64, At)) -> Result<bool, ContactError> {
@@ -71,7 +81,17 @@ pub(crate) fn place_of_load<'s>(
     area: f64,
 ) -> Result<Place, ContactError> {
     let value = check_load(field, value, averages.laws().adhesive)?;
-    target(averages, value * area)?.first(&mut ForceAt::new(averages))
+    let target = target(averages, value * area)?;
+    let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
+    // Where no height reaches the falling part of the law, the force falls with the separation.
+    if target.load > 0.0
+        && falls.hides_above(0.0)
+        && let Ok(place) = target.newton(&mut Force(averages))
+        && falls.hides_above(place.s)
+    {
+        return Ok(place);
+    }
+    target.first(&ForceAt { guide: &|s| averages.guide(s), falls: &falls })
 }
 
 /// All d/σ_z that carry a load, ascending.
@@ -79,56 +99,40 @@ pub(crate) fn all_places_of_load<'s>(
     averages: &mut impl Averages<'s>,
     load: f64,
 ) -> Result<Vec<f64>, ContactError> {
-    let load = check_load("load", load, averages.laws().adhesive)?;
-    target(averages, load)?.all(&mut ForceAt::new(averages))
+    let largest = place_of_load(averages, ("load", load), 1.0)?.s;
+    let Some(falls) = averages.falls()? else { return Ok(vec![largest]) };
+    let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
+    let mut found = target(averages, load)?.crossings(&force, false)?;
+    // The same number as that of the load alone.
+    found[0] = largest;
+    found.reverse();
+    Ok(found)
+}
+
+/// d/σ_z of the least force; `None` if the force is nowhere negative.
+pub(crate) fn place_of_pull_off<'s>(
+    averages: &mut impl Averages<'s>,
+) -> Result<Option<f64>, ContactError> {
+    let Some(falls) = averages.falls()? else { return Ok(None) };
+    let least = ForceAt { guide: &|s| averages.guide(s), falls: &falls }.largest(-1.0)?;
+    Ok((least.force.value < 0.0).then_some(least.s))
 }
 
 fn target<'s>(averages: &impl Averages<'s>, load: f64) -> Result<Target, ContactError> {
-    let Units { factor, begins, .. } = averages.units(Quantity::Force)?;
-    let laws = averages.laws();
-    let signed = laws.law(Quantity::Force).is_some_and(|law| law.is_signed());
-    let Laws { monotone, adhesive, .. } = *laws;
-    Ok(Target { load, factor, monotone, signed, adhesive, begins })
+    Ok(Target { load, factor: averages.units(Quantity::Force)?.factor })
 }
 
 /// The force over the separation, to be inverted.
-struct ForceAt<'a, A> {
-    averages: &'a mut A,
-}
+struct Force<'a, A>(&'a mut A);
 
-impl<'a, A> ForceAt<'a, A> {
-    fn new(averages: &'a mut A) -> Self {
-        Self { averages }
-    }
-}
-
-impl<'s, A: Averages<'s>> ForceCurve for ForceAt<'_, A> {
+impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
     fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
-        self.averages.integral(Quantity::Force, (s, s.into()), true)
-    }
-
-    fn parts(&mut self, s: f64) -> Result<Moments, ContactError> {
-        Ok(sum_of(&self.averages.parts(Quantity::Force, (s, s.into()), true)?))
+        self.0.integral(Quantity::Force, (s, s.into()), true)
     }
 
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
-        self.averages.settle(Quantity::Force, (s, s.into()))
+        self.0.settle(Quantity::Force, (s, s.into()))
     }
-}
-
-/// The sum of integrals at one s, whatever their scales.
-fn sum_of(parts: &[Moments]) -> Moments {
-    parts.iter().fold(Moments::NONE, |sum, part| {
-        let (small, large) = match *part {
-            part if sum.sizes[0] == 0.0 => (sum, part),
-            part if part.ln_scale > sum.ln_scale => (sum, part),
-            part => (part, sum),
-        };
-        large.plus(
-            (small.ln_scale - large.ln_scale).exp(),
-            &Moments { ln_scale: large.ln_scale, ..small },
-        )
-    })
 }
 
 /// The share of every part of the law for `base`.

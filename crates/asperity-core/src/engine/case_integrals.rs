@@ -1,13 +1,16 @@
 //! The integrals of one case: shared where parts recur in other cases, otherwise made for the
 //! separation asked for.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::channel::{Units, failed};
 use crate::engine::height_integral::HeightIntegral;
+use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
@@ -38,6 +41,8 @@ pub(crate) struct CaseIntegrals<'c> {
     laws: &'c Laws,
     tolerance: Tolerance,
     law_integrals: Vec<LawIntegrals<'c>>,
+    /// The force over all separations, for laws that fall.
+    force: OnceCell<HeightIntegral>,
 }
 
 impl<'c> CaseIntegrals<'c> {
@@ -89,7 +94,7 @@ impl<'c> CaseIntegrals<'c> {
             let sources = parts.map(|(j, part)| source((k, j), part)).collect();
             law_integrals.push(LawIntegrals { base: *base, law, units, sources });
         }
-        Ok(Self { scene, laws, tolerance, law_integrals })
+        Ok(Self { scene, laws, tolerance, law_integrals, force: OnceCell::new() })
     }
 
     fn law(&mut self, base: Quantity) -> Result<&mut LawIntegrals<'c>, ContactError> {
@@ -148,6 +153,21 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
             Ok(Moments::NONE.plus(factor, &moments))
         });
         all_parts(parts, base, at)
+    }
+
+    fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
+        let law = self.laws.law(Quantity::Force);
+        let law = law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?;
+        Ok(Falls::of(law, self.scene, self.tolerance).map(Arc::new))
+    }
+
+    fn guide(&self, s: f64) -> Result<Moments, ContactError> {
+        let law = self.laws.law(Quantity::Force);
+        let law = law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?;
+        let total = self.force.get_or_init(|| {
+            HeightIntegral::new(law.density(), law, self.scene, self.tolerance.relative())
+        });
+        total.guide(s).map_err(failed(Quantity::Force, s.into()))
     }
 
     fn settle(&mut self, base: Quantity, (s, at): (f64, At)) -> Result<bool, ContactError> {

@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 use asperity_quadrature::{Density, QuadratureError};
 
 use crate::engine::height_integral::HeightIntegral;
+use crate::engine::inverse::force_at::Falls;
 use crate::engine::onset::Onset;
 use crate::{At, ContactError, Law, Quantity, Scene, Tolerance};
 
@@ -20,6 +21,7 @@ pub(crate) struct Channel {
     pub(crate) units: Units,
     pub(crate) total: HeightIntegral,
     parts: OnceLock<Vec<HeightIntegral>>,
+    falls: OnceLock<Option<Arc<Falls>>>,
     scene: Scene,
     tolerance: Tolerance,
 }
@@ -67,8 +69,14 @@ impl Channel {
     ) -> Result<Self, ContactError> {
         let units = Units::new(base, &law, scene)?;
         let total = HeightIntegral::new(law.density(), &law, scene, tolerance.relative());
-        let (parts, scene) = (OnceLock::new(), scene.clone());
-        Ok(Self { base, law, units, total, parts, scene, tolerance })
+        let (parts, falls, scene) = (OnceLock::new(), OnceLock::new(), scene.clone());
+        Ok(Self { base, law, units, total, parts, falls, scene, tolerance })
+    }
+
+    /// Where the law falls, if it does.
+    pub(crate) fn falls(&self) -> Option<Arc<Falls>> {
+        let of = || Falls::of(&self.law, &self.scene, self.tolerance).map(Arc::new);
+        self.falls.get_or_init(of).clone()
     }
 
     /// The integral of each part of the law.

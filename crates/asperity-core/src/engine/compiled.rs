@@ -5,7 +5,9 @@ use std::sync::Arc;
 use asperity_quadrature::Curvature;
 
 use crate::engine::arrays::{self, FillReport};
-use crate::engine::averages::{Averages, all_places_of_load, place, place_of_load};
+use crate::engine::averages::{
+    Averages, all_places_of_load, place, place_of_load, place_of_pull_off,
+};
 use crate::engine::channel::failed;
 use crate::engine::list::{answer_prepared, shares_at};
 use crate::engine::plan::plan;
@@ -77,6 +79,10 @@ impl Contact for Compiled {
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
         let place = place_of_load(&mut &self.0, ("load", load), 1.0)?;
         Ok(Separation::sigmas(place.s))
+    }
+
+    fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
+        Ok(place_of_pull_off(&mut &self.0)?.map(Separation::sigmas))
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {

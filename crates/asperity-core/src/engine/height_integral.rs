@@ -128,6 +128,21 @@ impl HeightIntegral {
         self.answer(s, Asked { slope: true, many: true })
     }
 
+    /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to the
+    /// sizes: to guide a search. Without a slope (NaN), signs and bounds remain.
+    pub(crate) fn guide(&self, s: f64) -> Result<Moments, QuadratureError> {
+        let asked = Asked { slope: true, many: true };
+        let found = match &self.over {
+            Over::Exponential(integral) if self.begins.seen(s) < 0.0 => {
+                let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
+                let found = integral.by_parts(&integral.below, weight, self.begins.seen(s), asked);
+                found.map(|found| self.begins.widened(s, found))
+            }
+            _ => self.answer(s, asked),
+        };
+        found.or_else(|_| Ok(Moments { slope: f64::NAN, ..self.value(s)? }))
+    }
+
     /// I(s), and -dI/ds if `slope` is set, with nothing prepared for other s.
     pub(crate) fn once(&self, s: f64, slope: bool) -> Result<Moments, QuadratureError> {
         self.answer(s, Asked { slope, many: false })
@@ -225,19 +240,27 @@ impl Exponential {
         if !asked.slope || self.density.knows_slope() {
             return self.below.at(weight, s, asked);
         }
-        // By parts: moving the surface moves the lowest asperity, which is at -s.
-        let by_parts = |integral: &Followed| {
-            let found = integral.at(weight, s, Asked { slope: false, ..asked })?;
-            let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
-            let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
-            Ok(Moments { slope: found.value - lowest, sizes, ..found })
-        };
-        let found = by_parts(&self.below)?;
+        let found = self.by_parts(&self.below, weight, s, asked)?;
         if found.slope_within(s, self.tolerance).is_ok() {
             return Ok(found);
         }
         let finer = || Overlap::new(self.density.clone(), self.scale, FINER * self.tolerance);
-        by_parts(self.finer.get_or_init(|| Followed::new(finer())))
+        let finer = self.finer.get_or_init(|| Followed::new(finer()));
+        self.by_parts(finer, weight, s, asked)
+    }
+
+    /// By parts: moving the surface moves the lowest asperity, which is at -s.
+    fn by_parts(
+        &self,
+        integral: &Followed,
+        weight: &Arc<Weight>,
+        s: f64,
+        asked: Asked,
+    ) -> Result<Moments, QuadratureError> {
+        let found = integral.at(weight, s, Asked { slope: false, ..asked })?;
+        let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
+        let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
+        Ok(Moments { slope: found.value - lowest, sizes, ..found })
     }
 }
 

@@ -10,8 +10,6 @@ pub(crate) struct Laws {
     pub(crate) asperity: Asperity,
     /// Whether the model has a law for the stiffness; false if no stiffness is asked for.
     pub(crate) own_stiffness: bool,
-    /// Whether the force never rises with the separation.
-    pub(crate) monotone: bool,
     /// Whether loads may be tensions.
     pub(crate) adhesive: bool,
     pub(crate) laws: Vec<(Quantity, Arc<Law>)>,
@@ -27,9 +25,9 @@ impl Laws {
         by_load: bool,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let Validity { force_monotone: monotone, adhesive, .. } = model.validity();
+        let Validity { adhesive, .. } = model.validity();
         let (own_stiffness, laws) = (false, vec![]);
-        let mut found = Self { asperity, own_stiffness, monotone, adhesive, laws, by_load };
+        let mut found = Self { asperity, own_stiffness, adhesive, laws, by_load };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
                 let own = model.law(&asperity, quantity, tolerance)?;

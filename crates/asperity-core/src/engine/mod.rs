@@ -6,7 +6,6 @@ pub(crate) mod case;
 pub(crate) mod case_integrals;
 pub(crate) mod channel;
 pub(crate) mod compiled;
-pub(crate) mod crossings;
 pub(crate) mod height_integral;
 pub(crate) mod inverse;
 pub(crate) mod laws;

@@ -7,6 +7,7 @@ use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::channel::{Channel, Units, failed};
+use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::{Laws, any_load};
 use crate::law::contact_radii;
 use crate::{AsperityModel, At, ContactError, Law, Quantity, Request, Scene, Tolerance, Warning};
@@ -120,6 +121,15 @@ impl<'p> Averages<'p> for &'p Prepared {
         let parts = self.channel(base)?.parts().iter();
         let integrals = parts.map(|part| if slope { part.at(s) } else { part.value(s) });
         all_parts(integrals, base, at)
+    }
+
+    fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
+        Ok(self.channel(Quantity::Force)?.falls())
+    }
+
+    fn guide(&self, s: f64) -> Result<Moments, ContactError> {
+        let found = self.channel(Quantity::Force)?.total.guide(s);
+        found.map_err(failed(Quantity::Force, s.into()))
     }
 
     #[inline]

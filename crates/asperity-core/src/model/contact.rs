@@ -85,6 +85,15 @@ pub trait Contact: fmt::Debug + Send + Sync {
         found.last().copied().ok_or_else(|| self.unsupported("separations at a load"))
     }
 
+    /// The separation of the least force, at which the largest tension is held; the force must be
+    /// among the compiled quantities. `None` if the force is nowhere negative.
+    ///
+    /// # Errors
+    /// Those of [`separations_at`](Self::separations_at).
+    fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
+        Err(self.unsupported("a pull-off"))
+    }
+
     /// The share of every part of the law in a quantity (in the force, for the tangent).
     ///
     /// # Errors

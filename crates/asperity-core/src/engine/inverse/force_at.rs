@@ -1,0 +1,110 @@
+//! The force of a scene to be inverted: its integral, its variation's, and where to look.
+
+use crate::engine::channel::failed;
+use crate::engine::height_integral::HeightIntegral;
+use crate::engine::inverse::interval::Sample;
+use crate::engine::inverse::variation::Variation;
+use crate::request::separation::LOWEST;
+use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
+use asperity_quadrature::Moments;
+
+/// What the variation is needed to: bounds take its error in.
+const ENOUGH: f64 = 1e-8;
+/// More breaks of a density than these are not looked at one by one.
+const BREAKS: usize = 16;
+
+/// Where a law of the force falls, on one scene.
+#[derive(Debug)]
+pub(crate) struct Falls {
+    /// At this separation and above, no height reaches where the law first falls.
+    unseen: f64,
+    variation: HeightIntegral,
+    /// Where force or slope may have kinks, and between them: descending.
+    places: Vec<f64>,
+}
+
+impl Falls {
+    /// `None` where the force never rises with the separation.
+    pub(crate) fn of(law: &Law, scene: &Scene, tolerance: Tolerance) -> Option<Self> {
+        let scale = law.interference_unit / scene.surface.asperity_height_std;
+        let range = ((1e-3 / scale).min(1e-3), -2.0 * LOWEST / scale);
+        let variation = Variation::new(law, range);
+        let first = variation.falls? * scale;
+        let heights = marks(&scene.heights, scene.surface.asperity_height_std);
+        let mut places = vec![LOWEST, 0.0];
+        for k in -2..31 {
+            places.extend([2f64.powi(k), -2f64.powi(k)]);
+        }
+        for knot in &variation.knots {
+            let interference = (knot.x + law.begins) * scale;
+            places.extend(heights.iter().map(|height| height - interference));
+        }
+        places.retain(|s| *s >= LOWEST);
+        places.sort_by(|a, b| b.total_cmp(a));
+        places.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * (1.0 + a.abs()));
+        let density = variation.density(law);
+        let enough = tolerance.relative().max(ENOUGH);
+        let variation = HeightIntegral::new(density, law, scene, enough);
+        let unseen = farthest(&scene.heights, scene.surface.asperity_height_std)
+            - first
+            - law.begins * scale;
+        Some(Self { unseen, variation, places })
+    }
+}
+
+impl Falls {
+    /// Whether, from this separation on, no height reaches what falls.
+    pub(crate) fn hides_above(&self, s: f64) -> bool {
+        s.min(0.0) >= self.unseen
+    }
+}
+
+/// The force of a scene whose law falls somewhere.
+pub(crate) struct ForceAt<'c> {
+    /// The integral of the force and its slope at a separation.
+    pub(crate) guide: &'c dyn Fn(f64) -> Result<Moments, ContactError>,
+    pub(crate) falls: &'c Falls,
+}
+
+impl ForceAt<'_> {
+    pub(crate) fn force(&self, s: f64) -> Result<Moments, ContactError> {
+        (self.guide)(s)
+    }
+
+    pub(crate) fn variation(&self, s: f64) -> Result<Moments, ContactError> {
+        self.falls.variation.guide(s).map_err(failed(Quantity::Force, s.into()))
+    }
+
+    pub(crate) fn sample(&self, s: f64) -> Result<Sample, ContactError> {
+        Ok(Sample { s, force: self.force(s)?, variation: self.variation(s)? })
+    }
+
+    /// Places to look at first, below one, descending.
+    pub(crate) fn places(&self, below: f64) -> impl Iterator<Item = f64> {
+        self.falls.places.iter().copied().filter(move |s| *s < below)
+    }
+}
+
+/// Heights [σ_z] at which a density may have kinks, and its middle.
+fn marks(heights: &HeightDistribution, height_std: f64) -> Vec<f64> {
+    let (other, unit) = match heights {
+        HeightDistribution::Gaussian | HeightDistribution::Exponential => return vec![0.0],
+        HeightDistribution::Weibull(weibull) => (&weibull.sampled, 1.0),
+        HeightDistribution::Other(other) => (other, height_std),
+    };
+    let (low, high) = other.heights().support();
+    let breaks = other.heights().breaks();
+    let breaks = if breaks.len() > BREAKS { &[] } else { breaks };
+    let all = [0.0, low, high].into_iter().chain(breaks.iter().copied());
+    all.filter(|z| z.is_finite()).map(|z| z / unit).collect()
+}
+
+/// The height [σ_z] beyond which, seen from its mean, nothing counts.
+fn farthest(heights: &HeightDistribution, height_std: f64) -> f64 {
+    match heights {
+        // exp(-39²/2) is no double.
+        HeightDistribution::Gaussian => 39.0,
+        HeightDistribution::Other(other) => other.heights().support().1 / height_std,
+        _ => f64::INFINITY,
+    }
+}

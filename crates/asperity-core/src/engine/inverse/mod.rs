@@ -1,0 +1,203 @@
+//! From a load back to the separations that carry it.
+
+use asperity_quadrature::Moments;
+
+use crate::ContactError;
+use crate::engine::inverse::force_at::ForceAt;
+use crate::engine::inverse::interval::Level;
+use crate::request::separation::{HIGHEST, LOWEST, Place};
+
+pub(crate) mod force_at;
+pub(crate) mod interval;
+mod newton;
+mod search;
+mod variation;
+
+/// Below this all asperities are in contact.
+pub(crate) const DEEP: f64 = -64.0;
+
+/// The integral of a force, where it falls all the way.
+pub(crate) trait ForceCurve {
+    /// The integral and its slope.
+    fn at(&mut self, s: f64) -> Result<Moments, ContactError>;
+
+    /// Whether integrals near s have become better, so that they are worth asking for again.
+    fn settle(&mut self, _s: f64) -> Result<bool, ContactError> {
+        Ok(false)
+    }
+}
+
+impl<F: FnMut(f64) -> Result<Moments, ContactError>> ForceCurve for F {
+    fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
+        self(s)
+    }
+}
+
+/// A load to be carried.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Target {
+    /// \[N\]; below 0 for a tension.
+    pub(crate) load: f64,
+    /// What the integral is multiplied with \[N\].
+    pub(crate) factor: f64,
+}
+
+/// A load, or a pressure, that may be asked for: above 0, or a tension where there is adhesion.
+pub(crate) fn check_load(
+    field: &'static str,
+    value: f64,
+    adhesive: bool,
+) -> Result<f64, ContactError> {
+    if value != 0.0 && value.abs() < f64::MIN_POSITIVE {
+        let required = "one that a double holds to all digits (2.2e-308 and more)";
+        return Err(ContactError::OutOfRange { field, value, required });
+    }
+    let required = "a finite number other than 0 (below it for tensions)";
+    match adhesive {
+        true if value.is_finite() && value != 0.0 => Ok(value),
+        true => Err(ContactError::OutOfRange { field, value, required }),
+        false => crate::positive(field, value),
+    }
+}
+
+impl Target {
+    /// The largest separation that carries the load, of a force that need not fall everywhere.
+    pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<Place, ContactError> {
+        let found = self.crossings(force, true)?;
+        let s = found.first().copied().unwrap_or(f64::NAN);
+        let mut moments = force.force(s)?;
+        if moments.slope.is_nan() {
+            let near = 1e-6 * (1.0 + s.abs());
+            let [low, high] = [force.force(s - near)?, force.force(s + near)?];
+            let [low, high] = [low, high].map(|m| m.value * (m.ln_scale - moments.ln_scale).exp());
+            moments.slope = (low - high) / (2.0 * near);
+        }
+        Ok(place(s, &moments))
+    }
+
+    /// From the largest on, or the largest alone; the refusal with the largest force if there is none.
+    pub(crate) fn crossings(
+        &self,
+        force: &ForceAt<'_>,
+        first_only: bool,
+    ) -> Result<Vec<f64>, ContactError> {
+        let sign = self.load.signum();
+        // No force exceeds its variation, which falls all the way.
+        let bound = Self { load: self.load.abs(), ..*self };
+        let top = match bound.newton(&mut |s| force.variation(s)) {
+            Ok(top) => top.s + top.rounding + 1e-9 * (1.0 + top.s.abs()),
+            Err(ContactError::TooLight { .. }) => HIGHEST,
+            Err(ContactError::OutOfReach { .. }) => LOWEST,
+            Err(other) => return Err(other),
+        };
+        let ln = (self.load.abs() / self.factor).ln();
+        let found = force.crossings(Level { sign, ln }, top.min(HIGHEST), first_only)?;
+        if found.is_empty() {
+            let largest = force.largest(sign)?;
+            return Err(self.out_of_reach(&largest.force, largest.s));
+        }
+        Ok(found)
+    }
+}
+
+/// Where the force is met, with what its error makes of the place's.
+fn place(s: f64, moments: &Moments) -> Place {
+    let error = moments.error * moments.sizes[0] / moments.slope.abs();
+    Place { s, rounding: error + 2.0 * f64::EPSILON * (1.0 + s.abs()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Asperity, AsperityModel, At, Citation, Contact, ContactModel, Described, Interface, Law,
+        Power, Provenance, Quantity, Request, Scene, Surface, Tolerance,
+    };
+
+    #[derive(Debug)]
+    struct Hertz;
+
+    const SOURCE: Citation = Citation {
+        id: "hertz",
+        name: "Hertz",
+        authors: "Hertz",
+        year: 1882,
+        title: "",
+        provenance: Provenance::Seen,
+    };
+
+    impl Described for Hertz {
+        fn citation(&self) -> &Citation {
+            &SOURCE
+        }
+    }
+
+    impl AsperityModel for Hertz {
+        fn law(
+            &self,
+            a: &Asperity,
+            _: Quantity,
+            _: Tolerance,
+        ) -> Result<Option<Law>, ContactError> {
+            let unit = 4.0 / 3.0 * a.equivalent_modulus * a.radius.sqrt();
+            Ok(Some(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)])))
+        }
+    }
+
+    fn compiled() -> Box<dyn Contact> {
+        let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-5);
+        Hertz.compile(&scene, &Request::new([Quantity::Force])).unwrap()
+    }
+
+    #[test]
+    fn loads_lead_back_to_their_separations() {
+        let compiled = compiled();
+        for s in [-63.0, -10.0, -0.3, 0.0, 1.0, 4.4, 20.0, 36.0] {
+            let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
+            let found = compiled.separations_at(load).unwrap();
+            assert!(found.len() == 1 && found[0] == compiled.separation_at(load).unwrap());
+            // The rule's own error moves the root by less than this.
+            let error = (found[0].value - s).abs();
+            assert!(error < 1e-12 * (1.0 + s.abs()), "{s}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn loads_that_press_all_asperities_flat_are_met_too() {
+        let compiled = compiled();
+        for s in [-70.0, -1e5] {
+            let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
+            let found = compiled.separations_at(load).unwrap();
+            // Each force is integrated anew there, to the tolerance of 1e-10.
+            assert!(found.len() == 1 && (found[0].value / s - 1.0).abs() < 1e-9, "{s}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn quantities_at_a_load_are_those_at_its_separation_within_their_bounds() {
+        let compiled = compiled();
+        for load in [1e-30, 1e-3, 1.0, 1e4] {
+            let force = compiled.evaluate(Quantity::Force, At::Load(load)).unwrap();
+            assert!((force.value() / load - 1.0).abs() <= force.relative_error(), "{load}");
+            assert!(force.relative_error() < 1e-9);
+            let by_pressure =
+                compiled.evaluate(Quantity::Force, At::Pressure(load / 1e-5)).unwrap();
+            assert!((by_pressure.value() / load - 1.0).abs() <= by_pressure.relative_error());
+        }
+    }
+
+    #[test]
+    fn loads_out_of_reach_are_refused_with_the_largest_force() {
+        let compiled = compiled();
+        let error = compiled.separations_at(1e30).unwrap_err();
+        assert!(
+            matches!(error, ContactError::OutOfReach { largest, .. } if largest > 1e6),
+            "{error}"
+        );
+        for bad in [0.0, -1.0, f64::NAN, 1e-320] {
+            assert!(compiled.separations_at(bad).unwrap_err().to_string().starts_with("load is"));
+        }
+        let error = compiled.evaluate(Quantity::Force, At::Pressure(-1.0)).unwrap_err().to_string();
+        assert!(error.starts_with("pressure is -1.0"), "{error}");
+    }
+}

@@ -1,0 +1,111 @@
+//! The separation that carries a load, where the force falls all the way.
+
+use asperity_quadrature::Moments;
+
+use crate::engine::inverse::{DEEP, ForceCurve, Target, place};
+use crate::request::separation::{HIGHEST, LOWEST, Place};
+use crate::{At, ContactError};
+
+/// A Newton search ends in some five steps; a bracketed one, at the worst, in some sixty.
+const MOST: usize = 200;
+
+impl Target {
+    /// ln of an integral over the load, and its fall with s.
+    fn measure(&self, moments: &Moments) -> (f64, f64) {
+        let Moments { value, slope, ln_scale, .. } = *moments;
+        if value > 0.0 {
+            let ln = value.ln() + ln_scale + (self.factor / self.load.abs()).ln();
+            (ln, slope / value)
+        } else {
+            (f64::NEG_INFINITY, 0.0)
+        }
+    }
+
+    /// The root of a positive integral. In the tail its logarithm is concave, so that Newton's
+    /// steps come down from the right; brackets guard what is not.
+    pub(crate) fn newton(&self, curve: &mut impl ForceCurve) -> Result<Place, ContactError> {
+        let mut s = self.guess(&curve.at(0.0)?);
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        // Below this, deep down, integrals are refused.
+        let mut refused = f64::NEG_INFINITY;
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST {
+            let moments = match curve.at(s) {
+                Err(ContactError::Integral { .. }) if s < DEEP && low < DEEP => {
+                    refused = s;
+                    let answered = high.min(DEEP);
+                    if answered - refused <= 1e-9 * answered.abs() {
+                        // Where the integrals end, so does what can be carried.
+                        return Err(self.out_of_reach(&curve.at(answered)?, answered));
+                    }
+                    s = 0.5 * (refused + answered);
+                    continue;
+                }
+                other => other?,
+            };
+            let (above, fall) = self.measure(&moments);
+            if above > 0.0 {
+                low = s;
+            } else {
+                high = s;
+            }
+            if s <= LOWEST && above < 0.0 {
+                return Err(self.out_of_reach(&moments, s));
+            }
+            if s >= HIGHEST && above > 0.0 {
+                let smallest = self.load.abs() * above.exp();
+                return Err(ContactError::TooLight { load: self.load, smallest, at: s.into() });
+            }
+            let mut next = s + above / fall;
+            let unit = f64::EPSILON * (1.0 + s.abs());
+            // A root that is met lies on its own bracket.
+            let within = next > low.max(refused) && next < high;
+            let inside = within || (next - s).abs() <= unit;
+            if !(inside || above == 0.0) {
+                next = match (low.max(refused).is_finite(), high.is_finite()) {
+                    (true, true) => 0.5 * (low.max(refused) + high),
+                    (false, _) => high - 2.0 * (1.0 + high.abs()),
+                    (true, false) => low + 2.0 * (1.0 + low.abs()),
+                };
+            }
+            next = next.clamp(LOWEST, HIGHEST);
+            let step = (next - s).abs();
+            // Newton's steps shrink as their squares: this one may be the last that is seen.
+            let remains = match inside && last.is_finite() {
+                true => step * (step / last) * (step / last),
+                false => step,
+            };
+            s = next;
+            if step <= 4.0 * unit || remains <= 0.25 * unit || high - low <= 4.0 * unit {
+                if curve.settle(s)? {
+                    (low, high, last) = (f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY);
+                    continue;
+                }
+                if refused.is_finite() && low < refused {
+                    return Err(self.out_of_reach(&moments, s));
+                }
+                return Ok(place(s, &moments));
+            }
+            last = if inside { step } else { f64::INFINITY };
+        }
+        Ok(Place { s, rounding: high - low })
+    }
+
+    /// From the value and the slope at 0: exp(-a s - s²/2) above, a power of the overlap below.
+    fn guess(&self, at_zero: &Moments) -> f64 {
+        let (above, fall) = self.measure(at_zero);
+        if !(above.is_finite() && fall > 0.0) {
+            return -1.0;
+        }
+        if above > 0.0 {
+            return 2.0 * above / (fall + (fall * fall + 2.0 * above).sqrt());
+        }
+        const POWER: f64 = 1.3;
+        (-(POWER / fall) * (-above / POWER).exp_m1()).max(LOWEST)
+    }
+
+    pub(crate) fn out_of_reach(&self, moments: &Moments, s: f64) -> ContactError {
+        let largest = moments.value * moments.ln_scale.exp() * self.factor;
+        ContactError::OutOfReach { load: self.load, largest, at: At::sigmas(s) }
+    }
+}

@@ -1,0 +1,178 @@
+//! Where a force that need not fall all the way carries a load, and where it is largest.
+
+use asperity_quadrature::{bracketed_root, fallible};
+
+use crate::ContactError;
+use crate::engine::inverse::DEEP;
+use crate::engine::inverse::force_at::ForceAt;
+use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
+use crate::request::separation::{HIGHEST, LOWEST};
+
+/// Separations at which a search gives up.
+const MOST: usize = 20_000;
+/// A force is not larger than another unless by more than this: the square of what rounding moves the
+/// place of a maximum by.
+const LARGER: f64 = 1e-14;
+/// Two crossings nearer than this, relative to 1 + |s|, where the force touches the load, are one.
+const TOUCH: f64 = 1e-9;
+
+impl ForceAt<'_> {
+    /// Separations that carry a level up to `top`, from the largest on, or the largest alone.
+    pub(crate) fn crossings(
+        &self,
+        level: Level,
+        top: f64,
+        first_only: bool,
+    ) -> Result<Vec<f64>, ContactError> {
+        let mut found = vec![];
+        let mut high = self.sample(top)?;
+        for place in self.places(top) {
+            let (low, last) = match self.sample(place) {
+                Err(ContactError::Integral { .. }) if place < DEEP => {
+                    (self.last(place, high)?, true)
+                }
+                other => (other?, false),
+            };
+            self.within(Interval { low, high }, level, first_only, &mut found)?;
+            if last || first_only && !found.is_empty() {
+                break;
+            }
+            high = low;
+        }
+        found.dedup_by(|a, b| (*a - *b).abs() <= TOUCH * (1.0 + a.abs()));
+        Ok(found)
+    }
+
+    /// The last separation on the way down to one that is refused.
+    fn last(&self, mut refused: f64, mut answered: Sample) -> Result<Sample, ContactError> {
+        while answered.s - refused > 1e-9 * refused.abs() {
+            let middle = 0.5 * (refused + answered.s);
+            match self.sample(middle) {
+                Ok(sample) => answered = sample,
+                Err(ContactError::Integral { .. }) => refused = middle,
+                Err(other) => return Err(other),
+            }
+        }
+        Ok(answered)
+    }
+
+    /// Those in one interval, the larger first.
+    fn within(
+        &self,
+        whole: Interval,
+        level: Level,
+        first_only: bool,
+        found: &mut Vec<f64>,
+    ) -> Result<(), ContactError> {
+        let mut open = vec![whole];
+        for _ in 0..MOST {
+            let Some(interval) = open.pop() else { return Ok(()) };
+            let [least, most] = interval.bounds(level);
+            if least > 0.0 || most < 0.0 {
+                continue;
+            }
+            if interval.is_narrow() {
+                let met = interval.crosses(level) || interval.touches(level);
+                found.extend(met.then_some(interval.high.s));
+            } else {
+                let Interval { low, high } = interval;
+                let middle = self.sample(0.5 * (low.s + high.s))?;
+                match interval.course(&middle, level) {
+                    Course::Apart => {}
+                    Course::Monotone => found.extend(self.root(interval, level)?),
+                    Course::OneTurn => {
+                        let turn = self.turn(interval)?;
+                        let [left, right] = [(low, turn), (turn, high)];
+                        for (low, high) in [right, left] {
+                            found.extend(self.root(Interval { low, high }, level)?);
+                        }
+                    }
+                    Course::Unknown if interval.keeps(-level.sign, &middle) => {}
+                    Course::Unknown => {
+                        open.push(Interval { low, high: middle });
+                        open.push(Interval { low: middle, high });
+                    }
+                }
+            }
+            if first_only && !found.is_empty() {
+                return Ok(());
+            }
+        }
+        Err(ContactError::Unresolved { from: whole.low.s.into(), to: whole.high.s.into() })
+    }
+
+    /// Where the force is the level, between signs that differ.
+    fn root(&self, interval: Interval, level: Level) -> Result<Option<f64>, ContactError> {
+        if !interval.crosses(level) {
+            return Ok(None);
+        }
+        let at = interval.level(level);
+        let excess = |s| Ok(interval.scaled(&self.force(s)?)[0] - at);
+        let (low, high) = (interval.low.s, interval.high.s);
+        let root = fallible(excess, |excess| bracketed_root(excess, low, high))?;
+        // Next to an end, rounding decides which side of it the root is on.
+        let [at_low, at_high] = interval.ends(level).map(f64::abs);
+        Ok(root.or(Some(if at_low < at_high { low } else { high })))
+    }
+
+    /// Where the force turns in an interval; one of its ends if it does not.
+    fn turn(&self, interval: Interval) -> Result<Sample, ContactError> {
+        if interval.turns() {
+            let slope = |s| Ok(interval.scaled(&self.force(s)?)[1]);
+            let (low, high) = (interval.low.s, interval.high.s);
+            if let Some(s) = fallible(slope, |slope| bracketed_root(slope, low, high))? {
+                return self.sample(s);
+            }
+        }
+        Ok(interval.high)
+    }
+
+    /// Where the force times `sign` is largest.
+    pub(crate) fn largest(&self, sign: f64) -> Result<Sample, ContactError> {
+        let mut high = self.sample(HIGHEST)?;
+        let (mut best, mut open) = (high, vec![]);
+        for place in self.places(HIGHEST) {
+            let (low, last) = match self.sample(place) {
+                Err(ContactError::Integral { .. }) if place < DEEP => {
+                    (self.last(place, high)?, true)
+                }
+                other => (other?, false),
+            };
+            best = larger(best, low, sign);
+            open.push(Interval { low, high });
+            high = low;
+            if last {
+                break;
+            }
+        }
+        for _ in 0..MOST {
+            let Some(interval) = open.pop() else { return Ok(best) };
+            let level = Level { ln: best.level().ln + LARGER, ..best.level() };
+            let [least, most] = interval.bounds(level);
+            let unlike = if sign > 0.0 { most <= 0.0 } else { least >= 0.0 };
+            if unlike || interval.is_narrow() {
+                continue;
+            }
+            let Interval { low, high } = interval;
+            let middle = self.sample(0.5 * (low.s + high.s))?;
+            best = larger(best, middle, sign);
+            match interval.course(&middle, level) {
+                Course::Apart | Course::Monotone => {}
+                Course::OneTurn => best = larger(best, self.turn(interval)?, sign),
+                Course::Unknown if interval.keeps(-sign, &middle) => {}
+                Course::Unknown => {
+                    open.push(Interval { low, high: middle });
+                    open.push(Interval { low: middle, high });
+                }
+            }
+        }
+        Err(ContactError::Unresolved { from: LOWEST.into(), to: HIGHEST.into() })
+    }
+}
+
+/// The one whose force times `sign` is larger.
+fn larger(a: Sample, b: Sample, sign: f64) -> Sample {
+    let ln_scale = a.level().ln.max(b.level().ln);
+    let [x, y] = [a, b].map(|sample| sign * sample.level().over(ln_scale));
+    if y > x { b } else { a }
+}

@@ -1,0 +1,181 @@
+//! The variation of a law, V(x) = |q(0)| + ∫₀ˣ |dq|: it never falls, whatever the law does, so that its
+//! average over heights bounds how much the force can change between two separations:
+//! ```text
+//! ∫ₐᵇ |dF/ds| ds ≤ V(a) - V(b)
+//! ```
+
+use std::sync::Arc;
+
+use asperity_quadrature::{Density, Piece, QuadratureError, Sampler, highest};
+
+use crate::{Formula, Law, Part};
+
+/// Places at which a function is looked at, in each octave.
+const OCTAVE: f64 = 16.0;
+/// Smaller falls, over the size of the law's parts, are rounding or the error of a tabulated law.
+const FLAT: f64 = 1e-9;
+
+/// A place where a law jumps, turns or changes its formula, in its unit from its onset.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Knot {
+    pub(crate) x: f64,
+    left: f64,
+    right: f64,
+}
+
+/// The knots of a law, between which it rises or falls all the way.
+#[derive(Debug)]
+pub(crate) struct Variation {
+    pub(crate) knots: Vec<Knot>,
+    /// Where it first falls, if it does.
+    pub(crate) falls: Option<f64>,
+}
+
+impl Variation {
+    /// Of a law, where its value matters: between x = `least` and `most`.
+    pub(crate) fn new(law: &Law, (least, most): (f64, f64)) -> Self {
+        let breaks = law.density().breaks(0.0, f64::INFINITY);
+        let ends: Vec<f64> = [0.0].into_iter().chain(breaks).chain([f64::INFINITY]).collect();
+        let mut found = Self { knots: vec![], falls: None };
+        let (mut left, mut before) = (0.0, 0.0);
+        for pair in ends.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let first = if from > 0.0 { from } else { 1e-6 * least.min(to) };
+            let Ok(right) = law.shape(first) else { break };
+            found.push(law, Knot { x: from, left, right }, before);
+            before = from;
+            if !rises(law, from, to) {
+                before = found.turns(law, first, (from, right), (to, least, most)).0;
+            }
+            match law.shape(to.next_down()) {
+                Ok(value) => left = value,
+                Err(_) => break,
+            }
+        }
+        found
+    }
+
+    fn push(&mut self, law: &Law, knot: Knot, before: f64) {
+        let from = self.knots.last().map_or(0.0, |knot| knot.right);
+        let flat = FLAT * size(law, knot.x);
+        if self.falls.is_none() && knot.left < from - flat {
+            self.falls = Some(before);
+        }
+        if self.falls.is_none() && knot.right < knot.left - flat {
+            self.falls = Some(knot.x);
+        }
+        self.knots.push(knot);
+    }
+
+    /// Adds where the law turns between two breaks; the last place and value seen come out.
+    fn turns(
+        &mut self,
+        law: &Law,
+        first: f64,
+        start: (f64, f64),
+        (to, least, most): (f64, f64, f64),
+    ) -> (f64, f64) {
+        let places = places(first.max(least.min(0.5 * to)), to.min(most.max(2.0 * first)));
+        let seen: Vec<(f64, f64)> = places
+            .into_iter()
+            .map_while(|x| law.shape(x).ok().filter(|q| q.is_finite()).map(|q| (x, q)))
+            .collect();
+        let (mut extreme, mut upwards, mut knot) = (start, None, start);
+        for (k, &(x, q)) in seen.iter().enumerate() {
+            let flat = FLAT * size(law, x);
+            let up = upwards.unwrap_or(q > extreme.1);
+            let onwards = if up { q - extreme.1 } else { extreme.1 - q };
+            if onwards >= 0.0 {
+                upwards = upwards.or((onwards > flat).then_some(up));
+                extreme = (x, q);
+            } else if onwards < -flat && upwards.is_some() {
+                // The extreme lies next to its largest sample.
+                let sign = if up { 1.0 } else { -1.0 };
+                let low = seen[..k].iter().rev().map(|p| p.0).find(|p| *p < extreme.0);
+                let f = |x: f64| sign * law.shape(x).unwrap_or(f64::NAN);
+                let at = highest(f, low.unwrap_or(start.0), x);
+                let (at, value) = match law.shape(at) {
+                    Ok(value) if sign * value > sign * extreme.1 => (at, value),
+                    _ => extreme,
+                };
+                self.push(law, Knot { x: at, left: value, right: value }, knot.0);
+                knot = (at, value);
+                (extreme, upwards) = ((x, q), Some(!up));
+            }
+        }
+        // A fall that goes on to the end, or to where the law ends.
+        if self.falls.is_none() && upwards == Some(false) {
+            self.falls = Some(knot.0);
+        }
+        knot
+    }
+
+    /// The variation as a density.
+    pub(crate) fn density(&self, law: &Law) -> Density {
+        let (mut before, mut value, mut pieces) = (0.0, 0.0, vec![]);
+        let all: Vec<f64> = law.density().breaks(0.0, f64::INFINITY);
+        for (k, knot) in self.knots.iter().enumerate() {
+            let (from, to) = (knot.x, self.knots.get(k + 1).map_or(f64::INFINITY, |next| next.x));
+            value += (knot.left - before).abs() + (knot.right - knot.left).abs();
+            before = knot.right;
+            let middle = if to.is_finite() { 0.5 * (from + to) } else { 2.0 * from + 1.0 };
+            let parts: Vec<Part> =
+                law.parts.iter().filter(|part| part.range.contains(&middle)).cloned().collect();
+            let kinks = all.iter().copied().filter(|x| *x > from && *x < to).collect();
+            let sampler = Arc::new(Watched { parts, value, from: knot.right });
+            pieces.push(Piece { from, to, sign: 1.0, kinks, origin: None, sampler });
+        }
+        Density { pieces }
+    }
+}
+
+/// The variation between two knots.
+struct Watched {
+    parts: Vec<Part>,
+    value: f64,
+    from: f64,
+}
+
+impl Sampler for Watched {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        let (mut total, mut one) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        for part in &self.parts {
+            part.form.sample(x, &mut one)?;
+            total.iter_mut().zip(&one).for_each(|(total, one)| *total += part.sign * one);
+        }
+        out.iter_mut().zip(total).for_each(|(out, q)| *out = self.value + (q - self.from).abs());
+        Ok(())
+    }
+
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        self.parts.iter().map(|part| part.form.relative_error(x)).fold(0.0, f64::max)
+    }
+}
+
+/// Whether the formula alone shows that the law rises between two of its breaks.
+fn rises(law: &Law, from: f64, to: f64) -> bool {
+    law.parts.iter().filter(|part| part.range.start < to && part.range.end > from).all(|part| {
+        let Formula::Powers(powers) = &part.form else { return false };
+        powers
+            .iter()
+            .all(|p| p.exponent == 0.0 || p.exponent > 0.0 && p.coefficient * part.sign >= 0.0)
+    })
+}
+
+/// The sum of the parts' absolute values.
+fn size(law: &Law, x: f64) -> f64 {
+    let value = |part: &Part| {
+        let mut value = [0.0];
+        part.form.sample(&[x], &mut value).map_or(0.0, |()| value[0].abs())
+    };
+    law.parts.iter().filter(|part| part.range.contains(&x)).map(value).sum()
+}
+
+/// Places between two, close to each other next to both.
+fn places(from: f64, to: f64) -> Vec<f64> {
+    let steps = ((to / from).log2() * OCTAVE).ceil().clamp(24.0, 4096.0);
+    let ratio = (to / from).ln() / steps;
+    (0..=steps as usize)
+        .map(|k| (from * (ratio * k as f64).exp()).min(to.next_down()).max(from))
+        .collect()
+}
