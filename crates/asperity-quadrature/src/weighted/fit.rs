@@ -1,8 +1,8 @@
 //! From the logarithm of a weight to panels that follow it: bisection between its breaks.
 
-use super::lobatto::{NODES, Samples, lobatto};
-use super::panel::{Panel, Series, Shape, end_shares};
-use super::weight::Source;
+use super::panel::{Panel, RANGE, Series, Shape, end_shares};
+use super::source::Source;
+use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
 use crate::{QuadratureError, WeightFault};
 
 /// How well a logarithm is followed, rounding apart.
@@ -12,9 +12,7 @@ const ROUNDED: f64 = 16.0;
 /// The share of what a series leaves that integrals see: polynomials of degree 16 and more change
 /// their sign often.
 const SEEN: f64 = 0.125;
-/// The logarithm varies by no more than this over a panel, unless all of it is small
-pub(crate) const RANGE: f64 = 10.0;
-/// or far out: smaller than exp(-SMALL) of the largest value.
+/// Panels far out, smaller than exp(-SMALL) of the largest value, may vary by more than RANGE.
 const SMALL: f64 = 60.0;
 /// The share of an interval that is too short for a kink inside to count,
 const SLIVER: f64 = 1e-15;

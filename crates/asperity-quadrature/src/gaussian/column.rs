@@ -1,16 +1,13 @@
 //! One integral at many s, as plain numbers: values of the same segment side by side.
 
-use fearless_simd::{Level, Simd, SimdBase, dispatch, f64x8};
+use fearless_simd::{Level, Simd, dispatch};
 
-use crate::exponential::{LEAST, exp};
-use crate::gaussian::ShiftedGaussian;
-use crate::patch::Place;
-use crate::rules::{SEGMENTS, locate};
-use crate::segment::Segment;
+use super::exponential::LEAST;
+use super::patch::Place;
+use super::ranges::{SEGMENTS, locate};
+use super::shifted::ShiftedGaussian;
 use crate::{Moments, QuadratureError};
 
-/// Values side by side: the widest register, four of the narrowest.
-const LANES: usize = 8;
 /// Values that are sorted by segment together: they stay in the fastest memory.
 const BATCH: usize = 2048;
 /// Shorter runs in one segment, on average, are worth sorting.
@@ -193,8 +190,8 @@ impl Column {
 
     /// The relative error by the rounding of s + shift up to `largest` where the ratio of slope to
     /// value is at most `steepness`; the slope's own is one more power of s.
-    fn rounding(&self, largest: f64, steepness: f64) -> f64 {
-        if self.shift == 0.0 || !(steepness >= 0.0) {
+    pub(crate) fn rounding(&self, largest: f64, steepness: f64) -> f64 {
+        if self.shift == 0.0 || steepness.is_nan() {
             return 0.0;
         }
         f64::EPSILON * (largest + 2.0 * self.shift.abs()) * (steepness + 1.0)
@@ -210,7 +207,7 @@ struct Buffers {
 }
 
 /// The product of polynomial, scale and factor, in units of the last place.
-const ROUNDED: f64 = 4.0;
+pub(crate) const ROUNDED: f64 = 4.0;
 
 /// Finds the segment of each value; returns how often it changes from one to the next.
 #[inline(always)]
@@ -221,102 +218,11 @@ fn locate_all<S: Simd>(_: S, s: &[f64], shift: f64, indices: &mut [u32]) -> usiz
     indices.windows(2).map(|pair| usize::from(pair[0] != pair[1])).sum()
 }
 
-impl Segment {
-    #[inline(always)]
-    fn fill<S: Simd>(&self, simd: S, s: &[f64], column: Column, out: &mut [f64]) -> ColumnAccuracy {
-        let splat = |value: f64| f64x8::splat(simd, value);
-        let mut seen = Extremes {
-            exponent: splat(0.0),
-            smallest: splat(f64::INFINITY),
-            largest: splat(0.0),
-            condition: splat(1.0),
-        };
-        let whole = s.len() / LANES * LANES;
-        let (blocks, rest) = s.split_at(whole);
-        let (filled, left) = out.split_at_mut(whole);
-        for (s, out) in blocks.chunks_exact(LANES).zip(filled.chunks_exact_mut(LANES)) {
-            let found = self.eight(simd, f64x8::from_slice(simd, s), column, &mut seen);
-            found.store_slice(out);
-        }
-        if let Some(last) = rest.last() {
-            let mut lanes = [*last; LANES];
-            lanes[..rest.len()].copy_from_slice(rest);
-            let found = self.eight(simd, f64x8::from_slice(simd, &lanes), column, &mut seen);
-            found.store_slice(&mut lanes);
-            left.copy_from_slice(&lanes[..rest.len()]);
-        }
-        self.accuracy(
-            column,
-            [seen.exponent.reduce_min(), seen.smallest.reduce_min()],
-            [seen.largest.reduce_max(), seen.condition.reduce_max()],
-        )
-    }
-
-    #[inline(always)]
-    fn eight<S: Simd>(
-        &self,
-        simd: S,
-        s: f64x8<S>,
-        column: Column,
-        seen: &mut Extremes<S>,
-    ) -> f64x8<S> {
-        let k = usize::from(column.slope);
-        let s = s + column.shift;
-        let (x, u) = self.patch.eight(s);
-        let sum = self.power[k].eight(simd, u);
-        let mut out = sum * column.factor;
-        if self.tilt.is_some() || !self.patch.negative() {
-            let above = s.max(f64x8::splat(simd, 0.0));
-            let scale = above * -0.5 * above;
-            let exponent = self.tilt.map_or(scale, |tilt| scale - tilt.eight(x));
-            out = out * exp(simd, exponent);
-            seen.exponent = seen.exponent.min(exponent);
-        }
-        let size = out.abs();
-        (seen.smallest, seen.largest) = (seen.smallest.min(size), seen.largest.max(size));
-        let sizes = self.size.as_ref().unwrap_or(&self.power);
-        let integral = match self.growth {
-            Some(growth) if column.slope => Some(sizes[0].eight(simd, u) * growth[0]),
-            _ if self.size.is_some() => Some(sizes[k].eight(simd, u)),
-            _ => None,
-        };
-        if let Some(integral) = integral {
-            seen.condition = seen.condition.max(integral / sum.abs());
-        }
-        out
-    }
-
-    /// From the least exponent and size, and from the largest size and condition.
-    fn accuracy(
-        &self,
-        column: Column,
-        [exponent, smallest]: [f64; 2],
-        [largest, condition]: [f64; 2],
-    ) -> ColumnAccuracy {
-        let (lowest, highest) = self.patch.keys();
-        // Of the square of s, and of its sum with the tilt.
-        let share = if self.tilt.is_some() { 1.0 } else { 0.5 };
-        let error = self.error[0] * condition
-            + column.rounding(lowest.abs().max(highest.abs()), self.steepness)
-            + (share * exponent.abs() + ROUNDED) * f64::EPSILON;
-        let normal = exponent > LEAST && smallest >= f64::MIN_POSITIVE && largest <= f64::MAX;
-        ColumnAccuracy { error, condition, normal, lowest }
-    }
-}
-
-/// Extremes of each lane.
-struct Extremes<S: Simd> {
-    exponent: f64x8<S>,
-    smallest: f64x8<S>,
-    largest: f64x8<S>,
-    condition: f64x8<S>,
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Density;
-    use crate::gaussian::tests::{both_signs, power};
+    use crate::gaussian::shifted::tests::{both_signs, power};
 
     fn checked(density: &Density, s: &[f64], column: Column, tolerance: f64) -> ColumnAccuracy {
         let integral = ShiftedGaussian::new(density.clone(), 0.3, tolerance);

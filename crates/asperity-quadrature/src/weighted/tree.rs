@@ -1,9 +1,9 @@
 //! Groups of panels, and groups of groups: far from the kinks of a law, a whole group counts as
 //! twenty points.
 
-use super::lobatto::{NODES, Samples, lobatto};
 use super::panel::{Panel, Shape};
-use crate::legendre::legendre;
+use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
+use crate::rules::legendre::legendre;
 
 /// Points of the rule on one panel.
 const POINTS: usize = 32;

@@ -1,6 +1,6 @@
 //! The derivative of a density of unknown form.
 
-use super::lobatto::{NODES, Samples, dot, lobatto};
+use crate::chebyshev::lobatto::{NODES, Samples, dot, lobatto};
 use crate::{Density, QuadratureError};
 
 /// The rounding of the derivative, in units of the largest value over the interval: of the

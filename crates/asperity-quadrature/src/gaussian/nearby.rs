@@ -1,8 +1,7 @@
 //! I(s) and its neighbourhood for one s at one scale: for scenes that are asked for few values.
 
-use crate::gaussian::{DEEP, Moments};
-use crate::rules::{HIGHEST, LOWEST};
-use crate::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use super::moments::{DEEP, Moments};
+use super::weight::{DEEPEST, HIGHEST, INV_SQRT_2PI, LOWEST, ROUNDING, Weight, masses};
 use crate::{Density, Goal, QuadratureError};
 
 /// As far from where the masses were made they still give a first digit.
@@ -121,7 +120,7 @@ impl Nearby {
 mod tests {
     use super::*;
     use crate::ShiftedGaussian;
-    use crate::gaussian::tests::power;
+    use crate::gaussian::shifted::tests::power;
 
     #[test]
     fn exact_where_made_and_a_guide_nearby() {

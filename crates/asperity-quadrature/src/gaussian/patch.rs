@@ -2,8 +2,8 @@
 
 use fearless_simd::{Simd, f64x8};
 
-use crate::series::Chebyshev;
-use crate::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use super::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use crate::chebyshev::polynomial::Chebyshev;
 use crate::{Density, Discretised, Goal, QuadratureError};
 
 /// Scales that are summed together.
