@@ -7,6 +7,7 @@
 
 pub mod figures;
 pub mod files;
+pub mod folder;
 pub mod report;
 pub mod table;
 pub mod truth;

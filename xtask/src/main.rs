@@ -5,7 +5,8 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
-use xtask::files::{self, figures_folder};
+use xtask::files;
+use xtask::folder::figures_folder;
 use xtask::report::{self, Scope, throughput};
 use xtask::truth;
 

@@ -35,7 +35,7 @@ pub struct Gao {
 const SOURCE: Citation = Citation {
     id: "gao",
     name: "Gao",
-    authors: "Gao, Fu, Wang and others",
+    authors: "Gao, Fu, Wang and others, through Amini & Tehrani",
     year: 2018,
     title: "(title not known; read through Amini & Tehrani 2020)",
     provenance: Provenance::Derived,

@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::methods::{Failure, Outcome};
-use super::ours::{Laws, law_behind};
-use super::problem::{Asked, Problem};
-use crate::files::figures_folder;
+use super::ours::Laws;
+use super::outcome::{Failure, Outcome};
+use super::problem::{Asked, Problem, law_behind, tightest};
+use crate::folder::figures_folder;
 
 /// The family of the scenes that are not hard.
 pub const ORDINARY: &str = "ordinary";
@@ -153,12 +153,6 @@ pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
         Some(case(laws, row, scene, model.clone(), *quantity))
     });
     cases.collect()
-}
-
-/// The tightest tolerance that is promised for a model: its law is tabulated to it.
-#[must_use]
-pub fn tightest(model: &Model) -> f64 {
-    if model.validity().angles { 1e-11 } else { 1e-13 }
 }
 
 fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -> Result<Case> {

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use anyhow::{Context, Result, bail, ensure};
 use asperity::Formula;
 
-use super::methods::{Failure, Outcome};
+use super::outcome::{Failure, Outcome};
 use super::problem::Problem;
 
 /// A library that was found.

@@ -3,56 +3,11 @@
 use std::sync::Arc;
 
 use anyhow::Result;
-use asperity_quadrature::{Point, QuadratureError, TanhSinh, gauss_kronrod, legendre};
+use asperity_quadrature::{Point, TanhSinh, gauss_kronrod, legendre};
 
 use super::ours::{self, Laws};
+use super::outcome::{Failure, Job, Outcome};
 use super::problem::Problem;
-
-/// What a method found.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
-    /// In SI units.
-    pub value: f64,
-    /// Whether the value is over its scale, exp of [`Problem::ln_scale`].
-    pub scaled: bool,
-    /// Evaluations of the integrand; nothing where they are counted apart.
-    pub evaluations: Option<usize>,
-}
-
-/// Why a method gave no number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Failure {
-    /// It says that it did not reach its tolerance.
-    NotConverged,
-    /// It met a number that is none.
-    NotFinite,
-    /// It returned 0 for what is not 0.
-    Zero,
-}
-
-impl Failure {
-    /// The word for it in a table.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::NotConverged => "not-converged",
-            Self::NotFinite => "not-finite",
-            Self::Zero => "zero",
-        }
-    }
-}
-
-impl From<QuadratureError> for Failure {
-    fn from(error: QuadratureError) -> Self {
-        match error {
-            QuadratureError::NotConverged { .. } => Self::NotConverged,
-            _ => Self::NotFinite,
-        }
-    }
-}
-
-/// A problem made ready: everything that is done once has been done.
-pub type Job = Box<dyn Fn() -> Result<Outcome, Failure> + Send + Sync>;
 
 /// How a method is set for one row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]

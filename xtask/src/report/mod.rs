@@ -5,12 +5,15 @@
 //! Errors and counts are the same in every run and guarded by tests; times are not.
 
 mod cases;
+mod effort;
 mod external;
 mod machine;
 mod markdown;
 mod methods;
 mod ours;
+mod outcome;
 mod picture;
+mod points;
 mod problem;
 mod scope;
 mod tables;
@@ -27,7 +30,7 @@ pub use scope::Scope;
 use ours::Laws;
 use tables::Run;
 
-use crate::files::save;
+use crate::folder::save;
 
 /// Measures and writes; returns the paths written. The counter shows on a terminal only.
 ///

@@ -11,9 +11,10 @@ use asperity::{
 };
 use asperity_quadrature::{AnyScale, QuadratureError};
 
-use super::methods::{Failure, Job, Outcome};
-use super::problem::{Asked, Problem, is_slope};
-use super::scope::{Effort, SEPARATIONS, scenes};
+use super::effort::Effort;
+use super::outcome::{Failure, Job, Outcome};
+use super::points::{SEPARATIONS, scenes};
+use super::problem::{Asked, Problem, is_slope, law_behind};
 
 /// What has been built, by all that it depends on.
 #[derive(Debug, Default)]
@@ -72,20 +73,6 @@ impl Laws {
             Ok(Arc::new(AnyScale::new(law.density(), tolerance)))
         })
     }
-}
-
-/// The law behind a quantity: that of the force for a tangent.
-///
-/// # Errors
-/// When the model refuses the asperity.
-pub fn law_behind(
-    model: &Model,
-    quantity: Quantity,
-    asperity: &asperity::Asperity,
-    tolerance: f64,
-) -> Result<Law> {
-    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
-    Ok(model.law(asperity, law, Tolerance::new(tolerance)?)?)
 }
 
 /// A value of a compiled scene.

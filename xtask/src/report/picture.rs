@@ -3,7 +3,7 @@
 use anyhow::Result;
 
 use super::cases::ORDINARY;
-use super::scope::median;
+use super::effort::median;
 use super::tables::{BEFORE, Row, read};
 use asperity_plot::{
     Axis, Cell, Curve, Figure, Legend, Matrix, Panel, Strip, draw, draw_matrix, power_of_ten,

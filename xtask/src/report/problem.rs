@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use asperity::{Formula, HeightDistribution, Law, Model, Part, Quantity, Scene};
+use anyhow::Result;
+use asperity::{
+    Asperity, Formula, HeightDistribution, Law, Model, Part, Quantity, Scene, Tolerance,
+};
 use asperity_quadrature::reach;
 
 /// 1/√(2π).
@@ -41,6 +44,26 @@ pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
         Quantity::Stiffness => !model.validity().angles,
         _ => false,
     }
+}
+
+/// The law behind a quantity: that of the force for a tangent.
+///
+/// # Errors
+/// When the model refuses the asperity.
+pub fn law_behind(
+    model: &Model,
+    quantity: Quantity,
+    asperity: &Asperity,
+    tolerance: f64,
+) -> Result<Law> {
+    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
+    Ok(model.law(asperity, law, Tolerance::new(tolerance)?)?)
+}
+
+/// The tightest tolerance of a model, to which its law is tabulated.
+#[must_use]
+pub fn tightest(model: &Model) -> f64 {
+    if model.validity().angles { 1e-11 } else { 1e-13 }
 }
 
 impl Problem {

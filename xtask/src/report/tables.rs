@@ -11,10 +11,12 @@ use serde::{Deserialize, Serialize};
 
 use super::cases::Case;
 use super::external::{self, External};
-use super::methods::{Failure, HARD_TOLERANCE, Job, METHODS, Setting};
+use super::methods::{HARD_TOLERANCE, METHODS, Setting};
 use super::ours::{self, Laws};
+use super::outcome::{Failure, Job};
+use super::points::points;
 use super::problem::{Asked, Problem, is_slope};
-use super::scope::{Scope, points};
+use super::scope::Scope;
 
 /// The worst of some errors: the largest, or the word of a failure.
 type Worst = Result<f64, Failure>;
@@ -263,7 +265,7 @@ pub fn significant(number: f64) -> String {
 
 /// Two digits, or the word of a failure.
 fn error_text(error: Worst) -> String {
-    error.map_or_else(|failure| failure.word().into(), |error| format!("{error:.1e}"))
+    error.map_or_else(|failure| failure.name().into(), |error| format!("{error:.1e}"))
 }
 
 #[cfg(test)]

@@ -9,7 +9,8 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 use asperity::{Case, Model, Quantity, Request, Scene, Sweep, Tolerance, linspace};
 
-use super::scope::{Scope, scenes};
+use super::points::scenes;
+use super::scope::Scope;
 
 /// The task of `xtask` that runs one sweep; not for users.
 pub const TASK: &str = "report-throughput";

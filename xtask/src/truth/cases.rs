@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::bem::{Bem, Boundary, RandomSurface};
-use asperity::{Interface, ProfileMoments, Scene, Surface};
+use asperity::{Interface, Model, Persson, PerssonVariance, ProfileMoments, Scene, Surface};
 
 /// How much is solved.
 #[derive(Debug, Clone, Copy)]
@@ -76,6 +76,16 @@ pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
 pub fn bem(scope: &Scope, surface: RandomSurface, seed: u64) -> Result<Bem> {
     let map = surface.seed(seed).heights(scope.pixels)?;
     Ok(Bem::new(map, Boundary::Periodic, false))
+}
+
+/// Every model that is compared with boundary elements. Persson's spectrum is a power law, as that of
+/// the solved surfaces beyond their roll-off.
+#[must_use]
+pub fn models() -> Vec<Model> {
+    let hurst_exponent = Some(RandomSurface::HURST);
+    let whole = PerssonVariance::ALL
+        .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
+    [Model::all(), Model::all_random(), whole.to_vec()].concat()
 }
 
 #[cfg(test)]

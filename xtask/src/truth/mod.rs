@@ -14,16 +14,16 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use asperity::bem::RandomSurface;
 use asperity::{
-    At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Persson,
-    PerssonVariance, Quantity, Request, Scene, Truth, truth,
+    At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Quantity, Request,
+    Scene, Truth, truth,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
-pub use cases::{FULL, SMALL, Scope};
+pub use cases::{FULL, SMALL, Scope, models};
 pub use markdown::table as markdown;
 pub use picture::{Shown, style, table};
 
-use crate::files::{figures_folder, save};
+use crate::folder::{figures_folder, save};
 use crate::table::{Field, Table};
 use cases::{GRADIENT, MODULUS};
 
@@ -84,16 +84,6 @@ fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
         ]);
     }
     save(figures, drawn)
-}
-
-/// Every model that stands beside boundary elements; the whole surface is a power law, as what is
-/// solved is beyond its roll-off.
-#[must_use]
-pub fn models() -> Vec<Model> {
-    let hurst_exponent = Some(RandomSurface::HURST);
-    let whole = PerssonVariance::ALL
-        .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
-    [Model::all(), Model::all_random(), whole.to_vec()].concat()
 }
 
 /// The models on a scene.
