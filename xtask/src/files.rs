@@ -27,8 +27,8 @@ fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
-/// The figures of these names. Without names, all of them, and the pictures of the report, drawn from
-/// its committed measurements.
+/// The figures of these names. Without names, all of them, and the pictures of the report, drawn
+/// from its committed measurements.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.name == **n)) {
         let known: Vec<&str> = FIGURES.iter().map(|f| f.name).collect();

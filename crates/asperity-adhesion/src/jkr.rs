@@ -1,4 +1,5 @@
-//! Johnson, Kendall & Roberts: adhesion stretches the contact, which lasts below w = 0 on separation.
+//! Johnson, Kendall & Roberts: adhesion stretches the contact, which lasts below w = 0 on
+//! separation.
 
 use std::f64::consts::PI;
 

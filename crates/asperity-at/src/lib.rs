@@ -19,8 +19,8 @@ pub enum AtReading {
     Printed,
     /// With a plus sign: every contact counts once.
     Additive,
-    /// Elastic up to y = 6, less the share of the plastic asperity from 1 to 6, plus its own law from
-    /// 1 on.
+    /// Elastic up to y = 6, less the share of the plastic asperity from 1 to 6, plus its own law
+    /// from 1 on.
     Overlap,
 }
 
@@ -58,7 +58,8 @@ impl AminiTehrani {
         let (ep, p) = (Regime::ElasticPlastic, Regime::Plastic);
         let sign = if self.reading == AtReading::Additive { 1.0 } else { -1.0 };
         let overlap = self.reading == AtReading::Overlap;
-        // In the overlap reading ep1 and ep2 cancel from 1 to 6, unless areas or friction limits differ.
+        // In the overlap reading ep1 and ep2 cancel from 1 to 6, unless areas or friction limits
+        // differ.
         let cancel = overlap && quantity != Quantity::Area && self.options.stick == Stick::Clamped;
         let elastic_end = if overlap { EP1_END } else { ELASTIC_END };
         // Q = I[Q_e; 0, 1] ∓ I[Q_ep1; 1, 6] + I[Q_ep2; 6, 110] + I[Q_p; 110, ∞]

@@ -68,8 +68,9 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     Ok(draw(&figure, &String::from_utf8(csv)?)?)
 }
 
-/// The picture of some columns against one, with a panel for each that the table has and a curve for
-/// each name in the first column. Over a logarithmic axis, columns that span decades have one as well.
+/// The picture of some columns against one, with a panel for each that the table has and a curve
+/// for each name in the first column. Over a logarithmic axis, columns that span decades have one
+/// as well.
 pub fn against(
     table: &Table,
     x: &Axis,

@@ -71,7 +71,8 @@ mod tests {
     use super::*;
     use asperity_core::{At, Check, Interface, Scene, Severity, Surface};
 
-    /// x, F/F_c and A/A_c of finite elements, and the deviations in per cent that the README states.
+    /// x, F/F_c and A/A_c of finite elements, and the deviations in per cent that the README
+    /// states.
     const ELEMENTS: [[f64; 5]; 8] = [
         [2.0, 2.783, 2.09, -16.6, 4.8],
         [3.0, 4.95, 3.31, -15.5, 7.3],

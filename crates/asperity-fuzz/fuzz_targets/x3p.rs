@@ -1,6 +1,6 @@
 #![no_main]
-//! The bytes of an archive; or, after a `!`, its main.xml, a zero byte and its heights. The checksums,
-//! which a mutation would never match, are then computed.
+//! The bytes of an archive; or, after a `!`, its main.xml, a zero byte and its heights. The
+//! checksums, which a mutation would never match, are then computed.
 
 use std::io::{Cursor, Write};
 

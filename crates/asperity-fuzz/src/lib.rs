@@ -1,5 +1,5 @@
-//! The requirements of the fuzzers on the readers of scans and scenes: no panic, no endless loop, no
-//! excessive memory, and a result that can be used.
+//! The requirements of the fuzzers on the readers of scans and scenes: no panic, no endless loop,
+//! no excessive memory, and a result that can be used.
 //!
 //! A minute of each, from this folder, with cargo-fuzz and a nightly toolchain:
 //!

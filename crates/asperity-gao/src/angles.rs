@@ -63,8 +63,8 @@ impl AngleDensity {
         }
     }
 
-    /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms included; 0 for upright normals, whose
-    /// density is not a function.
+    /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms included; 0 for upright normals,
+    /// whose density is not a function.
     #[must_use]
     pub fn printed(&self, phi: f64, theta: f64) -> f64 {
         let Self::Harmonic { a20, a21, b21 } = *self else {

@@ -88,7 +88,8 @@ impl AzimuthAverage {
         sum
     }
 
-    /// Adds the integral over θ between two angles; `half` marks ends with half powers of the distance.
+    /// Adds the integral over θ between two angles; `half` marks ends with half powers of the
+    /// distance.
     #[inline(always)]
     fn add(&self, sum: &mut Sum, (a, b): (f64, f64), (from, to): (f64, f64), half: [bool; 2]) {
         let width = to - from;

@@ -21,8 +21,8 @@ impl Sum {
 pub(crate) struct Gauss<const N: usize> {
     pub(crate) nodes: [f64; N],
     pub(crate) weights: [f64; N],
-    /// Rows that give the Legendre coefficients of the last three degrees, and of two in the middle,
-    /// from samples at the nodes.
+    /// Rows that give the Legendre coefficients of the last three degrees, and of two in the
+    /// middle, from samples at the nodes.
     degrees: [[f64; N]; 5],
 }
 

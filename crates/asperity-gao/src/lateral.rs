@@ -158,8 +158,8 @@ impl Lateral {
         Some(Law::in_units(self.critical, unit))
     }
 
-    /// Whether friction limits the tangential force of a part: with [`Stick::Unlimited`] only in the
-    /// part of the AT paper's equation (23), which is Gao's elastic-plastic one and AT's ep2.
+    /// Whether friction limits the tangential force of a part: with [`Stick::Unlimited`] only in
+    /// the part of the AT paper's equation (23), which is Gao's elastic-plastic one and AT's ep2.
     #[must_use]
     pub fn stick(&self, of_equation_23: bool) -> Stick {
         if of_equation_23 { Stick::Clamped } else { self.options.stick }
@@ -194,7 +194,8 @@ impl Lateral {
                 angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
             }
         };
-        // An upright contact leaves a regime at its end; at larger x inclined contacts are still in it.
+        // An upright contact leaves a regime at its end; at larger x inclined contacts are still in
+        // it.
         let end = if angle_density == AngleDensity::Upright { range.end } else { f64::INFINITY };
         let inside = |x: &f64| *x > range.start && *x < end;
         Part {

@@ -89,8 +89,8 @@ struct Nest<'a> {
     against: &'a Weighted<'a>,
     azimuths: f64,
     found: Discretised,
-    /// Factor of x. Slopes of integrals use the same masses times x and must be as accurate; next to
-    /// the maximum of the weight, differences of x matter.
+    /// Factor of x. Slopes of integrals use the same masses times x and must be as accurate; next
+    /// to the maximum of the weight, differences of x matter.
     unit: f64,
     /// The integral so far.
     size: f64,
@@ -179,8 +179,9 @@ impl Nest<'_> {
         [total, moment]
     }
 
-    /// Panels of √(x - y) for gaps x - y from `near` to `far`. They end at the corners of slip, which
-    /// are half powers, and at every second edge of the weight. The flags mark corners at the ends.
+    /// Panels of √(x - y) for gaps x - y from `near` to `far`. They end at the corners of slip,
+    /// which are half powers, and at every second edge of the weight. The flags mark corners at the
+    /// ends.
     fn panels(&self, y: f64, near: f64, far: f64) -> Vec<(f64, f64, [bool; 2])> {
         let corners = self.average.contact.corners(y);
         let mut ends: Vec<f64> =

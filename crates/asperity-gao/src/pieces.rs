@@ -20,8 +20,8 @@ const JG_ORIGIN: f64 = 1.9;
 /// elastic-plastic   1.32 (y-1)^1.27 + 1     1 + 1.19 (y-1)^1.1      1.6764 (y-1)^0.27
 /// plastic           3y/S                    y (y/1.9)^B             3/S
 /// ```
-/// r = √A* - s₀, where s₀ = 0 for Gao and for every elastic contact. r and the "1 +" differ from the
-/// printed equations: the AT paper's table of misprints gives the reasons.
+/// r = √A* - s₀, where s₀ = 0 for Gao and for every elastic contact. r and the "1 +" differ from
+/// the printed equations: the AT paper's table of misprints gives the reasons.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalLaw {
     /// The row of the table.

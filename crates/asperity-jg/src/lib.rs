@@ -110,7 +110,8 @@ impl AsperityModel for JacksonGreen {
         let beyond = ELASTIC_END..f64::INFINITY;
         Ok(Some(match quantity {
             Quantity::Force => {
-                // F/F_c' = x^1.5, then the fit; F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R² strain³
+                // F/F_c' = x^1.5, then the fit; F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R²
+                // strain³
                 let force_unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
                 let hardness = self.hardness;
                 let fit = Formula::function(move |x| force(x, c, strain, b, hardness));

@@ -88,8 +88,8 @@ mod tests {
         }
     }
 
-    /// The area by its definition: the share of the surface under a pressure σ > 0, whose density is
-    /// that of full contact less its mirror image.
+    /// The area by its definition: the share of the surface under a pressure σ > 0, whose density
+    /// is that of full contact less its mirror image.
     #[test]
     fn areas_are_the_integral_of_the_pressure_density() {
         for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {

@@ -12,8 +12,8 @@ const RING: f64 = 1.05;
 
 /// The distribution of the gradient of a surface over wave numbers.
 ///
-/// Waves up to the wave number q have the root mean square gradient y g, with y from 0 to 1 and g the
-/// gradient of all waves. The spectrum holds 1/q as a function of y.
+/// Waves up to the wave number q have the root mean square gradient y g, with y from 0 to 1 and g
+/// the gradient of all waves. The spectrum holds 1/q as a function of y.
 ///
 /// ```
 /// use asperity_persson::Spectrum;

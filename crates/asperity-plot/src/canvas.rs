@@ -1,7 +1,7 @@
 //! Shapes and text drawn over plotters' charts, in displayed pixels.
 //!
-//! plotters rounds to whole pixels and has dashes of one length and text of one height. Lines, shapes
-//! and text of this crate are therefore drawn over its charts.
+//! plotters rounds to whole pixels and has dashes of one length and text of one height. Lines,
+//! shapes and text of this crate are therefore drawn over its charts.
 
 use std::cell::RefCell;
 
@@ -103,8 +103,8 @@ pub(crate) fn picture(
     canvas.charts.present()?;
     let over = canvas.over.take();
     drop(canvas);
-    // Without plotters' own root tag, and without the line breaks in its text tags, which some viewers
-    // show as blanks.
+    // Without plotters' own root tag, and without the line breaks in its text tags, which some
+    // viewers show as blanks.
     let charts =
         charts.split_once('\n').map_or("", |(_, body)| body).replace("\n</text>", "</text>");
     let charts = charts.trim_end().trim_end_matches("</svg>");

@@ -37,7 +37,8 @@ pub enum Legend {
     /// In a box below all panels, each key with line and marker.
     #[default]
     Below,
-    /// Beside a point of each curve, for few, well separated points. A curve without a name has none.
+    /// Beside a point of each curve, for few, well separated points. A curve without a name has
+    /// none.
     Direct,
 }
 

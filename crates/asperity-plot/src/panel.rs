@@ -199,7 +199,8 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Markers: at sparse places along lines, at every point where requested, and at isolated points.
+    /// Markers: at sparse places along lines, at every point where requested, and at isolated
+    /// points.
     fn markers(&self, traces: &[Vec<Vec<Point>>], frame: &Rect) -> Vec<Vec<Point>> {
         let (mut lined, mut all) = (vec![], vec![]);
         for (Series { curve, marked: own, .. }, parts) in self.series.iter().zip(traces) {

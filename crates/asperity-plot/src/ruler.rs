@@ -1,6 +1,6 @@
-//! One axis made definite: its ends, its ticks, and where a number falls on it. plotters' meshes are
-//! drawn from it; plotters' own logarithmic axis has no labels within a decade and no lines before
-//! the first one, and its key points want numbers that are not tiny.
+//! One axis made definite: its ends, its ticks, and where a number falls on it. plotters' meshes
+//! are drawn from it; plotters' own logarithmic axis has no labels within a decade and no lines
+//! before the first one, and its key points want numbers that are not tiny.
 
 use std::ops::Range;
 
@@ -32,7 +32,7 @@ pub(crate) struct Ruler {
 
 impl Ruler {
     /// Fixes the ends of an axis by its range or else by the values on it, with air beyond them if
-    /// asked for, and at most so many ticks.
+    /// asked for, and at most this many ticks.
     pub(crate) fn new(
         axis: &Axis,
         values: impl Iterator<Item = f64>,
@@ -121,8 +121,8 @@ impl Ruler {
         }
     }
 
-    /// The position of a number of the csv: 0 at the low end, 1 at the high end. Infinite numbers, and
-    /// those without a logarithm, are far outside.
+    /// The position of a number of the csv: 0 at the low end, 1 at the high end. Infinite numbers,
+    /// and those without a logarithm, are far outside.
     pub(crate) fn share(&self, value: f64) -> f64 {
         ((self.along(value) - self.low) / (self.high - self.low)).clamp(-1e6, 1e6)
     }
@@ -132,8 +132,8 @@ impl Ruler {
         (-1e-9..=1.0 + 1e-9).contains(&self.share(value))
     }
 
-    /// The low end in the units of the csv if the axis is logarithmic: the floor for values of 0 and
-    /// below.
+    /// The low end in the units of the csv if the axis is logarithmic: the floor for values of 0
+    /// and below.
     pub(crate) fn floor(&self) -> Option<f64> {
         self.log.then(|| 10f64.powf(self.low) / self.multiply)
     }

@@ -15,8 +15,8 @@ pub struct Curve {
     pub line: bool,
     /// A marker at every point, instead of a few that identify the curve.
     pub every_point: bool,
-    /// The name in the curve column of the rows with markers, for a line that is drawn with more points
-    /// than were requested.
+    /// The name in the curve column of the rows with markers, for a line that is drawn with more
+    /// points than were requested.
     pub marked: Option<String>,
     /// Joins the ends of a gap by a light dotted line, which marks a jump.
     pub join_gaps: bool,

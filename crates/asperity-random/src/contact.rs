@@ -18,8 +18,8 @@ pub const SUFFIX: &str = "-random";
 
 /// A model of upright contacts whose heights and radii are those of an isotropic Gaussian surface.
 ///
-/// It is not an [`AsperityModel`](asperity_core::AsperityModel), because the law that it averages over
-/// heights is not the law of one radius.
+/// It is not an [`AsperityModel`](asperity_core::AsperityModel), because the law that it averages
+/// over heights is not the law of one radius.
 #[derive(Debug, Clone)]
 pub struct RandomAsperities {
     model: Arc<dyn ContactModel>,
@@ -35,7 +35,8 @@ impl RandomAsperities {
         Self { model: Arc::new(model), id, name }
     }
 
-    /// The law of the area is an average over radii: its root is not the average of the contact radii.
+    /// The law of the area is an average over radii: its root is not the average of the contact
+    /// radii.
     fn check(&self, quantities: &[Quantity]) -> Result<(), ContactError> {
         let of_radii = |quantity: &Quantity| {
             matches!(

@@ -5,8 +5,8 @@ use asperity_core::{ContactError, HeightDistribution, Scene, Surface};
 /// Distance below u = 0 of the origin of interferences, in standard deviations of μ k_m.
 pub(crate) const BEGIN: f64 = 11.5;
 /// Start of the averaged law on that scale, in the first cell of its tables. At a separation of
-/// [`FARTHEST`](crate::FARTHEST) √m₀ and a correlation ρ of height and curvature, contacts come from
-/// 6ρ ± 8√(1-ρ²), at most 10 below u = 0.
+/// [`FARTHEST`](crate::FARTHEST) √m₀ and a correlation ρ of height and curvature, contacts come
+/// from 6ρ ± 8√(1-ρ²), at most 10 below u = 0.
 pub(crate) const FIRST: f64 = 1.0;
 
 /// The constants of the summit density of a scene's surface.

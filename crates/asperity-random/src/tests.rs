@@ -176,8 +176,8 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     let refused =
         RandomAsperities::new(AminiTehrani::default()).compile(&usual, &asked).unwrap_err();
     assert!(refused.to_string().contains("its contacts are inclined"), "{refused}");
-    // Of one power, GW's averaged area could be turned into a radius, which would be wrong: for Hertz
-    // 2 E times the sum of the radii is the tangent.
+    // Of one power, GW's averaged area could be turned into a radius, which would be wrong: for
+    // Hertz 2 E times the sum of the radii is the tangent.
     for quantity in [Quantity::ContactRadiusSum, Quantity::UnloadingStiffness] {
         let refused = gw.compile(&usual, &Request::new([quantity])).unwrap_err().to_string();
         assert!(refused.starts_with("GW random cannot give sums of contact radii"), "{refused}");

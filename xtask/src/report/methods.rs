@@ -1,4 +1,4 @@
-//! The methods that are compared. Each turns a problem into a job that can be run again and again.
+//! The methods that are compared. Each turns a problem into a job that can be repeated.
 
 use std::sync::Arc;
 
@@ -9,32 +9,32 @@ use super::ours::{self, Laws};
 use super::outcome::{Failure, Job, Outcome};
 use super::problem::Problem;
 
-/// How a method is set for one row of the table.
+/// The setting of a method in one row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Setting {
-    /// To this relative tolerance.
+    /// A relative tolerance.
     Tolerance(f64),
-    /// With this many points on each panel.
+    /// A number of points on each panel.
     Points(usize),
-    /// It has none.
+    /// No setting.
     Fixed,
 }
 
 /// A method of this process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Polynomials in the separation, built once a scene.
+    /// Polynomials in the separation, built once per scene.
     Compiled,
     /// The same without a compiled scene: polynomials in separation and scale serve every scene.
     Rule,
-    /// Adaptive; this and the next two are scaled against underflow and split at the kinks.
+    /// Adaptive. This and the next two are scaled against underflow and split at the kinks.
     GaussKronrod,
     /// Levels until they agree.
     TanhSinh,
     /// A fixed rule between kinks.
     Split,
-    /// What published scripts do, like the next two: a fixed rule on a fixed range above the
-    /// separation, in plain doubles, in metres, blind to the kinks of the law.
+    /// A fixed rule on a fixed range above the separation, in plain doubles and in metres, not
+    /// split at the kinks of the law: common in published scripts, like the next two.
     Legendre64,
     /// Equal steps.
     Trapezoid,
@@ -42,7 +42,7 @@ pub enum Method {
     Simpson,
 }
 
-/// All methods of this process with their names in tables and what the Markdown says of them.
+/// All methods of this process, with their names in tables and their descriptions.
 pub const METHODS: [(Method, &str, &str); 8] = [
     (Method::Compiled, "compiled", "ours, scene compiled: per evaluation"),
     (Method::Rule, "rule", "ours, law built, scene not compiled (as in `Sweep`)"),
@@ -54,15 +54,15 @@ pub const METHODS: [(Method, &str, &str); 8] = [
     (Method::Simpson, "simpson", "composite, 200 intervals on [d, d+6σ], plain doubles"),
 ];
 
-/// What is asked of the methods that take a tolerance, on the hard cases.
+/// The tolerance on the hard cases, of methods that have one.
 pub const HARD_TOLERANCE: f64 = 1e-10;
-/// Points a panel, on the hard cases.
+/// Points per panel on the hard cases.
 const HARD_POINTS: usize = 128;
-/// More evaluations than this for one integral are no method.
+/// Largest number of evaluations for one integral.
 const LIMIT: usize = 20_000;
 
 impl Method {
-    /// What it is set to, row by row, when these tolerances and numbers of points are looked at.
+    /// The settings, row by row, for these tolerances and numbers of points.
     #[must_use]
     pub fn settings(self, tolerances: &[f64], points: &[usize]) -> Vec<Setting> {
         match self {
@@ -72,13 +72,13 @@ impl Method {
         }
     }
 
-    /// How it is set on the hard cases, where each method runs once.
+    /// The setting on the hard cases, where each method runs once.
     #[must_use]
     pub fn on_hard_cases(self) -> Setting {
         self.settings(&[HARD_TOLERANCE], &[HARD_POINTS])[0]
     }
 
-    /// Makes a problem ready.
+    /// Prepares a problem.
     ///
     /// # Errors
     /// What the library refuses.
@@ -94,8 +94,8 @@ impl Method {
         }
     }
 
-    /// Parts of different sign are integrated by themselves, so that a tolerance relative to each
-    /// can be met where they cancel.
+    /// Parts of different sign are integrated separately, so that a tolerance relative to each can
+    /// be met where they cancel.
     fn classical(self, problem: &Arc<Problem>, tolerance: f64, points: usize) -> Job {
         let problem = problem.clone();
         let signs = match problem.signs()[..] {
@@ -164,8 +164,8 @@ impl Method {
         })
     }
 
-    /// Evaluations of the integrand for a problem, or of an exponential, for a rule that has the
-    /// law in its weight; nothing where the method gives no answer.
+    /// Evaluations of the integrand for a problem, or of an exponential for a rule whose weight
+    /// contains the law; `None` where the method fails.
     ///
     /// # Errors
     /// What the library refuses.

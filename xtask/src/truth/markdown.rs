@@ -8,11 +8,11 @@ use asperity::{Described, Evidence};
 use super::cases::models;
 use super::picture::Shown;
 
-/// The table, from the text of the evidence: for each model and material the range of the deviations
-/// over surfaces and loads.
+/// The table, from the text of the evidence: for each model and material the range of the
+/// deviations over surfaces and loads.
 ///
 /// # Errors
-/// A text that is no evidence.
+/// A text that is not evidence.
 pub fn table(text: &str) -> Result<String> {
     let evidence = Evidence::parse(text)?;
     let mut indices: Vec<f64> = vec![];

@@ -66,7 +66,8 @@ impl Models {
         }
         self.output.write(&table)?;
         if terminal {
-            TAGS.iter().for_each(|(tag, meaning)| say("note", &format!("{tag}: {meaning}")));
+            TAGS.iter()
+                .for_each(|(tag, meaning)| say("note", &format!("equations {tag}: {meaning}")));
         }
         Ok(())
     }
