@@ -1,3 +1,3 @@
-//! A build script, so that what procedural macros are built with is asked for too.
+//! A build script, which adds the features that procedural macros are built with.
 
 fn main() {}

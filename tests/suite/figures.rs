@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xtask::files::{figures_folder, stale, write};
+use xtask::files::{stale, write};
+use xtask::folder::figures_folder;
 
 #[test]
 fn committed_figures_are_up_to_date() {

@@ -4,7 +4,7 @@ use std::fs;
 
 use insta::Comparator;
 use insta::internals::SnapshotContents;
-use xtask::files::figures_folder;
+use xtask::folder::figures_folder;
 use xtask::report::{Scope, accuracy, errors_agree};
 use xtask::table::agree_by;
 

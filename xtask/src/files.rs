@@ -1,4 +1,4 @@
-//! Writing the figures, or checking that the committed ones are what would be written.
+//! Writing the figures, or checking that the committed ones are up to date.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,21 +9,12 @@ use asperity_plot::draw;
 use rayon::prelude::*;
 
 use crate::figures::{FIGURES, FigureSpec};
+use crate::folder::{Fresh, save};
 use crate::report;
 use crate::table::{GUARD, agree};
 use crate::truth;
 
-/// The workspace's `figures` folder.
-#[must_use]
-pub fn figures_folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("figures")
-}
-
-/// A file's name and its text as it should be committed.
-type Fresh = (String, String);
-
-/// The one guard of figures: a committed csv stays while its numbers agree with fresh ones, and the
-/// svg is drawn from it.
+/// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
 fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
     let name = spec.name;
     let numbers = (spec.table)().with_context(|| format!("the table of {name}"))?.into_text();
@@ -36,12 +27,12 @@ fn fresh(folder: &Path, spec: &FigureSpec) -> Result<[Fresh; 2]> {
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
-/// The figures of these names; if none is given, all, and the report's pictures drawn anew from what
-/// it measured.
+/// The figures of these names. Without names, all of them, and the pictures of the report, drawn
+/// from its committed measurements.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.name == **n)) {
         let known: Vec<&str> = FIGURES.iter().map(|f| f.name).collect();
-        bail!("{name:?} is no figure; the figures are {}", known.join(", "));
+        bail!("{name:?} is not a figure; the figures are {}", known.join(", "));
     }
     let wanted = |spec: &&FigureSpec| names.is_empty() || names.contains(&spec.name);
     let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
@@ -59,20 +50,6 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
 /// An unknown name, a figure that cannot be computed, a file that cannot be written.
 pub fn write(folder: &Path, names: &[&str]) -> Result<Vec<PathBuf>> {
     save(folder, all(folder, names)?)
-}
-
-/// Writes texts by their names; returns the paths.
-///
-/// # Errors
-/// A file that cannot be written.
-pub fn save(folder: &Path, texts: impl IntoIterator<Item = Fresh>) -> Result<Vec<PathBuf>> {
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-    let save = |(name, text)| {
-        let path = folder.join(name);
-        fs::write(&path, text).with_context(|| path.display().to_string())?;
-        Ok(path)
-    };
-    texts.into_iter().map(save).collect()
 }
 
 /// The names of the files that differ from what [`write()`] would write. Writes nothing.

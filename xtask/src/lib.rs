@@ -1,13 +1,14 @@
 //! The workspace's own tasks: physics → table → csv → svg.
 //!
-//! [`figures`] lists what there is: for each a [`table`] of numbers that calls the models, and the
-//! description of a picture, which `asperity_plot` draws from the text of the csv. [`files`] writes or
-//! checks both. [`report`] measures how fast and how accurate the integrals are, [`truth`] how far the
-//! models are from boundary elements.
+//! [`figures`] lists the figures: for each a [`table`] of numbers from the models, and the description
+//! of a picture, which `asperity_plot` draws from the text of the csv. [`files`] writes or checks
+//! both. [`report`] measures speed and accuracy of the integrals, [`truth`] compares the models
+//! with boundary elements.
 
 pub mod docs;
 pub mod figures;
 pub mod files;
+pub mod folder;
 pub mod report;
 pub mod table;
 pub mod truth;

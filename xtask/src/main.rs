@@ -6,7 +6,8 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
-use xtask::files::{self, figures_folder};
+use xtask::files;
+use xtask::folder::figures_folder;
 use xtask::report::{self, Scope, throughput};
 use xtask::{docs, truth};
 
@@ -16,28 +17,28 @@ use xtask::{docs, truth};
 enum Task {
     /// Write figures/<name>.csv and figures/<name>.svg
     Figures {
-        /// Fail, naming them, if committed files are stale; write nothing
+        /// Only compare: fail and name the committed files that are stale
         #[arg(long)]
         check: bool,
         /// Only these figures
         names: Vec<String>,
     },
-    /// Measure: write figures/speed-vs-error.* and figures/hard-cases.*
+    /// Measure times and errors: write figures/speed-vs-error.* and figures/hard-cases.*
     Report {
-        /// A few of all rows in seconds, to target/report
+        /// Measure a few rows in seconds, and write to target/report
         #[arg(long)]
         quick: bool,
-        /// Write there
+        /// Folder to write to
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Solve random surfaces by boundary elements and write every model beside them, in some ten
-    /// minutes: crates/asperity/data/truth.csv, figures/truth-*
+    /// Compare every model with boundary elements on random surfaces, in about ten minutes: write
+    /// crates/asperity/data/truth.csv and figures/truth-*
     Truth {
-        /// Solve the small case alone, which tests solve again: tests/reference/truth_small.csv
+        /// Solve only the small case of the tests: tests/reference/truth_small.csv
         #[arg(long)]
         small: bool,
-        /// Ask the models anew beside the boundary elements that are committed, and draw
+        /// Evaluate the models anew, keep the committed boundary-element solutions, and draw
         #[arg(long, conflicts_with = "small")]
         models: bool,
     },
@@ -50,19 +51,19 @@ enum Task {
 fn main() -> Result<()> {
     match Task::parse() {
         Task::Figures { check, names } => figures(check, &names),
-        Task::Report { quick: false, .. } if cfg!(debug_assertions) => again_with_optimisation(),
+        Task::Report { quick: false, .. } if cfg!(debug_assertions) => run_in_release(),
         Task::Truth { small, models } => {
             print(match (small, models) {
                 (true, _) => truth::write_small()?,
-                (_, true) => truth::ask_again(&figures_folder())?,
+                (_, true) => truth::update_models(&figures_folder())?,
                 _ => truth::write(&figures_folder())?,
             });
             Ok(())
         }
         Task::Report { quick, out } => {
             let scope = if quick { Scope::Quick } else { Scope::Full };
-            let quickly = figures_folder().with_file_name("target").join("report");
-            let folder = if quick { quickly } else { figures_folder() };
+            let target = figures_folder().with_file_name("target").join("report");
+            let folder = if quick { target } else { figures_folder() };
             print(report::write(scope, &out.unwrap_or(folder))?);
             Ok(())
         }
@@ -96,8 +97,8 @@ fn figures(check: bool, names: &[String]) -> Result<()> {
     Ok(())
 }
 
-/// Times of a development build say nothing of what users get: the same command, in release.
-fn again_with_optimisation() -> Result<()> {
+/// Runs the same command in a release build: times of a development build are not those of users.
+fn run_in_release() -> Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
         .args(["run", "--quiet", "--release", "--package", "xtask", "--"])

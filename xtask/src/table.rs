@@ -1,9 +1,9 @@
-//! Tables of numbers as csv text, and what it takes for two of them to agree.
+//! Tables of numbers as csv text, and their comparison.
 
 use anyhow::{Result, ensure};
 
-/// Committed numbers may differ from fresh ones by this much, relatively: below it lie compilers
-/// and processors, above it lie changes of the physics.
+/// Largest relative difference of committed and fresh numbers: compilers and processors differ by
+/// less, changes of the physics by more.
 pub const GUARD: f64 = 1e-7;
 
 /// A csv with a head and rows.
@@ -16,7 +16,7 @@ pub struct Table {
 /// One field of a row.
 #[derive(Debug, Clone, Copy)]
 pub enum Field<'a> {
-    /// A word, without commas.
+    /// A text without commas.
     Word(&'a str),
     /// A number; written with 9 significant digits.
     Number(f64),
@@ -66,13 +66,13 @@ impl Table {
     }
 }
 
-/// Whether two texts agree: the same words, and numbers within the relative `tolerance`.
+/// Whether two csv agree: equal texts, and numbers within the relative `tolerance`.
 #[must_use]
 pub fn agree(a: &str, b: &str, tolerance: f64) -> bool {
     agree_by(a, b, |a, b| (a - b).abs() <= tolerance * a.abs().max(b.abs()))
 }
 
-/// Whether two texts agree: the same words, and numbers that are the `same`.
+/// Whether two csv agree: equal texts, and numbers that are the `same`.
 #[must_use]
 pub fn agree_by(a: &str, b: &str, same: impl Fn(f64, f64) -> bool) -> bool {
     let mut lines = (a.lines(), b.lines());
@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nine_digits_words_and_gaps() {
+    fn numbers_have_nine_digits_and_gaps_are_empty() {
         let mut table = Table::new(&["curve", "x", "y"]);
         table.push(&[Field::Word("ke"), Field::Number(1.0 / 3.0), Field::Gap]).unwrap();
         assert!(table.push(&[Field::Number(f64::NAN), Field::Gap, Field::Gap]).is_err());
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn the_guard_lets_rounding_pass_and_nothing_else() {
+    fn the_guard_accepts_rounding_only() {
         let text = "curve,x\nke,1.23456789e-5\n";
         for (other, same) in [
             ("curve,x\nke,1.2345678901e-5\n", true),

@@ -1,4 +1,4 @@
-//! Derjaguin, Muller & Toporov: Hertz' contact with a constant pull around it.
+//! Derjaguin, Muller & Toporov: the contact of Hertz with a constant attraction around it.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use asperity_core::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::{hertz, sticking};
+use crate::{adhesive_validity, hertz};
 
 /// The model of Derjaguin, Muller and Toporov.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -29,7 +29,10 @@ impl Described for DerjaguinMullerToporov {
     }
 
     fn validity(&self) -> Validity {
-        sticking([0.0, 0.1], "elastic asperities that stick, Tabor's parameter below about 0.1")
+        adhesive_validity(
+            [0.0, 0.1],
+            "elastic asperities with adhesion; Tabor parameter below about 0.1",
+        )
     }
 }
 
@@ -45,6 +48,7 @@ impl AsperityModel for DerjaguinMullerToporov {
         if quantity == Quantity::Area || pull == 0.0 {
             return Ok(Some(law));
         }
+        // F = (4/3) E √R w^(3/2) - 2π w_a R for w > 0
         let constant = [Power::new(pull / law.value_unit, 0.0)];
         Ok(Some(law.less_adhesion(0.0..f64::INFINITY, constant)))
     }

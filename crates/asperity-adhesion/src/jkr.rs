@@ -1,4 +1,5 @@
-//! Johnson, Kendall & Roberts: adhesion stretches the contact, and holds it below w = 0.
+//! Johnson, Kendall & Roberts: adhesion stretches the contact, which lasts below w = 0 on
+//! separation.
 
 use std::f64::consts::PI;
 
@@ -8,29 +9,29 @@ use asperity_core::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::{hertz, sticking};
+use crate::{adhesive_validity, hertz};
 
-/// Which way the surfaces go.
+/// The direction in which the surfaces move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum JkrBranch {
-    /// Towards each other for the first time: contacts begin at w = 0.
+    /// Towards each other for the first time: contacts form at w = 0.
     #[default]
     Approach,
-    /// Away from each other, having been close: contacts last to w = -w_p.
+    /// Away from each other after contact: contacts last until w = -w_p.
     Separation,
 }
 
 impl JkrBranch {
-    /// w/w_p where a contact begins.
-    fn begins(self) -> f64 {
+    /// w/w_p at the onset of contact.
+    fn onset(self) -> f64 {
         match self {
             Self::Approach => 0.0,
             Self::Separation => -1.0,
         }
     }
 
-    /// r there.
+    /// r at the onset of contact, where it is least.
     fn least(self) -> f64 {
         match self {
             Self::Approach => 4f64.cbrt(),
@@ -38,16 +39,16 @@ impl JkrBranch {
         }
     }
 
-    /// r at x = w/w_p less where the contact begins: (r⁴ - 4r)/3 = x + that.
+    /// r at the distance x = w/w_p - onset from the onset of contact: (r⁴ - 4r)/3 = x + onset.
     fn root(self, x: f64) -> f64 {
         let b = self.least();
-        // With r = b + u: 3x = u (c₁ + u (c₂ + u (c₃ + u))), no term below 0, so that nothing cancels.
+        // With r = b + u: 3x = u (c₁ + u (c₂ + u (c₃ + u))), all terms ≥ 0, without cancellation.
         let c1 = match self {
             Self::Approach => 12.0,
             Self::Separation => 0.0,
         };
         let (c2, c3, y) = (6.0 * b * b, 4.0 * b, 3.0 * x);
-        // Each term alone would need this: Newton's steps come down from the least of them.
+        // The smallest root of the single terms is above u; Newton's method descends from it.
         let mut u = y.sqrt().sqrt().min((y / c2).sqrt());
         if c1 > 0.0 {
             u = u.min(y / c1);
@@ -56,7 +57,7 @@ impl JkrBranch {
             let value = u * (c1 + u * (c2 + u * (c3 + u)));
             let slope = c1 + u * (2.0 * c2 + u * (3.0 * c3 + u * 4.0));
             let next = u - (value - y) / slope;
-            // Rounding ends the descent; at x = 0 there is none.
+            // The descent ends at rounding.
             if !(next < u && next > 0.0) {
                 break;
             }
@@ -70,7 +71,7 @@ impl JkrBranch {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct JohnsonKendallRoberts {
-    /// Which way the surfaces go.
+    /// The direction in which the surfaces move.
     pub branch: JkrBranch,
 }
 
@@ -86,7 +87,7 @@ const SOURCE: Citation = Citation {
 const SEPARATION: Citation = Citation { id: "jkr-separation", name: "JKR separation", ..SOURCE };
 
 impl JohnsonKendallRoberts {
-    /// A power of r, as a function of x.
+    /// A power of r as a function of x.
     fn power(self, coefficient: f64, exponent: i32) -> Formula {
         let branch = self.branch;
         let name = match branch {
@@ -107,8 +108,8 @@ impl Described for JohnsonKendallRoberts {
     }
 
     fn validity(&self) -> Validity {
-        let words = "elastic asperities that stick, Tabor's parameter above about 5";
-        sticking([5.0, f64::INFINITY], words)
+        let valid_for = "elastic asperities with adhesion; Tabor parameter above about 5";
+        adhesive_validity([5.0, f64::INFINITY], valid_for)
     }
 }
 
@@ -126,12 +127,14 @@ impl AsperityModel for JohnsonKendallRoberts {
         let r = asperity.radius;
         let strain = PI * work / (8.0 * asperity.equivalent_modulus * r);
         let last = 3.0 * r * (strain * strain).cbrt();
-        let law = |unit| Law::in_units(last, unit).beginning_at(self.branch.begins());
+        let law = |unit| Law::in_units(last, unit).beginning_at(self.branch.onset());
         let all = 0.0..f64::INFINITY;
         Ok(Some(match quantity {
+            // F/(π w_a R) = r⁶/6 - r³
             Quantity::Force => law(PI * work * r)
                 .elastic(all.clone(), self.power(1.0 / 6.0, 6))
                 .less_adhesion(all, self.power(1.0, 3)),
+            // A = π a², a² = (R w_p/3) r⁴
             Quantity::Area => law(PI * r * last / 3.0).elastic(all, self.power(1.0, 4)),
             _ => return Ok(None),
         }))
@@ -143,7 +146,7 @@ mod tests {
     use super::*;
     use asperity_core::{Interface, testkit};
 
-    /// The equations as they are printed, of the contact radius.
+    /// The published equations, as functions of the contact radius.
     fn printed(asperity: &Asperity, a: f64) -> [f64; 3] {
         let (e, r) = (asperity.equivalent_modulus, asperity.radius);
         let work = asperity.work_of_adhesion.unwrap();
@@ -153,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn both_branches_are_the_printed_equations() {
+    fn both_branches_satisfy_the_published_equations() {
         let mut interface = Interface::elastic(3e6, 0.5);
         interface.work_of_adhesion = Some(0.08);
         let asperity = Asperity::new(&interface, 2e-4).unwrap();
@@ -163,14 +166,14 @@ mod tests {
             assert_eq!(testkit::check(&model, &asperity).unwrap(), []);
             let law = |q| model.law(&asperity, q, Tolerance::default()).unwrap().unwrap();
             let (force, area) = (law(Quantity::Force), law(Quantity::Area));
-            // From the least radius of the branch on.
+            // From the smallest radius of the branch upwards.
             let first = least * branch.least().powi(2);
             for k in 1..60 {
                 let a = first * 1.3f64.powi(k);
                 let [w, f, area_wanted] = printed(&asperity, a);
                 let found = area.value(w).unwrap();
                 assert!((found / area_wanted - 1.0).abs() < 1e-13, "{k}: {found}");
-                // The printed difference cancels as its two terms do.
+                // The two published terms cancel in part.
                 let large = 4.0 * 3e6 * a.powi(3) / (3.0 * 2e-4);
                 assert!((force.value(w).unwrap() - f).abs() < 1e-12 * (large + f.abs()), "{k}");
             }
@@ -184,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn the_root_is_met_over_all_scales() {
+    fn the_root_is_accurate_at_all_scales() {
         for branch in [JkrBranch::Approach, JkrBranch::Separation] {
             for k in -300..300 {
                 let x = 10f64.powi(k);
@@ -192,7 +195,7 @@ mod tests {
                 let u = r - b;
                 let c1 = if branch == JkrBranch::Approach { 12.0 } else { 0.0 };
                 let back = u * (c1 + u * (6.0 * b * b + u * (4.0 * b + u))) / 3.0;
-                // u itself is lost in r where x is small.
+                // r = b + u loses digits of u where x is small.
                 let lost = 4.0 * f64::EPSILON * b / u.max(f64::MIN_POSITIVE);
                 assert!((back / x - 1.0).abs() < 1e-14 + 2.0 * lost || lost > 1.0, "{k}");
             }

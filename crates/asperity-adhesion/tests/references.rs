@@ -69,7 +69,7 @@ fn every_row_of_the_reference_is_met_by_every_way_of_asking() {
         for (way, found) in found.into_iter().enumerate() {
             let error = (found.value() / value - 1.0).abs();
             count += 1;
-            // Forces cancel near their zero, and the bound says so.
+            // Forces cancel near their zero, which the bound includes.
             let bound = found.relative_error();
             if error.is_nan() || error > bound || error > 1e-12 && bound < 1e-11 || bound > 1e-8 {
                 failures.push(format!("{line}: way {way}, {error:.1e}, bound {bound:.1e}"));
@@ -277,16 +277,16 @@ fn of_surfaces_next_to_smooth_all_asperities_pull_as_one() {
         let asked = Request::new([Quantity::Force, Quantity::Tangent]);
         let contact = SEPARATION.compile(&scene, &asked).unwrap();
         let held = pull_off(&*contact).unwrap().unwrap();
-        // 3/2 π w_a R each (JKR), less what the heights spread.
+        // 3/2 π w_a R per asperity (JKR), less the effect of the spread of heights.
         let each = 1.5 * PI * work * scene.surface.asperity_radius;
         let share = -held.force.value() / (each * scene.asperities());
         assert!((0.9..1.0 + 1e-9).contains(&share), "{work}: {share} {held:?}");
-        // By steps of a ten-thousandth around it, there is no larger tension.
+        // In steps of a ten-thousandth around it no tension is larger.
         for k in -50..=50 {
             let s = held.separation.value * (1.0 + 1e-4 * f64::from(k));
             let there = contact.evaluate(Quantity::Force, s).unwrap();
-            // As far out, where a slope is 0 is known to a few ten-thousandths, and the force of the
-            // minimum to the square of that.
+            // That far out, the place of a zero slope is accurate to a few ten-thousandths, and the
+            // force of the minimum to the square of that.
             let known = held.force.relative_error() + there.relative_error() + 1e-7;
             let least = held.force.value() * (1.0 + known);
             assert!(there.value() >= least, "{work} {k}: {there:?} {held:?}");

@@ -1,4 +1,4 @@
-//! Curves as a picture: from the table that is printed, and from nothing else.
+//! Curves as a picture, drawn from the printed table alone.
 
 use anyhow::{Context, Result};
 use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
@@ -7,10 +7,10 @@ use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use crate::output::once;
 use crate::table::{Cell, Table};
 
-/// Of as many points of a curve each is seen; of more a few tell the curves apart.
-pub const SEEN: usize = 12;
+/// Up to this many points of a curve, each has a marker; above, a few markers identify the curve.
+pub const MARKED: usize = 12;
 
-/// The picture of a table's quantities against what was given, one panel for each.
+/// The picture of a table's quantities against the load or separation, one panel for each.
 pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     let mut x = match request.at.first() {
         Some(At::Load(_)) => Axis::new("load_N", "load (N)"),
@@ -32,7 +32,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
         Some(Curve::new(look.unwrap_or(0), id, id))
     };
     let mut curves: Vec<Curve> = once(&models).iter().filter_map(curve).collect();
-    let few = table.rows.len() <= SEEN * curves.len();
+    let few = table.rows.len() <= MARKED * curves.len();
     curves.iter_mut().for_each(|curve| curve.every_point = few);
 
     let (mut panels, mut hidden) = (vec![], vec![]);
@@ -53,7 +53,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
         panel.curves.clone_from(&curves);
         panels.push(panel);
     }
-    // A line runs from left to right, whatever the order of the rows.
+    // A line runs from left to right for any order of the rows.
     let mut sorted = table.clone();
     let k = place(table, &x.column)?;
     let at = |row: &Vec<Cell>| row[k].number().unwrap_or(f64::NAN);
@@ -68,9 +68,9 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     Ok(draw(&figure, &String::from_utf8(csv)?)?)
 }
 
-/// The picture of some columns against one, a panel each where the table has it, of curves that
-/// the first column names; over a logarithmic axis, those that change by much
-/// are on one, too.
+/// The picture of some columns against one, with a panel for each that the table has and a curve
+/// for each name in the first column. Over a logarithmic axis, columns that span decades have one
+/// as well.
 pub fn against(
     table: &Table,
     x: &Axis,
@@ -103,17 +103,19 @@ fn numbers(table: &Table, name: &str) -> Result<Vec<f64>> {
     Ok(table.rows.iter().filter_map(|row| row[k].number()).collect())
 }
 
-/// Whether numbers follow each other in equal steps, as those of A:B:N.
+/// Whether numbers follow each other in equal steps, as in A:B:N.
 fn is_even(values: &[f64]) -> bool {
     let steps = || values.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0);
     let (low, high) = (steps().fold(f64::INFINITY, f64::min), steps().fold(0.0, f64::max));
     values.len() > 2 && high <= 1.001 * low
 }
 
+/// The name in words, with the unit of the numbers.
 fn label(quantity: Quantity) -> String {
+    let name = quantity.to_string().replace('-', " ");
     match quantity.unit().trim_start_matches("ln ").replace("m2", "m²") {
-        none if none.is_empty() => quantity.to_string(),
-        unit if quantity.is_absolute() => format!("{quantity} (of {unit})"),
-        unit => format!("{quantity} ({unit})"),
+        none if none.is_empty() => name,
+        unit if quantity.is_absolute() => format!("{name} (of {unit})"),
+        unit => format!("{name} ({unit})"),
     }
 }

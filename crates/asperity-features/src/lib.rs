@@ -1,3 +1,3 @@
-//! What members of the workspace ask of the same libraries, asked at once by those that are built
-//! alone, `xtask` and the Python package: without it, cargo compiles half of the workspace again
-//! for each, with a feature fewer of `either` or `syn`. There is nothing else in here.
+//! The union of the features that members of the workspace use of the same libraries. `xtask` and
+//! the Python package, which are built alone, depend on it: without it cargo compiles half of the
+//! workspace again for each, with one feature of `either` or `syn` less.

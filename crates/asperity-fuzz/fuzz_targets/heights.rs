@@ -26,7 +26,7 @@ libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
         Ok(file) => {
             let table = file.table.expect("the heights are a table");
             assert!(table.standard_deviation() > 0.0 && table.mean().is_finite());
-            // What is written back is the same table.
+            // A table that is written reads back unchanged.
             std::fs::write(&path, write_heights(table.points())).expect("a file for the table");
             assert!(parse(SCENE, &folder).is_ok());
         }

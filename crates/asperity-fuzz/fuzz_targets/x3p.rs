@@ -1,6 +1,6 @@
 #![no_main]
-//! The bytes of an archive; or, behind a `!`, its main.xml, a zero byte and its heights: the
-//! checksums that a mutation never meets are then made good.
+//! The bytes of an archive; or, after a `!`, its main.xml, a zero byte and its heights. The
+//! checksums, which a mutation would never match, are then computed.
 
 use std::io::{Cursor, Write};
 
@@ -13,7 +13,7 @@ libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
         Some((&parts[..end], &parts[end + 1..]))
     });
     let Some((xml, heights)) = parts else { return asperity_fuzz::measure("a.x3p", bytes) };
-    // A bit for each height in doubles.
+    // One bit for each height in doubles.
     let valid = &heights[..heights.len().div_ceil(64)];
     let mut archive = ZipWriter::new(Cursor::new(vec![]));
     for (name, part) in

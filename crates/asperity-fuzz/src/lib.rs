@@ -1,5 +1,5 @@
-//! What the fuzzers hold the readers of scans and scenes to: no panic, no hang, no gigabytes, and
-//! what is read can be used.
+//! The requirements of the fuzzers on the readers of scans and scenes: no panic, no endless loop,
+//! no excessive memory, and a result that can be used.
 //!
 //! A minute of each, from this folder, with cargo-fuzz and a nightly toolchain:
 //!
@@ -10,7 +10,7 @@
 //! done
 //! ```
 //!
-//! What they find becomes a test of the crate it was found in (`tests/suite/hostile.rs`).
+//! Each finding becomes a test of the crate concerned (`tests/suite/hostile.rs`).
 
 use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, read_bytes};
 

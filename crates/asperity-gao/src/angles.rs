@@ -1,16 +1,16 @@
-//! How contact normals are spread over angles.
+//! The density of the contact normals over angles.
 
 use asperity_core::ContactError;
 use serde::{Deserialize, Serialize};
 
-/// How contact normals are spread, over u = |cos φ| in 0..1 (1: upright, 0: grazing).
+/// The density of the contact normals over u = |cos φ|, from 0 (grazing) to 1 (upright).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AngleDensity {
     /// 4π ψ = 1 + a₂₀ P₂(cos φ) + (a₂₁ cos θ + b₂₁ sin θ) P₂¹(cos φ).
     ///
-    /// A normal and its opposite are the same contact, so the density is folded to
-    /// 1 + a₂₀ (3u² - 1)/2; the P₂¹ terms average out of every law. \[derived\]
+    /// A normal and its opposite belong to the same contact, so the density is folded to
+    /// 1 + a₂₀ (3u² - 1)/2; the P₂¹ terms cancel in every law.
     Harmonic {
         /// a₂₀, from -1 to 2.
         a20: f64,
@@ -24,7 +24,7 @@ pub enum AngleDensity {
 }
 
 impl Default for AngleDensity {
-    /// The AT paper's: a₂₀ = -0.5, a₂₁ = b₂₁ = 1. \[seen\]
+    /// The AT paper's: a₂₀ = -0.5, a₂₁ = b₂₁ = 1.
     fn default() -> Self {
         Self::Harmonic { a20: -0.5, a21: 1.0, b21: 1.0 }
     }
@@ -50,9 +50,9 @@ impl AngleDensity {
         Ok(())
     }
 
-    /// Smallest value of 4π ψ over the sphere, all terms in.
+    /// Smallest value of 4π ψ over the sphere, all terms included.
     ///
-    /// With P₂¹ = -3 cos φ sin φ it is 1 + a₂₀/4 - √((3a₂₀/4)² + (9/4)(a₂₁² + b₂₁²)). \[derived\]
+    /// With P₂¹ = -3 cos φ sin φ it is 1 + a₂₀/4 - √((3a₂₀/4)² + (9/4)(a₂₁² + b₂₁²)).
     #[must_use]
     pub fn minimum(&self) -> f64 {
         match *self {
@@ -63,8 +63,8 @@ impl AngleDensity {
         }
     }
 
-    /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms in; 0 for upright normals, whose
-    /// density is no function.
+    /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms included; 0 for upright normals,
+    /// whose density is not a function.
     #[must_use]
     pub fn printed(&self, phi: f64, theta: f64) -> f64 {
         let Self::Harmonic { a20, a21, b21 } = *self else {

@@ -1,16 +1,17 @@
-//! Averages over the azimuth θ, in closed form or by a rule whose error is measured.
+//! Averages over the azimuth θ, in closed form or by a rule with an error estimate.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_4, SQRT_2};
 use std::sync::LazyLock;
 
-use crate::gauss::{Gauss, Sum, dot, halving, whole_powers};
+use crate::gauss::{Gauss, Sum, bisect, dot, whole_powers};
 
 /// Nodes on a piece of θ between slip limits.
 const NODES: usize = 16;
 
-/// What is averaged, of q = min(1, push along θ / friction limit) and p, the same across.
+/// The integrand over θ: a function of q and p, the tangential load over the friction limit, at
+/// most 1, in two perpendicular directions.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Pushed {
+pub(crate) enum Integrand {
     /// √(`base` + `limit` (t(q)² + t(p)²)), t(q) = 1 - (1-q)^1.5.
     Force { base: f64, limit: f64 },
     /// √(`normal` + `shear` ((1-q) + (1-p))).
@@ -19,16 +20,16 @@ pub(crate) enum Pushed {
 
 /// An average over θ, to a relative tolerance.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Azimuths {
-    pushed: Pushed,
+pub(crate) struct AzimuthAverage {
+    integrand: Integrand,
     tolerance: f64,
     strip: Strip,
     /// f(1, 1), both slipping.
     slipped: f64,
 }
 
-/// What is left when the value of gross slip is taken off the integral over all azimuths at which q
-/// sticks while p slips, ∫ (f(q, 1) - f(1, 1))/√(a² - q²) dq from 0 to 1: at nodes for every a.
+/// The integral over the azimuths at which q sticks while p slips, less that of gross slip:
+/// ∫ (f(q, 1) - f(1, 1))/√(a² - q²) dq from 0 to 1, at nodes that are the same for every a.
 #[derive(Debug, Clone, Copy)]
 struct Strip {
     /// q².
@@ -38,14 +39,14 @@ struct Strip {
 
 static RULE: LazyLock<Gauss<NODES>> = LazyLock::new(Gauss::new);
 
-impl Azimuths {
+impl AzimuthAverage {
     #[inline(always)]
-    pub(crate) fn new(pushed: Pushed, tolerance: f64) -> Self {
+    pub(crate) fn new(integrand: Integrand, tolerance: f64) -> Self {
         let Gauss { nodes, weights, .. } = &*RULE;
         // 1 - q = w² - κ²: half powers at q = 1 are whole ones of w, and so is K_i itself.
-        let least = match pushed {
-            Pushed::Force { .. } => 0.0,
-            Pushed::Stiffness { normal, shear } => (normal / shear).sqrt(),
+        let least = match integrand {
+            Integrand::Force { .. } => 0.0,
+            Integrand::Stiffness { normal, shear } => (normal / shear).sqrt(),
         };
         let width = 1.0 / (least + (1.0 + least * least).sqrt());
         let (mut q, mut weighted) = ([0.0; NODES], [0.0; NODES]);
@@ -54,24 +55,24 @@ impl Azimuths {
             q[k] = 1.0 - above * (2.0 * least + above);
             weighted[k] = 2.0 * (least + above) * width * weights[k];
         }
-        let slipped = pushed.slipped();
-        let values = pushed.values(1.0, 1.0, &q, &[1.0; NODES]);
+        let slipped = integrand.slipped();
+        let values = integrand.values(1.0, 1.0, &q, &[1.0; NODES]);
         let mut squares = [0.0; NODES];
         for k in 0..NODES {
             weighted[k] *= values[k] - slipped;
             squares[k] = q[k] * q[k];
         }
-        Self { pushed, tolerance, strip: Strip { squares, weighted }, slipped }
+        Self { integrand, tolerance, strip: Strip { squares, weighted }, slipped }
     }
 
-    /// The integral over θ from 0 to π/4 with q = `a` sin θ, p = `b` cos θ, with its error.
+    /// The integral over θ from 0 to π/4 with q = `a` sin θ and p = `b` cos θ, and its error.
     #[inline(always)]
     pub(crate) fn octant(&self, a: f64, b: f64) -> Sum {
         let mut sum = Sum::default();
         // q slips beyond one angle, p up to another.
         let p_slips = if b > 1.0 { (1.0 / b).acos().min(FRAC_PI_4) } else { 0.0 };
         if a > SQRT_2 && b > 1.0 && (a * a - 1.0) * (b * b - 1.0) >= 1.0 {
-            // p still slips where q begins to: nothing depends on θ between.
+            // p still slips where q begins to slip: the integrand is constant between.
             let mut roots = self.strip.squares;
             for root in &mut roots {
                 *root = (a * a - *root).sqrt().recip();
@@ -87,7 +88,8 @@ impl Azimuths {
         sum
     }
 
-    /// Adds the integral over θ between two angles, with half powers of the distance to the ends.
+    /// Adds the integral over θ between two angles; `half` marks ends with half powers of the
+    /// distance.
     #[inline(always)]
     fn add(&self, sum: &mut Sum, (a, b): (f64, f64), (from, to): (f64, f64), half: [bool; 2]) {
         let width = to - from;
@@ -96,7 +98,7 @@ impl Azimuths {
         }
         let rule = &*RULE;
         let [c1, c2, c3] = whole_powers(half);
-        halving(
+        bisect(
             #[inline(always)]
             |low, span, last| {
                 let (mut theta, mut slope) = ([0.0; NODES], [0.0; NODES]);
@@ -106,7 +108,7 @@ impl Azimuths {
                     slope[k] = span * width * (c1 + v * (2.0 * c2 + v * 3.0 * c3));
                 }
                 let (sin, cos) = sines_and_cosines(&theta);
-                let mut values = self.pushed.values(a, b, &sin, &cos);
+                let mut values = self.integrand.values(a, b, &sin, &cos);
                 for k in 0..NODES {
                     values[k] *= slope[k];
                 }
@@ -122,8 +124,8 @@ impl Azimuths {
     }
 }
 
-impl Pushed {
-    /// The integrand where both directions slip.
+impl Integrand {
+    /// The value where both directions slip.
     #[inline(always)]
     fn slipped(&self) -> f64 {
         match *self {
@@ -132,7 +134,7 @@ impl Pushed {
         }
     }
 
-    /// The integrand, without the mean's factor; plain loops, for vector registers.
+    /// Values at azimuths, in plain loops for vector registers.
     #[inline(always)]
     fn values(&self, a: f64, b: f64, sin: &[f64; NODES], cos: &[f64; NODES]) -> [f64; NODES] {
         let mut out = [0.0; NODES];
@@ -163,7 +165,7 @@ fn cattaneo_mindlin(q: f64) -> f64 {
 }
 
 /// The mean over θ of √(a sin²θ + b cos²θ), a and b ≥ 0: the perimeter of an ellipse over 2π, by
-/// the modified arithmetic-geometric mean (Adlaj 2012). \[derived\]
+/// the modified arithmetic-geometric mean (Adlaj 2012); checked against quadrature below.
 pub(crate) fn ellipse_mean(a: f64, b: f64) -> f64 {
     let (large, ratio) = (a.max(b), a.min(b) / a.max(b));
     if ratio >= 1.0 || large <= 0.0 {
@@ -174,8 +176,8 @@ pub(crate) fn ellipse_mean(a: f64, b: f64) -> f64 {
     }
     let (mut x, mut y) = (1.0, ratio.sqrt());
     let (mut p, mut q, mut z) = (1.0f64, ratio, 0.0);
-    // Each step squares the difference: one that is left now is lost in rounding, and more steps
-    // would only let z, which doubles, swallow p and q.
+    // Each step squares the difference: a remaining one of 1e-8 is lost in rounding. In further
+    // steps z, which doubles, would exceed p and q.
     while (p - q).abs() > 1e-8 * p {
         (x, y) = (0.5 * (x + y), (x * y).sqrt());
         let root = ((p - z) * (q - z)).sqrt();
@@ -184,7 +186,7 @@ pub(crate) fn ellipse_mean(a: f64, b: f64) -> f64 {
     large.sqrt() * (p + q) / (x + y)
 }
 
-/// Coefficients of sin(t)/t and cos(t) in t², highest first: good to 2e-16 for t ≤ π/4.
+/// Coefficients of sin(t)/t and cos(t) in t², highest first: accurate to 2e-16 for t ≤ π/4.
 const SINE: [f64; 9] = series([17, 15, 13, 11, 9, 7, 5, 3, 1]);
 const COSINE: [f64; 9] = series([16, 14, 12, 10, 8, 6, 4, 2, 0]);
 
@@ -224,7 +226,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_series_of_sine_and_cosine_are_good_to_rounding() {
+    fn the_series_of_sine_and_cosine_are_accurate_to_rounding() {
         for k in 0..=100 {
             let theta = [FRAC_PI_4 * f64::from(k) / 100.0; NODES];
             let (sin, cos) = sines_and_cosines(&theta);
@@ -234,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ellipse_has_its_perimeter_whatever_its_axes() {
+    fn the_ellipse_mean_is_accurate_for_all_ratios_of_the_axes() {
         // By the trapezoid rule in θ, exact to rounding for axes as close as these.
         let mean = |ratio: f64| {
             let theta = |k: u32| std::f64::consts::PI * f64::from(k) / 400.0;
@@ -257,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn gross_slip_is_friction_and_light_pushes_stick() {
+    fn gross_slip_reaches_the_friction_limit_and_light_loads_stick() {
         assert!((cattaneo_mindlin(1.0) - 1.0).abs() < 1e-15);
         assert!((cattaneo_mindlin(1e-12) / 1.5e-12 - 1.0).abs() < 1e-11);
     }

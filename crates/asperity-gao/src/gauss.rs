@@ -1,4 +1,4 @@
-//! A Gauss rule that estimates its own error, in arrays that vector registers like.
+//! A Gauss rule with an estimate of its error, in arrays of fixed length for vector registers.
 
 use asperity_quadrature::legendre;
 
@@ -10,8 +10,7 @@ pub(crate) struct Sum {
 }
 
 impl Sum {
-    /// The size that the integral has at least, most likely: pieces of it that are small beside
-    /// this need be no better.
+    /// A lower estimate of the size of the integral, relative to which its pieces must be accurate.
     #[inline(always)]
     pub(crate) fn likely(&self) -> f64 {
         (self.value.abs() - self.error).max(0.0)
@@ -22,8 +21,8 @@ impl Sum {
 pub(crate) struct Gauss<const N: usize> {
     pub(crate) nodes: [f64; N],
     pub(crate) weights: [f64; N],
-    /// What turns samples at the nodes into the Legendre coefficients of the last three degrees,
-    /// and of two in the middle.
+    /// Rows that give the Legendre coefficients of the last three degrees, and of two in the
+    /// middle, from samples at the nodes.
     degrees: [[f64; N]; 5],
 }
 
@@ -45,15 +44,15 @@ impl<const N: usize> Gauss<N> {
         Self { nodes, weights, degrees }
     }
 
-    /// The integral of a function with these samples, smooth up to the ends. Its series falls from
-    /// degree N/2 to N; the rule errs from degree 2N on, and a geometric fall counts twice.
+    /// The integral of a function with these samples, smooth up to the ends. The fall of its series
+    /// from degree N/2 to N is geometric; the error starts at degree 2N, after twice that fall.
     #[inline(always)]
     pub(crate) fn sum(&self, samples: &[f64; N]) -> Sum {
         self.estimate(samples, |fall| 10.0 * fall * fall)
     }
 
-    /// The same for a function with a fractional power of the distance to an end: the fall is one
-    /// of powers, and counts once.
+    /// The same for a function with a fractional power of the distance to an end: its series falls
+    /// as a power of the degree.
     #[inline(always)]
     pub(crate) fn sum_from_power(&self, samples: &[f64; N]) -> Sum {
         self.estimate(samples, |fall| 20.0 * fall)
@@ -66,7 +65,7 @@ impl<const N: usize> Gauss<N> {
         let tail =
             dot(one, samples).abs().max(dot(two, samples).abs()).max(dot(three, samples).abs());
         let middle = dot(four, samples).abs().max(dot(five, samples).abs());
-        // A tail at the level of rounding says nothing: the function is resolved.
+        // A tail at the level of rounding: the function is resolved.
         if tail <= 1e-15 * value.abs() {
             return Sum { value, error: 0.0 };
         }
@@ -75,16 +74,16 @@ impl<const N: usize> Gauss<N> {
     }
 }
 
-/// A piece is halved this often at the most, and into this many: beyond there is only rounding.
+/// Largest number of bisections of a piece, and of pieces: beyond these only rounding is left.
 const DEEPEST: usize = 40;
 const MOST: usize = 100;
 
-/// Calls `step` with the beginning and length of pieces of [0, 1], from the left, which is halved
-/// where `step` says that a piece is not resolved. It may not say so when the third argument is
-/// true: there is no end to halving then.
+/// Calls `step` with the start and length of pieces of [0, 1], from left to right, and bisects a
+/// piece where `step` returns false. The third argument is true for a piece that is not bisected
+/// any further.
 #[inline(always)]
-pub(crate) fn halving(mut step: impl FnMut(f64, f64, bool) -> bool) {
-    // Right ends of what is to be done, the next one last.
+pub(crate) fn bisect(mut step: impl FnMut(f64, f64, bool) -> bool) {
+    // Right ends of the pieces left to do, the next one last.
     let mut ends = [1.0; DEEPEST + 1];
     let (mut low, mut depth, mut count) = (0.0, 0, 0);
     loop {
@@ -104,8 +103,8 @@ pub(crate) fn halving(mut step: impl FnMut(f64, f64, bool) -> bool) {
     }
 }
 
-/// c₁, c₂ and c₃ of a variable c₁ v + c₂ v² + c₃ v³ on [0, 1] that turns half powers of the
-/// distance to one end, or the other, into whole ones of v.
+/// c₁, c₂ and c₃ of a variable c₁ v + c₂ v² + c₃ v³ on [0, 1] in which half powers of the distance
+/// to the marked ends become whole powers of v.
 pub(crate) const fn whole_powers(half: [bool; 2]) -> [f64; 3] {
     match half {
         [false, false] => [1.0, 0.0, 0.0],
@@ -140,8 +139,8 @@ mod tests {
             let root = rule.sum(&rule.nodes.map(|x| (beyond + x).sqrt()));
             let exact = ((1.0 + beyond).powf(1.5) - beyond.powf(1.5)) / 1.5;
             assert!((root.value - exact).abs() <= root.error + 1e-14 * exact, "{beyond}: {root:?}");
-            // A power at the end itself, as high as variables are made for, and a small one beside
-            // a smooth function.
+            // A power at the end itself, of the exponents that occur, alone and as a small term
+            // beside a smooth function.
             let p = 2.5 + 0.02 * f64::from(k);
             for share in [1.0, 1e-3, 1e-6] {
                 let power = rule.nodes.map(|x| share * x.powf(p) + 1.0 / (1.5 + x));

@@ -1,4 +1,4 @@
-//! What the lateral models share: their options, and the way from a regime to a part of a law.
+//! The common part of the lateral models: their options, and the part of a law for each regime.
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -18,10 +18,11 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Displacement {
-    /// ζ* = ξ* = λ x: the vertical approach, seen in three channels. \[derived\]
+    /// ζ* = ξ* = λ x: the vertical approach in the normal and in both tangential directions. The
+    /// paper leaves the two open; this closure is derived.
     #[default]
     Vertical,
-    /// ζ* = ξ* = 0: no tangential force; K_i keeps its tangential term.
+    /// ζ* = ξ* = 0: no tangential force. K_i keeps its tangential term.
     None,
     /// Given, dimensionless, ≥ 0.
     #[serde(untagged)]
@@ -40,34 +41,33 @@ pub enum Stick {
     /// T ≤ μN in every regime.
     #[default]
     Clamped,
-    /// The AT paper's literal text: T = 1.5 r ζ* s |sin θ| without limit in e, ep1 and p; only in
-    /// ep2 (its eq. 23), and in Gao's one elastic-plastic part, does friction limit it. That this is
-    /// the reading meant was checked with its four values, 9.010 at d = 0 and on. \[derived\]
+    /// The AT paper taken literally: T = 1.5 r ζ* s |sin θ| without limit in e, ep1 and p. Friction
+    /// limits T in ep2 only (its equation 23), and in the elastic-plastic part of Gao.
     Unlimited,
 }
 
-/// Which force is summed over the contacts.
+/// The force that is summed over the contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ForceComponent {
-    /// The size of the contact force, as the paper sums it.
+    /// The magnitude of the contact force, as in the paper.
     #[default]
     Size,
-    /// Its vertical component, N u + T s.
+    /// The vertical component, N u + T s.
     Vertical,
 }
 
-/// Options of Gao and AT alike.
+/// Options of Gao and AT.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct LateralOptions {
-    /// How contact normals are spread.
+    /// The density of the contact normals over angles.
     pub angle_density: AngleDensity,
     /// The tangential displacements.
     pub displacement: Displacement,
     /// Whether tangential forces are limited by friction.
     pub stick: Stick,
-    /// Which force is summed.
+    /// The force that is summed.
     pub force: ForceComponent,
 }
 
@@ -85,13 +85,13 @@ impl LateralOptions {
         Ok(())
     }
 
-    /// What a lateral model with these options says of its laws.
+    /// The validity of a lateral model with these options.
     #[must_use]
     pub fn validity(&self) -> Validity {
         Validity::over_angles()
     }
 
-    /// What a user of these options should know.
+    /// Warnings about these options.
     #[must_use]
     pub fn notes(&self, model: &str) -> Vec<Warning> {
         let minimum = self.angle_density.minimum();
@@ -100,7 +100,7 @@ impl LateralOptions {
     }
 }
 
-/// A lateral model's asperity, with all that its parts need.
+/// An asperity with the constants that the parts of a lateral model need.
 #[derive(Debug, Clone, Copy)]
 pub struct Lateral {
     options: LateralOptions,
@@ -124,7 +124,7 @@ impl Lateral {
         Ok(Self {
             options,
             pressure_factor: asperity.pressure_factor,
-            // The sheet takes S_y = H/2.8 unless it is given, as JG does.
+            // S_y = H/2.8 unless S_y is given, as in JG.
             area_exponent: asperity_jg::area_exponent(asperity)?,
             shear_ratio: 4.0 * asperity.shear_modulus(model)? / asperity.equivalent_modulus,
             critical: asperity.critical_interference()?,
@@ -133,7 +133,7 @@ impl Lateral {
         })
     }
 
-    /// s₀ = √(w_c/R), by which the AT paper shortens the contact radius.
+    /// s₀ = √(w_c/R), the reduction of the contact radius in the AT paper.
     #[must_use]
     pub fn radius_loss(&self) -> f64 {
         (self.critical / self.radius).sqrt()
@@ -158,8 +158,8 @@ impl Lateral {
         Some(Law::in_units(self.critical, unit))
     }
 
-    /// Whether friction limits the tangential force of a part: with [`Stick::Unlimited`] only in the
-    /// part that the AT paper's eq. (23) is for, Gao's elastic-plastic one and AT's ep2.
+    /// Whether friction limits the tangential force of a part: with [`Stick::Unlimited`] only in
+    /// the part of the AT paper's equation (23), which is Gao's elastic-plastic one and AT's ep2.
     #[must_use]
     pub fn stick(&self, of_equation_23: bool) -> Stick {
         if of_equation_23 { Stick::Clamped } else { self.options.stick }
@@ -182,17 +182,20 @@ impl Lateral {
             Quantity::Area => None,
             _ => Some(Response::Stiffness),
         };
-        let no_push = displacement == Displacement::None && force == ForceComponent::Size;
+        let normal_only = displacement == Displacement::None && force == ForceComponent::Size;
         let (form, kinks) = match response {
             None => (closed(&normal.area_powers()), vec![range.end]),
-            Some(Response::Force(_)) if no_push => (closed(&normal.load_powers()), vec![range.end]),
+            Some(Response::Force(_)) if normal_only => {
+                (closed(&normal.load_powers()), vec![range.end])
+            }
             Some(response) => {
                 let shear_ratio = self.shear_ratio;
                 let slip = ObliqueSlip { normal, shear_ratio, displacement, stick, response };
                 angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
             }
         };
-        // Upright contacts leave a regime for good; inclined ones stay on at larger x.
+        // An upright contact leaves a regime at its end; at larger x inclined contacts are still in
+        // it.
         let end = if angle_density == AngleDensity::Upright { range.end } else { f64::INFINITY };
         let inside = |x: &f64| *x > range.start && *x < end;
         Part {

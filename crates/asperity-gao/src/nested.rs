@@ -1,31 +1,32 @@
-//! The integral of an angle average against a weight of x, for laws that are integrated once: y
-//! outside and x inside, where the corners of slip are known for each y.
+//! The integral of an angle average times a weight of x, for laws that are integrated once: over y
+//! outside and over x inside, because the corners of slip are known for each y.
 
 use std::sync::LazyLock;
 
 use asperity_quadrature::{Discretised, Weighted};
 
-use crate::average::Average;
-use crate::gauss::{Gauss, Sum, halving, whole_powers};
+use crate::gauss::{Gauss, Sum, bisect, whole_powers};
+use crate::oblique::AngleAverage;
 
 /// Nodes on a panel of x or of y.
 const NODES: usize = 16;
-/// y - (its beginning) grows with this power of the outer variable: fractional powers there
-/// become high ones.
+/// y minus the start of its panel is this power of the outer variable: fractional powers at the
+/// start become high powers.
 const POWER: i32 = 4;
-/// Panels of √(x - y) grow no faster: it is a smooth variable next to y and in the far.
+/// Largest ratio of the ends of a panel of √(x - y), a variable that is smooth next to y and far
+/// from it.
 const RATIO: f64 = 3.5;
 
 static RULE: LazyLock<Gauss<NODES>> = LazyLock::new(Gauss::new);
 
-/// The masses of q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy times a weight; `azimuths` is the
-/// relative tolerance of m.
-pub(crate) fn masses(average: &Average, against: &Weighted<'_>, azimuths: f64) -> Discretised {
+/// The masses of q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy times a weight.
+pub(crate) fn masses(average: &AngleAverage, against: &Weighted<'_>) -> Discretised {
     let (from, to) = (average.range.start, average.range.end.min(against.range.1));
     let unit = 1.0 / against.likely();
     let found = Discretised::default();
+    let azimuths = average.azimuth_tolerance();
     let mut nest = Nest { average, against, azimuths, found, unit, size: 0.0 };
-    let mut ends: Vec<f64> = average.comings.iter().copied().filter(|y| *y < to).collect();
+    let mut ends: Vec<f64> = average.singular.iter().copied().filter(|y| *y < to).collect();
     ends.extend([from, to]);
     ends.sort_by(f64::total_cmp);
     let mut panels: Vec<Panel> = vec![];
@@ -38,7 +39,7 @@ pub(crate) fn masses(average: &Average, against: &Weighted<'_>, azimuths: f64) -
         }
         panels.extend(Panel::of(start, end - start, against.edges));
     }
-    // The largest first: what is small beside it need be no better.
+    // The largest first: smaller panels are accurate relative to it.
     let likely = against.likely().clamp(from, to.max(from));
     let off = |panel: &Panel| (panel.y(0.5).0 - likely).abs();
     panels.sort_by(|a, b| off(a).total_cmp(&off(b)));
@@ -46,7 +47,7 @@ pub(crate) fn masses(average: &Average, against: &Weighted<'_>, azimuths: f64) -
     nest.found
 }
 
-/// y = `from` + `width` w^POWER for w between `low` and `high`, all in 0..1; the width may be
+/// y = `from` + `width` w^POWER for w between `low` and `high`, both in 0..1; the width can be
 /// negative.
 struct Panel {
     from: f64,
@@ -56,12 +57,12 @@ struct Panel {
 }
 
 impl Panel {
-    /// Panels that end at edges, from where the integrand has a singularity.
+    /// Panels that end at edges, starting where the integrand has a singularity.
     fn of(from: f64, width: f64, edges: &[f64]) -> Vec<Self> {
         let w = |y: &f64| ((y - from) / width).powf(1.0 / f64::from(POWER));
         let mut inside: Vec<f64> = edges.iter().map(w).filter(|w| *w < 0.8).collect();
         inside.sort_by(f64::total_cmp);
-        // The singularity and the rest are seldom resolved in one.
+        // One panel seldom resolves both the singularity and the rest.
         let first = inside.first().copied().unwrap_or(1.0) / 3.0;
         let mut panels = vec![Self { from, width, low: 0.0, high: first }];
         let mut low = first;
@@ -74,7 +75,7 @@ impl Panel {
         panels
     }
 
-    /// y and the size of its slope at a share of the panel.
+    /// y and |dy/dw| at a fraction of the panel.
     fn y(&self, share: f64) -> (f64, f64) {
         let w = self.low + (self.high - self.low) * share;
         let slope = self.width * w.powi(POWER - 1);
@@ -84,12 +85,12 @@ impl Panel {
 }
 
 struct Nest<'a> {
-    average: &'a Average,
+    average: &'a AngleAverage,
     against: &'a Weighted<'a>,
     azimuths: f64,
     found: Discretised,
-    /// What x is multiplied with: slopes of integrals come of the same masses with x as a factor,
-    /// and are to be as good. Next to where the weight is largest, differences of x count.
+    /// Factor of x. Slopes of integrals use the same masses times x and must be as accurate; next
+    /// to the maximum of the weight, differences of x matter.
     unit: f64,
     /// The integral so far.
     size: f64,
@@ -100,7 +101,7 @@ impl Nest<'_> {
     fn panel(&mut self, panel: &Panel) {
         let rule = &*RULE;
         let mut whole = 0.0f64;
-        halving(|left, span, last| {
+        bisect(|left, span, last| {
             let before = (self.found.points.len(), self.found.error);
             let mut at = |node: f64, weight: f64| {
                 let (y, slope) = panel.y(left + span * node);
@@ -128,18 +129,18 @@ impl Nest<'_> {
         });
     }
 
-    /// The integral over x for one y, and with x as a factor, in units that make it matter as much;
-    /// its masses times `share`, the weight of this y, are kept.
+    /// The integral over x at one y, and the same times x `unit`. Its masses times `share`, the
+    /// weight of this y, are stored.
     fn over_x(&mut self, y: f64, share: f64) -> [f64; 2] {
         let rule = &*RULE;
         let Weighted { range: (start, end), weight, aim, beside, .. } = *self.against;
         let (c0, c2) = self.average.density;
-        // What is as small as this beside the rest need be no better.
+        // Contributions below this size need no further refinement.
         let beside = 0.01 * (self.size + beside) / share;
         let ([mut total, mut moment], mut whole) = ([0.0; 2], 0.0f64);
         for (from, to, half) in self.panels(y, (start - y).max(0.0), end - y) {
             let [r1, r2, r3] = whole_powers(half);
-            halving(|left, span, last| {
+            bisect(|left, span, last| {
                 let (mut gaps, mut slopes) = ([0.0; NODES], [0.0; NODES]);
                 for k in 0..NODES {
                     let v = left + span * rule.nodes[k];
@@ -178,8 +179,9 @@ impl Nest<'_> {
         [total, moment]
     }
 
-    /// Panels of √(x - y) for gaps x - y from `near` to `far`: they end at the corners of slip,
-    /// where half powers are, and at every other end that suits the weight.
+    /// Panels of √(x - y) for gaps x - y from `near` to `far`. They end at the corners of slip,
+    /// which are half powers, and at every second edge of the weight. The flags mark corners at the
+    /// ends.
     fn panels(&self, y: f64, near: f64, far: f64) -> Vec<(f64, f64, [bool; 2])> {
         let corners = self.average.contact.corners(y);
         let mut ends: Vec<f64> =

@@ -1,15 +1,15 @@
-//! What one contact does along its own normal, in each regime: N, A*, K_n and r as functions of
+//! The normal law of one contact in each regime: N, A*, K_n and r as functions of
 //! y = (contact-normal interference)/w_c.
 
 use std::ops::Range;
 
 use asperity_core::{Power, Regime};
 
-/// Ends of the regimes, in y. \[seen\]
+/// End of the elastic range, in y (seen in text that quotes the paper).
 pub const ELASTIC_END: f64 = 1.0;
-/// End of the elastic-plastic range.
+/// End of the elastic-plastic range, in y.
 pub const PLASTIC_FROM: f64 = 110.0;
-/// Origin of JG's plastic area y (y/1.9)^B.
+/// End of JG's elastic range, from which its plastic area y (y/1.9)^B is counted.
 const JG_ORIGIN: f64 = 1.9;
 
 /// The normal law of one regime.
@@ -20,16 +20,17 @@ const JG_ORIGIN: f64 = 1.9;
 /// elastic-plastic   1.32 (y-1)^1.27 + 1     1 + 1.19 (y-1)^1.1      1.6764 (y-1)^0.27
 /// plastic           3y/S                    y (y/1.9)^B             3/S
 /// ```
-/// r = √A* - s₀, where s₀ = 0 for Gao and for every elastic contact. \[seen; r and "1 +" derived\]
+/// r = √A* - s₀, where s₀ = 0 for Gao and for every elastic contact. r and the "1 +" differ from
+/// the printed equations: the AT paper's table of misprints gives the reasons.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalLaw {
-    /// Which row of the table.
+    /// The row of the table.
     pub regime: Regime,
     /// S, the maximum contact pressure factor.
     pub pressure_factor: f64,
-    /// B of the plastic area.
+    /// B, the exponent of the plastic area.
     pub area_exponent: f64,
-    /// s₀.
+    /// s₀, the reduction of the contact radius over √(R w_c).
     pub radius_loss: f64,
 }
 
@@ -106,8 +107,8 @@ pub fn regime_range(regime: Regime) -> Range<f64> {
     }
 }
 
-/// μ = 0.27 coth(0.27 N^0.35), the static friction coefficient of one contact (Brizmer, Kligerman
-/// & Etsion 2007). \[recalled\]
+/// The static friction coefficient of one contact, μ = 0.27 coth(0.27 N^0.35): Brizmer, Kligerman &
+/// Etsion 2007, from general knowledge of the literature.
 #[must_use]
 pub fn friction(load: f64) -> f64 {
     0.27 / (0.27 * load.powf(0.35)).tanh()
@@ -118,7 +119,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_repeat_the_table() {
+    fn powers_equal_the_functions_of_the_table() {
         for (regime, y) in [
             (Regime::Elastic, 0.3),
             (Regime::ElasticPlastic, 1.0),
@@ -135,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn friction_is_high_for_light_contacts_and_settles_at_0_27() {
+    fn friction_is_high_at_light_loads_and_tends_to_0_27() {
         assert!((friction(1e30) - 0.27).abs() < 1e-12);
         assert!((friction(1e-12) * 1e-12f64.powf(0.35) - 1.0).abs() < 1e-8);
     }

@@ -1,19 +1,19 @@
-//! A contact pushed along and across its normal: stick, partial slip, gross slip, averaged over
-//! the azimuth θ.
+//! A contact under normal and tangential displacement: stick, partial slip and gross slip, averaged
+//! over the azimuth θ.
 
 use std::f64::consts::{FRAC_2_PI, SQRT_2};
 
 use fearless_simd::{Level, Simd, dispatch};
 
-use crate::azimuth::{Azimuths, Pushed, ellipse_mean};
+use crate::azimuth::{AzimuthAverage, Integrand, ellipse_mean};
 use crate::{Displacement, ForceComponent, NormalLaw, ObliqueContact, Stick, friction};
 
-/// What is averaged.
+/// The response that is averaged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Response {
-    /// F_i.
+    /// The contact force F_i.
     Force(ForceComponent),
-    /// K_i.
+    /// The contact stiffness K_i.
     Stiffness,
 }
 
@@ -31,44 +31,44 @@ pub struct ObliqueSlip {
     pub normal: NormalLaw,
     /// λ = 4G/E.
     pub shear_ratio: f64,
-    /// ζ* and ξ*.
+    /// The tangential displacements ζ* and ξ*.
     pub displacement: Displacement,
     /// Whether T_j is limited by friction.
     pub stick: Stick,
-    /// What is averaged.
+    /// The response that is averaged.
     pub response: Response,
 }
 
-/// What of a contact depends on y alone.
-struct Contact {
+/// The quantities of a contact that depend on y alone.
+struct AtNormal {
     load: f64,
-    /// μN.
+    /// The friction limit μN.
     limit: f64,
     radius: f64,
-    /// r ζ* and r ξ* over what the approach adds: √(x² - y²) where ζ* and ξ* are λ x, else s.
-    pull: [f64; 2],
+    /// r ζ* s and r ξ* s over √(x² - y²) where ζ* and ξ* are λ x, else over s.
+    shear: [f64; 2],
 }
 
 impl ObliqueSlip {
     #[inline(always)]
-    fn contact(&self, y: f64) -> Contact {
+    fn at_normal(&self, y: f64) -> AtNormal {
         let load = self.normal.load(y);
         let radius = self.normal.radius(y);
-        let pull = match self.displacement {
+        let shear = match self.displacement {
             Displacement::Vertical => [self.shear_ratio; 2],
             Displacement::None => [0.0; 2],
             Displacement::Given { zeta, xi } => [zeta, xi],
         };
-        Contact { load, limit: friction(load) * load, radius, pull: pull.map(|p| radius * p) }
+        AtNormal { load, limit: friction(load) * load, radius, shear: shear.map(|q| radius * q) }
     }
 
-    fn given(&self) -> bool {
+    fn displacement_is_given(&self) -> bool {
         matches!(self.displacement, Displacement::Given { .. })
     }
 
-    /// The gap x - y at which a push over `pull` is reached.
+    /// The gap x - y at which the tangential load over `shear` is `reached`.
     fn gap(&self, y: f64, reached: f64) -> f64 {
-        if !self.given() {
+        if !self.displacement_is_given() {
             return reached * reached / (y + y.hypot(reached));
         }
         let u = ((1.0 - reached) * (1.0 + reached)).sqrt();
@@ -81,38 +81,39 @@ impl ObliqueSlip {
 
     #[inline(always)]
     fn means_at(&self, y: f64, gaps: &[f64], tolerance: f64, out: &mut [f64]) -> f64 {
-        let contact = self.contact(y);
-        let Contact { load, limit, radius, pull } = contact;
+        let AtNormal { load, limit, radius, shear } = self.at_normal(y);
         let vertical = self.response == Response::Force(ForceComponent::Vertical);
-        let pushed = match self.response {
+        let integrand = match self.response {
             Response::Force(_) => {
                 let base = if vertical { 0.0 } else { load * load };
-                Pushed::Force { base, limit: limit * limit }
+                Integrand::Force { base, limit: limit * limit }
             }
             Response::Stiffness => {
                 let normal = self.normal.stiffness(y).powi(2);
-                Pushed::Stiffness { normal, shear: 2.25 * (self.shear_ratio * radius).powi(2) }
+                Integrand::Stiffness { normal, shear: 2.25 * (self.shear_ratio * radius).powi(2) }
             }
         };
-        let azimuths = Azimuths::new(pushed, tolerance);
+        let azimuths = AzimuthAverage::new(integrand, tolerance);
         let mut worst = 0.0f64;
         for (out, &gap) in out.iter_mut().zip(gaps) {
             let x = y + gap;
             let across = (gap * (y + x)).sqrt();
             let s = across / x;
-            let push = pull.map(|p| p * if self.given() { s } else { across });
-            *out = match pushed {
-                Pushed::Stiffness { normal, shear } if self.never_slips() => {
+            let tangential =
+                shear.map(|q| q * if self.displacement_is_given() { s } else { across });
+            *out = match integrand {
+                Integrand::Stiffness { normal, shear } if self.never_slips() => {
                     (normal + 2.0 * shear).sqrt()
                 }
-                Pushed::Force { base, .. } if self.never_slips() => {
-                    let [a, b] = push.map(|p| base + 2.25 * p * p);
+                Integrand::Force { base, .. } if self.never_slips() => {
+                    let [a, b] = tangential.map(|q| base + 2.25 * q * q);
                     ellipse_mean(a, b)
                 }
                 _ => {
-                    let [a, b] = push.map(|p| p / limit);
+                    let [a, b] = tangential.map(|q| q / limit);
                     let one = azimuths.octant(a, b);
-                    let two = if self.given() { azimuths.octant(b, a) } else { one };
+                    let two =
+                        if self.displacement_is_given() { azimuths.octant(b, a) } else { one };
                     let total = one.value + two.value;
                     worst = worst.max((one.error + two.error) / total.max(f64::MIN_POSITIVE));
                     FRAC_2_PI * total
@@ -128,8 +129,8 @@ impl ObliqueSlip {
 
 impl ObliqueContact for ObliqueSlip {
     fn means(&self, y: f64, gaps: &[f64], tolerance: f64, out: &mut [f64]) -> f64 {
-        // Loops over azimuths, down to what is marked for it, work on as many at a time as the
-        // processor's registers hold; the digits are the same.
+        // Loops over azimuths work on as many values at a time as the processor's registers hold,
+        // in all inlined functions; the digits are the same.
         dispatch!(Level::new(), simd => simd.vectorize(
             #[inline(always)]
             || self.means_at(y, gaps, tolerance, out),
@@ -140,25 +141,29 @@ impl ObliqueContact for ObliqueSlip {
         if self.never_slips() {
             return [f64::INFINITY; 3];
         }
-        let Contact { limit, pull, .. } = self.contact(y);
-        // One direction slips at some azimuths from here on, and the other, and both at all.
-        let [a, b] = pull.map(|p| limit / p);
-        let ends = if self.given() { [a, b, a.hypot(b)] } else { [a, SQRT_2 * a, f64::INFINITY] };
+        let AtNormal { limit, shear, .. } = self.at_normal(y);
+        // Beyond these, each direction slips at some azimuths, and both slip at all of them.
+        let [a, b] = shear.map(|q| limit / q);
+        let ends = if self.displacement_is_given() {
+            [a, b, a.hypot(b)]
+        } else {
+            [a, SQRT_2 * a, f64::INFINITY]
+        };
         ends.map(|end| self.gap(y, end))
     }
 
     fn layer(&self, y: f64) -> f64 {
-        let Contact { load, pull, .. } = self.contact(y);
+        let AtNormal { load, shear, .. } = self.at_normal(y);
         match self.response {
             Response::Force(ForceComponent::Size) => {
-                self.gap(y, load / (1.5 * pull[0].max(pull[1])))
+                self.gap(y, load / (1.5 * shear[0].max(shear[1])))
             }
             _ => f64::INFINITY,
         }
     }
 
     fn key(&self) -> Option<String> {
-        // Every field; numbers are written so that they read back.
+        // Every field, each number with all its digits.
         Some(format!("{self:?}"))
     }
 }
@@ -169,8 +174,8 @@ mod tests {
     use asperity_core::Regime;
 
     #[test]
-    fn wide_registers_change_no_digit() {
-        // Only what this processor has can be compared: the plain loops, always, and its best.
+    fn vector_registers_change_no_digit() {
+        // The plain loops, and the widest registers of this processor.
         println!("compared with the plain loops: {:?}", Level::new());
         let gaps: Vec<f64> = (0..40).map(|k| 1e-6 * 1.6f64.powi(k)).collect();
         for response in [Response::Force(ForceComponent::default()), Response::Stiffness] {

@@ -1,39 +1,4 @@
-//! JG: a finite-element fit in which the hardness falls as the contact radius grows.
-//!
-//! # Law
-//! With C = 1.295 exp(0.736 ν), w_c' = (π C S_y/(2E))² R, F_c' = (4/3)(R/E)² (π C S_y/2)³,
-//! A_c' = π R w_c', x = w/w_c' and B = 0.14 exp(23 S_y/E):
-//! ```text
-//! x ≤ 1.9:   F/F_c' = x^1.5                                                    A/A_c' = x
-//! x > 1.9:   F/F_c' = exp(-x^(5/12)/4) x^1.5                                   A/A_c' = x (x/1.9)^B
-//!                     + (4 H_G/(C S_y)) [1 - exp(-x^(5/9)/25)] x
-//! ```
-//! H_G/S_y, with a/R = √(A/π)/R, is either of [`GeometricHardness`]:
-//! ```text
-//! 2005:     2.84 [1 - exp(-0.82 (a/R)^(-0.7))]
-//! cosine:   2.84 - 0.92 [1 - cos(π min(1, a/R))]
-//! ```
-//! The force jumps by +0.47 % at x = 1.9 (ν = 0.3). \[seen\]
-//!
-//! # Valid for
-//! w_c' < R. Uses S_y (H/2.8 where only H is given), neither S nor w_c; there is no plastic limit
-//! of the mean pressure, and at large a/R, where H_G falls faster than the area grows, the force
-//! need not be monotone.
-//!
-//! # Source
-//! Jackson & Green 2005, "A finite element study of elasto-plastic hemispherical contact against a
-//! rigid flat" (H_G: its eq. 17, used by the 2006 rough-surface paper as well). \[seen\]
-//!
-//! # Example
-//! ```
-//! use asperity_core::{Asperity, AsperityModel, Interface, Quantity, Tolerance};
-//! use asperity_jg::JacksonGreen;
-//!
-//! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
-//! let area = JacksonGreen::default().law(&asperity, Quantity::Area, Tolerance::default())?.unwrap();
-//! assert_eq!(area.kinks(), [1.9]);
-//! # Ok::<(), asperity_core::ContactError>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
 
@@ -43,14 +8,14 @@ use asperity_core::{
 };
 use serde::{Deserialize, Serialize};
 
-/// How the limiting mean pressure H_G falls with the contact radius.
+/// How the limiting mean pressure H_G depends on the contact radius a.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum GeometricHardness {
-    /// 2.84 [1 - exp(-0.82 (a/R)^-0.7)], of 2005.
+    /// H_G/S_y = 2.84 [1 - exp(-0.82 (a/R)^-0.7)], from the paper of 2005.
     #[default]
     #[serde(rename = "2005")]
     Original,
-    /// 2.84 - 0.92 [1 - cos(π min(1, a/R))], of later papers.
+    /// H_G/S_y = 2.84 - 0.92 [1 - cos(π min(1, a/R))], from later papers.
     #[serde(rename = "cosine")]
     Cosine,
 }
@@ -78,7 +43,7 @@ impl GeometricHardness {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct JacksonGreen {
-    /// How H_G falls with the contact radius.
+    /// How the limiting mean pressure H_G depends on the contact radius.
     pub hardness: GeometricHardness,
 }
 
@@ -93,10 +58,11 @@ const SOURCE: Citation = Citation {
 
 const COSINE: Citation = Citation { id: "jg-cosine", name: "JG cosine", ..SOURCE };
 
-/// End of the elastic range, in w_c'. \[seen\]
+/// End of the elastic range, in units of w_c' (seen in text that quotes the paper).
 const ELASTIC_END: f64 = 1.9;
 
-/// B = 0.14 exp(23 S_y/E), the exponent of the area beyond x = 1.9. \[seen\]
+/// The exponent of the area beyond x = 1.9, B = 0.14 exp(23 S_y/E)
+/// (seen in text that quotes the paper).
 ///
 /// # Errors
 /// [`ContactError::Missing`] without a yield strength or hardness.
@@ -144,7 +110,8 @@ impl AsperityModel for JacksonGreen {
         let beyond = ELASTIC_END..f64::INFINITY;
         Ok(Some(match quantity {
             Quantity::Force => {
-                // F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R² strain³.
+                // F/F_c' = x^1.5, then the fit; F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R²
+                // strain³
                 let force_unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
                 let hardness = self.hardness;
                 let fit = Formula::function(move |x| force(x, c, strain, b, hardness));
@@ -153,12 +120,13 @@ impl AsperityModel for JacksonGreen {
                     .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
                     .elastic_plastic(beyond, fit);
                 if hardness == GeometricHardness::Cosine {
-                    // a = R: the cosine stops falling.
+                    // At a = R the cosine reaches its minimum and H_G becomes constant.
                     let full = (ELASTIC_END.powf(b) / (strain * strain)).powf(1.0 / (1.0 + b));
                     law.parts[1].kinks.extend((full > ELASTIC_END).then_some(full));
                 }
                 law
             }
+            // A/A_c' = x; x (x/1.9)^B
             Quantity::Area => Law::in_units(unit, PI * r * unit)
                 .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
                 .elastic_plastic(beyond, [Power::new(ELASTIC_END.powf(-b), 1.0 + b)]),
@@ -183,8 +151,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_force_jumps_by_half_a_percent_where_the_fit_begins() {
-        // ν = 0.3, small S_y/E: 1.9^1.5 against the fit. [the equations sheet: +0.47 %]
+    fn the_force_jumps_by_half_a_percent_at_the_start_of_the_fit() {
+        // ν = 0.3, small S_y/E: 1.9^1.5 against the fit, +0.47 %.
         let c = 1.295 * (0.736f64 * 0.3).exp();
         let fit = force(1.9, c, 1e-4, 0.14, GeometricHardness::Original);
         assert!((fit / 1.9f64.powf(1.5) - 1.0047).abs() < 1e-4);

@@ -5,20 +5,20 @@ use std::f64::consts::{FRAC_2_SQRT_PI, SQRT_2};
 use libm::erf;
 use serde::{Deserialize, Serialize};
 
-/// The variance V' of the pressure that the area is computed with.
+/// The variance V' of the pressure from which the area follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PerssonVariance {
-    /// That of full contact, V: Persson 2001.
+    /// The variance at full contact, V: Persson 2001.
     #[default]
     Full,
-    /// (γ + (1-γ) A/A_n) V: smaller where little of the surface touches.
+    /// (γ + (1-γ) A/A_n) V, γ = 0.45: smaller at small areas.
     Fudge,
 }
 
 /// γ.
 const GAMMA: f64 = 0.45;
-/// Newton's steps: the first estimate is good to a fifth, and each step doubles the digits.
+/// Newton steps: the first estimate is within 20 %, and each step doubles the number of digits.
 const STEPS: usize = 8;
 
 impl PerssonVariance {
@@ -43,7 +43,7 @@ impl PerssonVariance {
     }
 }
 
-/// y with y √(γ + (1-γ) erf y) = p: what A = erf y is, p follows from without a root.
+/// The root y of y √(γ + (1-γ) erf y) = p, for which A/A_n = erf y.
 fn argument(p: f64) -> f64 {
     // The root lies between p and p/√γ.
     let (low, high) = (p, p / GAMMA.sqrt());
@@ -63,7 +63,7 @@ mod tests {
     use super::*;
     use asperity_quadrature::gauss_kronrod;
 
-    /// p/(E g), `persson`, `persson-fudge`. [truth sheet: other programs]
+    /// p/(E g), `persson`, `persson-fudge`, as printed by the programs of Xu and others, 2024.
     const PUBLISHED: [[f64; 3]; 7] = [
         [1e-3, 0.001_595_768_057_76, 0.002_375_382_979_56],
         [3e-3, 0.004_787_278_641_13, 0.007_105_613_985_89],
@@ -82,16 +82,16 @@ mod tests {
             for (found, wanted) in
                 [(found(PerssonVariance::Full), full), (found(PerssonVariance::Fudge), fudge)]
             {
-                // The figures printed.
+                // All digits printed.
                 assert!((found / wanted - 1.0).abs() < 5e-12, "{p}: {found} {wanted}");
             }
         }
     }
 
-    /// What the area is, by its definition: the share of the surface under a pressure σ > 0, whose
-    /// density is that of full contact less its mirror image.
+    /// The area by its definition: the share of the surface under a pressure σ > 0, whose density
+    /// is that of full contact less its mirror image.
     #[test]
-    fn areas_are_those_of_the_pressures_density() {
+    fn areas_are_the_integral_of_the_pressure_density() {
         for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {
             for p in [1e-6, 1e-3, 0.03, 0.2, 0.7, 1.5, 3.0] {
                 let found = variance.area_fraction(p);

@@ -1,4 +1,4 @@
-//! A scene under Persson's theory.
+//! Persson's theory applied to a scene.
 
 use asperity_core::{
     At, Contact, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
@@ -9,10 +9,10 @@ use asperity_quadrature::{QuadratureError, bracketed_root, fallible};
 use crate::gap::{self, Gap};
 use crate::{Persson, Spectrum};
 
-/// Bound on the relative error of areas: rounding alone.
+/// Bound on the relative error of areas, which is rounding.
 const ERROR: f64 = 1e-14;
 
-/// What is known of a load.
+/// The quantities of this theory.
 const QUANTITIES: [Quantity; 9] = [
     Quantity::Force,
     Quantity::Area,
@@ -25,7 +25,7 @@ const QUANTITIES: [Quantity; 9] = [
     Quantity::LnArea,
 ];
 
-/// ln b of the pressures that have mean gaps: those of doubles that are no gap of 0.
+/// ln b of the pressures whose mean gaps are representable and above 0.
 const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
 #[derive(Debug)]
@@ -35,7 +35,7 @@ pub(crate) struct OnScene {
     pub(crate) quantities: Vec<Quantity>,
     /// √V \[Pa\], the standard deviation of the pressure at full contact.
     pub(crate) pressure_std: f64,
-    /// For mean gaps, and what falls with them; or what they need.
+    /// The spectrum for mean gaps and stiffnesses, or the error that names the missing input.
     pub(crate) spectrum: Result<std::sync::Arc<Spectrum>, ContactError>,
 }
 
@@ -58,15 +58,15 @@ impl OnScene {
         let field = "separation in m from the mean plane of the surface";
         let (gap, at) = (self.gap()?, At::Separation(separation));
         let failed = integral(Quantity::Pressure, at);
-        // Before a root of what is no number is looked for.
+        // Checked before the search for a root.
         let wanted = positive(field, wanted)?;
         let off = |ln_b: f64| Ok(gap.mean_gap(ln_b.exp())? / wanted - 1.0);
         let [low, high] = LN_PRESSURES;
         let found = fallible(off, |off| bracketed_root(off, low, high)).map_err(&failed)?;
         let Some(ln_b) = found else {
             let required = match gap.mean_gap(high.exp()).map_err(&failed)? >= wanted {
-                true => "a mean gap that a pressure of 17 E g still leaves open",
-                false => "a mean gap that a pressure above 1e-300 E g closes",
+                true => "a mean gap that is reached at a pressure below 17 E g",
+                false => "a mean gap that is reached at a pressure above 1e-300 E g",
             };
             return Err(ContactError::OutOfRange { field, value: wanted, required });
         };
@@ -106,7 +106,7 @@ impl Contact for OnScene {
         let found = if matches!(quantity, Quantity::Stiffness | Quantity::Tangent) {
             let (fall, ln_scale) =
                 self.gap()?.fall(self.reduced(pressure)).map_err(integral(quantity, at))?;
-            // dF/du = A p/(du/d ln p); what rounds b² rounds its exponential.
+            // dF/du = A p/(du/d ln p); the error of b² is that of the exponent.
             let stiffness = pressure * nominal / fall * (-ln_scale).exp();
             let error = gap::ERROR + error * (2.0 - 2.0 * ln_scale);
             Some(Evaluation::new(stiffness, error))
@@ -127,7 +127,7 @@ impl Contact for OnScene {
         let b = self.reduced(positive("load", load)? / self.scene.nominal_area);
         let (failed, gap) = (integral(Quantity::Force, At::Load(load)), self.gap()?);
         if b.ln() > LN_PRESSURES[1] {
-            let required = "at most 17 E g on the nominal area: beyond it no mean gap is left,";
+            let required = "at most 17 E g on the nominal area, where the mean gap vanishes,";
             return Err(ContactError::OutOfRange { field: "load", value: load, required });
         }
         let gap = gap.mean_gap(b).map_err(failed)?;
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn what_it_does_not_know_is_refused_by_name() {
+    fn missing_inputs_and_unsupported_quantities_are_named() {
         let contact = on(&scene(), PerssonVariance::Full).unwrap();
         let refused = |q, at: At| contact.evaluate(q, at).unwrap_err().to_string();
         let contacts = refused(Quantity::Contacts, At::Load(1.0));
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn where_all_is_closed_both_ways_say_so() {
+    fn closed_gaps_are_refused_in_both_directions() {
         let persson = Persson { hurst_exponent: Some(0.8), ..Persson::default() };
         let scene = scene();
         let contact = persson.compile(&scene, &Request::new(Quantity::ALL)).unwrap();
@@ -229,24 +229,24 @@ mod tests {
         let refused =
             |metres| contact.evaluate(Quantity::Force, gap(metres)).unwrap_err().to_string();
         let (small, large) = (refused(1e-290), refused(1.0));
-        assert!(small.contains("that a pressure of 17 E g still leaves open"), "{small}");
-        assert!(large.contains("that a pressure above 1e-300 E g closes"), "{large}");
+        assert!(small.contains("reached at a pressure below 17 E g"), "{small}");
+        assert!(large.contains("reached at a pressure above 1e-300 E g"), "{large}");
         // g = 0.02, E = 2e6 Pa.
         let load = |over: f64| over * 4e4 * scene.nominal_area;
         let closed = contact.separation(At::Load(load(20.0))).unwrap_err().to_string();
         assert!(closed.starts_with("load is 24.0: at most 17 E g"), "{closed}");
-        // What has a gap is found again from it.
+        // The load follows back from the gap.
         let last = contact.separation(At::Load(load(17.0))).unwrap();
         let force = contact.evaluate(Quantity::Force, last).unwrap().value();
         assert!((force / load(17.0) - 1.0).abs() < 1e-8, "{force}");
     }
 
     #[test]
-    fn why_a_scan_has_no_spectrum_is_told() {
+    fn the_reason_why_a_scan_has_no_spectrum_is_reported() {
         let spectrum = Some(Err("1 % of its points are missing".to_string()));
         let persson = Persson { spectrum, ..Persson::default() };
         let contact = persson.compile(&scene(), &Request::new(Quantity::ALL)).unwrap();
-        let told = contact.evaluate(Quantity::Tangent, At::Load(1.0)).unwrap_err().to_string();
-        assert!(told.ends_with("(the scan has none: 1 % of its points are missing) needs it"));
+        let message = contact.evaluate(Quantity::Tangent, At::Load(1.0)).unwrap_err().to_string();
+        assert!(message.ends_with("(the scan has none: 1 % of its points are missing) needs it"));
     }
 }

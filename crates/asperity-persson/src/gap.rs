@@ -8,13 +8,13 @@ use crate::Spectrum;
 /// Relative error of the integrals.
 const TOLERANCE: f64 = 1e-12;
 const EVALUATIONS: usize = 1_000_000;
-/// exp(-49) is no part of an integral.
+/// exp(-49) is negligible in an integral.
 const EXPONENT: f64 = 49.0;
-/// Bound on the relative error of what is made of an integral: that of the error function and of
-/// wave numbers comes on top of the integral's own.
+/// Bound on the relative error of a gap or a stiffness: the errors of the error function and of the
+/// wave numbers add to that of the integral.
 pub(crate) const ERROR: f64 = 1e-11;
 
-/// What mean gaps follow from.
+/// The inputs of mean gaps.
 #[derive(Debug)]
 pub(crate) struct Gap<'a> {
     pub(crate) spectrum: &'a Spectrum,
@@ -25,14 +25,14 @@ pub(crate) struct Gap<'a> {
 }
 
 impl Gap<'_> {
-    /// The mean gap \[m\] at b = √2 p/(E g) > 0: √(2/π) g ∫ f(b e^v) R(e^-v) dv, where R is the
-    /// integral of dy/q from there on: the integral over pressures above p, taken last.
+    /// The mean gap \[m\] at b = √2 p/(E g) > 0: √(2/π) g ∫ f(b e^v) R(e^-v) dv, R(y) being the
+    /// integral of dy/q from y to 1; the outer integral is that over pressures above p.
     pub(crate) fn mean_gap(&self, b: f64) -> Result<f64, QuadratureError> {
         let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.gradient * (-b * b).exp();
         Ok(scale * self.integral(b, |y| self.spectrum.from(y))?)
     }
 
-    /// -du/d(ln p) \[m\]: √(2/π) g ∫ f(b/y) dy/q, in two factors, of which the second is a logarithm.
+    /// -du/d(ln p) \[m\], √(2/π) g ∫ f(b/y) dy/q, as a factor and the logarithm of another.
     pub(crate) fn fall(&self, b: f64) -> Result<(f64, f64), QuadratureError> {
         let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.gradient;
         Ok((scale * self.integral(b, |y| y * self.spectrum.wave(y))?, -b * b))
@@ -42,7 +42,7 @@ impl Gap<'_> {
     fn integral(&self, b: f64, of: impl Fn(f64) -> f64) -> Result<f64, QuadratureError> {
         let last = (EXPONENT.sqrt().hypot(b) / b).ln();
         let mut breaks: Vec<f64> = self.spectrum.ends().iter().map(|y| -y.ln()).collect();
-        // Where the exponential falls.
+        // The range over which the exponential falls.
         breaks.extend([-b.ln(), 0.0, last]);
         breaks.retain(|v| (0.0..=last).contains(v));
         breaks.sort_by(f64::total_cmp);
@@ -87,7 +87,7 @@ mod tests {
         let metres = gap.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, scene).unwrap();
         let stiffness = contact.evaluate(Quantity::Tangent, at).unwrap();
         assert!(stiffness.relative_error() < 1e-9);
-        // There and back.
+        // The load follows back from the gap.
         let back = contact.evaluate(Quantity::Force, gap).unwrap();
         let off = back.value() / (load * unit * 2.0) - 1.0;
         assert!(off.abs() < back.relative_error() && off.abs() < 1e-8, "{off:e} {back:?}");
@@ -115,7 +115,7 @@ mod tests {
         assert_eq!(rows, 32);
     }
 
-    /// Of another program, to some 1e-3: what it prints is off by that at light loads. [truth sheet]
+    /// As printed by another program, whose error is about 1e-3 at light loads.
     #[test]
     fn gaps_are_those_of_another_program() {
         let loads = [1e-3, 3e-3, 1e-2, 3e-2, 1e-1];
@@ -127,9 +127,9 @@ mod tests {
         }
     }
 
-    /// The same surface as many waves: each ring of them is a step of the law.
+    /// The same surface as a sum of waves: each ring of them is a step of the law.
     #[test]
-    fn waves_answer_as_the_power_law_that_they_are_of() {
+    fn waves_of_a_power_law_give_its_gaps_and_stiffnesses() {
         let scene = scene(8.0);
         let moments = scene.surface.moments();
         let (hurst, ratio) = (0.8, 11.727_716_f64);
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn waves_of_one_length_and_the_ends_of_the_doubles_have_answers() {
+    fn single_wavelengths_and_extreme_loads_have_gaps_and_stiffnesses() {
         for (alpha, hurst) in
             [(1.5 + 1e-12, 0.8), (1.5 + 1e-9, 0.5), (1.6, 1.0), (1e6, 0.1), (1e6, 1.0)]
         {

@@ -1,55 +1,4 @@
-//! Persson: the real area at a load, from the slopes of the whole surface and without asperities.
-//!
-//! # Equations
-//! With the nominal pressure p, the equivalent modulus E and the mean square gradient g² = 2 m₂ of
-//! the surface, the pressure at full contact has the variance V = E² g²/4, and
-//! ```text
-//! A/A_n = erf(p/√(2 V'))
-//! persson:        V' = V
-//! persson-fudge:  V' = (γ + (1-γ) A/A_n) V,   γ = 0.45
-//! ```
-//! For small loads A/A_n → √(8/(π γ')) p/(E g), γ' = 1 or γ; for large ones A → A_n in both.
-//!
-//! m₂ is that of [`Surface::moments`](asperity_core::Surface::moments). Of a surface that was given
-//! by moments, or by a scan from whose moments its asperities came, it is what was given or
-//! measured; of one given by asperities (or a scan whose summits were counted), that of the
-//! isotropic Gaussian surface that has them.
-//!
-//! The mean gap u, from the mean plane, follows from the elastic energy, p du = -dU per area. With
-//! the spectrum C(q), ⟨h²⟩ = 2π ∫ q C dq, and the gradient g(q) of all waves up to q,
-//! ```text
-//! U = (π E/2) ∫ q² C P (γ + (1-γ) P²) dq,   P = erf(√2 p/(E g(q)))
-//! -dp/du = p/(√(2/π) g ∫ f(b/y) dy/q),      f(t) = (γ + 3(1-γ) erf² t) exp(-t²)
-//! ```
-//! b = √2 p/(E g) and γ = 1 for `persson`, 0.45 for `persson-fudge`; y = g(q)/g runs from 0 to 1.
-//! Stiffness and tangent are -dF/du = -A_n dp/du. The [`Spectrum`] is that of a scan, or a power law
-//! between two wave numbers, which follow from m₀, m₂, m₄ and a Hurst exponent.
-//!
-//! # Valid for
-//! Elastic contact of surfaces with Gaussian slopes: hardness does not enter, and heights of any other
-//! density are refused, unless the spectrum of a scan answers for them. Against independent solutions for an elastic half-space,
-//! the area of `persson-fudge` is within 5 % up to A/A_n = 0.43 and within 3 % beyond. \[seen\] Beyond
-//! p/(E g) of 17 gaps are below 1e-250 of the heights and refused, beyond 19 stiffnesses as well.
-//!
-//! # Source
-//! Persson 2001, "Theory of rubber friction and contact mechanics"; the energy with γ = 1 is that of
-//! Persson 2007, Physical Review Letters 99, 125502, as public programs of Xu and others, 2024, have
-//! it, and the correction of the area is theirs. \[seen\] The energy with γ = 0.45 is that of Yang &
-//! Persson 2008, with P as above. \[recalled; the programs of Xu and others have it with corrected P,
-//! and one of their own with a second term: neither is computed here\] No paper was read.
-//!
-//! # Example
-//! ```
-//! use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Surface};
-//! use asperity_persson::{Persson, PerssonVariance};
-//!
-//! let scene = Scene::new(Interface::elastic(116e9, 0.31), Surface::new(3.6e-4, 1.11e8, 1e-6), 3e-5);
-//! let asked = Request::new([Quantity::AreaFraction]).at([At::Pressure(1e8)]);
-//! let persson = Persson::default().solve(&scene, &asked)?;
-//! let corrected = Persson { variance: PerssonVariance::Fudge, ..Persson::default() }.solve(&scene, &asked)?;
-//! assert!(corrected.values(Quantity::AreaFraction)? > persson.values(Quantity::AreaFraction)?);
-//! # Ok::<(), asperity_core::ContactError>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
 mod area;
 mod contact;
@@ -72,13 +21,13 @@ pub use spectrum::Spectrum;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Persson {
-    /// The variance of the pressure that the area is computed with.
+    /// The variance of the pressure from which the area follows.
     pub variance: PerssonVariance,
-    /// H, from 0.1 to 1: mean gaps and stiffnesses need it, or a spectrum; surfaces that were
-    /// fractured, ground or blasted have some 0.8.
+    /// The Hurst exponent H, from 0.1 to 1. Mean gaps and stiffnesses need it, or a spectrum; it is
+    /// about 0.8 for fractured, ground or blasted surfaces.
     #[serde(default)]
     pub hurst_exponent: Option<f64>,
-    /// The spectrum, where there is no Hurst exponent; or why a scan has none.
+    /// The spectrum, used where there is no Hurst exponent; or the reason why a scan has none.
     #[serde(skip)]
     pub spectrum: Option<Result<Arc<Spectrum>, String>>,
 }
@@ -102,7 +51,7 @@ const FUDGE: Citation = Citation {
 };
 
 impl Persson {
-    /// The variance that an id stands for.
+    /// The variance of the model with this id.
     #[must_use]
     pub fn variance_of(id: &str) -> Option<PerssonVariance> {
         let model = |variance| Self { variance, ..Self::default() };
@@ -120,7 +69,7 @@ impl Described for Persson {
 
     fn validity(&self) -> Validity {
         Validity::without_asperities().valid_for(
-            "elastic contact of a surface with Gaussian slopes; gaps need a Hurst exponent or a scan",
+            "elastic contact of surfaces with Gaussian slopes; gaps need a Hurst exponent or a scan",
         )
     }
 }
@@ -131,13 +80,14 @@ impl ContactModel for Persson {
         let of_scan = self.hurst_exponent.is_none() && matches!(self.spectrum, Some(Ok(_)));
         let gaussian = match &scene.heights {
             HeightDistribution::Gaussian => true,
-            // What was measured of a scan, beside the spectrum of that scan.
+            // Heights measured on a scan, together with the spectrum of that scan.
             HeightDistribution::Other(_) => of_scan,
             _ => false,
         };
         if !gaussian {
             let name = scene.heights.name();
-            let what = format!("areas of {name} heights: it is of Gaussian surfaces, or of a scan");
+            let what =
+                format!("areas of {name} heights: the theory is for Gaussian surfaces or a scan");
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
         let moments = scene.surface.moments();
@@ -156,7 +106,7 @@ impl ContactModel for Persson {
             model: self.clone(),
             scene: scene.clone(),
             quantities: request.quantities.clone(),
-            // √V.
+            // √V = E g/2 with g² = 2 m₂.
             pressure_std: scene.interface.equivalent_modulus * (0.5 * moments.m2).sqrt(),
             spectrum,
         }))

@@ -1,31 +1,31 @@
-//! The spectrum of a surface as mean gaps need it: the wave number that gradients are reached at.
+//! The spectrum of a surface: the wave number as a function of the gradient reached there.
 
 use asperity_core::{ContactError, ProfileMoments};
 use asperity_quadrature::{bracketed_root, legendre};
 
-/// Points of the rule between two ends: panels are so short that 12 would do.
+/// Points of the quadrature rule between two ends; 12 would suffice for panels of this length.
 const POINTS: usize = 16;
-/// ln(q_s/q_l) of the broadest power law: powers of it are finite.
+/// ln(q_s/q_l) of the broadest power law; its powers do not overflow.
 const BROADEST: f64 = 170.0;
-/// Waves whose wave numbers differ by less than this factor are taken together.
+/// Waves whose wave numbers differ by less than this factor are combined into one ring.
 const RING: f64 = 1.05;
 
-/// How the gradients of a surface are spread over wave numbers.
+/// The distribution of the gradient of a surface over wave numbers.
 ///
-/// Waves up to the wave number q have the root mean square gradient y g, y from 0 to 1, where g is
-/// that of all waves: what is kept is 1/q as a function of y.
+/// Waves up to the wave number q have the root mean square gradient y g, with y from 0 to 1 and g
+/// the gradient of all waves. The spectrum holds 1/q as a function of y.
 ///
 /// ```
 /// use asperity_persson::Spectrum;
 ///
-/// // Mean square heights of waves, as a Fourier transform of a scan gives them.
+/// // Mean square heights of waves, as from a Fourier transform of a scan.
 /// let waves = [(1e5, 4e-14), (2e5, 1e-14), (3e5, 4e-15)]; // 1/m, m^2
 /// assert!(Spectrum::of_waves(waves).is_ok());
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     law: Law,
-    /// Between two of these y, ascending from 0 to 1, the law is smooth.
+    /// Ascending y from 0 to 1, between which the law is smooth.
     ends: Vec<f64>,
     /// ∫ dy/q from each of them to 1 \[m\].
     beyond: Vec<f64>,
@@ -45,11 +45,11 @@ fn exponential(n: f64, length: f64) -> f64 {
 }
 
 impl Spectrum {
-    /// C(q) ∝ q^(-2(1+H)) between two wave numbers, which follow from the moments.
+    /// The power law C(q) ∝ q^(-2(1+H)) between two wave numbers, which follow from the moments.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a Hurst exponent outside 0.1 to 1, and for moments that no
-    /// such surface has: α = m₀m₄/m₂² is at least 1.5.
+    /// [`ContactError::OutOfRange`] for a Hurst exponent outside 0.1 to 1, and for moments with a
+    /// bandwidth α = m₀m₄/m₂² below 1.5.
     pub fn power_law(moments: &ProfileMoments, hurst_exponent: f64) -> Result<Self, ContactError> {
         Self::check_hurst(hurst_exponent)?;
         let power = 2.0 - 2.0 * hurst_exponent;
@@ -75,7 +75,7 @@ impl Spectrum {
         let ratio = if narrow { 1.0 } else { integral(1.0, length) / integral(3.0, length) };
         let lowest = (2.0 * moments.m2 / moments.m0 * ratio).sqrt();
         let spread = if power > 0.0 { (power * length).exp_m1() } else { length };
-        // Up to this y the law changes little, and from there on by a power.
+        // Up to this y the law is almost constant; beyond, it is close to a power.
         let scale = (if power > 0.0 { power.min(1.0) / spread } else { 1.0 / spread }).sqrt();
         let mut ends = vec![0.0];
         let mut end = scale;
@@ -87,6 +87,8 @@ impl Spectrum {
         Ok(Self::new(Law::Power { lowest, spread, power }, ends))
     }
 
+    /// Checks the range of a Hurst exponent.
+    ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a Hurst exponent outside 0.1 to 1.
     pub fn check_hurst(hurst_exponent: f64) -> Result<(), ContactError> {
@@ -97,12 +99,12 @@ impl Spectrum {
         Err(ContactError::OutOfRange { field, value: hurst_exponent, required })
     }
 
-    /// From waves: their wave number \[1/m\] and mean square height \[m²\], in any order; those next to
-    /// each other are taken together.
+    /// The spectrum of waves with these wave numbers \[1/m\] and mean square heights \[m²\], in any
+    /// order; waves with almost equal wave numbers are combined.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a wave number that is not above 0 or a mean square below 0,
-    /// and where nothing is above 0.
+    /// [`ContactError::OutOfRange`] for a wave number that is not above 0, a mean square below 0, or
+    /// waves of no height at all.
     pub fn of_waves(waves: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, ContactError> {
         let mut waves: Vec<(f64, f64)> = waves.into_iter().collect();
         for (q, square) in &waves {
@@ -123,7 +125,7 @@ impl Spectrum {
             let ring = left.partition_point(|(q, _)| *q < longest * RING);
             let (ring, longer) = left.split_at(ring);
             left = longer;
-            // ∫ dy/q as it is, wave by wave.
+            // ∫ dy/q, wave by wave.
             let (first, mut y, mut integral) = (up_to, up_to, 0.0);
             for (q, square) in ring {
                 squares += q * q * square;
@@ -151,12 +153,12 @@ impl Spectrum {
         new
     }
 
-    /// Where the law is not smooth, or changes fast: y, ascending from 0 to 1.
+    /// Ascending y from 0 to 1 at which the law is not smooth or changes fast.
     pub(crate) fn ends(&self) -> &[f64] {
         &self.ends
     }
 
-    /// 1/q \[m\] where y is between an end and the next.
+    /// 1/q \[m\] at a y in the k-th interval.
     fn inverse(&self, k: usize, y: f64) -> f64 {
         match &self.law {
             Law::Rings(rings) => rings[k],
@@ -168,7 +170,7 @@ impl Spectrum {
         }
     }
 
-    /// ∫ dy/q from y to the end after the k-th.
+    /// ∫ dy/q from y to the end of the k-th interval.
     fn between(&self, k: usize, y: f64) -> f64 {
         let rule = legendre(POINTS);
         let width = self.ends[k + 1] - y;

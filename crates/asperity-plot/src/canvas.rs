@@ -1,7 +1,7 @@
-//! The few things that are drawn beside plotters' charts; all in the pixels that are shown.
+//! Shapes and text drawn over plotters' charts, in displayed pixels.
 //!
-//! plotters writes whole pixels, dashes of one length and text of one height: lines, shapes and words
-//! of ours are laid over its charts.
+//! plotters rounds to whole pixels and has dashes of one length and text of one height. Lines,
+//! shapes and text of this crate are therefore drawn over its charts.
 
 use std::cell::RefCell;
 
@@ -13,13 +13,12 @@ use crate::series::Point;
 use crate::style::{Colour, Marker, WHITE};
 use crate::text::{CAPITAL, LINE, escaped, spans};
 
-/// plotters rounds to whole pixels: its paper is this many times as large, or the rounding would
-/// show.
+/// Scale of plotters' drawing area, which makes its rounding to whole pixels invisible.
 const FINE: f64 = 10.0;
 /// Half the width of a marker.
 pub(crate) const MARKER: f64 = 4.7;
 
-/// A length on plotters' paper.
+/// A length on plotters' drawing area.
 pub(crate) fn fine(length: f64) -> i32 {
     (length * FINE).round() as i32
 }
@@ -34,7 +33,7 @@ pub(crate) struct Rect {
 }
 
 impl Rect {
-    /// The rectangle of this size with its top left corner here.
+    /// The rectangle of this size with its top left corner at a point.
     pub(crate) fn sized(left: f64, top: f64, width: f64, height: f64) -> Self {
         Self { left, top, right: left + width, bottom: top + height }
     }
@@ -47,7 +46,7 @@ impl Rect {
         self.bottom - self.top
     }
 
-    /// The pixel of a point in shares of the width and, from the foot, of the height.
+    /// The pixel of a point given in fractions of the width and, from the bottom, of the height.
     pub(crate) fn at(&self, share: Point) -> Point {
         (self.left + share.0 * self.width(), self.bottom - share.1 * self.height())
     }
@@ -68,8 +67,7 @@ impl Rect {
     }
 }
 
-/// How a line of text is set: its size, its colour, which part of it is at its place (start, middle
-/// or end), and whether it is bold and reads upwards.
+/// The style of a line of text: size, colour, anchor (start, middle or end), weight and direction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Type {
     pub(crate) size: f64,
@@ -85,7 +83,7 @@ impl Type {
     }
 }
 
-/// The paper: plotters' charts, and what is laid over them.
+/// The drawing area: plotters' charts, and shapes over them.
 pub(crate) struct Canvas<'a> {
     pub(crate) charts: DrawingArea<SVGBackend<'a>, Shift>,
     over: RefCell<String>,
@@ -105,8 +103,8 @@ pub(crate) fn picture(
     canvas.charts.present()?;
     let over = canvas.over.take();
     drop(canvas);
-    // Without plotters' own root tag, and without the line breaks in its text tags, which are blanks
-    // to some viewers.
+    // Without plotters' own root tag, and without the line breaks in its text tags, which some
+    // viewers show as blanks.
     let charts =
         charts.split_once('\n').map_or("", |(_, body)| body).replace("\n</text>", "</text>");
     let charts = charts.trim_end().trim_end_matches("</svg>");
@@ -133,7 +131,7 @@ impl Canvas<'_> {
         self.over.borrow_mut().push_str(tag);
     }
 
-    /// A line with a pattern of ink and gap, or unbroken if that is empty.
+    /// A line with a pattern of dashes and gaps; solid if the pattern is empty.
     pub(crate) fn line(&self, points: &[Point], colour: Colour, width: f64, dash: &[f64]) {
         let lengths: Vec<String> = dash.iter().map(f64::to_string).collect();
         let dash = match dash {
@@ -146,7 +144,7 @@ impl Canvas<'_> {
         }
     }
 
-    /// A filled polygon; what is below shines through as far as it is not opaque.
+    /// A filled polygon with this opacity.
     pub(crate) fn polygon(&self, corners: &[Point], colour: Colour, opacity: f64) {
         let corners = places(corners);
         self.add(&format!(
@@ -178,7 +176,7 @@ impl Canvas<'_> {
         self.line(&around, colour, width, &[]);
     }
 
-    /// A marker with a thin white rim, so that it stands off the lines below it.
+    /// A marker with a thin white rim, which separates it from the lines below it.
     pub(crate) fn marker(&self, (x, y): Point, (path, filled): Marker, colour: Colour) {
         let fill = if filled { colour } else { WHITE };
         // Crosses have no inside.
@@ -188,7 +186,7 @@ impl Canvas<'_> {
         }
     }
 
-    /// A line of text with its baseline here.
+    /// A line of text with its baseline at a point.
     pub(crate) fn text(&self, text: &str, (x, y): Point, face: Type) {
         let Type { size, colour, anchor, bold, upward } = face;
         let bold = if bold { " font-weight=\"bold\"" } else { "" };

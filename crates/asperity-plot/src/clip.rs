@@ -1,11 +1,11 @@
-//! Curves cut at the frame before they are drawn: plotters draws points outside clamped, as false
-//! lines along the frame. Everything happens in shares of the frame, from 0 to 1.
+//! Clipping of curves at the frame; plotters would draw points outside as false lines along it. All
+//! positions are fractions of the frame, from 0 to 1.
 
 use crate::ruler::Ruler;
 use crate::series::Point;
 
-/// The parts of a piece of curve, in the units of the csv, that are inside the frame of two axes, in
-/// shares of it.
+/// The parts of a piece of curve, in the units of the csv, that are inside the frame of two axes,
+/// in fractions of it.
 pub(crate) fn curve(piece: &[Point], x: &Ruler, y: &Ruler) -> Vec<Vec<Point>> {
     let share = |point: Point| (x.share(point.0), y.share(point.1));
     if let [single] = piece {
@@ -32,8 +32,8 @@ pub(crate) fn curve(piece: &[Point], x: &Ruler, y: &Ruler) -> Vec<Vec<Point>> {
     parts
 }
 
-/// Moves an end that has no logarithm along the segment up to the floor of the axis, and tells
-/// whether the segment still reaches its own end.
+/// Moves an end that has no logarithm along the segment up to the floor of the axis; returns
+/// also whether the segment still reaches its own end.
 fn lift(from: Point, to: Point, floor: Option<f64>) -> Option<(Point, Point, bool)> {
     let Some(floor) = floor else { return Some((from, to, true)) };
     let meet = |high: Point, low: Point| {

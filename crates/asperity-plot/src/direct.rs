@@ -1,4 +1,4 @@
-//! Names beside points of their curves, each where it covers least.
+//! Names of curves beside their points, each where it overlaps least.
 
 use crate::canvas::{Canvas, MARKER, Rect, Type};
 use crate::series::{Point, Series};
@@ -7,7 +7,7 @@ use crate::style::BLACK;
 use crate::text::{CAPITAL, LINE, width};
 use crate::trace::sampled;
 
-/// Air around a name.
+/// Space around a name.
 const AIR: f64 = 6.0;
 
 /// Writes the name of each curve that has one.
@@ -23,7 +23,7 @@ pub(crate) fn draw(
     taken.extend(markers.iter().flatten().flat_map(rim));
     let named = series.iter().zip(traces).filter(|(series, _)| !series.curve.label.is_empty());
     let mut named: Vec<_> = named.map(|(s, parts)| (&s.curve.label, parts.concat())).collect();
-    // Those with the fewest points have the least choice.
+    // Curves with the fewest points first: they have the fewest positions.
     named.sort_by_key(|(_, points)| points.len());
     let inside = frame.grown(-4.0);
     for (label, points) in named {
@@ -37,7 +37,7 @@ pub(crate) fn draw(
         if let Some(rect) = places.min_by_key(covered) {
             let baseline = rect.top + 0.5 * (size.1 + CAPITAL * SMALL);
             canvas.text(label, (rect.left, baseline), Type::new(SMALL, BLACK, "start"));
-            // A name weighs more than a curve.
+            // An overlap with a name counts more than one with a curve.
             let edges: Vec<Point> = rect.corners().into_iter().cycle().take(5).collect();
             let name = sampled(&[edges], 3.0);
             taken.extend(name.iter().cycle().take(100 * name.len()));

@@ -1,4 +1,4 @@
-//! What can be wrong with a description or its csv.
+//! Errors of a description or its csv.
 
 use plotters::drawing::DrawingAreaErrorKind;
 
@@ -6,7 +6,7 @@ use plotters::drawing::DrawingAreaErrorKind;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// The text is no table.
+    /// The text is not a table.
     #[error("the csv cannot be read: {0}")]
     Csv(#[from] csv::Error),
     /// A column that the description names.
@@ -25,7 +25,7 @@ pub enum PlotError {
         /// The column that names the curve of a row.
         column: String,
     },
-    /// A curve of the csv that would be lost unseen.
+    /// A curve of the csv that no panel draws.
     #[error("curve `{curve}` of column `{column}` is drawn by no panel")]
     Undrawn {
         /// The curve.
@@ -33,17 +33,17 @@ pub enum PlotError {
         /// The column that names the curve of a row.
         column: String,
     },
-    /// A word where a number belongs.
+    /// A cell that is not a number.
     #[error("line {line} of the csv: `{text}` is not a number, as column `{column}` requires")]
     NotANumber {
-        /// Counted from 1, the head's.
+        /// The line, counted from 1 at the head.
         line: u64,
         /// The column.
         column: String,
-        /// What is there.
+        /// The text of the cell.
         text: String,
     },
-    /// A range or a factor without a use.
+    /// An unusable range or factor.
     #[error("axis `{axis}` from {low} to {high}: {required} was required")]
     Range {
         /// The axis by its label.
@@ -55,7 +55,7 @@ pub enum PlotError {
         /// What was required.
         required: &'static str,
     },
-    /// Two curves that do not go together as the edges of an area.
+    /// Two curves that cannot be the edges of an area.
     #[error("curve `{curve}` cannot be an edge of an area: {required} was required")]
     Area {
         /// The curve.

@@ -1,7 +1,7 @@
 //! The description of a figure: plain data. Every position is in the units of the csv;
-//! [`Axis::multiply`] acts on the numbers that are shown and on nothing else.
+//! [`Axis::multiply`] acts on the displayed numbers only.
 //!
-//! In all words `w_c` lowers the letter after the underline.
+//! In all texts an underscore lowers the next letter, as in `w_c`.
 
 use crate::style::Curve;
 
@@ -9,7 +9,7 @@ use crate::style::Curve;
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Figure {
-    /// A line above the panels; empty for none.
+    /// A title above the panels; empty for none.
     pub title: String,
     /// Paragraphs below the panels; each is wrapped.
     pub caption: Vec<String>,
@@ -37,11 +37,12 @@ pub enum Legend {
     /// In a box below all panels, each key with line and marker.
     #[default]
     Below,
-    /// Beside a point of each curve, for few points that stand apart. A curve without a name gets none.
+    /// Beside a point of each curve, for few, well separated points. A curve without a name has
+    /// none.
     Direct,
 }
 
-/// One pair of axes and what is drawn in it.
+/// One pair of axes with its curves.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Panel {
@@ -51,9 +52,9 @@ pub struct Panel {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// The column that names the curve of a row; `curve` unless said otherwise.
+    /// The column that names the curve of a row; by default `curve`.
     pub curve_column: String,
-    /// Use only the rows whose column (first) holds this word (second).
+    /// The rows to use: a column and its value; all rows if `None`.
     pub only: Option<(String, String)>,
     /// The curves, in the order of the legend.
     pub curves: Vec<Curve>,
@@ -70,7 +71,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// A panel with nothing in it but its axes.
+    /// A panel without curves.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
         Self {
@@ -101,7 +102,7 @@ pub struct Axis {
     pub scale: Scale,
     /// Ends of the axis in the units of the csv; from the drawn curves if `None`.
     pub range: Option<(f64, f64)>,
-    /// What a number of the csv is multiplied by to be shown, such as 1e6 for m in µm.
+    /// The factor between the csv and the displayed numbers, such as 1e6 for m in µm.
     pub multiply: f64,
 }
 
@@ -127,7 +128,7 @@ impl Axis {
         self
     }
 
-    /// The same axis with its numbers multiplied for show.
+    /// The same axis with its displayed numbers multiplied.
     #[must_use]
     pub fn times(mut self, factor: f64) -> Self {
         self.multiply = factor;
@@ -141,7 +142,7 @@ impl Axis {
 pub enum Scale {
     /// Equal differences take equal lengths.
     Linear,
-    /// Equal ratios take equal lengths; what is not above zero leaves the frame at its foot.
+    /// Equal ratios take equal lengths; values of 0 and below leave the frame at the bottom.
     Log,
 }
 
@@ -163,7 +164,7 @@ impl Scale {
 pub struct Mark {
     /// Where, in the units of the csv.
     pub at: f64,
-    /// A few words; empty for none.
+    /// A label; empty for none.
     pub label: String,
 }
 
@@ -178,11 +179,11 @@ impl Mark {
 /// The area between two curves of the csv, shaded; the curves need not be drawn themselves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Between {
-    /// The lower curve's word in the curve column.
+    /// The lower curve, by its name in the curve column.
     pub lower: String,
     /// The upper curve's; it has the same x.
     pub upper: String,
-    /// The number of its colour, as a curve's; what is below shines through.
+    /// The number of its colour, as for curves; the area is translucent.
     pub look: usize,
 }
 
@@ -195,7 +196,7 @@ pub struct Strip {
     pub from: f64,
     /// The upper end, in the units of the csv.
     pub to: f64,
-    /// A few words for a corner of it; empty for none.
+    /// A label for a corner of it; empty for none.
     pub label: String,
 }
 

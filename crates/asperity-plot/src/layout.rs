@@ -1,4 +1,4 @@
-//! Where everything goes: margins from the width of labels, then the frames.
+//! The layout of a figure: margins from the width of labels, then the frames.
 
 use crate::canvas::{Canvas, Rect, Type};
 use crate::figure::{self, Figure};
@@ -8,7 +8,7 @@ use crate::size::{EDGE, HEIGHT, SMALL, TITLE, WIDTH, least_height};
 use crate::style::{BLACK, DARK_GREY};
 use crate::text::{LINE, wrap};
 
-/// The places of all parts of a figure.
+/// The positions of all parts of a figure.
 pub(crate) struct Layout<'a> {
     title: Vec<String>,
     pub(crate) frames: Vec<Rect>,
@@ -36,7 +36,7 @@ impl<'a> Layout<'a> {
         Self { title, frames, legend, caption, caption_top, height: foot + tail }
     }
 
-    /// Draws what belongs to no panel.
+    /// Draws title, legend and caption.
     pub(crate) fn draw(&self, canvas: &Canvas) {
         draw_title(canvas, &self.title);
         draw_caption(canvas, &self.caption, self.caption_top);
@@ -55,7 +55,7 @@ fn frames(figure: &Figure, plots: &[Plot], head: f64, tail: f64) -> (Vec<Rect>, 
     let columns = figure.columns.clamp(1, plots.len().max(1));
     let each = (WIDTH - EDGE) / columns as f64;
     let width = each - left - right;
-    // Many panels find no room beside each other.
+    // Frames become too narrow with many panels beside each other.
     if columns > 1 && width > 100.0 {
         let height = (1.1 * width).min(293.0);
         let row = above + height + below;

@@ -19,7 +19,7 @@ pub(crate) const AREA: f64 = 0.4;
 /// Width of curves.
 const CURVE: f64 = 2.0;
 
-/// The legend of all panels with its size known.
+/// The legend of all panels, with its size.
 pub(crate) struct Legend<'a> {
     /// Each curve, and whether the area under it is filled.
     entries: Vec<(&'a Curve, bool)>,
@@ -30,14 +30,14 @@ pub(crate) struct Legend<'a> {
 }
 
 impl<'a> Legend<'a> {
-    /// In as many columns as fit into a width.
+    /// The legend in as many columns as fit into a width.
     pub(crate) fn new(panels: &'a [Panel], widest: f64) -> Self {
         let mut entries: Vec<(&Curve, bool)> = vec![];
         let curves =
             panels.iter().flat_map(|p| p.curves.iter().map(move |curve| (curve, p.stacked)));
         for (curve, filled) in curves.filter(|(curve, _)| !curve.label.is_empty()) {
-            match entries.iter_mut().find(|(known, _)| known.label == curve.label) {
-                Some(known) => known.1 |= filled,
+            match entries.iter_mut().find(|(entry, _)| entry.label == curve.label) {
+                Some(entry) => entry.1 |= filled,
                 None => entries.push((curve, filled)),
             }
         }
@@ -54,7 +54,7 @@ impl<'a> Legend<'a> {
         self.entries.is_empty()
     }
 
-    /// Draws the legend with its top left corner here.
+    /// Draws the legend with its top left corner at a point.
     pub(crate) fn draw(&self, canvas: &Canvas, (left, top): Point) {
         let edge = Rect::sized(left, top, self.width, self.height);
         canvas.outline(&edge, "#AAAAAA", 0.7);

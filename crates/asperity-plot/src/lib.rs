@@ -2,9 +2,9 @@
 //!
 //! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
 //! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
-//! what it lacks is here: curves cut at the frame and at gaps before they are drawn, dashes of several
-//! lengths, legend keys with dash and marker, areas between curves, lowered letters, captions that
-//! wrap, and several panels in one picture.
+//! what it lacks is here: curves cut at the frame and at gaps before they are drawn, dashes of
+//! several lengths, legend keys with dash and marker, areas between curves, lowered letters,
+//! captions that wrap, and several panels in one picture.
 //!
 //! ```
 //! use asperity_plot::{Axis, Curve, Figure, Panel, draw};
@@ -51,8 +51,8 @@ use series::Table;
 /// Draws a figure from the text of a csv; gives the text of an svg.
 ///
 /// # Errors
-/// A column or a curve that the csv does not have, a curve in it that no panel draws, a cell that is
-/// not a number, or an axis without a usable range.
+/// A column or a curve that the csv does not have, a curve in it that no panel draws, a cell that
+/// is not a number, or an axis without a usable range.
 pub fn draw(figure: &Figure, csv: &str) -> Result<String, PlotError> {
     let table = Table::read(csv)?;
     let plots = (0..figure.panels.len())

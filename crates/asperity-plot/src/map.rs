@@ -17,7 +17,7 @@ pub struct Map {
     pub title: String,
     /// Paragraphs below; each is wrapped.
     pub caption: Vec<String>,
-    /// Row by row, from the top down; what is not above 0 is left white.
+    /// Row by row from the top; values of 0 and below are white.
     pub values: Vec<f64>,
     /// Values in a row.
     pub columns: usize,
@@ -25,9 +25,9 @@ pub struct Map {
     pub size: [f64; 2],
     /// The unit of these lengths.
     pub unit: String,
-    /// What the colours stand for, with its unit.
+    /// The quantity of the colours, with its unit.
     pub label: String,
-    /// The value of the darkest colour; what is above it is drawn alike.
+    /// The value of the darkest colour; larger values have the same colour.
     pub top: f64,
 }
 
@@ -35,12 +35,12 @@ pub struct Map {
 const LARGEST: [f64; 2] = [620.0, 600.0];
 /// The bar of colours.
 const BAR: f64 = 18.0;
-/// From light to dark, so that they can be told apart in grey and by every eye: the colours of
-/// `inferno` (matplotlib, public domain) without the light end, which is too near to white.
+/// From light to dark, distinct in grey and for colour-blind readers: the colours of `inferno`
+/// (matplotlib, public domain) without the light end, which is too close to white.
 const COLOURS: [[u8; 3]; 6] =
     [[252, 195, 65], [249, 140, 10], [221, 81, 58], [147, 38, 103], [66, 10, 104], [0, 0, 4]];
 
-/// Draws a map; gives the text of an svg.
+/// Draws a map; returns the text of an svg.
 ///
 /// # Errors
 /// When the values do not fill whole rows, or when a length or the top of the colours is not
@@ -170,7 +170,7 @@ fn pixels(map: &Map) -> Result<Vec<u8>, PlotError> {
     Ok(bytes)
 }
 
-/// The number of a colour: 0, white, for what is not above 0.
+/// The number of a colour: 0, white, for values of 0 and below.
 fn index(share: f64) -> u8 {
     if share > 0.0 { 1 + (share.min(1.0) * 254.0).round() as u8 } else { 0 }
 }

@@ -1,4 +1,4 @@
-//! A matrix of words on shades: rows down, columns across, one number or word in each cell.
+//! A matrix of shaded cells with a number or a text in each.
 
 use crate::canvas::{Canvas, Rect, Type, picture};
 use crate::error::PlotError;
@@ -25,7 +25,7 @@ pub struct Matrix {
 /// One cell.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cell {
-    /// A number or a word.
+    /// A number or a text.
     pub text: String,
     /// A smaller line below it.
     pub note: String,
@@ -39,7 +39,7 @@ const HEAD: f64 = 11.0;
 /// From this shade on text is white.
 const DARK: f64 = 0.55;
 
-/// Draws a matrix; gives the text of an svg.
+/// Draws a matrix; returns the text of an svg.
 ///
 /// # Errors
 /// When there are no cells, or not as many as rows and columns ask for.
@@ -111,8 +111,8 @@ mod tests {
     #[test]
     fn every_word_is_drawn_and_dark_cells_have_white_text() {
         let [light, dark] = [0.0, 1.0].map(|shade| draw_matrix(&matrix(shade)).unwrap());
-        for word in ["gauss", "64", "ours", "far-tail", "10⁻¹³", "1 of 7", "One.", "a &lt; b"] {
-            assert!(light.contains(word), "{word}");
+        for text in ["gauss", "64", "ours", "far-tail", "10⁻¹³", "1 of 7", "One.", "a &lt; b"] {
+            assert!(light.contains(text), "{text}");
         }
         let white = |line: &&str| line.starts_with("<text") && line.contains("#FFFFFF");
         let texts = |svg: &str| svg.lines().filter(white).count();

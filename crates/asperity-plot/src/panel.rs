@@ -1,4 +1,4 @@
-//! A panel: its curves and its two axes made ready, and how it is drawn into its frame.
+//! A panel: its curves and axes, and the drawing into its frame.
 
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::style::{Color, IntoFont, RGBColor, TextStyle};
@@ -18,13 +18,13 @@ use crate::trace::marker_places;
 
 const GRID: RGBColor = RGBColor(222, 222, 222);
 const FINE_GRID: RGBColor = RGBColor(242, 242, 242);
-/// How opaque strips are.
+/// Opacity of strips.
 const STRIP: f64 = 0.11;
 /// Length of a tick; its number stands as far beyond it.
 const TICK_LENGTH: f64 = 4.7;
 /// Between reference lines and their labels.
 const GAP: f64 = 5.0;
-/// Ink and gap of what joins the ends of a jump.
+/// Dash and gap of the line across a jump.
 const SPARSE: [f64; 2] = [2.0, 6.0];
 
 /// A panel with its data.
@@ -73,7 +73,7 @@ impl<'a> Plot<'a> {
         let named = self.panel.verticals.iter().any(|mark| !mark.label.is_empty());
         let powered = self.y.exponent != 0;
         let marks = if named || powered { SMALL * LINE + GAP } else { 0.0 };
-        // An (a) alone finds room beside the labels of marks.
+        // A panel letter alone fits beside the labels of marks.
         let beside = self.heading.is_empty() || named && !powered && self.panel.title.is_empty();
         marks + if beside { 0.0 } else { LABEL * LINE } + TITLE_GAP
     }
@@ -91,7 +91,7 @@ impl<'a> Plot<'a> {
         let traces = self.traces(frame);
         self.jumps(canvas, frame);
         let mut order: Vec<_> = self.series.iter().map(|s| s.curve).zip(&traces).collect();
-        // Lines with little ink over lines with more.
+        // Sparse dashes over denser lines.
         order.sort_by(|(a, _), (b, _)| b.ink().total_cmp(&a.ink()));
         for (curve, parts) in order {
             parts.iter().for_each(|part| draw_line(canvas, part, curve));
@@ -102,7 +102,7 @@ impl<'a> Plot<'a> {
             places.iter().for_each(|place| canvas.marker(*place, marker, colour));
         }
         canvas.outline(frame, BLACK, 1.3);
-        self.words(canvas, frame);
+        self.labels(canvas, frame);
         if self.legend == Legend::Direct {
             direct::draw(canvas, frame, &self.series, &traces, &markers);
         }
@@ -199,7 +199,8 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Sparse places along lines; every point where that is asked for, and points that stand alone.
+    /// Markers: at sparse places along lines, at every point where requested, and at isolated
+    /// points.
     fn markers(&self, traces: &[Vec<Vec<Point>>], frame: &Rect) -> Vec<Vec<Point>> {
         let (mut lined, mut all) = (vec![], vec![]);
         for (Series { curve, marked: own, .. }, parts) in self.series.iter().zip(traces) {
@@ -216,12 +217,12 @@ impl<'a> Plot<'a> {
         places
     }
 
-    fn words(&self, canvas: &Canvas, frame: &Rect) {
+    fn labels(&self, canvas: &Canvas, frame: &Rect) {
         let black = |size, side| Type::new(size, BLACK, side);
         let middle = frame.at((0.5, 0.5));
         let baseline = frame.bottom + self.below() - 6.0 - 0.3 * LABEL;
         canvas.text(&self.panel.x.label, (middle.0, baseline), black(LABEL, "middle"));
-        // A long name is set smaller rather than into the panel above.
+        // A long name is set smaller, so that it stays out of the panel above.
         let size = LABEL * (frame.height() / width(&self.panel.y.label, LABEL)).min(1.0);
         let face = Type { upward: true, ..black(size, "middle") };
         canvas.text(&self.panel.y.label, (frame.left - self.left() + LABEL, middle.1), face);

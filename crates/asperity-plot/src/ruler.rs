@@ -1,6 +1,6 @@
-//! One axis made definite: its ends, its ticks, and where a number falls on it. plotters' meshes are
-//! drawn from it; plotters' own logarithmic axis has no labels within a decade and no lines before
-//! the first one, and its key points want numbers that are not tiny.
+//! One axis made definite: its ends, its ticks, and where a number falls on it. plotters' meshes
+//! are drawn from it; plotters' own logarithmic axis has no labels within a decade and no lines
+//! before the first one, and its key points want numbers that are not tiny.
 
 use std::ops::Range;
 
@@ -13,16 +13,16 @@ use crate::error::PlotError;
 use crate::figure::{Axis, Scale};
 use crate::text::{number, power_of_ten};
 
-/// Share of the axis left free beyond the values.
+/// Fraction of the axis left free beyond the values.
 const AIR: f64 = 0.05;
 
-/// An axis with its ends known. Along it run the numbers that are shown, over a power of ten where
-/// they would be long, or their decimal logarithms.
+/// An axis with its ends. Positions along it are the displayed numbers, divided by a power of ten
+/// where they would be long, or their decimal logarithms.
 #[derive(Debug, Clone)]
 pub(crate) struct Ruler {
     log: bool,
     multiply: f64,
-    /// The exponent of the power of ten that was taken out; 0 for none.
+    /// The exponent of that power of ten; 0 for none.
     pub(crate) exponent: i32,
     low: f64,
     high: f64,
@@ -32,7 +32,7 @@ pub(crate) struct Ruler {
 
 impl Ruler {
     /// Fixes the ends of an axis by its range or else by the values on it, with air beyond them if
-    /// asked for, and at most so many ticks.
+    /// asked for, and at most this many ticks.
     pub(crate) fn new(
         axis: &Axis,
         values: impl Iterator<Item = f64>,
@@ -121,8 +121,8 @@ impl Ruler {
         }
     }
 
-    /// Where a number of the csv falls: 0 at the low end, 1 at the high end. Infinite ends and what
-    /// a logarithm does not know go far outside.
+    /// The position of a number of the csv: 0 at the low end, 1 at the high end. Infinite numbers,
+    /// and those without a logarithm, are far outside.
     pub(crate) fn share(&self, value: f64) -> f64 {
         ((self.along(value) - self.low) / (self.high - self.low)).clamp(-1e6, 1e6)
     }
@@ -132,13 +132,13 @@ impl Ruler {
         (-1e-9..=1.0 + 1e-9).contains(&self.share(value))
     }
 
-    /// The low end in the units of the csv if the axis is logarithmic: what is not above zero has to
-    /// be cut there.
+    /// The low end in the units of the csv if the axis is logarithmic: the floor for values of 0
+    /// and below.
     pub(crate) fn floor(&self) -> Option<f64> {
         self.log.then(|| 10f64.powf(self.low) / self.multiply)
     }
 
-    /// What is written at the ticks.
+    /// The labels of the ticks.
     pub(crate) fn labels(&self) -> Vec<String> {
         self.ticks.iter().map(|tick| self.format_ext(tick)).collect()
     }

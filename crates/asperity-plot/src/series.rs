@@ -9,7 +9,7 @@ use crate::error::PlotError;
 use crate::figure::{Figure, Panel, Scale};
 use crate::style::{Colour, Curve};
 
-/// A pair of numbers: in the units of the csv, in shares of a frame, or in pixels.
+/// A pair of numbers: in the units of the csv, in fractions of a frame, or in pixels.
 pub(crate) type Point = (f64, f64);
 
 /// The csv: a head, then rows of as many cells.
@@ -28,7 +28,7 @@ impl Table {
     }
 
     fn column(&self, name: &str) -> Result<usize, PlotError> {
-        self.head.iter().position(|known| known == name).ok_or_else(|| PlotError::MissingColumn {
+        self.head.iter().position(|head| head == name).ok_or_else(|| PlotError::MissingColumn {
             column: name.into(),
             has: self.head.iter().collect::<Vec<_>>().join(", "),
         })
@@ -82,11 +82,11 @@ fn pieces(panel: &Panel, table: &Table, key: &str) -> Result<Vec<Vec<Point>>, Pl
     let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
     let keys = table.column(&panel.curve_column)?;
     let only = match &panel.only {
-        Some((column, word)) => Some((table.column(column)?, word)),
+        Some((column, value)) => Some((table.column(column)?, value)),
         None => None,
     };
     let wanted = |row: &&StringRecord| {
-        &row[keys] == key && only.is_none_or(|(column, word)| row[column] == **word)
+        &row[keys] == key && only.is_none_or(|(column, value)| row[column] == **value)
     };
     let (mut pieces, mut found) = (vec![vec![]], false);
     for row in table.rows.iter().filter(wanted) {
@@ -149,7 +149,7 @@ fn same_x(a: &[Point], b: &[Point]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0.total_cmp(&b.0).is_eq())
 }
 
-/// Refuses a csv with a curve that no panel draws, so that none is lost unseen.
+/// Refuses a csv with a curve that no panel draws.
 pub(crate) fn check_all_drawn(figure: &Figure, table: &Table) -> Result<(), PlotError> {
     for column in figure.panels.iter().map(|panel| &panel.curve_column).collect::<BTreeSet<_>>() {
         let panels = || figure.panels.iter().filter(|panel| panel.curve_column == *column);

@@ -1,4 +1,4 @@
-//! How large everything is, in the pixels that are shown.
+//! Sizes, in displayed pixels.
 
 use crate::figure::Figure;
 
@@ -19,7 +19,7 @@ pub(crate) const TITLE_GAP: f64 = 5.0;
 /// Around everything.
 pub(crate) const EDGE: f64 = 12.0;
 
-/// How many labels fit along the two axes of a panel.
+/// The number of labels along the two axes of a panel.
 pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
     let across = match figure.columns.min(figure.panels.len()) {
         0 | 1 => WIDTH,
@@ -28,7 +28,7 @@ pub(crate) fn labels_that_fit(figure: &Figure) -> (usize, usize) {
     ((across / 60.0) as usize + 1, (least_height(figure) / 40.0) as usize + 1)
 }
 
-/// A length that the frames of a figure are at least high.
+/// The least height of the frames of a figure.
 pub(crate) fn least_height(figure: &Figure) -> f64 {
     match (figure.panels.len(), figure.columns > 1) {
         (0 | 1, _) => 350.0,

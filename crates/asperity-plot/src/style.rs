@@ -1,11 +1,11 @@
-//! How one curve looks: colour, dash, marker. Two curves must stay apart in colour, in grey and by
-//! shape alone, so every number gives another of each.
+//! The look of a curve: colour, dash and marker. Curves must be distinct in colour, in grey and by
+//! shape alone, so each number has its own of all three.
 
-/// How one curve of the csv is drawn and what the legend calls it.
+/// The look of one curve of the csv, and its name in the legend.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Curve {
-    /// The word in the curve column of the csv.
+    /// The name in the curve column of the csv.
     pub key: String,
     /// The text of the legend.
     pub label: String,
@@ -13,12 +13,12 @@ pub struct Curve {
     pub look: usize,
     /// Whether its points are joined by a line.
     pub line: bool,
-    /// A marker at every point, and not just some that tell the curves apart.
+    /// A marker at every point, instead of a few that identify the curve.
     pub every_point: bool,
-    /// The word in the curve column of the rows that get the markers, in place of some on the line: of
-    /// a line that is drawn finer than what was asked for.
+    /// The name in the curve column of the rows with markers, for a line that is drawn with more
+    /// points than were requested.
     pub marked: Option<String>,
-    /// Joins the ends of a gap by a light dotted line, so that a jump reads as one.
+    /// Joins the ends of a gap by a light dotted line, which marks a jump.
     pub join_gaps: bool,
 }
 
@@ -48,7 +48,7 @@ impl Curve {
         MARKERS[self.look % MARKERS.len()]
     }
 
-    /// Share of the line that is ink.
+    /// Fraction of the line that is drawn.
     pub(crate) fn ink(&self) -> f64 {
         let (ink, all): (f64, f64) =
             (self.dash().iter().step_by(2).sum(), self.dash().iter().sum());
@@ -56,7 +56,7 @@ impl Curve {
     }
 }
 
-/// A colour as svg knows it.
+/// A colour in svg notation.
 pub(crate) type Colour = &'static str;
 
 pub(crate) const BLACK: Colour = "#000000";

@@ -1,5 +1,5 @@
-//! The room that text takes, by a table of widths: the same on every machine and in a browser,
-//! where plotters would ask the page, and rather too wide than too narrow.
+//! The width of text by a table of letter widths: the same on every machine and in a browser, and
+//! rather too wide than too narrow.
 
 /// Widths of the letters from blank to tilde in hundredths of the size (DejaVu Sans, which is wider
 /// than the other usual sans-serif fonts).
@@ -31,8 +31,8 @@ pub(crate) fn width(text: &str, size: f64) -> f64 {
 }
 
 fn letter_width(letter: char) -> f64 {
-    let known = (letter as usize).checked_sub(32).and_then(|place| WIDTHS.get(place));
-    f64::from(known.copied().unwrap_or(match letter {
+    let listed = (letter as usize).checked_sub(32).and_then(|place| WIDTHS.get(place));
+    f64::from(listed.copied().unwrap_or(match letter {
         '\u{a0}' | '·' => 32,
         '⁻' | '⁺' => 53,
         '⁰' | '¹' | '²' | '³' | '⁴'..='⁹' | '₀'..='₉' => 40,
@@ -71,10 +71,10 @@ pub fn power_of_ten(exponent: i32) -> String {
     format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
 }
 
-/// A number as people write it, with a true minus sign: 0.25, −3, 2.5·10⁻⁷.
+/// A number in the usual notation, with a true minus sign: 0.25, −3, 2.5·10⁻⁷.
 #[must_use]
 pub fn number(value: f64) -> String {
-    // Five digits: what a sum of steps leaves behind is not written.
+    // Five digits, without the rounding errors of a sum of steps.
     let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
     let (sign, size) = (if rounded < 0.0 { "−" } else { "" }, rounded.abs());
     if size == 0.0 || (1e-3..1e5).contains(&size) {
@@ -92,8 +92,8 @@ pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// The inside of a text tag: letters after an underline are lowered, and what follows stands in a
-/// span that lifts the line again, blanks included.
+/// The content of a text tag: letters after an underscore are lowered, and the rest follows in a
+/// span that raises the line again, blanks included.
 pub(crate) fn spans(text: &str, size: f64) -> String {
     let mut pieces = text.split('_');
     let mut out = escaped(pieces.next().unwrap_or_default());

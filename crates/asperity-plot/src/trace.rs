@@ -11,7 +11,7 @@ fn between(a: Point, b: Point, share: f64) -> Point {
     (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1))
 }
 
-/// The polyline without the points that change it by less than can be seen (Douglas and Peucker).
+/// The polyline without the points that change it invisibly (Douglas and Peucker).
 pub(crate) fn simplified(points: &[Point]) -> Vec<Point> {
     const UNSEEN: f64 = 0.03;
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return vec![] };
@@ -33,7 +33,7 @@ pub(crate) fn simplified(points: &[Point]) -> Vec<Point> {
     }
 }
 
-/// Points along polylines at most so many pixels apart.
+/// Points along polylines, at most this many pixels apart.
 pub(crate) fn sampled(parts: &[Vec<Point>], every: f64) -> Vec<Point> {
     let mut samples = vec![];
     for part in parts {

@@ -12,10 +12,10 @@ use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSin
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
 
-/// Of the tables, relative to the law's envelope: rounding would be fitted below.
+/// Tolerance of the tables relative to the envelope of the law; rounding errors are just below.
 const TOLERANCE: f64 = 2e-13;
-/// Share of a range of y, next to 0, on which G may stand still: it changes there by less than
-/// √y, and carries as little.
+/// Fraction of a range of y, next to 0, on which G is taken as constant: it changes there by less
+/// than √y, and its contribution is as small.
 const STILL: f64 = 1e-10;
 
 /// A model of one asperity, averaged over the curvatures of a population.
@@ -45,7 +45,7 @@ impl Described for Average<'_> {
 }
 
 impl AsperityModel for Average<'_> {
-    /// Of interferences counted from [`Population::begin`] below u = 0.
+    /// The law of interferences counted from [`Population::begin`] below u = 0.
     fn law(
         &self,
         asperity: &Asperity,
@@ -67,7 +67,7 @@ impl AsperityModel for Average<'_> {
             breaks.extend(&part.kinks);
             breaks.sort_by(f64::total_cmp);
             let form = part.form.clone();
-            // Of those that come of interferences above this, most come of those near it.
+            // Most of the contribution of larger interferences comes from those near this one.
             let deep = (part.range.start / scale).max(SQRT_2);
             let integral = Integral { form, scale, breaks, power, deep };
             let table = Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
@@ -80,8 +80,8 @@ impl AsperityModel for Average<'_> {
     }
 }
 
-/// How the average runs as a function of u, smoothly: for y = √2, as exp(-u²/2) below 0 and as
-/// u^(3/2) above; for more, as exp(-κ*²/4).
+/// A smooth function of u that varies as the average does: for y = √2 as exp(-u²/2) below 0 and as
+/// u^(3/2) above; for larger y as exp(-κ*²/4).
 fn envelope(u: f64, deep: f64) -> f64 {
     let above = SQRT_2 / highest(u, SQRT_2);
     above * above.sqrt() * (-0.25 * highest(u, deep).powi(2)).exp()
@@ -119,7 +119,7 @@ struct Integral {
     breaks: Vec<f64>,
     /// n.
     power: i32,
-    /// The y that the envelope is of.
+    /// The y of the envelope.
     deep: f64,
 }
 
@@ -133,7 +133,7 @@ impl Integral {
         for pair in self.breaks.windows(2) {
             let first = pair[0] / self.scale;
             let last = kernel.last(first).min(pair[1] / self.scale);
-            // In √y, as y is near κ u: most of the law is at small y where u is large.
+            // In √y, because y is near κ u: small y contribute most where u is large.
             let (low, high) = (first.sqrt(), last.sqrt());
             let still = STILL * last;
             let found = rules.integrate_beside(low, high, 1e-14, total.value.abs(), |p| {
@@ -141,7 +141,7 @@ impl Integral {
                 let (x, y) = (pair[0] + beyond * self.scale, first + beyond);
                 let mut value = [0.0];
                 let sampled = self.form.sample(&[x], &mut value);
-                // Powers and closed forms refuse nothing; what did would not be a number here.
+                // Powers and closed forms have no errors; an error would become NaN.
                 sampled.map_or(f64::NAN, |()| {
                     2.0 * p.x * value[0] * kernel.value(y.max(still), y.max(still) - self.deep)
                 })
@@ -150,7 +150,7 @@ impl Integral {
             total.error += found.error;
             total.evaluations += found.evaluations;
         }
-        // What is left of the envelope.
+        // The rest of the envelope.
         let above = SQRT_2 / highest(u, SQRT_2);
         let factor = (1.5 / PI).sqrt() * x / (above * above.sqrt());
         Estimate { value: factor * total.value, error: factor * total.error, ..total }

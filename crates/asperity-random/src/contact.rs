@@ -1,4 +1,4 @@
-//! A model of one asperity on a random surface, as a contact model.
+//! A law of one asperity on a random surface, as a contact model.
 
 use std::sync::Arc;
 
@@ -13,12 +13,13 @@ use crate::population::Population;
 
 /// The largest separation from the surface's mean plane, in √m₀.
 pub const FARTHEST: f64 = 6.0;
-/// What ids end with.
+/// The ending of the ids.
 pub const SUFFIX: &str = "-random";
 
-/// A model of upright asperities whose heights and radii are those of an isotropic Gaussian surface.
+/// A model of upright contacts whose heights and radii are those of an isotropic Gaussian surface.
 ///
-/// It is no [`AsperityModel`](asperity_core::AsperityModel): a law of one radius is not what is averaged over heights.
+/// It is not an [`AsperityModel`](asperity_core::AsperityModel), because the law that it averages
+/// over heights is not the law of one radius.
 #[derive(Debug, Clone)]
 pub struct RandomAsperities {
     model: Arc<dyn ContactModel>,
@@ -27,11 +28,33 @@ pub struct RandomAsperities {
 }
 
 impl RandomAsperities {
-    /// The laws of this model: `ke` becomes `ke-random`.
+    /// The averaged laws of `model`: `ke` becomes `ke-random`.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static) -> Self {
         let (id, name) = (format!("{}{SUFFIX}", model.id()), format!("{} random", model.name()));
         Self { model: Arc::new(model), id, name }
+    }
+
+    /// The law of the area is an average over radii: its root is not the average of the contact
+    /// radii.
+    fn check(&self, quantities: &[Quantity]) -> Result<(), ContactError> {
+        let of_radii = |quantity: &Quantity| {
+            matches!(
+                quantity,
+                Quantity::ContactRadiusSum
+                    | Quantity::UnloadingStiffness
+                    | Quantity::TangentialStiffness
+                    | Quantity::ThermalConductance
+                    | Quantity::ElectricalConductance
+                    | Quantity::ThermalConductancePerArea
+                    | Quantity::ElectricalConductancePerArea
+            )
+        };
+        if !quantities.iter().any(of_radii) {
+            return Ok(());
+        }
+        let what = "sums of contact radii, as unloading and conductance need them: only models of equal, upright asperities have them";
+        Err(ContactError::Unsupported { model: self.name.clone(), what: what.into() })
     }
 
     fn refused(&self, reason: &str) -> ContactError {
@@ -71,13 +94,14 @@ impl ContactModel for RandomAsperities {
             return Err(self.refused("adhesion changes with the radius"));
         }
         if model.validity().angles {
-            return Err(self.refused("its contact normals are spread over angles"));
+            return Err(self.refused("its contacts are inclined"));
         }
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
             return Err(self.refused("heights must be Gaussian"));
         }
+        self.check(&request.quantities)?;
         let population = Population::new(scene)?;
-        // Loads are the same; separations are moved one by one.
+        // Loads need no change; each separation is shifted.
         let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));
         let asked = Request::new(request.quantities.clone()).within(request.tolerance).at(loads);
         let average = Average { model, name: &self.name, population };
@@ -86,7 +110,7 @@ impl ContactModel for RandomAsperities {
     }
 }
 
-/// The averaged law on its own scene, asked in the terms of the scene given.
+/// The averaged law on its own scene, evaluated at separations of the given scene.
 #[derive(Debug)]
 struct OnScene {
     averaged: Box<dyn Contact>,
@@ -95,7 +119,7 @@ struct OnScene {
 }
 
 impl OnScene {
-    /// The place on the averaged law's own scene.
+    /// The same place on the scene of the averaged law.
     fn own(&self, at: At) -> Result<At, ContactError> {
         match at {
             At::Separation(separation) => {
@@ -112,7 +136,7 @@ impl OnScene {
         }
     }
 
-    /// Refuses what is farther from the mean plane \[m\] than the averaged law serves.
+    /// Refuses heights above the mean plane \[m\] beyond the range of the averaged law.
     fn check(&self, height: f64) -> Result<(), ContactError> {
         let value = height / self.population.surface_std;
         if value <= FARTHEST {

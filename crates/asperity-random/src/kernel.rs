@@ -1,4 +1,4 @@
-//! What the average over curvatures is made of, whatever the law: tabulated once for all.
+//! The kernel of the average over curvatures, the same for every law, tabulated once.
 //!
 //! With κ = k/√(m₄/3) and y = κ w/v,
 //! ```text
@@ -12,46 +12,46 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use asperity_quadrature::{Estimate, Tabulated, TanhSinh};
 
-/// Mean curvatures are at most this much above the smallest there are, in √(m₄/3): exp(-16²/4).
+/// Range of mean curvatures above the smallest one, in √(m₄/3): exp(-16²/4) is negligible.
 const BEYOND: f64 = 16.0;
-/// Of the tables: a tenth of that of the laws that are made of them.
+/// Relative tolerance of the tables, a tenth of that of the laws.
 const TOLERANCE: f64 = 2e-14;
-/// Tables that are kept: laws are tabulated at the same u, some hundreds of them.
+/// Number of tables kept; laws are tabulated at the same few hundred values of u.
 const KEPT: usize = 4096;
 
 /// G at one u, as a function of y.
 pub(crate) struct Kernel {
     u: f64,
-    /// y G exp(κ*²/4), which is flat beside y.
+    /// y G exp(κ*²/4), which varies slowly with y.
     table: Tabulated,
 }
 
 impl Kernel {
-    /// Of this u and n, made when first asked for.
+    /// The kernel of this u and n, computed at first use.
     pub(crate) fn shared(u: f64, power: i32) -> Arc<Self> {
-        type Known = Mutex<HashMap<(u64, i32), Arc<Kernel>>>;
-        static KNOWN: OnceLock<Known> = OnceLock::new();
-        let mut known =
-            KNOWN.get_or_init(Known::default).lock().unwrap_or_else(PoisonError::into_inner);
-        if known.len() >= KEPT {
-            known.clear();
+        type Kernels = Mutex<HashMap<(u64, i32), Arc<Kernel>>>;
+        static KERNELS: OnceLock<Kernels> = OnceLock::new();
+        let mut kernels =
+            KERNELS.get_or_init(Kernels::default).lock().unwrap_or_else(PoisonError::into_inner);
+        if kernels.len() >= KEPT {
+            kernels.clear();
         }
         let new = || {
             let table = Tabulated::new(Arc::new(move |y| flat(u, y, power)), &[], TOLERANCE);
             Arc::new(Self { u, table })
         };
-        known.entry((u.to_bits(), power)).or_insert_with(new).clone()
+        kernels.entry((u.to_bits(), power)).or_insert_with(new).clone()
     }
 
-    /// The y beyond which there is nothing to be found for those above `first`.
+    /// The y beyond which the kernel is negligible, relative to its value at `first`.
     pub(crate) fn last(&self, first: f64) -> f64 {
         let farthest = highest(self.u, first) + BEYOND;
         farthest * (self.u + farthest / SQRT_2)
     }
 
-    /// G at y over exp(-κ*²/4) at y - `above`. Not a number where y is outside 1e-37 to 1e37.
+    /// G at y over exp(-κ*²/4) at y - `above`; NaN for y outside 1e-37 to 1e37.
     pub(crate) fn value(&self, y: f64, above: f64) -> f64 {
-        // The difference of both κ*², without cancellation.
+        // The difference of the two κ*², without cancellation.
         let [here, there] = [y, y - above].map(|y| highest(self.u, y));
         let roots = root(self.u, y) + root(self.u, y - above);
         let more = 2.0 * above * (here + there) / roots;
@@ -74,7 +74,7 @@ fn flat(u: f64, y: f64, power: i32) -> Estimate {
     // Down to where k_m = √2 (y/κ - u) is larger by `BEYOND`.
     let lowest = y / (u + (highest + BEYOND) / SQRT_2);
     let width = highest * BEYOND / (SQRT_2 * u + highest + BEYOND);
-    // The exponent is -κ*²/4 at κ*; it is less by this below, without cancellation.
+    // The exponent is -κ*²/4 at κ* and smaller below; the difference, without cancellation.
     let integrand = |down: f64, up: f64| {
         let k = lowest + up;
         let more = y * down / (k * highest);

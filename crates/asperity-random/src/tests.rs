@@ -101,7 +101,7 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     let at = |scene: &Scene, quantity: Quantity, height: f64| {
         gw.compile(scene, &asked).unwrap().evaluate(quantity, above(height)).unwrap().value()
     };
-    // Curvature tells nothing of the height in the limit: Gaussian summits with spread radii.
+    // In the limit curvature and height are independent: Gaussian summits with spread radii.
     // ⟨κ^(-1/2)⟩ √R₀ against √R: force per asperity, at any separation.
     let ratio = |bandwidth: f64, height: f64| {
         let scene = scene(bandwidth);
@@ -113,7 +113,7 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     assert!((far[0] / far[1] - 1.0).abs() < 1e-3, "{far:?}");
     let near = [0.0, 2e-6].map(|height| ratio(1e4, height));
     assert!((near[0] / near[1] - 1.0).abs() > 10.0 * (far[0] / far[1] - 1.0).abs(), "{near:?}");
-    // The other limit is continuous, and every summit is met from far below.
+    // The other limit is continuous, and far below the mean plane every summit is in contact.
     let narrow = [1.5 + 1e-6, 1.5 + 1e-5].map(|alpha| at(&scene(alpha), Quantity::Force, 1e-6));
     assert!((narrow[0] / narrow[1] - 1.0).abs() < 1e-4, "{narrow:?}");
     for alpha in [1.6, 3.0, 100.0] {
@@ -132,15 +132,21 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     assert!((force - 1.0).abs() < 1e-9, "{force}");
     let refused =
         RandomAsperities::new(AminiTehrani::default()).compile(&usual, &asked).unwrap_err();
-    assert!(refused.to_string().contains("spread over angles"), "{refused}");
+    assert!(refused.to_string().contains("its contacts are inclined"), "{refused}");
+    // Of one power, GW's averaged area could be turned into a radius, which would be wrong: for
+    // Hertz 2 E times the sum of the radii is the tangent.
+    for quantity in [Quantity::ContactRadiusSum, Quantity::UnloadingStiffness] {
+        let refused = gw.compile(&usual, &Request::new([quantity])).unwrap_err().to_string();
+        assert!(refused.starts_with("GW random cannot give sums of contact radii"), "{refused}");
+    }
     let mut exponential = usual;
     exponential.heights = HeightDistribution::Exponential;
     let refused = gw.compile(&exponential, &asked).unwrap_err().to_string();
     assert!(refused.contains("heights must be Gaussian"), "{refused}");
 }
 
-/// Where height and curvature know nothing of each other, Hertz' laws are averaged over k alone: the
-/// density of k with that over k_m in closed form, k³ exp(k²/2) erfc(k √3/2). \[derived\]
+/// Where height and curvature are independent, the laws of Hertz are averaged over k alone: the
+/// density of k, with the integral over k_m in closed form, is k³ exp(k²/2) erfc(k √3/2).
 #[test]
 fn in_the_limit_of_broad_surfaces_radii_stay_spread() {
     let moment = |power: i32| {
@@ -199,14 +205,14 @@ fn every_law_is_averaged_however_deep_its_parts_begin() {
             let contact = model(id).compile(&scene, &asked).unwrap();
             let found = contact.evaluate(Quantity::Force, at);
             let ratio = found.unwrap_or_else(|e| panic!("{id} {index}: {e}")).value() / elastic;
-            // What never yields is elastic, what always does is softer.
+            // At small plasticity indices all is elastic; at large ones the contact is softer.
             let wanted = if index < 0.1 { 1.0 - 1e-4..1.0 + 1e-4 } else { 0.0..1.5 };
             assert!(wanted.contains(&ratio), "{id} {index}: {ratio}");
         }
     }
 }
 
-/// The hard cases: spectra as narrow as can be, and very broad ones.
+/// The hard cases: the narrowest spectra, and very broad ones.
 #[test]
 fn the_narrowest_and_the_broadest_surfaces_are_met() {
     let mut count = 0;

@@ -1,35 +1,4 @@
-//! ZMC: pressure and area run smoothly from Hertz to full plasticity over a range of 54.
-//!
-//! # Law
-//! With k = 0.4, w₁ = (3π k H/(4E))² R, w₂ = 54 w₁ and t = (w - w₁)/(w₂ - w₁):
-//! ```text
-//! w < w₁:    F = (4/3) E √R w^(3/2)                                A = π R w
-//! w₁..w₂:    F = [H - H(1-k) ln(w₂/w)/ln(w₂/w₁)] A                 A = π R w (1 - 2t³ + 3t²)
-//! w > w₂:    F = H A                                               A = 2π R w
-//! ```
-//! A is continuously differentiable; F is continuous, with kinks in its slope at w₁ and w₂. In
-//! units of the force k H π R w₁ and the area π R w₁ at w₁, with x = w/w₁: x^(3/2) and x; then
-//! p/(kH) · A; then 2x/k and 2x. \[seen\]
-//!
-//! # Valid for
-//! w₁ < R. Neither S nor w_c enters.
-//!
-//! # Source
-//! Zhao, Maietta & Chang 2000, "An asperity microcontact model incorporating the transition from
-//! elastic deformation to fully plastic flow". \[seen\]
-//!
-//! # Example
-//! ```
-//! use asperity_core::{Asperity, AsperityModel, Interface, Quantity, Tolerance};
-//! use asperity_zmc::ZhaoMaiettaChang;
-//!
-//! let asperity = Asperity::new(&Interface::new(116e9, 0.31, 1.12e9), 3.6e-4)?;
-//! let [force, area] = [Quantity::Force, Quantity::Area]
-//!     .map(|q| ZhaoMaiettaChang.law(&asperity, q, Tolerance::default()).unwrap().unwrap());
-//! let w = 54.0 * force.interference_unit; // fully plastic from here: mean pressure H
-//! assert!((force.value(w).unwrap() / area.value(w).unwrap() / 1.12e9 - 1.0).abs() < 1e-12);
-//! # Ok::<(), asperity_core::ContactError>(())
-//! ```
+#![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
 
@@ -57,19 +26,19 @@ const YIELD_PRESSURE: f64 = 0.4;
 /// w₂/w₁. \[seen\]
 const FULLY_PLASTIC: f64 = 54.0;
 
-/// A/(π R w₁) between w₁ and w₂.
+/// A/(π R w₁) = x (1 - 2t³ + 3t²) between w₁ and w₂, for x = w/w₁.
 fn area(x: f64) -> f64 {
     let t = (x - 1.0) / (FULLY_PLASTIC - 1.0);
     x * (1.0 + t * t * (3.0 - 2.0 * t))
 }
 
-/// p/(k H) between w₁ and w₂.
+/// p/(k H) = [1 - (1-k) ln(w₂/w)/ln(w₂/w₁)]/k between w₁ and w₂, for x = w/w₁.
 fn pressure(x: f64) -> f64 {
     let share = (FULLY_PLASTIC / x).ln() / FULLY_PLASTIC.ln();
     (1.0 - (1.0 - YIELD_PRESSURE) * share) / YIELD_PRESSURE
 }
 
-/// w₁ \[m\].
+/// w₁ = (3π k H/(4E))² R \[m\].
 fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
     let value = asperity.hardness()?;
     let strain = 0.75 * PI * YIELD_PRESSURE * value / asperity.equivalent_modulus;
@@ -88,7 +57,7 @@ impl Described for ZhaoMaiettaChang {
 
     fn validity(&self) -> Validity {
         Validity::default()
-            .valid_for("w_1 < R; runs smoothly from elastic at w_1 to plastic at 54 w_1")
+            .valid_for("w_1 < R; a smooth transition from elastic at w_1 to plastic at 54 w_1")
     }
 }
 
@@ -103,6 +72,7 @@ impl AsperityModel for ZhaoMaiettaChang {
         let area_unit = PI * asperity.radius * yield_at;
         let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
         Ok(Some(match quantity {
+            // F/(k H π R w₁) = x^1.5, then p/(kH) A/(π R w₁), then 2x/k
             Quantity::Force => {
                 let force =
                     Formula::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
@@ -111,6 +81,7 @@ impl AsperityModel for ZhaoMaiettaChang {
                     .elastic_plastic(between, force)
                     .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)])
             }
+            // A/(π R w₁) = x, then x (1 - 2t³ + 3t²), then 2x
             Quantity::Area => Law::in_units(yield_at, area_unit)
                 .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
                 .elastic_plastic(between, Formula::function(area).known_as("ZMC area", vec![]))

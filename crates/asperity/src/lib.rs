@@ -15,6 +15,9 @@ mod table_builder;
 mod table_error;
 mod truth;
 
+#[doc = include_str!("../DEFINITIONS.md")]
+pub mod definitions {}
+
 pub use asperity_adhesion::{
     DerjaguinMullerToporov, JkrBranch, JohnsonKendallRoberts, PullOff, pull_off,
 };

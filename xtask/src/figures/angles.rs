@@ -1,4 +1,4 @@
-//! The angle density as the paper prints it.
+//! The angle density as printed in the paper, and folded.
 
 use anyhow::Result;
 use asperity::AngleDensity;

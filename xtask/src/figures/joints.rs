@@ -1,5 +1,5 @@
-//! What follows from the sum of the contact radii, against the pressure: three stiffnesses, and
-//! thermal conductance.
+//! Quantities from the sum of the contact radii against the pressure: three stiffnesses and thermal
+//! conductance.
 
 use anyhow::Result;
 use asperity::joints::conductance::{
@@ -17,9 +17,9 @@ const CIRCULAR: [&str; 7] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"];
 /// The place of KE among them.
 const KE: usize = 3;
 const KINDS: [(Quantity, &str, usize, &str); 3] = [
-    (Quantity::Tangent, "tangent", 8, "first closing, -dF/dd"),
+    (Quantity::Tangent, "tangent", 8, "first loading, -dF/dd"),
     (Quantity::UnloadingStiffness, "unloading", 9, "unloading"),
-    (Quantity::TangentialStiffness, "tangential", 7, "tangential, in stick"),
+    (Quantity::TangentialStiffness, "tangential", 7, "tangential, no slip"),
 ];
 const X: &str = "pressure_Pa";
 /// Assumed, of the two bodies together \[W/(m K)\].
@@ -68,29 +68,29 @@ fn pressure_axis() -> Axis {
     Axis::new(X, "pressure F/A_n (MPa)").times(1e-6).log()
 }
 
-/// How [`stiffness`] is drawn.
+/// The picture of [`stiffness`].
 pub fn stiffness_figure(_: &str) -> Result<Figure> {
     let y = Axis::new("stiffness_N_per_m", "stiffness (N/µm)").times(1e-6).log();
     let mut kinds = Panel::new(pressure_axis(), y);
     kinds.title = "three stiffnesses of KE".into();
     kinds.curves = KINDS.map(|(_, key, look, label)| Curve::new(look, key, label)).to_vec();
-    let y = Axis::new("ratio", "unloading over first closing").range(0.8, 4.0);
+    let y = Axis::new("ratio", "unloading over first loading").range(0.8, 4.0);
     let mut ratio = Panel::new(pressure_axis(), y);
-    ratio.title = "how far two of them differ".into();
+    ratio.title = "unloading over first loading".into();
     ratio.curves = CIRCULAR.iter().map(|id| curve(id)).collect::<Result<_>>()?;
-    for (panel, word) in [(&mut kinds, "kinds"), (&mut ratio, "ratio")] {
-        panel.only = Some(("panel".into(), word.into()));
+    for (panel, key) in [(&mut kinds, "kinds"), (&mut ratio, "ratio")] {
+        panel.only = Some(("panel".into(), key.into()));
     }
     let caption = format!(
-        "A solver that closes a joint for the first time needs -dF/dd; a modal or an ultrasonic test measures the stiffness of unloading, 2E times the sum of the contact radii; small shifts meet the tangential one, 8G times that sum. For GW, whose asperities do not yield, the first two are the same. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
+        "First loading has the stiffness -dF/dd; a modal or an ultrasonic test measures the unloading stiffness, 2E times the sum of the contact radii; small shifts have the tangential stiffness, 8G times that sum. For GW, which ignores yielding, the first two are equal. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
     );
-    let title = "Which stiffness? First closing, unloading and shear";
+    let title = "Stiffness in first loading, unloading and shear";
     let mut figure = Figure::new(title, &[&caption, MARKERS], vec![kinds, ratio]);
     figure.columns = 2;
     Ok(figure)
 }
 
-/// The correlations that people know, with their looks and what the legend calls them.
+/// The usual correlations, with their looks and names in the legend.
 const CORRELATIONS: [(&str, usize, &str); 2] =
     [("cmy", 8, "CMY 1969, plastic"), ("mikic", 7, "Mikic 1974, elastic")];
 
@@ -127,7 +127,7 @@ pub fn conductance() -> Result<Table> {
     Ok(table)
 }
 
-/// How [`conductance`] is drawn.
+/// The picture of [`conductance`].
 pub fn conductance_figure(_: &str) -> Result<Figure> {
     let mut curves = CIRCULAR.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     curves.extend(CORRELATIONS.map(|(key, look, label)| Curve::new(look, key, label)));
@@ -141,7 +141,7 @@ pub fn conductance_figure(_: &str) -> Result<Figure> {
         panel
     });
     let caption = format!(
-        "h\u{a0}=\u{a0}2k_s/A_n times the sum of the contact radii, in vacuum and for contacts far from each other (ψ\u{a0}=\u{a0}1). The correlations of Cooper, Mikic & Yovanovich (CMY), h\u{a0}=\u{a0}1.25k_s(m/σ)(p/H)^0.95, and of Mikic, h\u{a0}=\u{a0}1.55k_s(m/σ)(√2p/(Em))^0.94, have the σ and m of a Gaussian surface with these asperities, and are drawn where they are near the theories that they fit. Assumed: k_s\u{a0}=\u{a0}50\u{a0}W/(m\u{a0}K), the harmonic mean of both bodies', and σ_z\u{a0}=\u{a0}1.0\u{a0}µm. {INPUTS}"
+        "h\u{a0}=\u{a0}2k_s/A_n times the sum of the contact radii, in vacuum and for contacts far from each other (ψ\u{a0}=\u{a0}1). The correlations of Cooper, Mikic & Yovanovich (CMY), h\u{a0}=\u{a0}1.25k_s(m/σ)(p/H)^0.95, and of Mikic, h\u{a0}=\u{a0}1.55k_s(m/σ)(√2p/(Em))^0.94, have the σ and m of a Gaussian surface with these asperities, and are drawn in the range in which they fit their theories. Assumed: k_s\u{a0}=\u{a0}50\u{a0}W/(m\u{a0}K), the harmonic mean of both bodies', and σ_z\u{a0}=\u{a0}1.0\u{a0}µm. {INPUTS}"
     );
     let title = "Thermal conductance against pressure";
     let mut figure = Figure::new(title, &[&caption, MARKERS], panels.to_vec());

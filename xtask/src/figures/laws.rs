@@ -1,4 +1,4 @@
-//! What one asperity does, in every model.
+//! The laws of one asperity in every model.
 
 use anyhow::Result;
 use asperity::{Law, Model, Quantity, Tolerance};
@@ -7,7 +7,7 @@ use super::models::{self, MARKERS, curve};
 use crate::table::{Field, Table};
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel};
 
-/// All models; the other readings of AT would only crowd the picture.
+/// All models, with one reading of AT.
 const MODELS: [&str; 10] =
     ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af", "gao", "at"];
 const X: &str = "interference_over_critical";
@@ -52,7 +52,7 @@ pub fn table() -> Result<Table> {
                 continue;
             };
             let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
-            // Where the printed sum is negative, a mean pressure means nothing.
+            // The mean pressure has no meaning where the printed sum is negative.
             let pressure = f / a / asperity.hardness()?;
             let pressure = if f > 0.0 && a > 0.0 { Field::Number(pressure) } else { Field::Gap };
             table.push(&[
@@ -78,7 +78,7 @@ fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
 
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
-    // The gaps of AT are where it is negative, the others' are jumps.
+    // Gaps of AT are negative values; those of the others are jumps.
     let style = |id: &str| -> Result<Curve> {
         let mut curve = curve(id)?;
         curve.join_gaps = id != "at";

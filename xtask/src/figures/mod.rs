@@ -1,4 +1,4 @@
-//! The list of figures: for each a table of numbers, and how it is drawn.
+//! The list of figures: for each a table of numbers and the description of its picture.
 
 mod angles;
 mod joints;
@@ -24,11 +24,11 @@ pub struct FigureSpec {
     pub name: &'static str,
     /// Computes its numbers.
     pub table: fn() -> Result<Table>,
-    /// Describes the picture; sees the csv's text, and no physics.
+    /// Describes the picture from the text of the csv, without physics.
     pub style: fn(&str) -> Result<Figure>,
 }
 
-/// All figures: the paper's, then those beyond it.
+/// All figures: those of the paper first.
 pub const FIGURES: [FigureSpec; 17] = [
     FigureSpec {
         name: "fig04-force-roughness",

@@ -1,4 +1,4 @@
-//! How each model is drawn, the same in every figure; and the paper's scenes.
+//! The curve of each model, the same in every figure, and the paper's scenes.
 
 use anyhow::Result;
 use asperity::{Body, Interface, Model, Scene, Surface};
@@ -30,7 +30,7 @@ pub fn interface() -> Interface {
 
 /// The paper's plasticity index.
 pub const PLASTICITY_INDEX: f64 = 6.0;
-/// Not in the paper; assumed.
+/// Assumed: the paper does not give it.
 pub const ROUGHNESS_PARAMETER: f64 = 0.04;
 /// The paper's nominal area [m²].
 pub const NOMINAL_AREA: f64 = 3e-5;
@@ -55,8 +55,8 @@ pub fn kucharski() -> Result<Scene> {
     Ok(Scene::new(Interface::against_rigid(&steel)?, surface, 1e-4))
 }
 
-/// What every caption of the paper's scene says.
+/// The inputs of the paper's scene, for captions.
 pub const INPUTS: &str = "E\u{a0}=\u{a0}116\u{a0}GPa and G\u{a0}=\u{a0}41\u{a0}GPa taken as equivalent moduli (inconsistent for equal materials), ν\u{a0}=\u{a0}0.31, H\u{a0}=\u{a0}1.12\u{a0}GPa, S\u{a0}=\u{a0}0.58, plasticity index 6, A_n\u{a0}=\u{a0}3·10⁻⁵\u{a0}m². Assumed: β_z\u{a0}=\u{a0}ηRσ_z\u{a0}=\u{a0}0.04, Gaussian heights, d measured from the mean of the asperity heights.";
 
-/// Markers of lines are no data.
+/// The meaning of the markers, for captions.
 pub const MARKERS: &str = "Markers tell the curves apart; they are not data points.";

@@ -10,11 +10,11 @@ use super::models::{self, INPUTS, MARKERS, PAPER, curve};
 use crate::table::{Field, Table};
 use asperity_plot::{Axis, Curve, Figure, Panel};
 
-/// σ_z of figures 4, 6 and 8 [m]; not in the paper, assumed.
+/// σ_z of figures 4, 6 and 8 [m]; assumed, because the paper does not give it.
 const ROUGHNESSES: [f64; 4] = [0.5e-6, 1.0e-6, 1.5e-6, 2.0e-6];
 /// σ_z of figures 5, 7 and 9 [m]; assumed.
 const ROUGHNESS: f64 = 1.0e-6;
-/// Figures are drawn from values far better than a line's width, and guarded to 1e-7.
+/// Far below the width of a line, and below the guard of 1e-7.
 const TOLERANCE: f64 = 1e-9;
 
 /// d/σ_z of the paper's curves.
@@ -96,7 +96,7 @@ fn figure(title: &str, quantity: Quantity, curves: &[Curve], caption: &[&str]) -
     figure
 }
 
-/// How [`roughness`] is drawn.
+/// The picture of [`roughness`].
 pub fn roughness_figure(title: &str, quantity: Quantity) -> Result<Figure> {
     let curves: Vec<Curve> = ROUGHNESSES
         .iter()
@@ -108,7 +108,7 @@ pub fn roughness_figure(title: &str, quantity: Quantity) -> Result<Figure> {
     Ok(figure(title, quantity, &curves, &[same, &assumed, MARKERS]))
 }
 
-/// How [`nine_models`] is drawn.
+/// The picture of [`nine_models`].
 pub fn models_figure(title: &str, quantity: Quantity) -> Result<Figure> {
     let curves = PAPER.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     let assumed =
@@ -122,7 +122,7 @@ pub fn models_figure(title: &str, quantity: Quantity) -> Result<Figure> {
     Ok(figure(title, quantity, &curves, &[&format!("{assumed}{which}"), MARKERS]))
 }
 
-/// Measured points of figure 10: `separation_m,area_m2`, if anybody has put them there.
+/// Measured points of figure 10, `separation_m,area_m2`, if the file exists.
 fn measured() -> Result<Vec<[f64; 2]>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/kucharski.csv");
     let Ok(text) = std::fs::read_to_string(&path) else {
@@ -132,7 +132,7 @@ fn measured() -> Result<Vec<[f64; 2]>> {
     let head = lines.next().unwrap_or_default();
     anyhow::ensure!(
         head.trim() == "separation_m,area_m2",
-        "{}: head is {head:?}, separation_m,area_m2 was required",
+        "{}: the head is {head:?}; it must be separation_m,area_m2",
         path.display()
     );
     let rows = lines.enumerate().filter(|(_, line)| !line.trim().is_empty());
@@ -146,7 +146,7 @@ fn measured() -> Result<Vec<[f64; 2]>> {
 
 const MEASURED: &str = "measured";
 
-/// Area of all models for Kucharski's steel, and his points if there are any.
+/// Area of all models for Kucharski's steel, and the measured points if there are any.
 pub fn kucharski() -> Result<Table> {
     let mut table = all_models(Quantity::Area, &models::kucharski()?)?;
     for [separation, area] in measured()? {
@@ -155,7 +155,7 @@ pub fn kucharski() -> Result<Table> {
     Ok(table)
 }
 
-/// How [`kucharski`] is drawn.
+/// The picture of [`kucharski`].
 pub fn kucharski_figure(csv: &str) -> Result<Figure> {
     let mut curves = PAPER.iter().map(|id| curve(id)).collect::<Result<Vec<_>>>()?;
     let included = csv.lines().any(|line| line.starts_with("measured,"));

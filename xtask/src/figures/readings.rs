@@ -1,4 +1,4 @@
-//! The three readings of the AT sum, beside Gao and KE.
+//! The three readings of the AT sum, compared with Gao and KE.
 
 use anyhow::{Context, Result};
 use asperity::{Model, Quantity, Request, linspace};
@@ -42,11 +42,11 @@ pub fn table() -> Result<Table> {
         .collect::<Result<Vec<_>>>()?;
     let mut table = Table::new(&["separation_over_sigma", "curve", X, Y]);
     for separation in SEPARATIONS {
-        let word = panel_key(separation);
+        let key = panel_key(separation);
         for (id, rows) in MODELS.iter().zip(&curves) {
-            for (_, psi, ratio) in rows.iter().filter(|(s, ..)| *s == word) {
+            for (_, psi, ratio) in rows.iter().filter(|(s, ..)| *s == key) {
                 let fields = [
-                    Field::Word(&word),
+                    Field::Word(&key),
                     Field::Word(id),
                     Field::Number(*psi),
                     Field::Number(*ratio),
@@ -102,6 +102,6 @@ pub fn style(csv: &str) -> Result<Figure> {
         }
         panels.push(panel);
     }
-    let caption = "Printed: I[e;0,1] - I[ep1;1,6] + I[ep2;6,110] + I[p;110,∞]; additive: all plus; overlap: I[e;0,6] - I[ep1;1,6] + I[ep2;1,110] + I[p;110,∞]. Interface and R = 359 µm of the paper's scene; σ_z varies with the plasticity index. Gao and additive all but coincide.";
+    let caption = "Printed: I[e;0,1] - I[ep1;1,6] + I[ep2;6,110] + I[p;110,∞]; additive: all plus; overlap: I[e;0,6] - I[ep1;1,6] + I[ep2;1,110] + I[p;110,∞]. Interface and R = 359 µm of the paper's scene; σ_z varies with the plasticity index. Gao and additive almost coincide.";
     Ok(Figure::new("Three readings of the AT sum", &[caption, MARKERS], panels))
 }

@@ -1,4 +1,4 @@
-//! Which regimes carry the force of the AT model.
+//! The shares of the regimes in the force of the AT model.
 
 use anyhow::Result;
 use asperity::{Model, Quantity, Request, linspace};

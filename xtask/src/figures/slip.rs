@@ -1,4 +1,4 @@
-//! Tangential force against shift in cycles, and the energy that a cycle loses.
+//! Tangential force against shift in cycles, and the energy dissipated per cycle.
 
 use anyhow::Result;
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
@@ -9,9 +9,9 @@ use crate::table::{Field, Table};
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel};
 
 const FRICTION: f64 = 0.3;
-/// Pressures of the losses \[Pa\]; the loops are at the middle one.
+/// Pressures of the losses \[Pa\]; the loops are at the second.
 const PRESSURES: [(f64, &str); 3] = [(1e6, "1 MPa"), (5e6, "5 MPa"), (25e6, "25 MPa")];
-/// Of the loops \[m\].
+/// Amplitudes of the loops \[m\].
 const AMPLITUDES: [(f64, &str); 3] = [(50e-9, "50 nm"), (100e-9, "100 nm"), (200e-9, "200 nm")];
 const VIRGIN: &str = "virgin";
 
@@ -22,7 +22,7 @@ fn joint(pressure: f64) -> Result<PartialSlip> {
     Ok(PartialSlip::new(&closed, FRICTION)?)
 }
 
-/// Loops, then losses: two kinds of rows in one table.
+/// Rows of the loops, then rows of the losses.
 pub fn table() -> Result<Table> {
     let mut table = Table::new(&["panel", "curve", "shift_m", "force_over_limit", "loss_J_per_m2"]);
     let (pressure, area) = (PRESSURES[1].0, models::NOMINAL_AREA);
@@ -55,7 +55,7 @@ pub fn table() -> Result<Table> {
     Ok(table)
 }
 
-/// Loops beside losses.
+/// Loops and losses side by side.
 pub fn style(_: &str) -> Result<Figure> {
     let shift = Axis::new("shift_m", "shift u (nm)").times(1e9).range(-220e-9, 250e-9);
     let mut loops = Panel::new(
@@ -71,20 +71,20 @@ pub fn style(_: &str) -> Result<Figure> {
     loops.horizontals = vec![Mark::new(0.0, "")];
     let amplitude = Axis::new("shift_m", "amplitude D (nm)").times(1e9).log();
     let mut losses =
-        Panel::new(amplitude, Axis::new("loss_J_per_m2", "loss in a cycle W/A_n (J/m²)").log());
-    losses.title = "energy lost in a cycle".into();
+        Panel::new(amplitude, Axis::new("loss_J_per_m2", "loss per cycle W/A_n (J/m²)").log());
+    losses.title = "energy dissipated per cycle".into();
     losses.curves = PRESSURES
         .iter()
         .zip([4, 6, 8])
         .map(|((_, key), look)| Curve::new(look, key, &format!("loss at {key}")))
         .collect();
-    for (panel, word) in [(&mut loops, "loops"), (&mut losses, "loss")] {
-        panel.only = Some(("panel".into(), word.into()));
+    for (panel, key) in [(&mut loops, "loops"), (&mut losses, "loss")] {
+        panel.only = Some(("panel".into(), key.into()));
     }
     let caption = format!(
-        "KE, closed for the first time to a pressure and then shifted at constant separation, with µ\u{a0}=\u{a0}0.3 and the asperities answering as in unloading by hertz: Q(u)\u{a0}=\u{a0}µ[F(0)\u{a0}-\u{a0}F(s)], s\u{a0}=\u{a0}4Gu/(µE); steady cycles by Masing's rule. The loss grows as D³ while only the rims of contacts slip, and as 4µFD where everything slides. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
+        "KE, loaded for the first time to a pressure and then shifted at constant separation, with µ\u{a0}=\u{a0}0.3 and asperities that unload by hertz: Q(u)\u{a0}=\u{a0}µ[F(0)\u{a0}-\u{a0}F(s)], s\u{a0}=\u{a0}4Gu/(µE); steady cycles by Masing's rule. The loss grows as D³ while only the rims of the contacts slip, and as 4µFD in gross slip. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
     );
-    let title = "Partial slip: loops and their loss";
+    let title = "Partial slip: loops and dissipated energy";
     let mut figure = Figure::new(title, &[&caption, MARKERS], vec![loops, losses]);
     figure.columns = 2;
     Ok(figure)

@@ -1,4 +1,4 @@
-//! Closing, and opening again by three laws, from three depths.
+//! Loading, and unloading by three laws from three separations.
 
 use anyhow::Result;
 use asperity::joints::{Unloading, UnloadingLaw};
@@ -12,14 +12,14 @@ const MODEL: &str = "ke";
 /// Closest approaches over σ_z.
 const CLOSEST: [f64; 3] = [0.0, 0.5, 1.0];
 const LOADING: &str = "loading";
-/// The laws with their looks and what the legend calls them.
+/// The laws with their looks and names in the legend.
 const LAWS: [(UnloadingLaw, usize, &str); 3] = [
-    (UnloadingLaw::Hertz, 2, "back by hertz"),
-    (UnloadingLaw::Brake, 3, "back by brake (Brake 2015)"),
-    (UnloadingLaw::Etsion, 1, "back by etsion (Etsion et al. 2005)"),
+    (UnloadingLaw::Hertz, 2, "unloading, hertz"),
+    (UnloadingLaw::Brake, 3, "unloading, brake (Brake 2015)"),
+    (UnloadingLaw::Etsion, 1, "unloading, etsion (Etsion et al. 2005)"),
 ];
 
-/// Force and area of the paper's scene; gaps stand between the branches.
+/// Force and area of the paper's scene, with gaps between the branches.
 pub fn table() -> Result<Table> {
     let scene = models::scene(1e-6)?;
     let sigma = scene.surface.asperity_height_std;
@@ -34,21 +34,21 @@ pub fn table() -> Result<Table> {
         table.push(&[&[Field::Word(LOADING)], &numbers[..]].concat())?;
     }
     for (law, ..) in LAWS {
-        let word = law.to_string();
+        let name = law.to_string();
         for (k, closest) in CLOSEST.into_iter().enumerate() {
             if k > 0 {
-                table.push(&[Field::Word(&word), Field::Gap, Field::Gap, Field::Gap])?;
+                table.push(&[Field::Word(&name), Field::Gap, Field::Gap, Field::Gap])?;
             }
             let at = At::from(Separation::sigmas(closest));
             let joint = Unloading::new(&model, &scene, at, law, tolerance)?;
             for retreat in linspace(0.0, 2.0 * sigma, 121) {
                 let area = match law {
-                    // Its fit of the area is left out.
+                    // Its fit of the area is not drawn.
                     UnloadingLaw::Etsion => Field::Gap,
                     _ => Field::Number(joint.area(retreat)?.value()),
                 };
                 let (at, force) = (closest * sigma + retreat, joint.force(retreat)?.value());
-                let row = [Field::Word(&word), Field::Number(at), Field::Number(force), area];
+                let row = [Field::Word(&name), Field::Number(at), Field::Number(force), area];
                 table.push(&row)?;
             }
         }
@@ -56,10 +56,10 @@ pub fn table() -> Result<Table> {
     Ok(table)
 }
 
-/// Force and area beside each other.
+/// Force and area side by side.
 pub fn style(_: &str) -> Result<Figure> {
     let laws = LAWS.map(|(law, look, label)| Curve::new(look, &law.to_string(), label));
-    let curves = [&[Curve::new(0, LOADING, "first closing")], &laws[..]].concat();
+    let curves = [&[Curve::new(0, LOADING, "first loading")], &laws[..]].concat();
     let columns = [
         ("force_N", "contact force F (N)", 1.0, &curves[..]),
         ("area_m2", "contact area A (mm²)", 1e6, &curves[..3]),
@@ -71,9 +71,9 @@ pub fn style(_: &str) -> Result<Figure> {
         panel
     });
     let caption = format!(
-        "KE, closed for the first time to d\u{a0}=\u{a0}0, 0.5 and 1\u{a0}σ_z, and opened again. Hertz and etsion all but coincide; by brake, the area jumps where unloading begins; the fit of etsion's area is left out. Coming closer again retraces the way back, and then follows the first closing. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
+        "KE, loaded for the first time to d\u{a0}=\u{a0}0, 0.5 and 1\u{a0}σ_z, and unloaded. Hertz and etsion almost coincide; with brake the area jumps at the start of unloading; etsion's fit of the area is not drawn. Reloading follows the unloading curve, and then the first loading. {INPUTS} Assumed: σ_z\u{a0}=\u{a0}1.0\u{a0}µm."
     );
-    let title = "Opening again: three laws of unloading";
+    let title = "Unloading by three laws";
     let mut figure = Figure::new(title, &[&caption, MARKERS], panels.to_vec());
     figure.columns = 2;
     Ok(figure)

@@ -8,22 +8,22 @@ use rayon::prelude::*;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::methods::{Failure, Outcome};
-use super::ours::{Laws, law_behind};
-use super::problem::{Asked, Problem};
-use crate::files::figures_folder;
+use super::ours::Laws;
+use super::outcome::{Failure, Outcome};
+use super::problem::{Asked, Problem, law_behind, tightest};
+use crate::folder::figures_folder;
 
-/// The family of the scenes that are not hard.
+/// The family of the ordinary scenes.
 pub const ORDINARY: &str = "ordinary";
-/// Separations and w_c/σ_z over which the errors of `speed-vs-error` are the worst.
+/// Ranges of d/σ_z and w_c/σ_z of the worst errors in `speed-vs-error`.
 const HARD_GRID: ([f64; 2], [f64; 2]) = ([-3.0, 40.0], [1e-8, 1e4]);
 
-/// A problem whose answer is known.
+/// A problem with its reference value.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// What makes it hard, or [`ORDINARY`].
+    /// The difficulty, or [`ORDINARY`].
     pub family: String,
-    /// Its scene's name.
+    /// The name of its scene.
     pub name: String,
     /// The problem.
     pub problem: Arc<Problem>,
@@ -38,10 +38,10 @@ pub struct Case {
 }
 
 impl Case {
-    /// The error of what a method found, relative to the sum of sizes.
+    /// The error of a result, relative to the sum of sizes.
     ///
     /// # Errors
-    /// When it found no number, or 0 where the truth is not.
+    /// When the result is not a number, or 0 for a value other than 0.
     pub fn error(&self, found: Result<Outcome, Failure>) -> Result<f64, Failure> {
         let found = found?;
         if !found.value.is_finite() {
@@ -53,7 +53,7 @@ impl Case {
         let relative = if found.scaled {
             found.value / self.scaled - 1.0
         } else {
-            // A plain double cannot be held to more than a double can say.
+            // Compared with the reference as a double: the result is one.
             found.value / self.value - 1.0
         };
         Ok(relative.abs() * (self.scaled / self.size).abs())
@@ -96,7 +96,7 @@ impl Numbers {
     }
 }
 
-/// A row of `hard_cases.csv`, and with some of it in words of our own, of `models.csv`.
+/// A row of `hard_cases.csv`, or of `models.csv`, which has fewer columns.
 #[derive(Deserialize)]
 struct Row {
     #[serde(default)]
@@ -110,7 +110,7 @@ struct Row {
     quantity: String,
     separation_over_sigma: f64,
     value: f64,
-    /// Digits of ln |value|; where there are none, the value stands for itself.
+    /// Digits of ln |value|; empty where the value has full precision.
     #[serde(default)]
     ln_value: String,
 }
@@ -131,13 +131,13 @@ fn table<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
 /// The hard cases and the ordinary scenes of these pairs of model and quantity.
 ///
 /// # Errors
-/// A table that is missing or is not what its head says.
+/// A table that is missing or malformed.
 pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
     let scenes: Vec<Named> = table("models_scenes.csv")?;
     let mut rows: Vec<Row> = table("hard_cases.csv")?;
     rows.extend(table::<Row>("models.csv")?);
     let cases = rows.into_par_iter().filter_map(|row| {
-        // Options of the lateral models that are no defaults stand in words of their own.
+        // Rows of the lateral models with other options have other names and are left out.
         let wanted = |(model, quantity): &&(Model, Quantity)| {
             model.id() == row.model && quantity.to_string() == row.quantity
         };
@@ -153,12 +153,6 @@ pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
         Some(case(laws, row, scene, model.clone(), *quantity))
     });
     cases.collect()
-}
-
-/// The tightest tolerance that is promised for a model: its law is tabulated to it.
-#[must_use]
-pub fn tightest(model: &Model) -> f64 {
-    if model.validity().angles { 1e-11 } else { 1e-13 }
 }
 
 fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -> Result<Case> {
@@ -180,8 +174,8 @@ fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -
     Ok(Case { family, name, problem, value, scaled, size: evaluation.size, critical })
 }
 
-/// exp of (a logarithm given in many digits, less that of the scale): at s = 1e6 a double's
-/// logarithm holds no digit of the value, so whole and fraction are taken apart.
+/// exp of a logarithm in many digits, less that of the scale. At s = 1e6 a logarithm in double
+/// precision has no digit of the value, so integer part and fraction are treated separately.
 fn over_scale(ln_value: &str, problem: &Problem) -> Result<f64> {
     let (sign, digits) = ln_value.strip_prefix('-').map_or((1.0, ln_value), |rest| (-1.0, rest));
     let (whole, fraction) = digits.split_once('.').context("a logarithm with a point")?;
@@ -202,7 +196,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_relative_to_the_sum_of_sizes_and_nothing_passes_for_an_answer() -> Result<()> {
+    fn errors_are_relative_to_the_sum_of_sizes_and_failures_are_reported() -> Result<()> {
         let pairs = Quantity::ALL.map(|quantity| ("gw".parse(), quantity));
         let pairs = pairs.into_iter().map(|(model, quantity)| Ok((model?, quantity)));
         let cases = read(&Laws::default(), &pairs.collect::<Result<Vec<_>>>()?)?;

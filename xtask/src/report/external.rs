@@ -1,7 +1,7 @@
 //! Libraries outside this workspace: scipy, when python3 has it, and GSL, when it is installed.
 //!
-//! Both get the scaled integrand, split at the kinks, as our own classical methods do, and both get
-//! it as numbers on standard input: laws that are sums of powers, and no others.
+//! Both integrate the scaled integrand, split at the kinks, like our own classical methods. They
+//! read it as numbers from standard input, which limits them to laws that are sums of powers.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -12,14 +12,14 @@ use std::sync::Arc;
 use anyhow::{Context, Result, bail, ensure};
 use asperity::Formula;
 
-use super::methods::{Failure, Outcome};
+use super::outcome::{Failure, Outcome};
 use super::problem::Problem;
 
 /// A library that was found.
 pub struct External {
     /// Its name as a method.
     pub name: &'static str,
-    /// What the Markdown says of it.
+    /// Its description.
     pub what: String,
     command: PathBuf,
     arguments: Vec<String>,
@@ -29,35 +29,34 @@ pub struct External {
 /// and the problem, whose law is a sum of powers.
 pub type Task = (f64, usize, Arc<Problem>);
 
-/// What came back for a task.
+/// The result of a task.
 pub struct Answer {
-    /// What was found.
+    /// Value and evaluations, or failure.
     pub found: Result<Outcome, Failure>,
     /// Median time \[ns\].
     pub ns: f64,
 }
 
-/// Whether a problem can be handed over.
+/// Whether a problem can be passed to another library.
 #[must_use]
 pub fn can_take(problem: &Problem) -> bool {
     problem.law.parts.iter().all(|part| matches!(part.form, Formula::Powers(_)))
 }
 
-/// The words a command prints, if it succeeds.
-fn words(command: &str, arguments: &[&str]) -> Option<Vec<String>> {
+/// The output of a command, split at blanks, if it succeeds.
+fn output_of(command: &str, arguments: &[&str]) -> Option<Vec<String>> {
     let output = Command::new(command).args(arguments).stderr(Stdio::null()).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
     output.status.success().then(|| text.split_whitespace().map(str::to_owned).collect())
 }
 
-/// Those that are there, with what is made for them in a folder. One that is installed and does not
-/// work is an error.
+/// The libraries of this machine, with the files that they need in a folder.
 ///
 /// # Errors
-/// When GSL is said to be there and a program that uses it cannot be built.
+/// When GSL is installed and a program that uses it cannot be built.
 pub fn find(folder: &Path) -> Result<Vec<External>> {
     let mut found = vec![];
-    if let Some(version) = words("python3", &["-c", "import scipy; print(scipy.__version__)"]) {
+    if let Some(version) = output_of("python3", &["-c", "import scipy; print(scipy.__version__)"]) {
         let script = folder.join("quad.py");
         std::fs::write(&script, include_str!("external/quad.py"))?;
         found.push(External {
@@ -67,11 +66,11 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
             arguments: vec![script.display().to_string()],
         });
     }
-    let flags = words("pkg-config", &["--cflags", "--libs", "gsl"])
-        .or_else(|| words("gsl-config", &["--cflags", "--libs"]));
+    let flags = output_of("pkg-config", &["--cflags", "--libs", "gsl"])
+        .or_else(|| output_of("gsl-config", &["--cflags", "--libs"]));
     if let Some(flags) = flags {
-        let version = words("pkg-config", &["--modversion", "gsl"])
-            .or_else(|| words("gsl-config", &["--version"]))
+        let version = output_of("pkg-config", &["--modversion", "gsl"])
+            .or_else(|| output_of("gsl-config", &["--version"]))
             .unwrap_or_default();
         let (source, program) = (folder.join("qag.c"), folder.join("qag"));
         std::fs::write(&source, include_str!("external/qag.c"))?;
@@ -81,9 +80,12 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
             .args(&flags)
             .arg("-lm")
             .output()
-            .context("GSL is installed, and cc is not")?;
-        let said = String::from_utf8_lossy(&built.stderr);
-        ensure!(built.status.success(), "GSL is installed, and its program does not build: {said}");
+            .context("GSL is installed, but cc is not")?;
+        let errors = String::from_utf8_lossy(&built.stderr);
+        ensure!(
+            built.status.success(),
+            "GSL is installed, but its program does not build: {errors}"
+        );
         let what = format!("GSL {} qag with 21 points per branch, scaled", version.join(" "));
         found.push(External { name: "gsl", what, command: program, arguments: vec![] });
     }
@@ -91,10 +93,10 @@ pub fn find(folder: &Path) -> Result<Vec<External>> {
 }
 
 impl External {
-    /// Does the tasks, all in one process.
+    /// Runs the tasks, all in one process.
     ///
     /// # Errors
-    /// When the process fails or answers something else.
+    /// When the process fails or its output is malformed.
     pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
         let mut input = String::new();
         for (tolerance, repeats, problem) in tasks {
@@ -108,7 +110,7 @@ impl External {
             .spawn()
             .with_context(|| self.name)?;
         let mut stdin = process.stdin.take().context("no standard input")?;
-        // Written beside, or both sides would wait for each other.
+        // In another thread, to avoid a deadlock.
         let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
         let output = process.wait_with_output()?;
         ensure!(output.status.success(), "{} failed: {}", self.name, output.status);
@@ -129,7 +131,9 @@ fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
     breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;
     write!(out, " {}", problem.law.parts.len())?;
     for part in &problem.law.parts {
-        let Formula::Powers(powers) = &part.form else { bail!("a law that is no sum of powers") };
+        let Formula::Powers(powers) = &part.form else {
+            bail!("a law that is not a sum of powers")
+        };
         let end = part.range.end.min(f64::MAX);
         write!(out, " {:e} {end:e} {:e} {}", part.range.start, part.sign, powers.len())?;
         for power in powers {
@@ -140,7 +144,7 @@ fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
     Ok(())
 }
 
-/// A line: value, evaluations, 1 where it converged, time.
+/// Reads a line: value, evaluations, 1 for converged, time.
 fn answer(problem: &Problem, line: &str) -> Result<Answer> {
     let fields: Vec<&str> = line.split_whitespace().collect();
     let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };

@@ -1,4 +1,4 @@
-//! Where and when times were taken.
+//! The machine and the date of the measured times.
 
 use std::fs;
 use std::process::Command;
@@ -26,8 +26,8 @@ fn processor() -> String {
 fn compiler() -> String {
     let output = Command::new("rustc").arg("--version").output().ok();
     let text = output.and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
-    let words: Vec<&str> = text.split_whitespace().take(2).collect();
-    if words.is_empty() { "unknown rustc".into() } else { words.join(" ") }
+    let name: Vec<&str> = text.split_whitespace().take(2).collect();
+    if name.is_empty() { "unknown rustc".into() } else { name.join(" ") }
 }
 
 fn today() -> String {

@@ -1,4 +1,4 @@
-//! The tables for readers: `speed-vs-error.md`, made of the csv's text.
+//! The tables of `speed-vs-error.md`, from the text of the csv.
 
 use std::fmt::Write as _;
 
@@ -9,14 +9,14 @@ use super::methods::{HARD_TOLERANCE, METHODS};
 use super::tables::{Row, read, significant};
 use super::throughput::Throughput;
 
-const METHODS_END: &str = "| `build-law` | the law of a quantity, with its tables where it has them |
-| `build-scene` | law built: a scene ready at eight separations from -1 to 6 |
+const METHODS_END: &str = "| `build-law` | building the law of a quantity, with its tables |
+| `build-scene` | compiling a scene for eight separations from -1 to 6, law built before |
 
-scipy and gsl have the laws that are sums of powers. Every method samples the same laws; those of Gao and AT are tables over the interference, whose angles are averaged already. A tangent is the integral of the force law times (d + w)/σ_z², which holds the law's jumps, for every method.
+scipy and gsl integrate the laws that are sums of powers. Every method samples the same laws; those of Gao and AT are tables over the interference, already averaged over angles. For every method a tangent is the integral of the force law times (d + w)/σ_z², which includes the law's jumps.
 ";
 
-/// The row of a method at the hard cases' tolerance; at the tightest there is, if a model is not
-/// asked for that, and the last row of a method without tolerances.
+/// The row of a method at the tolerance of the hard cases or, for a model without it, at its
+/// tightest; the last row of a method without tolerances.
 fn entry<'a>(rows: &'a [Row], pair: (&str, &str), method: &str) -> Option<&'a Row> {
     let own =
         |row: &&Row| (row.model.as_str(), row.quantity.as_str()) == pair && row.method == method;
@@ -42,11 +42,11 @@ pub fn text(
     let mut text = format!(
         "# Speed against error
 
-Written by `cargo xtask report`; measured on {machine}. Times are medians of one process and one run, on the same 56 points for every method: d/σ_z from -1 to 6, w_c/σ_z from 0.003 to 3. Errors are the worst on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 1e-8 to 1e4 (tests/reference/hard_cases.csv), relative to the sum of the sizes of signed parts. All settings stand in speed-vs-error.csv, every hard case in hard-cases.csv. Errors and evaluations do not depend on the machine and are guarded by tests; times do and are not.
+Written by `cargo xtask report`; measured on {machine}. Times are medians of one process and one run, on the same 56 points for every method: d/σ_z from -1 to 6, w_c/σ_z from 0.003 to 3. Errors are the worst on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 1e-8 to 1e4 (tests/reference/hard_cases.csv), relative to the sum of the absolute values of the parts. speed-vs-error.csv holds all settings, hard-cases.csv every hard case. Errors and evaluations do not depend on the machine and are guarded by tests; times do and are not.
 
 ## Time and worst error
 
-Asked for {HARD_TOLERANCE:e} where a method takes a tolerance.
+Tolerance {HARD_TOLERANCE:e}, for methods that have one.
 
 | model | quantity | {} |
 |---|---|{}
@@ -73,13 +73,13 @@ Asked for {HARD_TOLERANCE:e} where a method takes a tolerance.
             writeln!(text, "| {} | {} | {law} | {time}, {} |", pair.0, pair.1, scene.evaluations)?;
         }
     }
-    text += "\n## Throughput\n\nAt a tolerance of 1e-10, from nothing: laws and rules are built on the way. Each in a process of its own.\n\n| what | threads | million evaluations a second | peak memory of the process |\n|---|---|---|---|\n";
+    text += "\n## Throughput\n\nTolerance 1e-10; the time includes building laws and rules. Each row ran in a separate process.\n\n| sweep | threads | million evaluations per second | peak memory of the process |\n|---|---|---|---|\n";
     for line in throughput {
         let millions = significant(line.per_second / 1e6);
         let memory = line.memory.map_or("–".into(), |bytes| format!("{:.0} MB", bytes / 1e6));
         writeln!(text, "| {} | {} | {millions} | {memory} |", line.what, line.threads)?;
     }
-    text += "\n## Methods\n\n| method | what it is |\n|---|---|\n";
+    text += "\n## Methods\n\n| method | description |\n|---|---|\n";
     let own = METHODS.iter().map(|(_, name, what)| (*name, *what));
     let others = libraries.iter().map(|library| (library.name, library.what.as_str()));
     let missing = ["scipy", "gsl"].into_iter().filter(|name| !columns.contains(name));
@@ -90,13 +90,13 @@ Asked for {HARD_TOLERANCE:e} where a method takes a tolerance.
     Ok(text + METHODS_END)
 }
 
-/// The machine that a text names.
+/// The machine named in a text.
 #[must_use]
 pub fn machine(text: &str) -> Option<&str> {
     Some(text.split_once("measured on ")?.1.split_once(". Times")?.0)
 }
 
-/// What the issue of speed is about, in numbers of one run.
+/// Ratios of times in this run.
 fn ratios(text: &mut String, rows: &[Row]) -> Result<()> {
     *text += "\n## Ratios in this run\n\n";
     let ratio = |other: &Row, own: &Row| -> Result<String> {
@@ -121,7 +121,7 @@ fn ratios(text: &mut String, rows: &[Row]) -> Result<()> {
     Ok(())
 }
 
-/// A time in the unit that suits it.
+/// A time with a suitable unit.
 fn duration(row: &Row) -> Result<String> {
     let (number, unit) = match row.median_ns.parse::<f64>()? {
         ns if ns < 1e3 => (ns, "ns"),
@@ -144,7 +144,7 @@ ke,force,simpson,,4000,1.0e0,201
 ";
 
     #[test]
-    fn the_table_holds_the_asked_tolerance_and_the_ratios_are_of_it() -> Result<()> {
+    fn table_and_ratios_are_those_of_the_hard_tolerance() -> Result<()> {
         let text = text(CSV, &[], &[], "a machine")?;
         for part in [
             "| ke | force | 50.0 ns, 1e-15 | | 5.00 µs, not-converged | | | | | 4.00 µs, 1.0e0 |",

@@ -1,85 +1,40 @@
-//! The methods that are compared. Each turns a problem into a job that can be run again and again.
+//! The methods that are compared. Each turns a problem into a job that can be repeated.
 
 use std::sync::Arc;
 
 use anyhow::Result;
-use asperity_quadrature::{Point, QuadratureError, TanhSinh, gauss_kronrod, legendre};
+use asperity_quadrature::{Point, TanhSinh, gauss_kronrod, legendre};
 
 use super::ours::{self, Laws};
+use super::outcome::{Failure, Job, Outcome};
 use super::problem::Problem;
 
-/// What a method found.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
-    /// In SI units.
-    pub value: f64,
-    /// Whether the value is over its scale, exp of [`Problem::ln_scale`].
-    pub scaled: bool,
-    /// Evaluations of the integrand; nothing where they are counted apart.
-    pub evaluations: Option<usize>,
-}
-
-/// Why a method gave no number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Failure {
-    /// It says that it did not reach its tolerance.
-    NotConverged,
-    /// It met a number that is none.
-    NotFinite,
-    /// It returned 0 for what is not 0.
-    Zero,
-}
-
-impl Failure {
-    /// The word for it in a table.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::NotConverged => "not-converged",
-            Self::NotFinite => "not-finite",
-            Self::Zero => "zero",
-        }
-    }
-}
-
-impl From<QuadratureError> for Failure {
-    fn from(error: QuadratureError) -> Self {
-        match error {
-            QuadratureError::NotConverged { .. } => Self::NotConverged,
-            _ => Self::NotFinite,
-        }
-    }
-}
-
-/// A problem made ready: everything that is done once has been done.
-pub type Job = Box<dyn Fn() -> Result<Outcome, Failure> + Send + Sync>;
-
-/// How a method is set for one row of the table.
+/// The setting of a method in one row of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Setting {
-    /// To this relative tolerance.
+    /// A relative tolerance.
     Tolerance(f64),
-    /// With this many points on each panel.
+    /// A number of points on each panel.
     Points(usize),
-    /// It has none.
+    /// No setting.
     Fixed,
 }
 
 /// A method of this process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Polynomials in the separation, built once a scene.
+    /// Polynomials in the separation, built once per scene.
     Compiled,
     /// The same without a compiled scene: polynomials in separation and scale serve every scene.
     Rule,
-    /// Adaptive; this and the next two are scaled against underflow and split at the kinks.
+    /// Adaptive. This and the next two are scaled against underflow and split at the kinks.
     GaussKronrod,
     /// Levels until they agree.
     TanhSinh,
     /// A fixed rule between kinks.
     Split,
-    /// What published scripts do, like the next two: a fixed rule on a fixed range above the
-    /// separation, in plain doubles, in metres, blind to the kinks of the law.
+    /// A fixed rule on a fixed range above the separation, in plain doubles and in metres, not
+    /// split at the kinks of the law: common in published scripts, like the next two.
     Legendre64,
     /// Equal steps.
     Trapezoid,
@@ -87,7 +42,7 @@ pub enum Method {
     Simpson,
 }
 
-/// All methods of this process with their names in tables and what the Markdown says of them.
+/// All methods of this process, with their names in tables and their descriptions.
 pub const METHODS: [(Method, &str, &str); 8] = [
     (Method::Compiled, "compiled", "ours, scene compiled: per evaluation"),
     (Method::Rule, "rule", "ours, law built, scene not compiled (as in `Sweep`)"),
@@ -99,15 +54,15 @@ pub const METHODS: [(Method, &str, &str); 8] = [
     (Method::Simpson, "simpson", "composite, 200 intervals on [d, d+6σ], plain doubles"),
 ];
 
-/// What is asked of the methods that take a tolerance, on the hard cases.
+/// The tolerance on the hard cases, of methods that have one.
 pub const HARD_TOLERANCE: f64 = 1e-10;
-/// Points a panel, on the hard cases.
+/// Points per panel on the hard cases.
 const HARD_POINTS: usize = 128;
-/// More evaluations than this for one integral are no method.
+/// Largest number of evaluations for one integral.
 const LIMIT: usize = 20_000;
 
 impl Method {
-    /// What it is set to, row by row, when these tolerances and numbers of points are looked at.
+    /// The settings, row by row, for these tolerances and numbers of points.
     #[must_use]
     pub fn settings(self, tolerances: &[f64], points: &[usize]) -> Vec<Setting> {
         match self {
@@ -117,13 +72,13 @@ impl Method {
         }
     }
 
-    /// How it is set on the hard cases, where each method runs once.
+    /// The setting on the hard cases, where each method runs once.
     #[must_use]
     pub fn on_hard_cases(self) -> Setting {
         self.settings(&[HARD_TOLERANCE], &[HARD_POINTS])[0]
     }
 
-    /// Makes a problem ready.
+    /// Prepares a problem.
     ///
     /// # Errors
     /// What the library refuses.
@@ -139,8 +94,8 @@ impl Method {
         }
     }
 
-    /// Parts of different sign are integrated by themselves, so that a tolerance relative to each
-    /// can be met where they cancel.
+    /// Parts of different sign are integrated separately, so that a tolerance relative to each can
+    /// be met where they cancel.
     fn classical(self, problem: &Arc<Problem>, tolerance: f64, points: usize) -> Job {
         let problem = problem.clone();
         let signs = match problem.signs()[..] {
@@ -209,8 +164,8 @@ impl Method {
         })
     }
 
-    /// Evaluations of the integrand for a problem, or of an exponential, for a rule that has the
-    /// law in its weight; nothing where the method gives no answer.
+    /// Evaluations of the integrand for a problem, or of an exponential for a rule whose weight
+    /// contains the law; `None` where the method fails.
     ///
     /// # Errors
     /// What the library refuses.

@@ -1,16 +1,19 @@
-//! `cargo xtask report`: how fast and how accurate the integrals are, beside what else there is.
+//! `cargo xtask report`: speed and accuracy of the integrals, compared with other methods.
 //!
 //! Times, errors and numbers of evaluations of every method on the same points, in one process and
-//! one run: `speed-vs-error.{csv,svg,md}`; and where each method breaks: `hard-cases.{csv,svg}`.
-//! Errors and counts are the same in every run and guarded by tests; times are not.
+//! one run: `speed-vs-error.{csv,svg,md}`; and the failures of each method: `hard-cases.{csv,svg}`.
+//! Errors and counts are reproducible and guarded by tests; times are not.
 
 mod cases;
+mod effort;
 mod external;
 mod machine;
 mod markdown;
 mod methods;
 mod ours;
+mod outcome;
 mod picture;
+mod points;
 mod problem;
 mod scope;
 mod tables;
@@ -27,9 +30,9 @@ pub use scope::Scope;
 use ours::Laws;
 use tables::Run;
 
-use crate::files::save;
+use crate::folder::save;
 
-/// Measures and writes; returns the paths written. The counter shows on a terminal only.
+/// Measures and writes; returns the paths written. Progress is shown on a terminal only.
 ///
 /// # Errors
 /// A reference table or another library that does not work, a case that is refused, a file that
@@ -50,7 +53,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     let throughput = throughput::measure(scope)?;
     bar.finish_and_clear();
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
-    // Numbers first: they took long, and a picture may fail.
+    // Numbers first, because they took long and a picture can fail.
     let tables =
         [("speed-vs-error.md", text), ("speed-vs-error.csv", speed), ("hard-cases.csv", hard)];
     let mut paths = save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?;
@@ -61,7 +64,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
 /// The pictures by name, drawn from the tables in a folder.
 ///
 /// # Errors
-/// Tables that are missing or none of the report's.
+/// Tables that are missing or not those of the report.
 pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
     let read = |name: &str| {
         let path = folder.join(name);
@@ -75,16 +78,16 @@ pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
     ])
 }
 
-/// Whether two errors, or two numbers of evaluations, are the same as far as they do not hang on
-/// rounding: small errors are made of it, and differ from compiler to compiler.
+/// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates
+/// small errors and differs between compilers.
 #[must_use]
 pub fn errors_agree(a: f64, b: f64) -> bool {
     let (small, large) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
     large <= 1.05 * small || large < 2e-14 || (large < 1e-10 && large <= 5.0 * small)
 }
 
-/// What does not depend on the machine, for tests: the csv of errors and evaluations without
-/// times, and that of the hard cases, both without other libraries.
+/// The machine-independent results, for tests: errors and evaluations without times, and the hard
+/// cases, both without other libraries.
 ///
 /// # Errors
 /// A reference table that does not work, or a case that is refused.

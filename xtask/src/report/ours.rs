@@ -1,5 +1,5 @@
-//! Our own plan: laws and compiled scenes, each built once however many methods and points ask for
-//! it, what they answer, and what building costs.
+//! Our own methods: laws and compiled scenes, each built once for all methods and points, their
+//! values, and the cost of building them.
 
 use std::collections::HashMap;
 use std::hint::black_box;
@@ -11,33 +11,34 @@ use asperity::{
 };
 use asperity_quadrature::{AnyScale, QuadratureError};
 
-use super::methods::{Failure, Job, Outcome};
-use super::problem::{Asked, Problem, is_slope};
-use super::scope::{Effort, SEPARATIONS, scenes};
+use super::effort::Effort;
+use super::outcome::{Failure, Job, Outcome};
+use super::points::{SEPARATIONS, scenes};
+use super::problem::{Asked, Problem, is_slope, law_behind};
 
-/// What has been built, by all that it depends on.
+/// Compiled scenes and rules, by all that they depend on.
 #[derive(Debug, Default)]
 pub struct Laws {
-    scenes: Shelf<dyn Contact>,
-    rules: Shelf<AnyScale>,
+    scenes: Cache<dyn Contact>,
+    rules: Cache<AnyScale>,
 }
 
-/// Things by their names.
-type Shelf<T> = Mutex<HashMap<String, Arc<T>>>;
+/// Shared values by their names.
+type Cache<T> = Mutex<HashMap<String, Arc<T>>>;
 
-/// What is there, or what is made; should two threads make the same, what came first stays.
+/// The cached value, or a new one; of two made by different threads the first stays.
 fn find_or<T: ?Sized>(
-    shelf: &Shelf<T>,
+    cache: &Cache<T>,
     key: String,
     make: impl FnOnce() -> Result<Arc<T>>,
 ) -> Result<Arc<T>> {
-    let known = shelf.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
-    if let Some(known) = known {
-        return Ok(known);
+    let cached = cache.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned();
+    if let Some(cached) = cached {
+        return Ok(cached);
     }
     let made = make()?;
-    let mut shelf = shelf.lock().unwrap_or_else(PoisonError::into_inner);
-    Ok(shelf.entry(key).or_insert(made).clone())
+    let mut cache = cache.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(cache.entry(key).or_insert(made).clone())
 }
 
 impl Laws {
@@ -74,20 +75,6 @@ impl Laws {
     }
 }
 
-/// The law behind a quantity: that of the force for a tangent.
-///
-/// # Errors
-/// When the model refuses the asperity.
-pub fn law_behind(
-    model: &Model,
-    quantity: Quantity,
-    asperity: &asperity::Asperity,
-    tolerance: f64,
-) -> Result<Law> {
-    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
-    Ok(model.law(asperity, law, Tolerance::new(tolerance)?)?)
-}
-
 /// A value of a compiled scene.
 ///
 /// # Errors
@@ -98,7 +85,7 @@ pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     Ok(Box::new(move || outcome(compiled.evaluate(quantity, separation))))
 }
 
-/// A value on a scene for which nothing is prepared, as sweeps have it.
+/// A value on a scene that is not compiled, as in sweeps.
 pub fn rule(laws: &Laws, problem: &Arc<Problem>, tolerance: f64) -> Result<Job> {
     let asked = &problem.asked;
     if !matches!(asked.scene.heights, HeightDistribution::Gaussian) {
@@ -133,8 +120,7 @@ pub fn compiled_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<
     Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
 }
 
-/// Terms of a value, from rules of our own that are the same; samples of the law where none
-/// serves and the point is integrated anew.
+/// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
 pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
     let separation = problem.asked.separation;
     let rules = laws.rules(&problem.asked, tolerance)?;
@@ -148,27 +134,27 @@ pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usiz
     }
 }
 
-/// Time \[ns\] to build the law behind a quantity, its tables included: they are filled where they
-/// are first sampled, so the time of sampling a law that is there is taken off.
+/// Time \[ns\] to build the law behind a quantity and its tables. Tables are filled when first
+/// sampled, so the time of sampling an existing law is subtracted.
 pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64, effort: Effort) -> Result<f64> {
     let scenes = scenes()?;
     let asperity = scenes[0].asperity()?;
     let build = || law_behind(black_box(model), quantity, &asperity, tolerance);
-    let there = build()?;
-    sample(&there)?;
-    let sampling = effort.median_ns(|| drop(black_box(sample(black_box(&there)))));
+    let existing = build()?;
+    sample(&existing)?;
+    let sampling = effort.median_ns(|| drop(black_box(sample(black_box(&existing)))));
     let both = effort.median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
     Ok((both - sampling).max(0.0))
 }
 
-/// Samples a law where the speed table's points reach: x = 1e-4 to 1e4.
+/// Samples a law over the range of the speed table, x = 1e-4 to 1e4.
 fn sample(law: &Law) -> Result<f64, QuadratureError> {
     let points = (0..=80).map(|k| 10f64.powf(f64::from(k) * 0.1 - 4.0) * law.interference_unit);
     points.map(|w| law.value(w)).sum()
 }
 
-/// Time \[ns\] to make a scene ready at all separations of the speed table, with its law built, and
-/// how often the law is sampled for it.
+/// Time \[ns\] to compile a scene for all separations of the speed table, with its law built, and
+/// the number of samples of the law.
 pub fn build_scene(
     model: &Model,
     quantity: Quantity,

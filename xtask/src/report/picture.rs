@@ -3,15 +3,16 @@
 use anyhow::Result;
 
 use super::cases::ORDINARY;
-use super::scope::median;
+use super::effort::median;
 use super::tables::{BEFORE, Row, read};
 use asperity_plot::{
     Axis, Cell, Curve, Figure, Legend, Matrix, Panel, Strip, draw, draw_matrix, power_of_ten,
 };
 
-/// Errors above this have no digit worth the name.
+/// Errors above this count as wrong.
 const WRONG: f64 = 1e-2;
-/// The ends of the axis; what is beyond stands at the end. Names have room at the right.
+/// The ends of the axis, at which larger and smaller errors are drawn; the right leaves room for
+/// names.
 const ERRORS: (f64, f64) = (1e-16, 1e4);
 
 /// The methods in the order of their looks.
@@ -28,10 +29,10 @@ const METHODS: [&str; 10] = [
     "trapezoid-1001",
 ];
 
-/// Whose rows are summed up in which panel.
+/// The panels and their models.
 const PANELS: [(&str, &str, &[&str]); 2] = [
-    ("upright", "asperities upright: GW to AF", &[]),
-    ("angles", "normals spread over angles: Gao, AT", &["gao", "at", "at-additive", "at-overlap"]),
+    ("upright", "upright contacts: GW to AF", &[]),
+    ("angles", "inclined contacts: Gao, AT", &["gao", "at", "at-additive", "at-overlap"]),
 ];
 
 /// The panel of a model.
@@ -39,7 +40,7 @@ fn panel_of(model: &str) -> &'static str {
     PANELS.iter().find(|panel| panel.2.contains(&model)).map_or(PANELS[0].0, |panel| panel.0)
 }
 
-/// An error as it stands in a csv; a word is worse than any number.
+/// An error of a csv; a failure is worse than any number.
 fn size(error: &str) -> f64 {
     error.parse().unwrap_or(f64::INFINITY)
 }
@@ -67,7 +68,7 @@ fn summary(csv: &str) -> Result<String> {
         }
     }
     let mut text = String::from("panel,method,error,time\n");
-    // A word has no place on the axis: the table says it.
+    // A failure has no place on the axis.
     for ((panel, method, _), worst, times) in groups.into_iter().filter(|g| g.1.is_finite()) {
         let (worst, time) = (worst.clamp(ERRORS.0, ERRORS.1), median(times).unwrap_or(0.0));
         text += &format!("{panel},{method},{worst:e},{time:e}\n");
@@ -75,7 +76,7 @@ fn summary(csv: &str) -> Result<String> {
     Ok(text)
 }
 
-/// Time against error at a glance.
+/// Time against error.
 ///
 /// # Errors
 /// A csv that is not `speed-vs-error.csv`.
@@ -103,8 +104,8 @@ pub fn frontier(csv: &str, machine: &str) -> Result<String> {
         }
     }
     let caption = [
-        "A marker is one setting of a method: the median of its times over all models and quantities of the panel, and the worst of its errors. Times on d/σ_z from -1 to 6 and w_c/σ_z from 0.003 to 3; errors on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 10⁻⁸ to 10⁴, relative to the sum of the sizes of signed parts. Settings that do not converge somewhere are not drawn; scipy and gsl have the laws that are sums of powers.",
-        "gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do, in plain doubles and blind to the kinks of the law; the other classical methods are scaled against underflow and split at the kinks. Laws of Gao and AT are sampled from their tables.",
+        "A marker is one setting of a method: the median of its times over all models and quantities of the panel, and the worst of its errors. Times on d/σ_z from -1 to 6 and w_c/σ_z from 0.003 to 3; errors on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 10⁻⁸ to 10⁴, relative to the sum of the absolute values of the parts. Settings that fail to converge in a case are not drawn; scipy and gsl integrate the laws that are sums of powers.",
+        "gauss-legendre-64, trapezoid-1001 and simpson are common in published scripts: plain doubles, not split at the kinks of the law. The other classical methods are scaled against underflow and split at the kinks. Laws of Gao and AT are sampled from their tables.",
         &format!("{machine}."),
     ];
     let mut figure = Figure::new("Time against error of a height integral", &caption, panels);
@@ -112,7 +113,7 @@ pub fn frontier(csv: &str, machine: &str) -> Result<String> {
     Ok(draw(&figure, &summary)?)
 }
 
-/// Where each method breaks: families down, methods across.
+/// The worst error of each method (columns) in each family (rows).
 ///
 /// # Errors
 /// A csv that is not `hard-cases.csv`.
@@ -131,10 +132,10 @@ pub fn hard_cases(csv: &str) -> Result<String> {
     let row = |family: &&str| (0..methods.len()).map(|k| column(family, k)).collect();
     let cells = families.iter().map(row).collect();
     let matrix = Matrix {
-        title: "Where each method breaks: worst relative error".into(),
+        title: "Hard cases: worst relative error of each method".into(),
         caption: vec![
-            "Below it, in how many cases of the family the error is above 10⁻⁶ or there is no number. “zero”: 0 for what is not 0; “not-converged”: the method says so itself. Errors are relative to the sum of the sizes of signed parts, against references computed another way. “Ordinary” are three scenes of engineering surfaces; their references for Gao and AT hold 5·10⁻¹³.".into(),
-            "Asked of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are what published scripts do. scipy and gsl have the laws that are sums of powers.".into(),
+            "In each cell the worst error of a family of cases; below, the number of its cases with an error above 10⁻⁶ or without a number. “zero”: 0 for a value other than 0; “not-converged”: reported by the method. Errors are relative to the sum of the absolute values of the parts, against references computed another way. “Ordinary” are three scenes of engineering surfaces; their references for Gao and AT are accurate to 5·10⁻¹³.".into(),
+            "Tolerance of compiled, rule, gauss-kronrod, tanh-sinh, scipy and gsl: 10⁻¹⁰; gauss-legendre-split has 128 points between kinks. These are scaled and split at the kinks; gauss-legendre-64, trapezoid-1001 and simpson are common in published scripts. scipy and gsl integrate the laws that are sums of powers.".into(),
         ],
         columns: methods,
         rows: families.iter().map(|name| (*name).to_owned()).collect(),
@@ -151,7 +152,7 @@ fn cell(errors: Vec<&str>) -> Cell {
     let Some(worst) = worst else { return Cell { text: "–".into(), ..Cell::default() } };
     let off = errors.iter().filter(|error| size(error) > OFF).count();
     let note = format!("{off} of {}", errors.len());
-    // White at 1e-14, dark at 1, and light for long: half way up there are still seven digits.
+    // White at 1e-14 and dark at 1; still light at seven digits.
     let shade = match size(worst) {
         f64::INFINITY => 1.0,
         number => 0.9 * ((number.max(1e-300).log10() + 14.0) / 14.0).clamp(0.0, 1.0).powf(1.4),
@@ -159,7 +160,7 @@ fn cell(errors: Vec<&str>) -> Cell {
     Cell { text: typeset(worst), note, shade }
 }
 
-/// `1.5e-7` as 1.5·10⁻⁷; a word as it is.
+/// `1.5e-7` as 1.5·10⁻⁷; a failure unchanged.
 fn typeset(error: &str) -> String {
     match error.split_once('e').map(|(digits, exponent)| (digits, exponent.parse())) {
         Some((digits, Ok(0))) => digits.to_owned(),
@@ -198,7 +199,7 @@ upright,gauss-legendre-split,1e-5,1.9e3
     }
 
     #[test]
-    fn a_cell_tells_the_worst_and_how_many_are_off() {
+    fn a_cell_has_the_worst_error_and_the_number_of_large_ones() {
         let number = cell(vec!["1.0e-12", "2.5e-3", "1.0e-14"]);
         assert_eq!((&*number.text, &*number.note), ("2.5·10⁻³", "1 of 3"));
         let failure = cell(vec!["zero", "2.5e-3", "1.0e-14"]);

@@ -1,8 +1,11 @@
-//! One integral to be done: a law over the heights at one separation, as every method sees it.
+//! One integral: a law over the heights at one separation, the input of every method.
 
 use std::sync::Arc;
 
-use asperity::{Formula, HeightDistribution, Law, Model, Part, Quantity, Scene};
+use anyhow::Result;
+use asperity::{
+    Asperity, Formula, HeightDistribution, Law, Model, Part, Quantity, Scene, Tolerance,
+};
 use asperity_quadrature::reach;
 
 /// 1/√(2π).
@@ -15,7 +18,7 @@ const CUT: f64 = 46.0;
 pub struct Asked {
     /// The model.
     pub model: Model,
-    /// What is asked.
+    /// The quantity.
     pub quantity: Quantity,
     /// The scene.
     pub scene: Scene,
@@ -23,17 +26,17 @@ pub struct Asked {
     pub separation: f64,
 }
 
-/// What is asked with its law.
+/// A model's quantity with its law.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// What is asked.
+    /// Model, quantity, scene and separation.
     pub asked: Asked,
     /// The law behind the quantity; that of the force for a tangent.
     pub law: Arc<Law>,
 }
 
-/// Whether a quantity is a slope of the force: then the integrand takes one more factor, and no
-/// method has to know the jumps of the law.
+/// Whether a quantity is a slope of the force. The integrand then has one more factor, and the
+/// jumps of the law need no treatment.
 #[must_use]
 pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
     match quantity {
@@ -41,6 +44,26 @@ pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
         Quantity::Stiffness => !model.validity().angles,
         _ => false,
     }
+}
+
+/// The law behind a quantity: that of the force for a tangent.
+///
+/// # Errors
+/// When the model refuses the asperity.
+pub fn law_behind(
+    model: &Model,
+    quantity: Quantity,
+    asperity: &Asperity,
+    tolerance: f64,
+) -> Result<Law> {
+    let law = if is_slope(model, quantity) { Quantity::Force } else { quantity };
+    Ok(model.law(asperity, law, Tolerance::new(tolerance)?)?)
+}
+
+/// The tightest tolerance of a model, to which its law is tabulated.
+#[must_use]
+pub fn tightest(model: &Model) -> f64 {
+    if model.validity().angles { 1e-11 } else { 1e-13 }
 }
 
 impl Problem {
@@ -56,13 +79,13 @@ impl Problem {
         self.asked.scene.surface.asperity_height_std
     }
 
-    /// Whether the integrand takes the factor that makes it a slope.
+    /// Whether the integrand has the factor of a slope.
     #[must_use]
     pub fn slope(&self) -> bool {
         is_slope(&self.asked.model, self.asked.quantity)
     }
 
-    /// Whether heights are exponential; Gaussian otherwise, and nothing else occurs here.
+    /// Whether heights are exponential; otherwise they are Gaussian.
     #[must_use]
     pub fn exponential(&self) -> bool {
         matches!(self.asked.scene.heights, HeightDistribution::Exponential)
@@ -87,8 +110,8 @@ impl Problem {
         [1.0, -1.0].into_iter().filter(occurs).collect()
     }
 
-    /// t = (z - d)/σ_z from which to which the scaled integrand counts, with the law's kinks and,
-    /// in overlap, the peak of the density between.
+    /// The range of t = (z - d)/σ_z in which the scaled integrand matters, with the law's kinks
+    /// and, below d = 0, the peak of the density between.
     #[must_use]
     pub fn breaks(&self) -> Vec<f64> {
         let s = self.asked.separation;
@@ -105,7 +128,8 @@ impl Problem {
         breaks
     }
 
-    /// The density at s + t over its scale, exp(-s²/2) or exp(-s) for s > 0, and the factor of a slope.
+    /// The density at s + t over its scale, exp(-s²/2) or exp(-s) for s > 0, and the factor of a
+    /// slope.
     #[must_use]
     pub fn weight(&self, t: f64) -> f64 {
         let s = self.asked.separation;
@@ -117,7 +141,7 @@ impl Problem {
         if self.slope() { weight * (s + t) } else { weight }
     }
 
-    /// The plain integrand at height z \[m\], as a script would write it: no scale is taken out.
+    /// The plain integrand at height z \[m\], without scaling, as a script would have it.
     #[must_use]
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();
@@ -142,8 +166,8 @@ impl Problem {
         if self.exponential() { start.max(0.0) } else { start }
     }
 
-    /// An integral in SI units. Exponential heights in overlap: moving the surface also moves the
-    /// lowest asperity, which takes the law's value there off the slope.
+    /// An integral in SI units. For exponential heights below d = 0, the surface moves with its
+    /// lowest asperity, and the law's value there is subtracted from the slope.
     #[must_use]
     pub fn in_units(&self, integral: f64) -> f64 {
         let lowest = if self.slope() && self.exponential() && self.asked.separation < 0.0 {
@@ -170,7 +194,7 @@ fn part_at(part: &Part, x: f64) -> f64 {
             let mut value = [0.0];
             match sampler.sample(&[x], &mut value) {
                 Ok(()) => value[0],
-                // Not a number is what a method then meets, and fails by.
+                // NaN, at which every method fails.
                 Err(_) => f64::NAN,
             }
         }

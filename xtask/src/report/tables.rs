@@ -1,5 +1,5 @@
-//! The two tables: times, errors and evaluations of every method and setting, and the errors on each
-//! hard case.
+//! The two tables: times, errors and evaluations of every method and setting, and the errors on
+//! each hard case.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -11,15 +11,17 @@ use serde::{Deserialize, Serialize};
 
 use super::cases::Case;
 use super::external::{self, External};
-use super::methods::{Failure, HARD_TOLERANCE, Job, METHODS, Setting};
+use super::methods::{HARD_TOLERANCE, METHODS, Setting};
 use super::ours::{self, Laws};
+use super::outcome::{Failure, Job};
+use super::points::points;
 use super::problem::{Asked, Problem, is_slope};
-use super::scope::{Scope, points};
+use super::scope::Scope;
 
-/// The worst of some errors: the largest, or the word of a failure.
+/// The worst of some errors: the largest, or a failure.
 type Worst = Result<f64, Failure>;
 
-/// The larger error; a failure is worse than any, and 0 for what is not 0 is an error of 1.
+/// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
     let number = |worst: Worst| if worst == Err(Failure::Zero) { Ok(1.0) } else { worst };
     match (number(a), number(b)) {
@@ -37,11 +39,11 @@ pub struct Row {
     pub quantity: String,
     /// The method.
     pub method: String,
-    /// What it was asked for, if it can be asked.
+    /// The tolerance, of a method that has one.
     pub tolerance: String,
     /// Median time of one evaluation or of one build \[ns\], if it was taken.
     pub median_ns: String,
-    /// Worst error on the hard grid, or a failure; nothing for a build.
+    /// Worst error on the hard grid, or a failure; empty for a build.
     pub max_relative_error: String,
     /// Mean number of evaluations.
     pub evaluations: String,
@@ -67,7 +69,7 @@ impl Row {
         Self { model, quantity, method, tolerance, median_ns, max_relative_error, evaluations }
     }
 
-    /// What was asked, as a number.
+    /// The tolerance as a number.
     #[must_use]
     pub fn asked(&self) -> Option<f64> {
         self.tolerance.parse().ok()
@@ -82,9 +84,9 @@ pub fn read(text: &str) -> Result<Vec<Row>> {
     Ok(csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>()?)
 }
 
-/// All that a run needs.
+/// The inputs of a run.
 pub struct Run<'a> {
-    /// How much is measured.
+    /// The extent.
     pub scope: Scope,
     /// Laws that were built.
     pub laws: &'a Laws,
@@ -94,7 +96,7 @@ pub struct Run<'a> {
     pub timed: bool,
     /// Other libraries.
     pub libraries: &'a [External],
-    /// Says that one more row is done.
+    /// Called with the name of each finished row.
     pub tick: &'a dyn Fn(&str),
 }
 
@@ -116,8 +118,8 @@ impl Run<'_> {
         Ok(String::from_utf8(csv.into_inner()?)?)
     }
 
-    /// The cases of the hard grid that ask for the same integral. A stiffness that is the tangent
-    /// has the tangent's cases beside its own.
+    /// The cases of the hard grid with the same integral. A stiffness that is the tangent has the
+    /// cases of the tangent as well.
     fn grid(&self, (model, quantity): &(Model, Quantity)) -> Vec<&Case> {
         let slope = |quantity: Quantity| is_slope(model, quantity);
         let same = |other: Quantity| other == *quantity || slope(*quantity) && slope(other);
@@ -136,7 +138,7 @@ impl Run<'_> {
             for setting in self.scope.settings(method, &pair.0) {
                 let job = |problem: &Arc<Problem>| method.prepare(self.laws, problem, setting);
                 let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
-                // Failures take their time like answers.
+                // The time of a failure counts as well.
                 let all = || {
                     jobs.iter().for_each(|job| {
                         let _ = black_box(black_box(job)());
@@ -157,7 +159,7 @@ impl Run<'_> {
         Ok(rows)
     }
 
-    /// What building costs.
+    /// The cost of building.
     fn builds(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
         let (mut rows, effort) = (vec![], self.scope.effort());
         for tolerance in self.scope.tolerances(&pair.0).into_iter().filter(|_| self.timed) {
@@ -171,7 +173,7 @@ impl Run<'_> {
         Ok(rows)
     }
 
-    /// The rows of another library, for the laws it can be given.
+    /// The rows of another library, for the laws that it can integrate.
     fn external(&self, library: &External, pairs: &[(Model, Quantity)]) -> Result<Vec<Row>> {
         let (mut asked, mut tasks) = (vec![], vec![]);
         for pair in pairs {
@@ -200,8 +202,8 @@ impl Run<'_> {
         Ok(rows)
     }
 
-    /// `hard-cases.csv`: a row for each case, a column for each method with relative errors (to the
-    /// sum of sizes), or the word of a failure, or nothing where it was not given the case.
+    /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to
+    /// the sum of sizes, failures, or empty cells for cases that a method cannot integrate.
     ///
     /// # Errors
     /// When the library refuses a case, or another library's process fails.
@@ -230,7 +232,7 @@ impl Run<'_> {
         for (k, case) in self.cases.iter().enumerate() {
             let Asked { model, quantity, scene, separation } = &case.problem.asked;
             let (quantity, separation) = (quantity.to_string(), separation.to_string());
-            let words = [
+            let cells = [
                 &case.family,
                 &case.name,
                 scene.heights.name(),
@@ -238,32 +240,32 @@ impl Run<'_> {
                 &quantity,
                 &separation,
             ];
-            csv.write_record(words.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
+            csv.write_record(cells.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
         }
         Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
     }
 }
 
-/// What stands before the columns of the methods.
+/// The columns before those of the methods.
 pub const BEFORE: [&str; 6] =
     ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
 
-/// The mean, if there is anything.
+/// The mean; `None` of no numbers.
 fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
     let (count, sum) = counts.fold((0, 0), |(count, sum), n| (count + 1, sum + n));
     (count > 0).then(|| sum as f64 / f64::from(count))
 }
 
-/// Three significant digits: more would be noise.
+/// A number to three significant digits.
 #[must_use]
 pub fn significant(number: f64) -> String {
     let decimals = (2.0 - number.abs().max(1e-2).log10().floor()).max(0.0) as usize;
     format!("{number:.decimals$}")
 }
 
-/// Two digits, or the word of a failure.
+/// Two digits, or the name of a failure.
 fn error_text(error: Worst) -> String {
-    error.map_or_else(|failure| failure.word().into(), |error| format!("{error:.1e}"))
+    error.map_or_else(|failure| failure.name().into(), |error| format!("{error:.1e}"))
 }
 
 #[cfg(test)]

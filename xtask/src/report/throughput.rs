@@ -1,5 +1,5 @@
-//! Evaluations per second on one and two threads, and the memory that takes: each in a process of
-//! its own, whose peak memory is that of the sweep and nothing else.
+//! Evaluations per second on one and two threads, and memory. Each sweep runs in a separate
+//! process, whose peak memory is that of the sweep alone.
 
 use std::fs;
 use std::hint::black_box;
@@ -9,24 +9,25 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 use asperity::{Case, Model, Quantity, Request, Scene, Sweep, Tolerance, linspace};
 
-use super::scope::{Scope, scenes};
+use super::points::scenes;
+use super::scope::Scope;
 
 /// The task of `xtask` that runs one sweep; not for users.
 pub const TASK: &str = "report-throughput";
 
 /// One line of the table.
 pub struct Throughput {
-    /// What was run.
+    /// The sweep.
     pub what: String,
     /// Threads.
     pub threads: usize,
     /// Evaluations in a second.
     pub per_second: f64,
-    /// Peak of the process's resident memory \[bytes\], where the system tells it.
+    /// Peak of the process's resident memory \[bytes\], where the system reports it.
     pub memory: Option<f64>,
 }
 
-/// What is swept: model, kind, count, and what the table says of it.
+/// The sweeps: model, kind, count and description.
 const SWEEPS: [(&str, &str, usize, &str); 4] = [
     ("ke", "separations", 1_000_000, "separations of one scene"),
     (
@@ -49,8 +50,8 @@ pub fn measure(scope: Scope) -> Result<Vec<Throughput>> {
     for (model, kind, full, what) in SWEEPS {
         let count = if scope == Scope::Full { full } else { full / 10 };
         for threads in [1, 2] {
-            let words = [TASK, model, kind, &count.to_string(), &threads.to_string()];
-            let output = Command::new(&program).args(words).output()?;
+            let arguments = [TASK, model, kind, &count.to_string(), &threads.to_string()];
+            let output = Command::new(&program).args(arguments).output()?;
             ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
             let text = String::from_utf8(output.stdout)?;
             let mut numbers = text.split_whitespace().map(str::parse::<f64>);
@@ -73,7 +74,7 @@ pub fn measure(scope: Scope) -> Result<Vec<Throughput>> {
 /// Another model or kind, or a scene that is refused.
 pub fn run(model: &str, kind: &str, count: usize, threads: usize) -> Result<String> {
     let model: Model = model.parse()?;
-    ensure!(SWEEPS.iter().any(|known| known.1 == kind), "{kind:?} is no kind of sweep");
+    ensure!(SWEEPS.iter().any(|sweep| sweep.1 == kind), "{kind:?} is not a kind of sweep");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let start = Instant::now();
     pool.install(|| sweep(&model, kind, count))?;
@@ -111,7 +112,7 @@ fn case(base: &Scene, k: usize, materials: bool) -> Case {
     Case::new(scene, -1.0 + 7.0 * share(0.605_551))
 }
 
-/// The most memory this process has had resident \[bytes\]; Linux only.
+/// Peak of the resident memory of this process \[bytes\]; Linux only.
 fn peak_memory() -> Option<f64> {
     let text = fs::read_to_string("/proc/self/status").ok()?;
     let rest = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
@@ -123,7 +124,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sweep_tells_its_rate_and_other_words_are_refused() -> Result<()> {
+    fn a_sweep_returns_its_rate_and_unknown_kinds_are_refused() -> Result<()> {
         for (_, kind, ..) in SWEEPS {
             let line = run("ke", kind, 500, 2)?;
             let numbers: Vec<f64> = line.split_whitespace().flat_map(str::parse).collect();

@@ -2,16 +2,16 @@
 
 use anyhow::Result;
 use asperity::bem::{Bem, Boundary, RandomSurface};
-use asperity::{Interface, ProfileMoments, Scene, Surface};
+use asperity::{Interface, Model, Persson, PerssonVariance, ProfileMoments, Scene, Surface};
 
-/// How much is solved.
+/// The extent of the evidence.
 #[derive(Debug, Clone, Copy)]
 pub struct Scope {
     /// Pixels per side.
     pub pixels: usize,
-    /// The longest waves, per side, and where the power law begins; one surface each.
+    /// For each surface the longest waves and the roll-off, in waves per side.
     pub waves: &'static [[f64; 2]],
-    /// So many surfaces with the same moments.
+    /// Number of surfaces with the same moments.
     pub seeds: u64,
     /// Plasticity indices; 0 for no hardness.
     pub indices: &'static [f64],
@@ -19,7 +19,7 @@ pub struct Scope {
     pub loads: &'static [f64],
 }
 
-/// What is committed: narrow, medium and broad spectra.
+/// The committed evidence: narrow, medium and broad spectra.
 pub const FULL: Scope = Scope {
     pixels: 512,
     waves: &[[14.0, 14.0], [4.0, 8.0], [2.0, 2.4]],
@@ -28,7 +28,7 @@ pub const FULL: Scope = Scope {
     loads: &[1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2],
 };
 
-/// What tests solve again.
+/// The small case, which tests solve again.
 pub const SMALL: Scope = Scope {
     pixels: 128,
     waves: &[[3.0, 4.0]],
@@ -37,30 +37,31 @@ pub const SMALL: Scope = Scope {
     loads: &[0.02, 0.1],
 };
 
-/// Pixels per wave of the shortest.
+/// Pixels per shortest wave.
 pub const PIXELS_PER_WAVE: usize = 8;
-/// Root mean square gradient; E g is the unit of pressures, so that it matters no more than E.
+/// Root mean square gradient. E g is the unit of pressures, so that neither E nor g changes a
+/// result.
 pub const GRADIENT: f64 = 0.05;
 /// E \[Pa\].
 pub const MODULUS: f64 = 1e11;
 const POISSON: f64 = 0.3;
 
-/// The surface of these waves; its heights are those of a seed.
+/// The surface with these waves; a seed determines its heights.
 pub fn surface(scope: &Scope, [longest, roll_off]: [f64; 2]) -> Result<RandomSurface> {
     let shortest = (scope.pixels / PIXELS_PER_WAVE) as f64;
     Ok(RandomSurface::new(longest, roll_off, shortest)?.side(1e-4)?.gradient(GRADIENT)?)
 }
 
-/// Moments as the models take them.
+/// The moments of profiles, the input of the models.
 pub fn moments(surface: &RandomSurface) -> ProfileMoments {
     let found = surface.moments();
     ProfileMoments { m0: found.m0, m2: found.m2, m4: found.m4 }
 }
 
-/// The scene of a surface and a plasticity index: steel on steel but for the hardness.
+/// The scene of a surface and a plasticity index, which determines the hardness.
 pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
     let mut interface = Interface::elastic(MODULUS, POISSON);
-    // Of two equal materials.
+    // Two equal materials.
     interface.equivalent_shear_modulus = Some(MODULUS * (1.0 - POISSON) / (2.0 * (2.0 - POISSON)));
     let surface = Surface::from_moments(&moments(surface))?;
     let mut scene = Scene::new(interface, surface, 1e-8);
@@ -72,10 +73,20 @@ pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
     Ok(scene)
 }
 
-/// One of the surfaces, to be pressed.
+/// The boundary elements of one surface.
 pub fn bem(scope: &Scope, surface: RandomSurface, seed: u64) -> Result<Bem> {
     let map = surface.seed(seed).heights(scope.pixels)?;
     Ok(Bem::new(map, Boundary::Periodic, false))
+}
+
+/// Every model that is compared with boundary elements. Persson's spectrum is a power law, as that
+/// of the solved surfaces beyond their roll-off.
+#[must_use]
+pub fn models() -> Vec<Model> {
+    let hurst_exponent = Some(RandomSurface::HURST);
+    let whole = PerssonVariance::ALL
+        .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
+    [Model::all(), Model::all_random(), whole.to_vec()].concat()
 }
 
 #[cfg(test)]
@@ -83,14 +94,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn surfaces_are_as_broad_and_materials_as_hard_as_is_said() -> Result<()> {
+    fn surfaces_and_materials_have_the_bandwidths_and_indices_of_the_evidence() -> Result<()> {
         let mut cases = asperity::Evidence::committed()?.cases().iter();
-        // Numbers of their own, as the evidence was made by the function that is tested here.
+        // Independent numbers, because the evidence was made by the function under test.
         for (waves, alpha) in FULL.waves.iter().zip([3.0, 7.5, 29.0]) {
             let found = moments(&surface(&FULL, *waves)?).bandwidth();
             assert!((found / alpha - 1.0).abs() < 0.05, "{found} {alpha}");
-            let known = cases.find(|case| (case.alpha / found - 1.0).abs() < 1e-6);
-            assert!(known.is_some(), "{found}");
+            let listed = cases.find(|case| (case.alpha / found - 1.0).abs() < 1e-6);
+            assert!(listed.is_some(), "{found}");
         }
         for index in [1.0, 2.0, 4.0] {
             let found = scene(&surface(&FULL, FULL.waves[1])?, index)?.plasticity_index()?;

@@ -1,17 +1,18 @@
-//! The table for readers: how far each model is off, from where to where.
+//! The table of the README: the range of each model's deviations.
 
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
 use asperity::{Described, Evidence};
 
-use super::Shown;
+use super::cases::models;
+use super::picture::Shown;
 
-/// The table, from the text of the evidence: for each model and material the range of the deviations
-/// over surfaces and loads.
+/// The table, from the text of the evidence: for each model and material the range of the
+/// deviations over surfaces and loads.
 ///
 /// # Errors
-/// A text that is no evidence.
+/// A text that is not evidence.
 pub fn table(text: &str) -> Result<String> {
     let evidence = Evidence::parse(text)?;
     let mut indices: Vec<f64> = vec![];
@@ -28,7 +29,7 @@ pub fn table(text: &str) -> Result<String> {
     for (shown, what) in [(Shown::Area, "area"), (Shown::Stiffness, "stiffness")] {
         writeln!(out, "| {what}, % off | {} |", materials.join(" | "))?;
         writeln!(out, "|---|{}", "---:|".repeat(indices.len()))?;
-        for model in super::models() {
+        for model in models() {
             let mut row = vec![];
             for index in &indices {
                 let of_material = evidence

@@ -1,8 +1,9 @@
-//! `cargo xtask truth`: every model beside boundary elements on surfaces that anybody can make again.
+//! `cargo xtask truth`: every model compared with boundary elements on reproducible surfaces.
 //!
-//! Isotropic random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are pressed elastic and
-//! with hardnesses. What is found goes to `crates/asperity/data/truth.csv`, which `asperity::Evidence`
-//! reads; the figures and the table of the README are drawn from that text and from nothing else.
+//! Isotropic random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved
+//! elastically and with several hardnesses. The results are in `crates/asperity/data/truth.csv`,
+//! which `asperity::Evidence` reads; the figures and the table of the README follow from that text
+//! alone.
 
 pub mod cases;
 mod markdown;
@@ -14,26 +15,26 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use asperity::bem::RandomSurface;
 use asperity::{
-    At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Persson,
-    PerssonVariance, Quantity, Request, Scene, Truth, truth,
+    At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Quantity, Request,
+    Scene, Truth, truth,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
-pub use cases::{FULL, SMALL, Scope};
+pub use cases::{FULL, SMALL, Scope, models};
 pub use markdown::table as markdown;
 pub use picture::{Shown, style, table};
 
-use crate::files::{figures_folder, save};
+use crate::folder::{figures_folder, save};
 use crate::table::{Field, Table};
 use cases::{GRADIENT, MODULUS};
 
-/// Where the evidence is committed: in the crate that is built with it.
+/// The committed evidence, in the crate that includes it.
 #[must_use]
 pub fn evidence_file() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("crates/asperity/data/truth.csv")
 }
 
-/// Solves all cases, and writes the evidence and what is drawn from it; returns the paths.
+/// Solves all cases, and writes the evidence and its figures; returns the paths.
 ///
 /// # Errors
 /// A case that cannot be solved, a file that cannot be written.
@@ -55,11 +56,11 @@ pub fn write_small() -> Result<Vec<PathBuf>> {
     save(&folder, [("truth_small.csv".to_owned(), solve(&SMALL)?)])
 }
 
-/// Asks the models of what is committed anew, and draws it; boundary elements stay.
+/// Evaluates the models of the committed evidence anew, keeps its boundary elements, and draws it.
 ///
 /// # Errors
-/// Evidence that is missing or none.
-pub fn ask_again(figures: &Path) -> Result<Vec<PathBuf>> {
+/// Evidence that is missing or cannot be read.
+pub fn update_models(figures: &Path) -> Result<Vec<PathBuf>> {
     let path = evidence_file();
     let folder = path.parent().context("a folder")?;
     let mut paths = save(folder, [("truth.csv".to_owned(), asked_anew(&committed()?, &FULL)?)])?;
@@ -86,25 +87,15 @@ fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
     save(figures, drawn)
 }
 
-/// Every model that stands beside boundary elements; the whole surface is a power law, as what is
-/// solved is beyond its roll-off.
-#[must_use]
-pub fn models() -> Vec<Model> {
-    let hurst_exponent = Some(RandomSurface::HURST);
-    let whole = PerssonVariance::ALL
-        .map(|variance| Model::known(Persson { variance, hurst_exponent, spectrum: None }));
-    [Model::all(), Model::all_random(), whole.to_vec()].concat()
-}
-
 /// The models on a scene.
 struct Asked {
     models: Vec<(Model, Box<dyn Contact>)>,
-    /// Of stiffnesses \[N/m\].
+    /// The unit of stiffnesses \[N/m\].
     unit: f64,
 }
 
 impl Asked {
-    /// All that the scene allows.
+    /// All models that the scene allows.
     fn new(scene: &Scene, rms_height: f64) -> Self {
         let compiled = |model: Model| {
             let all = Request::new([Quantity::AreaFraction, Quantity::Tangent]);
@@ -123,7 +114,8 @@ impl Asked {
             let area = area.with_context(|| format!("{model} at p/(E g) = {load}"))?.value();
             let stiffness = match contact.evaluate(Quantity::Tangent, at) {
                 Ok(stiffness) => Field::Number(stiffness.value() / self.unit),
-                // Gao and AT miss their tolerance at one place, where most of the surface touches.
+                // Gao and AT miss their tolerance at one load, where most of the surface is in
+                // contact.
                 Err(ContactError::Integral { .. }) => Field::Gap,
                 Err(error) => bail!("{model} at p/(E g) = {load}: {error}"),
             };
@@ -135,10 +127,10 @@ impl Asked {
     }
 }
 
-/// The same evidence with the models asked anew, and boundary elements as they stand there.
+/// The same evidence with the models evaluated anew and its boundary elements unchanged.
 ///
 /// # Errors
-/// A text that is no evidence of these surfaces.
+/// A text that is not the evidence of these surfaces.
 pub fn asked_anew(text: &str, scope: &Scope) -> Result<String> {
     let mut table = Table::new(&Evidence::COLUMNS);
     let mut last: Option<([u64; 2], Asked)> = None;

@@ -11,7 +11,7 @@ use super::cases::{FULL, PIXELS_PER_WAVE, Scope};
 use crate::figures::models::{self, MARKERS, PAPER};
 use crate::table::{Field, Table};
 
-/// What is compared.
+/// The quantity that is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
     /// The real area.
@@ -49,7 +49,7 @@ impl Shown {
     }
 }
 
-/// Those drawn beside the paper's nine, with their looks.
+/// The models drawn besides the paper's nine, with their looks.
 const BESIDE: [(&str, &str, usize); 5] = [
     ("gw-random", "GW random", 9),
     ("ke-random", "KE random", 10),
@@ -60,7 +60,7 @@ const BESIDE: [(&str, &str, usize); 5] = [
 /// Edges of the band.
 const BAND: [&str; 2] = ["seeds-low", "seeds-high"];
 
-/// A case in words.
+/// The name of a case.
 pub(super) fn case(alpha: f64, index: f64) -> String {
     let material = if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
     format!("α = {alpha:.1}; {material}")
@@ -69,7 +69,7 @@ pub(super) fn case(alpha: f64, index: f64) -> String {
 /// The numbers of a figure, from the text of the evidence.
 ///
 /// # Errors
-/// A text that is no evidence.
+/// A text that is not evidence.
 pub fn table(text: &str, shown: Shown) -> Result<Table> {
     let mut table = Table::new(&["case", "curve", "p_over_Eg", "model_over_bem"]);
     for found in Evidence::parse(text)?.cases() {
@@ -83,7 +83,7 @@ pub fn table(text: &str, shown: Shown) -> Result<Table> {
             push(edge, value / truth)?;
         }
         let drawn = |id: &str| PAPER.contains(&id) || BESIDE.iter().any(|(known, ..)| *known == id);
-        // Where asperities yield, two elastic theories are enough.
+        // Where asperities yield, two of the elastic theories are shown.
         let left_out =
             |id: &str| found.plasticity_index > 0.0 && ["gw-random", "persson"].contains(&id);
         for (id, state) in found.models.iter().filter(|(id, _)| drawn(id) && !left_out(id)) {
@@ -95,10 +95,10 @@ pub fn table(text: &str, shown: Shown) -> Result<Table> {
     Ok(table)
 }
 
-/// How it is drawn.
+/// The picture.
 ///
 /// # Errors
-/// A csv that is not this figure's.
+/// The csv of another figure.
 pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
     let mut cases: Vec<&str> = vec![];
     let mut curves: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
@@ -108,12 +108,12 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         if !cases.contains(&case) {
             cases.push(case);
         }
-        let known = curves.entry(case).or_default();
-        if !known.contains(&curve) && !BAND.contains(&curve) {
-            known.push(curve);
+        let of_case = curves.entry(case).or_default();
+        if !of_case.contains(&curve) && !BAND.contains(&curve) {
+            of_case.push(curve);
         }
     }
-    // Down the columns the hardness falls, along the rows the surface gets broader.
+    // The hardness decreases down the columns; the spectrum broadens along the rows.
     let rows = cases.len() / 3;
     let panel = |k: usize| -> Result<Panel> {
         let case = cases[k % 3 * rows + k / 3];
@@ -147,9 +147,9 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
     let longest: Vec<String> = waves.iter().map(|[longest, _]| format!("1/{longest}")).collect();
     let (longest, hurst) = (longest.join(", "), RandomSurface::HURST);
     let how = format!(
-        "{what} over the mean of {seeds} surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: {pixels} × {pixels} pixels, shortest wave {PIXELS_PER_WAVE} pixels, longest {longest} of the side, Hurst exponent {hurst}, seeds 1 to {seeds}. AT as printed leaves the frame where its force falls as it is pressed."
+        "{what} over the mean of {seeds} surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: {pixels} × {pixels} pixels, shortest wave {PIXELS_PER_WAVE} pixels, longest {longest} of the side, Hurst exponent {hurst}, seeds 1 to {seeds}. AT as printed leaves the frame where its force decreases on approach."
     );
-    let caveats = "One surface at p/(E g) = 10⁻³ has few contact patches: the span is wide there. The hardness of boundary elements caps the pressure at H: a contact starts to flow where Hertz' peak pressure is H, in the models where it is S·H = 0.577 H, so the same ψ yields a little later. It is the truth for a constant mean pressure H, not for elastic-plastic finite elements. The models see the surface through m₀, m₂ and m₄ alone. JG cosine and the other readings of AT are in crates/asperity/data/truth.csv, with the other random asperities.";
+    let caveats = "At p/(E g) = 10⁻³ a surface has few contact patches, and the span is wide. In boundary elements the pressure is capped at H: a contact yields at a Hertz peak pressure of H, in the models at S·H = 0.577 H, so that yield starts a little later at the same ψ. This is a reference for a constant mean pressure H, not for elastic-plastic finite elements. The models use only m₀, m₂ and m₄ of the surface. JG cosine, the other readings of AT and the other random asperities are in crates/asperity/data/truth.csv.";
     let mut figure = Figure::new(title, &[&how, caveats, MARKERS], panels);
     figure.columns = 3;
     Ok(figure)

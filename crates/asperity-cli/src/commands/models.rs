@@ -1,20 +1,32 @@
-//! `asperity models`: what there is, what it is good for, and where it comes from.
+//! `asperity models`: the models, their range of validity and their sources.
 
 use anyhow::Result;
 use asperity::{Described, Model};
 use clap::Args;
 
 use crate::args::OutputArgs;
+use crate::output::say;
 use crate::table::{Format, Table};
 
-/// The models: what they are valid for, their sources
+/// The tags of the column `equations`, as the crates' READMEs define them.
+const TAGS: [(&str, &str); 3] = [
+    ("seen", "read in public text or code that quotes the paper"),
+    ("derived", "proved or checked numerically, not read in the paper"),
+    ("recalled", "from general knowledge of the literature, the paper was not available"),
+];
+
+/// The models: range of validity, sources
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The interference of an asperity at which it begins to yield is w_c (w_c' with
-another constant in jg), R is its radius. csv and json hold the titles of the
-papers, how well the text of the equations is known, and notes as well.
-Those from gw to af are known with -random behind the id as well: on asperities of
-a random surface, whose heights and radii are spread together.
+    after_help = "R is the radius of an asperity, w_c the critical interference, at which it begins to
+yield (w_c' with another constant in jg, w_1 in zmc). The column equations holds
+the provenance of each model's equations:
+  seen      read in public text or code that quotes the paper
+  derived   proved or checked numerically, not read in the paper
+  recalled  from general knowledge of the literature, the paper was not available
+csv and json also hold the titles of the papers, and notes. The models from gw to af
+exist with -random behind the id as well: averaged over the asperities of a random
+surface, whose heights and radii differ.
 
 Examples:
   asperity models
@@ -25,17 +37,22 @@ pub struct Models {
     output: OutputArgs,
 }
 
+const COLUMNS: [&str; 8] =
+    ["model", "name", "year", "authors", "valid_for", "title", "equations", "notes"];
+/// The columns of a table in the terminal, as places in [`COLUMNS`]; the others are too wide.
+const TERMINAL: [usize; 6] = [0, 1, 2, 3, 6, 4];
+
 impl Models {
     pub fn run(self) -> Result<()> {
-        let all = ["model", "name", "year", "authors", "valid_for", "title", "equations", "notes"];
-        // The last ones are too wide to be looked at.
-        let shown = if self.output.format == Format::Table { 5 } else { all.len() };
-        let mut table = Table::new(&all[..shown]);
+        let terminal = self.output.format == Format::Table;
+        let shown: Vec<usize> =
+            if terminal { TERMINAL.to_vec() } else { (0..COLUMNS.len()).collect() };
+        let mut table = Table::new(&shown.iter().map(|k| COLUMNS[*k]).collect::<Vec<_>>());
         for model in [Model::all(), Model::whole_surface(), Model::adhesive()].concat() {
             let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: String = model.notes().iter().map(ToString::to_string).collect();
-            let row: [&str; 8] = [
+            let row: [&str; COLUMNS.len()] = [
                 source.id,
                 source.name,
                 &year,
@@ -45,8 +62,13 @@ impl Models {
                 &equations,
                 &notes,
             ];
-            table.rows.push(row[..shown].iter().map(|cell| (*cell).into()).collect());
+            table.rows.push(shown.iter().map(|k| row[*k].into()).collect());
         }
-        self.output.write(&table)
+        self.output.write(&table)?;
+        if terminal {
+            TAGS.iter()
+                .for_each(|(tag, meaning)| say("note", &format!("equations {tag}: {meaning}")));
+        }
+        Ok(())
     }
 }

@@ -179,7 +179,7 @@ impl Slip {
             ];
             let what = format!("{id}, cycles of ±{:e} m", self.amplitude);
             let mut curve = Curve::new(0, id, &what);
-            curve.every_point = table.rows.len() <= plot::SEEN;
+            curve.every_point = table.rows.len() <= plot::MARKED;
             // A line runs from left to right, whatever the order of the rows.
             let mut sorted = table.clone();
             let load = |row: &Vec<Cell>| row[1].number().unwrap_or(f64::NAN);

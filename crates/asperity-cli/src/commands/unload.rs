@@ -154,7 +154,7 @@ impl Unload {
             dense.dedup();
             let x = Axis::new("retreat_m", "retreat (µm)").times(1e6);
             let mut drawn = of(&dense)?.0;
-            if retreats.len() <= plot::SEEN {
+            if retreats.len() <= plot::MARKED {
                 drawn.rows.extend(table.rows.iter().map(|row| marked(row)));
             }
             picture(&drawn, &x, &model.0, joints)

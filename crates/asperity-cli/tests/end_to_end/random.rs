@@ -46,7 +46,7 @@ fn a_word_in_the_scene_is_enough() {
 fn what_has_no_such_asperities_is_refused_by_name() {
     let bench = bench();
     for (words, said) in [
-        ("--model gao", "normals are spread over angles"),
+        ("--model gao", "its contacts are inclined"),
         ("--model persson", "Persson cannot give averages over the asperities of a random surface"),
         ("--model bem", "surface.file is missing"),
     ] {

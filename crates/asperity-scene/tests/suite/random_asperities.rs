@@ -99,7 +99,7 @@ fn models_that_have_no_such_asperities_say_why() {
     assert_eq!(ids, Model::all_random().iter().map(|model| model.id()).collect::<Vec<_>>());
     assert_eq!(left_out.len(), 4);
     for model in &left_out {
-        assert!(model.reason.to_string().contains("spread over angles"), "{model:?}");
+        assert!(model.reason.to_string().contains("contacts are inclined"), "{model:?}");
     }
     for id in ["persson", "persson-fudge"] {
         let model = file.model(id).unwrap();

@@ -1,0 +1,74 @@
+//! The page of definitions has every quantity, with the unit and the models that the code has.
+#![allow(clippy::unwrap_used, reason = "a test: a panic is the failure")]
+
+use asperity::{
+    At, ContactError, ContactModel, Described, Interface, Model, Quantity, Request, Scene, Surface,
+};
+
+const PAGE: &str = include_str!("../DEFINITIONS.md");
+
+/// The cells of the quantity's row: name, symbol, unit, definition, models, needs, errors.
+fn row(quantity: Quantity) -> Vec<&'static str> {
+    let start = format!("| `{quantity}` |");
+    let mut rows = PAGE.lines().filter(|line| line.starts_with(&start));
+    let row = rows.next().unwrap_or_else(|| panic!("DEFINITIONS.md has no row of {quantity}"));
+    assert!(rows.next().is_none(), "DEFINITIONS.md has two rows of {quantity}");
+    let cells = row.strip_prefix('|').and_then(|row| row.strip_suffix('|'));
+    cells.unwrap_or_default().split('|').map(str::trim).collect()
+}
+
+#[test]
+fn every_quantity_has_its_unit_and_its_kind_of_error() {
+    for quantity in Quantity::ALL {
+        let row = row(quantity);
+        assert_eq!(row.len(), 7, "{row:?}");
+        let unit = if quantity.unit().is_empty() { "1" } else { quantity.unit() };
+        assert_eq!(row[2], unit, "{row:?}");
+        let errors = if quantity.is_absolute() { "absolute" } else { "relative" };
+        assert_eq!(row[6], errors, "{row:?}");
+    }
+}
+
+/// A scene with every input.
+fn scene() -> Scene {
+    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+    interface.equivalent_shear_modulus = Some(41e9);
+    interface.thermal_conductivity = Some(20.0);
+    interface.electrical_resistivity = Some(1e-7);
+    interface.work_of_adhesion = Some(0.05);
+    let surface = Surface::from_plasticity_index(1.0, 0.04, 1e-6, &interface).unwrap();
+    Scene::new(interface, surface, 3e-5)
+}
+
+/// Whether a model has a quantity, apart from inputs that are missing.
+fn has(model: &Model, scene: &Scene, quantity: Quantity) -> bool {
+    let at = At::Load(1.0);
+    let found = model.compile(scene, &Request::new([quantity]).at([at]));
+    match found.and_then(|contact| contact.evaluate(quantity, at)) {
+        Ok(_) | Err(ContactError::Missing { .. }) => true,
+        Err(ContactError::Unsupported { .. }) => false,
+        Err(other) => panic!("{model} {quantity}: {other}"),
+    }
+}
+
+#[test]
+fn every_quantity_names_the_models_that_have_it() {
+    let scene = scene();
+    let (inclined, upright): (Vec<_>, Vec<_>) =
+        Model::all().into_iter().partition(|model| model.validity().angles);
+    let groups = [
+        ([upright, Model::adhesive()].concat(), &["all", "asperities", "upright"][..]),
+        (Model::all_random(), &["all", "asperities"]),
+        (inclined, &["all", "asperities"]),
+        (Model::whole_surface(), &["all", "persson"]),
+    ];
+    for quantity in Quantity::ALL {
+        let row = row(quantity);
+        for (models, words) in &groups {
+            let stated = row[4].split(", ").any(|word| words.contains(&word));
+            for model in models {
+                assert_eq!(has(model, &scene, quantity), stated, "{} {quantity}", model.id());
+            }
+        }
+    }
+}
