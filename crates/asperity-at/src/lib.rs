@@ -37,7 +37,7 @@
 //! let asked = Request::new([Quantity::Force]).at([1.0]);
 //! let printed = AminiTehrani::default().solve(&scene, &asked)?;
 //! assert!(printed.values(Quantity::Force)?[0] < 0.0);
-//! assert!(printed.warnings.iter().any(|w| w.to_string().contains("is negative in 1 row")));
+//! assert!(printed.warnings.iter().any(|w| w.to_string().contains("force is negative")));
 //! let additive = AminiTehrani { reading: AtReading::Additive, ..Default::default() };
 //! assert!(additive.solve(&scene, &asked)?.values(Quantity::Force)?[0] > 0.0);
 //! # Ok::<(), asperity_core::ContactError>(())
@@ -47,8 +47,8 @@ use std::ops::Range;
 
 use asperity_af::plastic_radius_ratio;
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Quantity, Regime,
-    Tolerance, Validity, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
+    Quantity, Regime, Tolerance, Validity,
 };
 use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM, Stick};
 use serde::{Deserialize, Serialize};
@@ -130,7 +130,7 @@ impl Described for AminiTehrani {
         })
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.options.notes(self.name())
     }
 }

@@ -78,7 +78,7 @@ impl Described for EtsionKligermanKadin {
             .known_defect(KnownDefect {
                 from: 1.2,
                 to: 20.0,
-                words: "is 9 to 17 % below finite elements there, and 5 to 12 % above in the area: ask ke or jg",
+                words: "is 9 to 17 % below finite elements there, and 5 to 12 % above in the area; use ke or jg",
             })
     }
 }

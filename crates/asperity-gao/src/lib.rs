@@ -50,8 +50,8 @@ mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Quantity, Regime,
-    Tolerance, Validity, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
+    Quantity, Regime, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -89,7 +89,7 @@ impl Described for Gao {
         )
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.options.notes(self.name())
     }
 }

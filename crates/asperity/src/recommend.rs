@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::{
-    At, Check, ContactError, ContactModel, Deviation, Evaluation, Evidence, Finding, Model,
+    At, Check, ContactError, ContactModel, Deviation, Diagnostic, Evaluation, Evidence, Model,
     Nearest, Quantity, Request, Scene, Severity,
 };
 
@@ -37,7 +37,7 @@ pub struct Comparison {
     /// Parts of the model's laws, a measure of its complexity.
     pub regimes: usize,
     /// Why a model that is near enough does not hold there: the reference may not hold either.
-    pub outside: Option<Finding>,
+    pub outside: Option<Diagnostic>,
     /// How far the model was from boundary elements in the cases nearest to the scene, where there
     /// are any: the largest over the separations and loads.
     pub off: Option<Deviation>,
@@ -176,9 +176,9 @@ pub fn recommend_among(
 }
 
 /// What a model is not made for at these places, whatever others are.
-fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
+fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Diagnostic> {
     let found = Check::answers(model, scene, places).into_iter();
-    found.filter(|finding| finding.severity < Severity::Note).find(Finding::is_of_model)
+    found.filter(|finding| finding.severity < Severity::Note).find(Diagnostic::is_of_model)
 }
 
 /// At separations, the pressure is the reference's.

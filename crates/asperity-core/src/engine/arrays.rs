@@ -2,8 +2,8 @@
 
 use asperity_quadrature::Moments;
 
-use crate::diagnostic::CANCELLED;
 use crate::engine::compiled::Compiled;
+use crate::response::row_check::CANCELLED;
 use crate::{At, Contact, ContactError, Quantity};
 
 /// Rows whose integrals are taken together: they stay in the fastest memory.

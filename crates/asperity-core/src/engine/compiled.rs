@@ -12,8 +12,8 @@ use crate::law::contact_radii;
 use crate::request::separation::Place;
 use crate::response::{Cell, Response, respond};
 use crate::{
-    Asperity, AsperityModel, At, Contact, ContactError, Evaluation, FillReport, Plan, Quantity,
-    Request, Scene, Separation, Share, Tolerance, Warning,
+    Asperity, AsperityModel, At, Contact, ContactError, Diagnostic, Evaluation, FillReport, Plan,
+    Quantity, Request, Scene, Separation, Share, Tolerance,
 };
 
 /// A law averaged over heights: integrals are built when first needed, and shared by all threads.
@@ -33,7 +33,7 @@ struct Facts {
     own_stiffness: bool,
     monotone: bool,
     adhesive: bool,
-    notes: Vec<Warning>,
+    notes: Vec<Diagnostic>,
     tolerance: Tolerance,
 }
 
@@ -204,7 +204,11 @@ impl Contact for Compiled {
         &self.facts.quantities
     }
 
-    fn notes(&self) -> &[Warning] {
+    fn is_adhesive(&self) -> bool {
+        self.facts.adhesive
+    }
+
+    fn notes(&self) -> &[Diagnostic] {
         &self.facts.notes
     }
 
@@ -294,8 +298,8 @@ impl Contact for Compiled {
         let behind = |base, at| if signed { value(base, at) } else { None };
         let cells = |places: &[At]| crate::engine::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        let adhesive = self.facts.adhesive;
-        respond((self.model(), &self.scene, adhesive), request, cells, shares, behind)
+        let named = (self.model(), &self.scene, self.is_adhesive());
+        respond(named, request, cells, shares, behind)
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::engine::arrays::{self, FillReport};
 use crate::response::{Cell, Response, respond};
 use crate::{
-    At, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share, Warning,
+    At, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
 /// A model applied to a scene: shared by threads, asked as often as wanted.
@@ -21,8 +21,13 @@ pub trait Contact: fmt::Debug + Send + Sync {
     /// The quantities that were asked for.
     fn quantities(&self) -> &[Quantity];
 
-    /// What the model's options deserve to be noted of; the same for every answer.
-    fn notes(&self) -> &[Warning] {
+    /// Whether the surfaces attract each other, so that forces may be negative.
+    fn is_adhesive(&self) -> bool {
+        false
+    }
+
+    /// Notes on the model's options; the same for every answer.
+    fn notes(&self) -> &[Diagnostic] {
         &[]
     }
 
@@ -134,7 +139,9 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let cells = |places: &[At]| crate::engine::parallel::columns(places, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
+        respond((self.model(), self.scene(), self.is_adhesive()), request, cells, shares, |_, _| {
+            None
+        })
     }
 
     /// Whether a quantity was asked for, and is one of those that this model knows: for models that
@@ -235,7 +242,11 @@ impl Contact for Box<dyn Contact> {
         (**self).quantities()
     }
 
-    fn notes(&self) -> &[Warning] {
+    fn is_adhesive(&self) -> bool {
+        (**self).is_adhesive()
+    }
+
+    fn notes(&self) -> &[Diagnostic] {
         (**self).notes()
     }
 
