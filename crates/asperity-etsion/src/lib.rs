@@ -155,7 +155,7 @@ mod tests {
             if let Some(found) = found {
                 assert_eq!(found.severity, Severity::Warning);
                 let words = "Etsion is 9 to 17 % below finite elements there";
-                assert!(found.message.contains(words), "{found}");
+                assert!(found.message().contains(words), "{found}");
             }
         }
     }

@@ -132,7 +132,7 @@ mod tests {
     fn a_hurst_exponent_beside_a_scan_counts_and_is_told() {
         let own = scene("file = \"scan.txt\"");
         let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
-        let told = "line 11: options.hurst_exponent: with it persson and persson-fudge take";
+        let told = "line 11: options.hurst_exponent: persson and persson-fudge use a power law";
         assert!(own.warnings.iter().all(|found| found.code != "hurst-exponent"));
         assert!(
             given.warnings.iter().any(|found| found.to_string().starts_with(told)),
@@ -155,7 +155,10 @@ mod tests {
         let tilted = Topography::new((0..48 * 32).map(tilted).collect(), 48, [1e-6; 2]).unwrap();
         assert_eq!(open_seam(&tilted), None);
         let open = open_seam(&tilted.with_periodic(true)).unwrap();
-        assert!(open.starts_with("the edges of the scan do not meet (a step "), "{open}");
+        assert!(
+            open.to_string().starts_with("the edges of the scan do not meet, with a step "),
+            "{open}"
+        );
         let file = scene("file = \"scan.txt\"\nperiodic = true\nsmooth = 4e-6\nfilter = 8e-6");
         let said = file
             .warnings

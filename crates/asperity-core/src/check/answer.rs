@@ -274,7 +274,7 @@ fn missed(
         .of_model(model.name())
         .at(at)
         .fact(format!("asperities pressed from {from} to {to} w_c carry {percent} % of the load"))
-        .advice(format!("there {} {words}", model.name()));
+        .advice(format!("{} {words}", model.name()));
     (share > MISSED).then_some(found)
 }
 

@@ -50,7 +50,7 @@ fn conductivities_may_say_their_unit() {
     // Copper has 1.7 uohm cm.
     let plain = conducting.replace("\"17 uohm cm\"", "1.7");
     let odd = read(&text("", &plain, SURFACE)).unwrap().findings();
-    assert!(odd[0].message.contains("is it in uohm cm? 1.7 uohm cm is 1.7e-8 ohm m"), "{odd:?}");
+    assert!(odd[0].message().contains("looks like uohm cm; 1.7 uohm cm is 1.7e-8 ohm m"), "{odd:?}");
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn what_is_odd_of_a_body_hides_nothing_else() {
     let fields = |top: &str, more: &str| {
         let text = text("", &bodies(more), SURFACE).replace("nominal_area = 3e-5", top);
         let file = read(&text).unwrap();
-        let of = |found: &[asperity::Finding]| -> Vec<String> {
+        let of = |found: &[asperity::Diagnostic]| -> Vec<String> {
             found.iter().map(|found| found.field.to_string()).collect()
         };
         let fields = of(&file.findings());
