@@ -30,29 +30,25 @@ pub fn mistaken_unit(
     height_std: f64,
 ) -> Option<Diagnostic> {
     let (size, over) = (value.abs(), value / height_std);
-    let in_unit = |name| format!("{value:?} {name}").replacen(".0 ", " ", 1);
+    let digits = format!("{value:?}");
+    let digits = digits.strip_suffix(".0").unwrap_or(&digits);
     let (given, advice) = match unit {
         // All the way.
         _ if size.is_infinite() => return None,
         SeparationUnit::Metres if size > LONG.max(FAR * height_std) => {
-            let sigma = in_unit("asperity_height_std");
-            (
-                in_unit("m"),
-                format!(
-                    "{value:?} looks like asperity_height_std; {sigma} is {:e} m",
-                    value * height_std
-                ),
-            )
+            let metres = value * height_std;
+            let meant = format!("{digits} asperity_height_std is {metres:e} m");
+            ("m", format!("{digits} looks like asperity_height_std; {meant}"))
         }
         SeparationUnit::Sigma if size > FAR => {
-            (in_unit("asperity_height_std"), "the surfaces are far apart; check the unit".into())
+            ("asperity_height_std", "the surfaces are far apart; check the unit".into())
         }
-        SeparationUnit::Sigma if size < NEAR && GAPS.contains(&over.abs()) => (
-            in_unit("asperity_height_std"),
-            format!("{value:e} looks like metres; {value:e} m is {over} asperity_height_std"),
-        ),
+        SeparationUnit::Sigma if size < NEAR && GAPS.contains(&over.abs()) => {
+            let meant = format!("{digits} m is {over} asperity_height_std");
+            ("asperity_height_std", format!("{digits} looks like metres; {meant}"))
+        }
         _ => return None,
     };
     let found = Diagnostic::warning("unit", name.to_string(), value);
-    Some(found.fact(format!("{name} is {given}")).advice(advice))
+    Some(found.fact(format!("{name} is {digits} {given}")).advice(advice))
 }
