@@ -64,6 +64,7 @@ fn unusual() -> Vec<(&'static str, Scene)> {
         ("silicone on ground glass", scene(rubber, 1e-4, 4e8, 1e-6, 1e-4)),
         ("tyre on asphalt's texture", scene(filled, 2e-3, 2e5, 1.5e-4, 1e-2)),
         ("rubber on coarse asphalt", scene(filled, 2e-3, 1e5, 3e-4, 1e-2)),
+        ("a scan of Sq 0.46 mm", scene(filled, 5e-3, 2e4, 4.6e-4, 2e-2)),
         ("rubber with a hardness", scene(with_hardness, 1e-4, 4e8, 1e-6, 1e-4)),
         ("polysilicon micro-machine", scene(polysilicon, 5e-7, 1e13, 1e-8, 1e-8)),
         ("gold microswitch", scene(gold, 1e-7, 1e14, 5e-9, 2.5e-11)),

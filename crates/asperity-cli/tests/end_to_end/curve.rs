@@ -166,7 +166,8 @@ fn odd_answers_stand_and_are_warned_of() {
     assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
     assert!(column(&run.out, &Quantity::LnForce.column())[1] < -1e5);
     assert!(
-        run.words.contains(" N) at a separation of 1 asp") && run.words.contains("force is negative ("),
+        run.words.contains(" N) at a separation of 1 asp")
+            && run.words.contains("force is negative ("),
         "{}",
         run.words
     );

@@ -106,7 +106,10 @@ fn of_several_loads_the_worst_is_named() {
     };
     for loads in ["1e-4,1e-2", "1e-2,1e-4"] {
         let told = words(loads);
-        assert!(told.contains("at a load of 0.0001 N (usual: at least 30): with so few contacts"), "{told}");
+        assert!(
+            told.contains("at a load of 0.0001 N (usual: at least 30): with so few contacts"),
+            "{told}"
+        );
         assert_eq!(told.matches("with so few contacts").count(), 1, "{told}");
     }
 }

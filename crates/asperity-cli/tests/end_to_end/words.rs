@@ -18,7 +18,8 @@ fn a_plan_says_what_is_integrated() {
 #[test]
 fn lengths_in_sigmas_that_look_like_metres_are_asked_about_and_skewness_is_told() {
     let bench = Bench::new();
-    let question = "is 1e-6 asperity_height_std: 1e-6 looks like metres; 1e-6 m is 1 asperity_height_std";
+    let question =
+        "is 1e-6 asperity_height_std: 1e-6 looks like metres; 1e-6 m is 1 asperity_height_std";
     for words in [
         "curve scene.toml --model ke --separation 1e-6",
         "check scene.toml --separation 1e-6",

@@ -7,8 +7,8 @@ use crate::{Diagnostic, Diagnostics, Scene, Severity, Surface};
 
 /// R \[m\]: from a sharp tip to a lens.
 const RADIUS: [f64; 2] = [2e-9, 5e-2];
-/// η \[1/m²\].
-const DENSITY: [f64; 2] = [1e5, 1e16];
+/// η \[1/m²\]: from the stones of asphalt, a centimetre apart, to atomic corrugation.
+const DENSITY: [f64; 2] = [5e3, 1e16];
 /// σ_z \[m\]: from cleaved mica to the texture of asphalt.
 const HEIGHT_STD: [f64; 2] = [3e-11, 2e-3];
 /// A_n \[m²\]: from the tip of an instrument to a large flange.

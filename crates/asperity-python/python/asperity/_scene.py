@@ -207,7 +207,7 @@ class Surface(_Given):
 
     @property
     def roughness_parameter(self) -> float:
-        """Density times radius times height_std; 0.03 to 0.06 for classic surfaces."""
+        """Density times radius times height_std; usually 0.02 to 0.1."""
         return _asperity.roughness_of(self)[0]
 
     @property
