@@ -235,6 +235,9 @@ fn an_answer_says_how_deep_and_how_crowded_it_is() {
     // psi = 6: nearly all of the load is carried by asperities that yield, which GW cannot know.
     let gw = at("gw", At::from(2.0));
     assert_eq!(codes(&gw), ["yields"]);
+    let text = gw.findings[0].message();
+    let advice = "GW ignores yielding and underestimates the area at this load; use ke or jg";
+    assert!(text.ends_with(advice), "{text}");
     assert!(gw.number("yielding_share").unwrap() > 0.9);
     assert!(at("ke", At::from(2.5)).findings.is_empty());
     assert_eq!(codes(&at("ke", At::from(-1.0)))[0], "crowded");
@@ -268,4 +271,20 @@ fn depths_are_those_of_the_law() {
     // Q(2.5, 7.543) = 0.01.
     let deep = check.number("interference").unwrap() / scene.surface.asperity_height_std;
     assert!((deep / 7.543 - 1.0).abs() < 0.02, "{deep}");
+}
+
+#[test]
+fn one_range_of_beta_is_usual_everywhere() {
+    let [least, most] = Surface::USUAL_ROUGHNESS;
+    let beta = |beta: f64| {
+        let mut scene = machined().swap_remove(0).1;
+        scene.surface.asperity_density = beta / (2e-4 * 1e-6);
+        let found = scene.findings();
+        found.iter().map(|f| (f.field.to_string(), f.severity, f.usual)).collect::<Vec<_>>()
+    };
+    assert!(beta(1.01 * least).is_empty() && beta(0.99 * most).is_empty());
+    for value in [0.9 * least, 1.1 * most] {
+        let field = "roughness_parameter".to_string();
+        assert_eq!(beta(value), [(field, Severity::Note, [least, most])], "{value}");
+    }
 }

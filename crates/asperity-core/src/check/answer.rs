@@ -253,7 +253,7 @@ fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
         .usual([0.0, YIELDS[0]])
         .of_model(name)
         .at(at)
-        .fact(format!("yielding asperities carry {} % of the load", short(100.0 * share)))
+        .fact(format!("yielding asperities carry {} % of the force", short(100.0 * share)))
         .advice(format!(
             "{name} ignores yielding and underestimates the area at this load; {remedy}"
         ));
@@ -273,7 +273,7 @@ fn missed(
         .usual([0.0, MISSED])
         .of_model(model.name())
         .at(at)
-        .fact(format!("asperities pressed from {from} to {to} w_c carry {percent} % of the load"))
+        .fact(format!("asperities pressed from {from} to {to} w_c carry {percent} % of the force"))
         .advice(format!("{} {words}", model.name()));
     (share > MISSED).then_some(found)
 }
@@ -291,7 +291,7 @@ fn beyond_fit(
         .usual([0.0, holds_to])
         .of_model(name)
         .at(at)
-        .fact(format!("asperities pressed beyond {limit} w_c carry {percent} % of the load"))
+        .fact(format!("asperities pressed beyond {limit} w_c carry {percent} % of the force"))
         .advice(format!("beyond this interference {name} assumes full plasticity"));
     (share > BEYOND).then_some(found)
 }

@@ -105,13 +105,23 @@ impl RowCheck {
         }
     }
 
-    /// The diagnostics, in the order in which they were found.
+    /// The diagnostics, in the order in which they were found: several quantities of one kind are one
+    /// diagnostic.
     #[must_use]
     pub fn finish(&self, model: &str) -> Vec<Diagnostic> {
         let of_model =
-            |found: Diagnostic, seen: &Seen| found.of_model(model).at(seen.at).in_rows(seen.count);
-        let alone = |seen: &&Seen| seen.kind != Kind::Underflow;
-        let found = self.seen.iter().filter(alone).map(|seen| of_model(seen.diagnostic(), seen));
+            |found: Diagnostic, s: &Seen| found.of_model(model).at(s.at).in_rows(s.count);
+        let of = |kind| self.seen.iter().filter(move |seen| seen.kind == kind);
+        let leads = |seen: &&Seen| match seen.kind {
+            Kind::Underflow => false,
+            Kind::Cancelled => of(seen.kind).all(|other| other.value <= seen.value),
+            Kind::Negative => {
+                of(seen.kind).next().is_some_and(|first| first.quantity == seen.quantity)
+            }
+            _ => true,
+        };
+        let found = self.seen.iter().filter(leads);
+        let found = found.map(|seen| of_model(seen.diagnostic(of(seen.kind)), seen));
         found.chain(self.underflow().map(|(found, most)| of_model(found, most))).collect()
     }
 
@@ -124,7 +134,7 @@ impl RowCheck {
             small().map(text).collect::<Vec<_>>().join(by)
         };
         let names = each(&|seen| seen.quantity.to_string(), ", ");
-        let logarithms = each(&|seen| format!("{} of {}", seen.value, seen.quantity), ", ");
+        let logarithms = each(&|seen| format!("{:.6} of {}", seen.value, seen.quantity), ", ");
         let (verb, values) = match small().count() {
             1 => ("is", "value is 0"),
             _ => ("are", "values are 0"),
@@ -140,10 +150,18 @@ impl RowCheck {
 }
 
 impl Seen {
-    fn diagnostic(&self) -> Diagnostic {
+    /// With the others of its kind, itself included.
+    fn diagnostic<'s>(&self, same: impl Iterator<Item = &'s Self>) -> Diagnostic {
         let &Self { quantity, value, .. } = self;
         let negative = || {
-            format!("{quantity} is negative ({value:.4e} {})", quantity.unit()).replace(" )", ")")
+            let one = |seen: &Self| {
+                let (name, unit) = (seen.quantity, seen.quantity.unit());
+                format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
+            };
+            match self.kind {
+                Kind::Adhesion => one(self),
+                _ => same.map(one).collect::<Vec<_>>().join(", "),
+            }
         };
         match self.kind {
             Kind::Negative => Diagnostic::warning("negative", quantity.to_string(), value)
