@@ -1,6 +1,6 @@
 //! Scenes that are looked at: mistakes are objected to, and what is merely unusual is not.
 
-use asperity::{At, Body, Check, Finding, Interface, Scene, Severity, Surface};
+use asperity::{At, Body, Check, Diagnostic, Interface, Scene, Severity, Surface};
 
 use crate::scenes::{model, named};
 
@@ -63,6 +63,8 @@ fn unusual() -> Vec<(&'static str, Scene)> {
     vec![
         ("silicone on ground glass", scene(rubber, 1e-4, 4e8, 1e-6, 1e-4)),
         ("tyre on asphalt's texture", scene(filled, 2e-3, 2e5, 1.5e-4, 1e-2)),
+        ("rubber on coarse asphalt", scene(filled, 2e-3, 1e5, 3e-4, 1e-2)),
+        ("a scan of Sq 0.46 mm", scene(filled, 5e-3, 2e4, 4.6e-4, 2e-2)),
         ("rubber with a hardness", scene(with_hardness, 1e-4, 4e8, 1e-6, 1e-4)),
         ("polysilicon micro-machine", scene(polysilicon, 5e-7, 1e13, 1e-8, 1e-8)),
         ("gold microswitch", scene(gold, 1e-7, 1e14, 5e-9, 2.5e-11)),
@@ -76,7 +78,7 @@ fn unusual() -> Vec<(&'static str, Scene)> {
     ]
 }
 
-fn told(findings: &[Finding]) -> Vec<String> {
+fn told(findings: &[Diagnostic]) -> Vec<String> {
     findings.iter().map(|f| format!("{}: {f}", f.severity)).collect()
 }
 
@@ -130,15 +132,23 @@ fn good_scenes_are_passed_without_a_word() {
 fn the_mistakes_of_a_trial_are_named_with_their_unit() {
     let right = || machined().swap_remove(0).1;
     let mistakes: [Mistake; 14] = [
-        ("sigma in um", |s| s.surface.asperity_height_std = 1.0, &["asperity_height_std", "in um"]),
-        ("R in mm", |s| s.surface.asperity_radius = 0.2, &["asperity_radius", "in mm"]),
+        (
+            "sigma in um",
+            |s| s.surface.asperity_height_std = 1.0,
+            &["asperity_height_std", "like um"],
+        ),
+        ("R in mm", |s| s.surface.asperity_radius = 0.2, &["asperity_radius", "like mm"]),
         (
             "R of 20 um in mm",
             |s| s.surface = Surface::new(0.02, 2e9, 1e-6),
-            &["asperity_radius", "in mm"],
+            &["asperity_radius", "like mm"],
         ),
-        ("eta in 1/mm2", |s| s.surface.asperity_density = 200.0, &["asperity_density", "in 1/mm2"]),
-        ("area in mm2", |s| s.nominal_area = 100.0, &["nominal_area", "in mm2"]),
+        (
+            "eta in 1/mm2",
+            |s| s.surface.asperity_density = 200.0,
+            &["asperity_density", "like 1/mm2"],
+        ),
+        ("area in mm2", |s| s.nominal_area = 100.0, &["nominal_area", "like mm2"]),
         (
             "E and H in GPa",
             |s| {
@@ -146,11 +156,19 @@ fn the_mistakes_of_a_trial_are_named_with_their_unit() {
                 s.interface.hardness = Some(2.0);
                 s.interface.equivalent_shear_modulus = None;
             },
-            &["equivalent_modulus", "in GPa", "hardness"],
+            &["equivalent_modulus", "like GPa", "hardness"],
         ),
-        ("H in GPa", |s| s.interface.hardness = Some(2.0), &["hardness", "in GPa"]),
-        ("E in MPa", |s| s.interface.equivalent_modulus = 115e3, &["equivalent_modulus", "in MPa"]),
-        ("E in GPa", |s| s.interface.equivalent_modulus = 115.0, &["equivalent_modulus", "in GPa"]),
+        ("H in GPa", |s| s.interface.hardness = Some(2.0), &["hardness", "like GPa"]),
+        (
+            "E in MPa",
+            |s| s.interface.equivalent_modulus = 115e3,
+            &["equivalent_modulus", "like MPa"],
+        ),
+        (
+            "E in GPa",
+            |s| s.interface.equivalent_modulus = 115.0,
+            &["equivalent_modulus", "like GPa"],
+        ),
         (
             "E and H in MPa",
             |s| {
@@ -158,23 +176,23 @@ fn the_mistakes_of_a_trial_are_named_with_their_unit() {
                 s.interface.hardness = Some(2000.0);
                 s.interface.equivalent_shear_modulus = None;
             },
-            &["equivalent_modulus", "in MPa", "hardness"],
+            &["equivalent_modulus", "like MPa", "hardness"],
         ),
         (
-            "all lengths in um",
+            "all lengths look like um",
             |s| s.surface = Surface::new(200.0, 2e-4, 1.0),
-            &["asperity_height_std", "all lengths in um"],
+            &["asperity_height_std", "all lengths look like um"],
         ),
         (
             "a modulus as H",
             |s| s.interface.hardness = Some(240e9),
-            &["hardness is 2.4e11 Pa", "times the modulus: is it a modulus?"],
+            &["hardness is 2.4e11 Pa", "times the modulus looks like a modulus"],
         ),
-        ("H in MPa", |s| s.interface.hardness = Some(2000.0), &["hardness", "in MPa"]),
+        ("H in MPa", |s| s.interface.hardness = Some(2000.0), &["hardness", "like MPa"]),
         (
             "G in GPa",
             |s| s.interface.equivalent_shear_modulus = Some(24.0),
-            &["equivalent_shear_modulus", "in GPa"],
+            &["equivalent_shear_modulus", "like GPa"],
         ),
     ];
     for (name, make, words) in mistakes {
@@ -217,6 +235,9 @@ fn an_answer_says_how_deep_and_how_crowded_it_is() {
     // psi = 6: nearly all of the load is carried by asperities that yield, which GW cannot know.
     let gw = at("gw", At::from(2.0));
     assert_eq!(codes(&gw), ["yields"]);
+    let text = gw.findings[0].message();
+    let advice = "GW ignores yielding and underestimates the area at this load; use ke or jg";
+    assert!(text.ends_with(advice), "{text}");
     assert!(gw.number("yielding_share").unwrap() > 0.9);
     assert!(at("ke", At::from(2.5)).findings.is_empty());
     assert_eq!(codes(&at("ke", At::from(-1.0)))[0], "crowded");
@@ -250,4 +271,20 @@ fn depths_are_those_of_the_law() {
     // Q(2.5, 7.543) = 0.01.
     let deep = check.number("interference").unwrap() / scene.surface.asperity_height_std;
     assert!((deep / 7.543 - 1.0).abs() < 0.02, "{deep}");
+}
+
+#[test]
+fn one_range_of_beta_is_usual_everywhere() {
+    let [least, most] = Surface::USUAL_ROUGHNESS;
+    let beta = |beta: f64| {
+        let mut scene = machined().swap_remove(0).1;
+        scene.surface.asperity_density = beta / (2e-4 * 1e-6);
+        let found = scene.findings();
+        found.iter().map(|f| (f.field.to_string(), f.severity, f.usual)).collect::<Vec<_>>()
+    };
+    assert!(beta(1.01 * least).is_empty() && beta(0.99 * most).is_empty());
+    for value in [0.9 * least, 1.1 * most] {
+        let field = "roughness_parameter".to_string();
+        assert_eq!(beta(value), [(field, Severity::Note, [least, most])], "{value}");
+    }
 }

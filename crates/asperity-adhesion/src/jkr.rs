@@ -163,7 +163,7 @@ mod tests {
         let least = (PI * 0.08 * 2e-4f64.powi(2) / (8.0 * 3e6)).cbrt();
         for branch in [JkrBranch::Approach, JkrBranch::Separation] {
             let model = JohnsonKendallRoberts { branch };
-            assert_eq!(testkit::check(&model, &asperity).unwrap(), []);
+            assert_eq!(testkit::check(&model, &asperity).unwrap()[..], []);
             let law = |q| model.law(&asperity, q, Tolerance::default()).unwrap().unwrap();
             let (force, area) = (law(Quantity::Force), law(Quantity::Area));
             // From the smallest radius of the branch upwards.

@@ -8,8 +8,8 @@ use asperity_adhesion::{
     DerjaguinMullerToporov, JkrBranch, JohnsonKendallRoberts, PullOff, pull_off,
 };
 use asperity_core::{
-    At, Case, Contact, ContactError, ContactModel, Evaluation, Finding, HeightDistribution,
-    Interface, Quantity, Request, Scene, Severity, Surface, Sweep, Tolerance, Warning,
+    At, Case, Contact, ContactError, ContactModel, Diagnostic, Evaluation, HeightDistribution,
+    Interface, Quantity, Request, Scene, Severity, Surface, Sweep, Tolerance,
 };
 use asperity_gw::GreenwoodWilliamson;
 
@@ -208,10 +208,10 @@ fn tensions_are_told_and_what_is_missing_is_named() {
         let answer = model(id).solve(&scene(3.0), &asked).unwrap();
         let [warning] = &answer.warnings[..] else { panic!("{:?}", answer.warnings) };
         assert!(
-            matches!(warning, Warning::Adhesion { count: 2, at, .. } if *at == At::from(1.0)),
+            warning.code == "adhesion" && warning.count == 2 && warning.at == Some(At::from(1.0)),
             "{warning:?}"
         );
-        assert!(warning.to_string().ends_with("adhesion pulls the surfaces together there"));
+        assert!(warning.to_string().ends_with("the surfaces attract each other there"));
         let mut bare = scene(0.0);
         bare.interface.work_of_adhesion = None;
         let refused = model(id).solve(&bare, &asked).unwrap_err().to_string();
@@ -229,11 +229,11 @@ fn tensions_are_told_and_what_is_missing_is_named() {
 #[test]
 fn works_in_another_unit_are_asked_about_and_tabors_parameter_is_told() {
     let check = scene(50.0).check().unwrap();
-    let found: Vec<&Finding> =
+    let found: Vec<&Diagnostic> =
         check.findings.iter().filter(|f| f.field == "work_of_adhesion").collect();
     let [finding] = found[..] else { panic!("{:?}", check.findings) };
     assert_eq!((finding.code, finding.severity), ("unusual-size", Severity::Warning));
-    assert!(finding.message.ends_with("is it in mJ/m2? 50 mJ/m2 is 0.05 J/m2"), "{finding}");
+    assert!(finding.message().ends_with("50 looks like mJ/m2; 50 mJ/m2 is 0.05 J/m2"), "{finding}");
     let check = scene(0.05).check().unwrap();
     assert!(!check.findings.iter().any(|f| f.field == "work_of_adhesion"), "{:?}", check.findings);
     // (1e-4 · 0.0025/(1e18 · 2.7e-29))^(1/3), and 1e9 · 1e-10.5/(0.05 · 0.01).

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use asperity_af::plastic_radius_ratio;
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Quantity, Regime,
-    Tolerance, Validity, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
+    Quantity, Regime, Tolerance, Validity,
 };
 use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM, Stick};
 use serde::{Deserialize, Serialize};
@@ -92,7 +92,7 @@ impl Described for AminiTehrani {
         })
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.options.notes(self.name())
     }
 }

@@ -19,7 +19,7 @@
 //! `iteration.rs`. 10 to 60 iterations of two to three transforms, on grids of any size.
 //!
 //! # Valid for
-//! Small slopes. Resolved maps: what is not resolved says so by a [`Note`]; [`HeightMap::half_grid`]
+//! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`]; [`HeightMap::half_grid`]
 //! shows how much depends on the grid. A periodic map whose edges do not meet is pressed by the
 //! steps along its seam: take them out by [`HeightMap::periodic_part`], or use [`Boundary::Free`].
 //!
@@ -75,7 +75,6 @@ pub use error::BemError;
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
 pub use model::Bem;
-pub use note::Note;
 pub use random_surface::{ProfileMoments, RandomSurface};
 pub use solution::{EDGE_SHARE, Solution};
 pub use solver::{BoundaryElements, Given, Progress};

@@ -1,12 +1,12 @@
-//! Notes: what says that an answer is not resolved.
+//! Diagnostics of the resolution: results are exact for the pixels, not for the surface.
 
 use std::f64::consts::TAU;
-use std::fmt;
-use std::mem::discriminant;
+
+use asperity_core::{At, Diagnostic};
 
 use crate::half_space::HalfSpace;
 use crate::seam::LARGEST_STEP;
-use crate::{Boundary, Given, HeightMap};
+use crate::{Boundary, HeightMap};
 
 /// Least shortest wavelength \[pixels\].
 const LEAST_WAVELENGTH: f64 = 8.0;
@@ -20,100 +20,56 @@ const SHORT_SHARE: f64 = 0.01;
 /// Classes of the frequency, from 0 to the diagonal of a pixel.
 const CLASSES: usize = 1024;
 
-/// Why an answer should be read with care: it is exact for the pixels, not for the surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Note {
-    /// The surface is rough down to waves of a few pixels: area and pressures change with the
-    /// grid. Smooth it, take a finer grid, or solve [`HeightMap::half_grid`] beside it.
-    ShortWaves {
-        /// Wavelength below which one hundredth of the mean square slope lies \[pixels\].
-        pixels: f64,
-    },
-    /// The map is repeated and its edges do not meet: the steps along the seam press as well, not
-    /// the surface alone. Solve [`HeightMap::periodic_part`], or with
-    /// [`Boundary::Free`].
-    Seam {
-        /// [Step over the seam](HeightMap::seam_step), in steps between neighbours.
-        step: f64,
-    },
-    /// Few pixels carry the load: the area is a staircase.
-    FewPixels {
-        /// How many.
-        found: usize,
-    },
-    /// Few patches carry the load: another piece of the same surface will differ. Average several.
-    FewPatches {
-        /// How many.
-        found: usize,
-    },
+/// Few pixels or patches that carry the load at this place: the area is a staircase, or one map does
+/// not represent its surface.
+pub(crate) fn of_contact(
+    at: At,
+    pixels: usize,
+    patches: usize,
+) -> impl Iterator<Item = Diagnostic> {
+    let few = |code, field, found: usize, (one, many): (&str, &str), least: usize, advice| {
+        let names = if found == 1 { one } else { many };
+        let few = Diagnostic::warning(code, field, found as f64)
+            .usual([least as f64, f64::INFINITY])
+            .at(at)
+            .fact(format!("{found} {names} in contact"))
+            .advice(format!("at least {least} are needed {advice}"));
+        (found < least).then_some(few)
+    };
+    let names = ("pixel is", "pixels are");
+    let advice = "to resolve the area; refine the grid or raise the load";
+    let few_pixels = few("few-pixels", "pixels", pixels, names, LEAST_PIXELS, advice);
+    let names = ("patch is", "patches are");
+    let advice = "for one map to represent its surface; average several maps or raise the load";
+    let few_patches = few("few-patches", "patches", patches, names, LEAST_PATCHES, advice);
+    few_pixels.into_iter().chain(few_patches)
 }
 
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::ShortWaves { pixels } => write!(
-                f,
-                "the shortest waves are {pixels:.1} pixels long: at least {LEAST_WAVELENGTH} are needed for an answer that does not depend on the grid"
-            ),
-            Self::Seam { step } => write!(
-                f,
-                "the edges do not meet: the step over the seam is {step:.1} times that between neighbours, less than {LARGEST_STEP} is needed for a map that is repeated"
-            ),
-            Self::FewPixels { found } => write!(
-                f,
-                "{found} {} in contact: at least {LEAST_PIXELS} are needed for an area",
-                if *found == 1 { "pixel is" } else { "pixels are" }
-            ),
-            Self::FewPatches { found } => write!(
-                f,
-                "{found} {} in contact: at least {LEAST_PATCHES} are needed for one map to stand for its surface",
-                if *found == 1 { "patch is" } else { "patches are" }
-            ),
-        }
-    }
-}
-
-impl Note {
-    /// What the notes of many contacts come to: each kind once, as it was found last (that is at the
-    /// lightest load, in the order in which lists are solved), and of how many.
-    #[must_use]
-    pub fn summary(notes: &[(Given, Self)]) -> Vec<String> {
-        let mut kinds: Vec<(usize, Given, Self)> = vec![];
-        for &(given, note) in notes {
-            let kind = discriminant(&note);
-            match kinds.iter_mut().find(|(.., known)| discriminant(known) == kind) {
-                Some(known) => *known = (known.0 + 1, given, note),
-                None => kinds.push((1, given, note)),
-            }
-        }
-        let at = |given: Given| match given {
-            Given::MeanPressure(pressure) => format!("at {pressure:e} Pa"),
-            Given::Load(load) => format!("at {load:e} N"),
-            Given::MeanGap(gap) => format!("at a mean gap of {gap:e} m"),
-        };
-        let told = |(count, given, note): (usize, Given, Self)| match (note, count) {
-            (Self::ShortWaves { .. } | Self::Seam { .. }, _) => note.to_string(),
-            (_, 1) => format!("{}: {note}", at(given)),
-            _ => format!("{} ({count} places are like that): {note}", at(given)),
-        };
-        kinds.into_iter().map(told).collect()
-    }
-
-    pub(crate) fn of_contact(pixels: usize, patches: usize) -> impl Iterator<Item = Self> {
-        let few_pixels = (pixels < LEAST_PIXELS).then_some(Self::FewPixels { found: pixels });
-        let few_patches = (patches < LEAST_PATCHES).then_some(Self::FewPatches { found: patches });
-        few_pixels.into_iter().chain(few_patches)
-    }
-
-    pub(crate) fn of_map(map: &HeightMap, boundary: Boundary, space: &mut HalfSpace) -> Vec<Self> {
-        let meet = boundary == Boundary::Periodic && map.edges_meet();
-        let pixels = shortest_wavelength(map, !meet, space).filter(|p| *p < LEAST_WAVELENGTH);
-        let short = pixels.map(|pixels| Self::ShortWaves { pixels });
-        let step = map.seam_step();
-        let seam = (boundary == Boundary::Periodic && !meet).then_some(Self::Seam { step });
-        seam.into_iter().chain(short).collect()
-    }
+/// A map with waves of a few pixels, or one that is repeated although its edges do not meet.
+pub(crate) fn of_map(
+    map: &HeightMap,
+    boundary: Boundary,
+    space: &mut HalfSpace,
+) -> Vec<Diagnostic> {
+    let meet = boundary == Boundary::Periodic && map.edges_meet();
+    let pixels = shortest_wavelength(map, !meet, space).filter(|p| *p < LEAST_WAVELENGTH);
+    let short = pixels.map(|pixels| {
+        Diagnostic::warning("short-waves", "shortest_wavelength", pixels)
+            .usual([LEAST_WAVELENGTH, f64::INFINITY])
+            .fact(format!("the shortest waves are {pixels:.1} pixels long"))
+            .advice(format!(
+                "at least {LEAST_WAVELENGTH} are needed, or results depend on the grid; smooth the scan or refine the grid"
+            ))
+    });
+    let step = map.seam_step();
+    let seam = Diagnostic::warning("seam", "seam_step", step)
+        .usual([0.0, LARGEST_STEP])
+        .fact(format!("the edges do not meet, with a step of {step:.1} times that between neighbours"))
+        .advice(format!(
+            "a repeated map needs less than {LARGEST_STEP}; use its periodic part or a free boundary"
+        ));
+    let seam = (boundary == Boundary::Periodic && !meet).then_some(seam);
+    seam.into_iter().chain(short).collect()
 }
 
 /// Wavelength \[pixels\] below which [`SHORT_SHARE`] of the mean square slope lies; none for a

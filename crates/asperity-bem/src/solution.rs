@@ -3,7 +3,9 @@
 use std::f64::consts::{LN_2, PI};
 
 use crate::patches::patches;
-use crate::{Boundary, Given, HeightMap, Note};
+use asperity_core::{At, Diagnostic};
+
+use crate::{Boundary, Given, HeightMap, note};
 
 /// A solved contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,8 +43,8 @@ pub struct Solution {
     pub residual: f64,
     /// Iterations it took, all the trials for a mean gap included.
     pub iterations: usize,
-    /// What to know before it is trusted.
-    pub notes: Vec<Note>,
+    /// Diagnostics of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`.
+    pub notes: Vec<Diagnostic>,
 }
 
 /// Share of a pixel that a counted contact is too large by for every edge.
@@ -63,7 +65,7 @@ impl Solution {
         boundary: Boundary,
         cap: f64,
         fields: Fields,
-        mut notes: Vec<Note>,
+        mut notes: Vec<Diagnostic>,
     ) -> Self {
         let Fields { pressures, gaps, residual, iterations } = fields;
         let pixels = pressures.len() as f64;
@@ -74,7 +76,12 @@ impl Solution {
         let edges = edges(&touching, map.shape(), periodic);
         let patches = patches(&touching, map.shape(), periodic);
         let mean_pressure = pressures.iter().sum::<f64>() / pixels;
-        notes.extend(Note::of_contact(count, patches.len()));
+        let at = match given {
+            Given::MeanPressure(pressure) => At::Pressure(pressure),
+            Given::Load(load) => At::Load(load),
+            Given::MeanGap(_) => At::Pressure(mean_pressure),
+        };
+        notes.extend(note::of_contact(at, count, patches.len()));
         Self {
             given,
             mean_pressure,

@@ -2,11 +2,13 @@
 
 use std::ops::ControlFlow;
 
+use asperity_core::Diagnostic;
+
 use crate::half_space::HalfSpace;
 use crate::height_map::positive;
 use crate::iteration::{Iteration, Problem};
 use crate::solution::Fields;
-use crate::{BemError, Boundary, HeightMap, Note, Solution};
+use crate::{BemError, Boundary, HeightMap, Solution, note};
 
 /// Trials for a mean gap.
 const MOST_TRIALS: usize = 60;
@@ -174,7 +176,7 @@ struct Run<'a> {
     setup: &'a BoundaryElements,
     space: HalfSpace,
     rms_height: f64,
-    resolution: Vec<Note>,
+    resolution: Vec<Diagnostic>,
     /// Pressures of the last contact, and their mean.
     last: Option<(Vec<f64>, f64)>,
 }
@@ -182,7 +184,7 @@ struct Run<'a> {
 impl<'a> Run<'a> {
     fn new(setup: &'a BoundaryElements) -> Self {
         let mut space = HalfSpace::new(&setup.map, setup.modulus, setup.boundary);
-        let resolution = Note::of_map(&setup.map, setup.boundary, &mut space);
+        let resolution = note::of_map(&setup.map, setup.boundary, &mut space);
         Self { setup, space, rms_height: setup.map.rms_height(), resolution, last: None }
     }
 

@@ -106,7 +106,7 @@ impl Closed {
             .chain(loads.copied().map(At::Load))
             .chain(pressures.copied().map(At::Pressure))
             .collect();
-        scene.tell(&[model], &places);
+        scene.report_answers(&[model], &places);
         places
     }
 }

@@ -1,11 +1,11 @@
-//! Asks models of a scene, row by row; what deserves a word is said once.
+//! Asks models of a scene, row by row; each cause is reported once.
 
 use std::mem::discriminant;
 
 use anyhow::{Context, Result, bail};
 use asperity::{
-    At, Contact, ContactError, ContactModel, Evaluation, Finding, Model, Quantity, Request,
-    Separation, SeparationUnit, Severity, Warning, Warnings,
+    At, Contact, ContactError, ContactModel, Diagnostics, Evaluation, Model, Quantity, Request,
+    Separation, SeparationUnit,
 };
 
 use crate::output::{once, progress, say};
@@ -24,8 +24,8 @@ pub struct Question<'s> {
     /// The places are those where nothing was asked for.
     pub unasked: bool,
     words: Vec<String>,
-    /// What is unusual about the answers of each model.
-    findings: Vec<(String, Finding)>,
+    /// What is unusual about the answers.
+    found: Diagnostics,
 }
 
 /// One row of a model's answer.
@@ -38,7 +38,14 @@ pub struct Row {
 
 impl<'s> Question<'s> {
     pub fn new(scene: &'s LoadedScene, request: Request) -> Self {
-        Self { scene, request, all: false, unasked: false, words: vec![], findings: vec![] }
+        Self {
+            scene,
+            request,
+            all: false,
+            unasked: false,
+            words: vec![],
+            found: Diagnostics::default(),
+        }
     }
 
     /// Names of the columns that say which model is asked, and where.
@@ -60,16 +67,13 @@ impl<'s> Question<'s> {
         // Of places that nobody chose, a usual one has to do.
         let usual = [At::from(2.0)];
         let chosen = if self.unasked { &usual[..] } else { &self.request.at };
-        let found = self.scene.file.findings_at(model, chosen);
-        let found = found.into_iter().filter(|finding| finding.severity < Severity::Note);
-        let crowded = found.clone().any(|finding| finding.code == "crowded");
-        self.findings.extend(found.map(|finding| (id.clone(), finding)));
+        self.found.extend(self.scene.file.findings_at(model, chosen));
         let adhesive = model.validity().adhesive;
         let compiled = self.compile(id, model);
         let (contact, had) = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
-        let (asked, model) = (model, Cell::from(id.as_str()));
+        let model = Cell::from(id.as_str());
         let loads = self.head().head.len() - 3;
-        let (mut rows, mut warnings, mut reasons) = (0, Warnings::default(), vec![]);
+        let (mut rows, mut reasons) = (0, vec![]);
         for block in self.request.at.chunks(TOGETHER) {
             // What was given, and where that is.
             let places: Vec<(At, At)> =
@@ -103,25 +107,12 @@ impl<'s> Question<'s> {
                 let of = |q: &Quantity| *values.get(had.iter().position(|h| h == q)?)?;
                 deliver(Row { place, values: self.request.quantities.iter().map(of).collect() });
             }
-            warnings.append(response.warnings);
+            self.found.extend(response.warnings);
         }
         let tension = |at: &At| at.load(scene).is_some_and(|load| load < 0.0);
         if self.request.at.iter().any(tension) && !adhesive {
             self.words.push(format!("{id} holds no tensions: dmt, jkr and jkr-separation do"));
         }
-        let (small, warnings): (Vec<_>, Vec<_>) =
-            warnings.into_vec().into_iter().partition(|w| matches!(w, Warning::Underflow { .. }));
-        let touching = |at| {
-            let counted = Request::new([Quantity::Contacts]);
-            let contact = asked.compile(scene, &counted)?;
-            Ok(contact.evaluate(Quantity::Contacts, contact.separation(at)?)?.value())
-        };
-        self.words.extend(underflown(&small, touching));
-        let warnings = warnings.into_iter();
-        // That is what the findings say.
-        let new =
-            |warning: &Warning| !(crowded && matches!(warning, Warning::AreaAboveNominal { .. }));
-        self.words.extend(warnings.filter(new).map(|warning| warning.to_string()));
         self.words.extend(reasons.into_iter().map(|(count, reason)| {
             let hint = match reason {
                 ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
@@ -214,58 +205,15 @@ impl<'s> Question<'s> {
         Ok(table)
     }
 
-    /// Says what deserves a word; that nothing at all was answered is an error.
+    /// Reports what is unusual; without any answer it is an error.
     pub fn finish(&self, answered: bool) -> Result<()> {
         once(&self.words).iter().for_each(|text| say("warning", text));
-        tell(&self.findings);
+        self.scene.report(self.found.clone());
         if !answered {
             bail!("{}: no row has a value", self.scene.name);
         }
         Ok(())
     }
-}
-
-/// Says what is unusual about the answers of models: one cause once, of the worst of them.
-pub fn tell(findings: &[(String, Finding)]) {
-    for code in once(&findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
-        let mut same: Vec<_> = findings.iter().filter(|(_, f)| f.code == code).collect();
-        same.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
-        let Some(((first, worst), others)) = same.split_first() else { continue };
-        let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
-        let others: Vec<&str> = once(&others).into_iter().filter(|id| id != first).collect();
-        let likewise = match &others[..] {
-            [] => String::new(),
-            ids => format!(" (likewise {})", ids.join(", ")),
-        };
-        say("warning", &format!("{worst}{likewise}"));
-    }
-}
-
-/// What quantities of a model deserve that read 0: what all of them mean, once.
-fn underflown(
-    warnings: &[Warning],
-    touching: impl FnOnce(At) -> Result<f64, ContactError>,
-) -> Option<String> {
-    let mut told = vec![];
-    let mut first = None::<(&str, At, usize)>;
-    for warning in warnings {
-        let Warning::Underflow { model, quantity, count, at, ln_value } = warning else { continue };
-        told.push(format!("{quantity} (natural logarithm {ln_value:.6})"));
-        // Of several, the one that does so in most rows.
-        if first.is_none_or(|(.., most)| *count > most) {
-            first = Some((model, *at, *count));
-        }
-    }
-    let (model, at, count) = first?;
-    let rows = if count == 1 { "row" } else { "rows" };
-    let few = match touching(at) {
-        Ok(few) if few < 1.0 => "; fewer than one asperity touches on average",
-        _ => "",
-    };
-    Some(format!(
-        "{model}: too small for a double in {count} {rows}, first at {at}, and reads 0 there: {}{few}",
-        told.join(", ")
-    ))
 }
 
 /// Counts why rows have no value, each kind of reason once.

@@ -98,7 +98,7 @@ fn metre(text: &str) -> Result<f64, String> {
 pub fn ask_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
     let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
     if let Some(told) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
-        say("warning", &format!("{told} A length may say its unit: 2um, 1e-6m"));
+        say("warning", &format!("{told}; a length may have its unit, as 2um or 1e-6m"));
     }
 }
 

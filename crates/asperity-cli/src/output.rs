@@ -4,10 +4,12 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use asperity::Diagnostics;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
 
@@ -158,9 +160,25 @@ pub fn progress(what: &str) -> ProgressBar {
     bar
 }
 
-/// A line of words on the standard error; that it may be closed is no reason to stop.
+/// Whether warnings and notes are silenced.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Silences warnings and notes from here on, but not errors.
+pub fn set_quiet(quiet: bool) {
+    QUIET.store(quiet, Ordering::Relaxed);
+}
+
+/// A line on the standard error, an "error", "warning" or "note"; that it may be closed is no reason
+/// to stop.
 pub fn say(kind: &str, text: &str) {
-    let _ = writeln!(io::stderr(), "{kind}: {text}");
+    if kind == "error" || !QUIET.load(Ordering::Relaxed) {
+        let _ = writeln!(io::stderr(), "{kind}: {text}");
+    }
+}
+
+/// Each diagnostic on a line of the standard error, most severe first.
+pub fn report(found: &Diagnostics) {
+    found.iter().for_each(|found| say(&found.severity.to_string(), &found.message()));
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Contacts of a scan, one after another: what a table tells of each, and what deserves a word.
 
 use anyhow::Result;
-use asperity::Described;
-use asperity::bem::{Bem, BemError, Given, Note, Solution};
+use asperity::bem::{Bem, BemError, Given, Solution};
+use asperity::{Described, Diagnostics};
 
 use crate::interrupt;
 use crate::output::{once, progress};
@@ -46,6 +46,7 @@ pub struct Run<'a> {
     /// Pressures of those that were solved, where they are kept.
     pub maps: Vec<Vec<f64>>,
     pub words: Vec<String>,
+    pub found: Diagnostics,
 }
 
 impl Run<'_> {
@@ -56,7 +57,7 @@ impl Run<'_> {
         let bar = progress(bem.id());
         let mut answers: Vec<Option<Row>> = self.given.iter().map(|_| None).collect();
         let mut maps: Vec<Vec<f64>> = self.given.iter().map(|_| vec![]).collect();
-        let (mut notes, mut errors) = (vec![], vec![]);
+        let (mut found, mut errors) = (vec![], vec![]);
         let watch = interrupt::watch(|progress| {
             bar.set_message(format!(
                 "bem: {} of {} on {rows} x {columns} pixels, iteration {}, residual {:.0e}",
@@ -68,7 +69,7 @@ impl Run<'_> {
         });
         elements.solve_each(self.given, watch?, |index, solution| match solution {
             Ok(solution) => {
-                notes.extend(solution.notes.iter().map(|note| (self.given[index], *note)));
+                found.extend(solution.notes.iter().cloned());
                 answers[index] = Some(Row::from(&solution));
                 if keep {
                     maps[index] = solution.pressures;
@@ -81,8 +82,8 @@ impl Run<'_> {
         maps.retain(|map| !map.is_empty());
         self.maps.extend(maps);
         self.words.extend(once(&errors));
-        let grid = format!("on {rows} x {columns} pixels");
-        self.words.extend(Note::summary(&notes).into_iter().map(|note| format!("{grid} {note}")));
+        let grid = format!("{rows} x {columns} pixels");
+        self.found.extend(found.into_iter().map(|found| found.from_origin(grid.clone())));
         Ok(answers)
     }
 }

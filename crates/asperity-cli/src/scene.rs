@@ -3,11 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use asperity::{At, ContactError, ContactModel, Finding, Model, Quantity, Request, Severity};
+use asperity::{At, ContactError, ContactModel, Diagnostics, Model, Quantity, Request, Severity};
 use asperity_scene::{LeftOut, SceneFile};
 
-use crate::ask::tell;
-use crate::output::{self, once, say};
+use crate::output::{self, once, report, say};
 
 /// A scene file that has been read.
 pub struct LoadedScene {
@@ -19,47 +18,34 @@ pub struct LoadedScene {
 pub type NamedModel = (String, Model);
 
 impl LoadedScene {
-    /// Reads the file; what deserves a word is said.
+    /// Reads the file, and reports what is unusual.
     pub fn load(path: &Path) -> Result<Self> {
         Self::load_for(path, &[])
     }
 
-    /// Reads the file for these models: where none of them knows asperities, what is said is not of
-    /// them.
+    /// Reads the file for these models, and reports on its asperities only where one of them uses
+    /// any.
     pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
         let knows =
             |id: &String| id.parse().map_or(id != "bem", |m: Model| m.validity().asperities);
         let asperities = ids.is_empty() || ids.iter().any(knows);
         let scene = Self::open(path)?;
-        scene.tell_files(asperities);
-        scene.tell_findings(asperities);
+        let found = scene.file.warnings.iter().cloned().chain(scene.file.findings());
+        let found = found.collect::<Diagnostics>().for_asperities(asperities);
+        report(&found.at_least(Severity::Warning));
         Ok(scene)
     }
 
-    /// Says what is unusual about the scene; what is so about its asperities only where they matter.
-    pub fn tell_findings(&self, asperities: bool) {
-        let found = self.file.findings();
-        let matters =
-            |f: &&Finding| f.severity < Severity::Note && (asperities || !f.is_of_asperities());
-        found.iter().filter(matters).for_each(|finding| say("warning", &finding.message));
-    }
-
-    /// Says what the files of the scene deserve.
-    fn tell_files(&self, asperities: bool) {
-        let of_scan = self.file.measured.iter().flat_map(|m| &m.statistics.warnings);
-        let left_out: Vec<String> = of_scan
-            .filter(|warning| !asperities && warning.is_of_asperities())
-            .map(ToString::to_string)
-            .collect();
-        let told = |word: &&String| !left_out.iter().any(|out| word.ends_with(out));
-        self.file.warnings.iter().filter(told).for_each(|warning| say("warning", warning));
-    }
-
-    /// Reads the file; only what its files deserve is said.
+    /// Reads the file; only its files are reported on.
     pub fn read(path: &Path) -> Result<Self> {
         let scene = Self::open(path)?;
-        scene.tell_files(true);
+        report(&scene.file.warnings);
         Ok(scene)
+    }
+
+    /// Reports what is unusual about the scene.
+    pub fn report_scene(&self) {
+        report(&self.file.findings().at_least(Severity::Warning));
     }
 
     fn open(path: &Path) -> Result<Self> {
@@ -67,20 +53,22 @@ impl LoadedScene {
         Ok(Self { file: asperity_scene::load(path)?, name: path.display().to_string() })
     }
 
-    /// Says what is unusual about the answers of models at places.
-    pub fn tell(&self, models: &[&NamedModel], places: &[At]) {
-        let of = |(id, model): &&NamedModel| {
-            let found = self.file.findings_at(model, places).into_iter();
-            let serious = found.filter(|finding| finding.severity < Severity::Note);
-            serious.map(|finding| (id.clone(), finding)).collect::<Vec<_>>()
-        };
-        tell(&models.iter().flat_map(of).collect::<Vec<_>>());
+    /// Reports what is unusual about the answers of models at places.
+    pub fn report_answers(&self, models: &[&NamedModel], places: &[At]) {
+        let found = models.iter().flat_map(|(_, model)| self.file.findings_at(model, places));
+        self.report(found.collect());
     }
 
-    /// Says which models know the scene's adhesion, where it has any.
-    pub fn tell_adhesion(&self) {
-        let found = self.file.findings().into_iter().find(|found| found.code == "adhesion");
-        found.into_iter().for_each(|found| say("note", &found.message));
+    /// Reports warnings and errors that the scene does not accept, one for each cause.
+    pub fn report(&self, found: Diagnostics) {
+        report(&self.file.accepted(found).at_least(Severity::Warning));
+    }
+
+    /// Notes which models include the scene's adhesion, where it has any.
+    pub fn note_adhesion(&self) {
+        report(
+            &self.file.findings().into_iter().filter(|found| found.code == "adhesion").collect(),
+        );
     }
 
     /// The model that others are held against: the usual one unless another is asked for.
@@ -93,7 +81,7 @@ impl LoadedScene {
         if !asked.is_empty() {
             let models = once(asked).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
             if !models.iter().all(|(_, model)| model.validity().adhesive) {
-                self.tell_adhesion();
+                self.note_adhesion();
             }
             return Ok(models);
         }
@@ -116,7 +104,7 @@ impl LoadedScene {
         if models.is_empty() {
             bail!("{}: no model can use this scene", self.name);
         }
-        self.tell_adhesion();
+        self.note_adhesion();
         Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
     }
 

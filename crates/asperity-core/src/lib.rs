@@ -12,7 +12,8 @@
 //! scene + request → model.law(asperity, quantity) → compiled → response
 //! ```
 //!
-//! This crate holds no model; findings and warnings advise some by their ids. SI units everywhere; separations are multiples of σ_z.
+//! This crate holds no model; diagnostics advise some by their ids. SI units everywhere;
+//! separations are multiples of σ_z.
 
 mod check;
 mod diagnostic;
@@ -26,8 +27,8 @@ mod response;
 mod scene;
 
 pub use asperity_quadrature::{Density, Moments, Piece, QuadratureError, Sampler};
-pub use check::{Check, DerivedNumber, Finding, Severity};
-pub use diagnostic::{Warning, Warnings};
+pub use check::{Check, DerivedNumber};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
 pub use engine::plan::{Method, Plan, PlannedPart, Step};
@@ -49,6 +50,7 @@ pub use request::separation::{At, Datum, Separation, SeparationUnit};
 pub use request::tolerance::Tolerance;
 pub use request::{Request, linspace};
 pub use response::evaluation::{Evaluation, Share};
+pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::Scene;
 pub use scene::asperity::Asperity;

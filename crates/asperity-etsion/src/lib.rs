@@ -115,7 +115,7 @@ mod tests {
             if let Some(found) = found {
                 assert_eq!(found.severity, Severity::Warning);
                 let text = "Etsion underestimates the force by 9 to 17 % there";
-                assert!(found.message.contains(text), "{found}");
+                assert!(found.message().contains(text), "{found}");
             }
         }
     }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, ContactError, Law, Part, Quantity, Regime, Tolerance, Validity, Warning,
+    Asperity, ContactError, Diagnostic, Law, Part, Quantity, Regime, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -93,10 +93,13 @@ impl LateralOptions {
 
     /// Warnings about these options.
     #[must_use]
-    pub fn notes(&self, model: &str) -> Vec<Warning> {
+    pub fn notes(&self, model: &str) -> Vec<Diagnostic> {
         let minimum = self.angle_density.minimum();
-        let warning = Warning::NegativeAngleDensity { model: model.into(), minimum };
-        if minimum < 0.0 { vec![warning] } else { vec![] }
+        let found = Diagnostic::note("negative-angle-density", "minimum", minimum)
+            .of_model(model)
+            .fact(format!("the angle density falls to 4 pi psi = {minimum:.5}"))
+            .advice("its a21 and b21 terms average out and change no result");
+        if minimum < 0.0 { vec![found] } else { vec![] }
     }
 }
 

@@ -12,8 +12,8 @@ mod pieces;
 mod slip;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Provenance, Quantity, Regime,
-    Tolerance, Validity, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
+    Quantity, Regime, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -52,7 +52,7 @@ impl Described for Gao {
             .valid_for("w_c < R; needs the equivalent shear modulus; inclined contacts")
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.options.notes(self.name())
     }
 }

@@ -5,8 +5,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Datum, Evaluation, Model, Quantity, Request, Response,
-    Scene, SeparationUnit, Sweep, Warnings,
+    At, Case, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, Evaluation, Model,
+    Quantity, Request, Response, RowCheck, Scene, SeparationUnit, Sweep,
 };
 use pyo3::prelude::*;
 
@@ -69,12 +69,12 @@ pub(crate) struct Question<'q> {
 }
 
 /// Columns in the order of the quantities, NaN where there is no value; the rows that failed, with
-/// their exceptions, ascending; and what deserves a word.
+/// their exceptions, ascending; and diagnostics.
 #[derive(Default)]
 pub(crate) struct Answer {
     pub(crate) columns: Vec<Vec<f64>>,
     pub(crate) failures: Vec<(usize, PyErr)>,
-    pub(crate) warnings: Warnings,
+    pub(crate) warnings: Diagnostics,
 }
 
 /// The same of some rows, row by row.
@@ -82,7 +82,7 @@ pub(crate) struct Answer {
 struct Found {
     values: Vec<f64>,
     failures: Vec<(usize, ContactError)>,
-    warnings: Warnings,
+    warnings: Vec<Diagnostic>,
 }
 
 /// A row, and where it is.
@@ -90,7 +90,6 @@ struct Here<'h> {
     row: usize,
     at: At,
     scene: &'h Scene,
-    model: &'h str,
 }
 
 impl Found {
@@ -101,9 +100,10 @@ impl Found {
         quantity: Quantity,
         value: Result<Evaluation, ContactError>,
         aspect: Aspect,
+        check: &mut RowCheck,
     ) {
-        let &Here { row, at, scene, model } = here;
-        self.warnings.look_at(model, quantity, value.as_ref(), at, scene, |_| None);
+        let &Here { row, at, scene } = here;
+        check.check(quantity, value.as_ref(), at, scene, |_| None);
         match value {
             Ok(value) => self.values.push(aspect.of(&value, quantity)),
             Err(error) => {
@@ -132,7 +132,7 @@ impl Question<'_> {
             for row in found.values.chunks_exact(quantities) {
                 answer.columns.iter_mut().zip(row).for_each(|(column, v)| column.push(*v));
             }
-            answer.warnings.append(found.warnings.into_vec());
+            answer.warnings.extend(found.warnings);
             answer.failures.extend(found.failures.into_iter().map(|(row, e)| (row, raise(e))));
             Ok(!stop || answer.failures.is_empty())
         };
@@ -178,10 +178,12 @@ impl Question<'_> {
         }
         // Value by value: a response holds much that nobody asks for.
         let mut found = Found::default();
+        let mut check = RowCheck::new(contact.is_adhesive());
         for row in range {
             let at = self.rows.at(row);
-            let here = Here { row, at, scene: contact.scene(), model: contact.model() };
-            let mut push = |quantity, value| found.push(&here, quantity, value, self.aspect);
+            let here = Here { row, at, scene: contact.scene() };
+            let mut push =
+                |quantity, value| found.push(&here, quantity, value, self.aspect, &mut check);
             if let [Quantity::Force, Quantity::Tangent] = quantities
                 && let Ok((force, tangent)) = contact.force_and_tangent_at(at)
             {
@@ -191,6 +193,7 @@ impl Question<'_> {
                 quantities.iter().for_each(|&q| push(q, contact.evaluate_at(q, at)));
             }
         }
+        found.warnings = check.finish(contact.model());
         found
     }
 
@@ -241,19 +244,20 @@ impl Question<'_> {
         }
         found.failures.sort_by_key(|(row, _)| *row);
         found.failures.dedup_by_key(|(row, _)| *row);
-        found.warnings.append(response.warnings);
+        found.warnings = response.warnings;
         found
     }
 
     fn on_many(&self, model: &Model, sweep: &Sweep<'_>, range: Range<usize>) -> Found {
         let (mut found, quantities) = (Found::default(), &self.request.quantities);
+        let mut check = RowCheck::new(model.validity().adhesive);
         for (row, case, answer) in walked(self.rows, range, |cases| sweep.evaluate_all(cases)) {
             let Some(Case { scene, at, .. }) = case else {
                 found.values.extend(quantities.iter().map(|_| f64::NAN));
                 found.failures.extend(answer.err().map(|error| (row, error)));
                 continue;
             };
-            let here = Here { row, at, scene: &scene, model: model.name() };
+            let here = Here { row, at, scene: &scene };
             let alone = || model.compile(&scene, &self.request.clone().at([at]));
             let alone = answer.as_ref().err().map(|_| alone());
             for (k, &quantity) in quantities.iter().enumerate() {
@@ -262,9 +266,10 @@ impl Question<'_> {
                     (_, Some(Ok(contact))) => contact.evaluate_at(quantity, at),
                     (Err(error), _) => Err(error.clone()),
                 };
-                found.push(&here, quantity, value, self.aspect);
+                found.push(&here, quantity, value, self.aspect, &mut check);
             }
         }
+        found.warnings = check.finish(model.name());
         found
     }
 }

@@ -3,12 +3,14 @@
 use std::ops::Range;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Model, Request, Scene, Separation, Share, Sweep,
+    At, Case, ContactError, ContactModel, Diagnostics, Model, Request, Scene, Separation, Share,
+    Sweep,
 };
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::answer::{Aspect, Question, Source, TOGETHER, walked};
+use crate::check::of_rows;
 use crate::engine::{Engine, quantities_of, tolerance};
 use crate::error::value_error;
 use crate::long::{pool, stretches};
@@ -25,7 +27,8 @@ fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failures {
 }
 
 /// Quantities of every row. A row that fails is NaN here, and named; the first ends it all where
-/// `stop` says so. With what deserves a word. `threads`: one for each core, if none.
+/// `stop` says so. With diagnostics, if `checked` also of the scenes. `threads`: one for each core, if
+/// none.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "called by the package itself alone")]
 pub(crate) fn answer<'py>(
@@ -37,14 +40,19 @@ pub(crate) fn answer<'py>(
     aspect: Aspect,
     stop: bool,
     threads: Option<usize>,
+    checked: bool,
 ) -> PyResult<(Vec<Column<'py, f64>>, Failures, Vec<String>)> {
     let rows = &rows.view()?;
     let model = engine.on_all(&rows.files)?;
     let request = Request::new(quantities_of(&names)?).within(tolerance(rtol)?);
     let question = Question { rows, source: Source::Model(&model), request, aspect };
     let answer = question.answer(py, threads, stop, |error| engine.raise(py, error))?;
-    let warnings = answer.warnings.into_vec();
-    let words = rows.slip().into_iter().chain(warnings.iter().map(ToString::to_string));
+    let found = py.detach(|| {
+        let of_scenes =
+            if checked { of_rows(engine, &model, rows) } else { Diagnostics::default() };
+        rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
+    });
+    let words = rows.slip().into_iter().chain(found.iter().map(ToString::to_string));
     let columns = answer.columns.into_iter().map(|column| PyArray1::from_vec(py, column));
     Ok((columns.collect(), failures(py, answer.failures), words.collect()))
 }

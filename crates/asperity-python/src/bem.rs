@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use asperity::bem::{Bem, BemError, Boundary, Given, Note, Solution};
-use asperity::{ContactState, Described, Model, Truth};
+use asperity::bem::{Bem, BemError, Boundary, Given, Solution};
+use asperity::{ContactState, Described, Diagnostics, Model, Truth};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -105,14 +105,14 @@ pub(crate) fn bem<'py>(
     };
     let all: Vec<Given> = values.into_iter().map(of).collect();
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
-    let (mut notes, mut failed, mut failures) = (vec![], None, BTreeMap::new());
+    let (mut notes, mut failed, mut failures) = (Diagnostics::default(), None, BTreeMap::new());
     interruptible(py, |stop| {
         elements.solve_each(
             &all,
             |_| unless(stop),
             |index, solution| match solution {
                 Ok(mut solution) => {
-                    notes.extend(solution.notes.iter().map(|note| (all[index], *note)));
+                    notes.extend(solution.notes.iter().cloned());
                     if !maps {
                         (solution.pressures, solution.gaps) = (vec![], vec![]);
                     }
@@ -132,7 +132,7 @@ pub(crate) fn bem<'py>(
     if let Some(error) = failed {
         return Err(value_error(error));
     }
-    Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
+    notes.iter().try_for_each(|note| warn(py, note, 1))?;
     let numbers = PyDict::new(py);
     let add = |name: &str, of: &dyn Fn(&Solution) -> f64| {
         let of = |solution: &Option<Solution>| solution.as_ref().map_or(f64::NAN, of);
@@ -219,13 +219,12 @@ pub(crate) fn truth(
     };
     let (found, half): (Vec<Truth>, Vec<_>) =
         found.into_iter().zip(half).filter_map(|(found, half)| Some((found?, half))).unzip();
-    let notes: Vec<_> = found
-        .iter()
-        .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
-        .collect();
-    Note::summary(&notes).iter().try_for_each(|note| warn(py, note, 1))?;
-    let refused = found.iter().flat_map(|truth| &truth.refused);
-    refused.map(|(_, why)| &why.message).try_for_each(|why| warn(py, why, 1))?;
+    let of_truth = |truth: &Truth| {
+        let refused = truth.refused.iter().map(|(_, why)| why.clone());
+        truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+    };
+    let notes: Diagnostics = found.iter().flat_map(of_truth).collect();
+    notes.by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
     let mut refused: BTreeMap<String, String> =
         left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
     for (model, why) in found.iter().flat_map(|truth| &truth.missing) {

@@ -1,6 +1,8 @@
 //! Scenes and answers that are looked at before they are believed.
 
-use asperity::{Check, ContactModel, Finding, Quantity, Request, Severity};
+use asperity::{
+    Check, ContactError, ContactModel, Diagnostic, Diagnostics, Model, Quantity, Request, Severity,
+};
 use pyo3::prelude::*;
 
 use crate::engine::{Engine, tolerance};
@@ -27,14 +29,25 @@ pub(crate) fn check<'py>(
         None => file.check(None).map_err(refused)?,
         Some((engine, axis, number)) => {
             let (model, at) = (engine.on(file)?, axis.at(number, file.separation_from));
-            let looked = py.detach(|| file.check(Some((&model, at))));
-            looked.map_err(|error| engine.raise(py, error))?
+            match py.detach(|| file.check(Some((&model, at)))) {
+                Ok(looked) => looked,
+                Err(error) => explained(file, &error).ok_or_else(|| engine.raise(py, error))?,
+            }
         }
     };
     let Check { numbers, findings, .. } = looked;
     let number =
         |n: asperity::DerivedNumber| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
+}
+
+/// The scene alone where its warnings or errors explain why there is no answer.
+fn explained(file: &asperity_scene::SceneFile, error: &ContactError) -> Option<Check> {
+    let mut looked = file.check(None).ok()?;
+    looked.findings.iter().find(|found| found.severity < Severity::Note)?;
+    let refused = Diagnostic::error("no-answer", "answer", f64::NAN);
+    looked.extend([refused.fact("the model has no answer").advice(error.to_string())]);
+    Some(looked)
 }
 
 /// A number in an SI unit of a text that may say another: "2 kN".
@@ -71,43 +84,42 @@ pub(crate) fn pull_off(
     found.map_err(|error| engine.raise(py, error))
 }
 
-/// What deserves a word of the scenes of rows and, where there is but one, of the answers.
+/// Diagnostics of the scenes of rows and, where there is but one, of the answers.
 #[pyfunction]
 pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyResult<Vec<String>> {
     let rows = rows.view()?;
     let model = engine.on_all(&rows.files)?;
-    let written = engine.is_written();
-    Ok(py.detach(|| {
-        let asperities = model.validity().asperities;
-        let mut found = of_scenes(&rows, |f| asperities || !f.is_of_asperities());
-        // What a user's own law raises belongs to the answer.
-        if let (Some(file), false) = (rows.one_file(), written) {
-            // Of millions of rows the closest and the lightest are enough.
-            let places: Vec<_> = rows.ends().map(|row| rows.at(row)).collect();
-            let serious = |finding: &Finding| finding.severity < Severity::Note;
-            let of_answers = file.findings_at(&model, &places).into_iter().filter(serious);
-            found.extend(of_answers.map(|finding| finding.message));
-        }
-        found
-    }))
+    let found = py.detach(|| rows.accepted(of_rows(engine, &model, &rows)));
+    Ok(found.iter().map(ToString::to_string).collect())
+}
+
+/// What is unusual about the scenes of rows and, where there is but one, about the answers.
+pub(crate) fn of_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Diagnostics {
+    let mut found = of_scenes(rows, model.validity().asperities);
+    // What a user's own law raises belongs to the answer.
+    if let (Some(file), false) = (rows.one_file(), engine.is_written()) {
+        // Of millions of rows the closest and the lightest are enough.
+        let places: Vec<_> = rows.ends().map(|row| rows.at(row)).collect();
+        found.extend(file.findings_at(model, &places));
+    }
+    found
 }
 
 /// Each finding once, of the first scene that shows it, with the number of scenes that do.
-fn of_scenes(rows: &View<'_>, matters: impl Fn(&Finding) -> bool) -> Vec<String> {
-    let mut found: Vec<(Finding, usize)> = vec![];
+fn of_scenes(rows: &View<'_>, asperities: bool) -> Diagnostics {
+    let mut found: Vec<(Diagnostic, usize)> = vec![];
     let count = rows.scenes();
     for scene in 0..count {
-        let serious = |f: &Finding| f.severity < Severity::Note && matters(f);
-        for new in rows.findings(scene).into_iter().filter(serious) {
+        for new in rows.findings(scene).for_asperities(asperities) {
             match found.iter_mut().find(|(f, _)| f.code == new.code && f.field == new.field) {
                 Some((_, scenes)) => *scenes += 1,
                 None => found.push((new, 1)),
             }
         }
     }
-    let told = |(finding, scenes): (Finding, usize)| match count {
-        1 => finding.message,
-        _ => format!("{} (in {scenes} of {count} scenes)", finding.message),
+    let counted = |(found, scenes): (Diagnostic, usize)| match count {
+        1 => found,
+        _ => found.from_origin(format!("{scenes} of {count} scenes")),
     };
-    found.into_iter().map(told).collect()
+    found.into_iter().map(counted).collect()
 }

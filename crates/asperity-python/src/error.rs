@@ -35,7 +35,7 @@ pub(crate) fn refused(error: ContactError) -> PyErr {
 }
 
 /// Warns in Python's way, at the line that called, or `above` lines of the package up.
-pub(crate) fn warn(py: Python<'_>, message: &str, above: usize) -> PyResult<()> {
-    let arguments = (message, py.get_type::<ContactWarning>(), 1 + above);
+pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize) -> PyResult<()> {
+    let arguments = (message.to_string(), py.get_type::<ContactWarning>(), 1 + above);
     py.import("warnings")?.call_method1("warn", arguments).map(drop)
 }

@@ -95,7 +95,7 @@ pub(crate) fn interface_of(
     if interface.findings().is_empty() {
         let bodies = [Some(first), second].into_iter().flatten();
         let mut odd = bodies.flat_map(|body: asperity::Body| body.findings());
-        odd.try_for_each(|finding| warn(py, &finding.message, 1))?;
+        odd.try_for_each(|finding| warn(py, finding, 1))?;
     }
     Ok(interface.into())
 }

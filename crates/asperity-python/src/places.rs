@@ -75,8 +75,8 @@ impl Axis {
         let Self::Separation(unit) = self else { return None };
         let told = asperity_scene::mistaken_unit(name, value, unit, height_std)?;
         Some(match unit {
-            SeparationUnit::Metres => format!("{told} separation_unit is \"m\""),
-            _ => format!("{told} separation_unit=\"m\" takes metres"),
+            SeparationUnit::Metres => format!("{told} (separation_unit is \"m\")"),
+            _ => format!("{told}; separation_unit=\"m\" takes metres"),
         })
     }
 }

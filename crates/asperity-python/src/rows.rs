@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Finding};
+use asperity::{At, Case, ContactError, Datum, Diagnostics, Severity};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -77,12 +77,17 @@ impl<'r> View<'r> {
     }
 
     /// What is unusual about the scene of this number; nothing where it is refused.
-    pub(crate) fn findings(&self, scene: usize) -> Vec<Finding> {
+    pub(crate) fn findings(&self, scene: usize) -> Diagnostics {
         if self.columns.is_empty() {
             return self.files[scene].findings();
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[scene]));
-        with_numbers(&self.files[0], numbers).map_or(vec![], |file| file.findings())
+        with_numbers(&self.files[0], numbers).map_or(Diagnostics::default(), |file| file.findings())
+    }
+
+    /// Warnings and errors that the first scene does not accept, one for each cause.
+    pub(crate) fn accepted(&self, found: Diagnostics) -> Diagnostics {
+        self.files[0].accepted(found).at_least(Severity::Warning)
     }
 
     /// The rows of the smallest and the largest number.

@@ -159,7 +159,7 @@ impl Topography {
             Statistics::combined(&one?, &two?)
         });
         let both = both.map_err(value_error)?;
-        both.warnings.iter().try_for_each(|warning| warn(py, &warning.to_string(), 1))?;
+        both.warnings.iter().try_for_each(|warning| warn(py, warning, 1))?;
         Ok(both.surface().into())
     }
 
@@ -237,7 +237,7 @@ impl Topography {
                 .statistics(estimator)
         };
         let found = py.detach(statistics).map_err(value_error)?;
-        found.warnings.iter().try_for_each(|warning| warn(py, &warning.to_string(), 0))?;
+        found.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(found)
     }
 }

@@ -202,7 +202,7 @@ def test_why_models_have_no_numbers_is_told(scene: asperity.Scene) -> None:
 
 
 def test_what_is_not_resolved_warns(scene: asperity.Scene) -> None:
-    with pytest.warns(asperity.ContactWarning, match="patches are in contact: at least 30") as said:
+    with pytest.warns(asperity.ContactWarning, match="at least 30 are needed") as said:
         asperity.bem(scene, pressure=[1e5, 2e5])
     assert said[0].filename == __file__
     half = asperity.Topography(rough()[:40, :50], SIDE / 96, "m")

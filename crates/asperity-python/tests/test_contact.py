@@ -51,7 +51,7 @@ def test_the_unit_is_that_of_solve_unless_another_is_said(scene: asperity.Scene)
 def test_numbers_in_the_wrong_unit_are_objected_to(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     metres = ke.compile(scene, separation_unit="m")
-    slip = "separation is 2.0 m, 2e6 asperity_height_std: is it a multiple of asperity_height_std"
+    slip = "separation is 2 m: 2 looks like asperity_height_std; 2 asperity_height_std is "
     for call in (metres.force, metres.force_and_tangent, lambda d: metres.evaluate("force", d)):
         for separation in (2.0, [0.0, 2.0]):
             with pytest.warns(asperity.ContactWarning, match=slip) as seen:
@@ -60,13 +60,13 @@ def test_numbers_in_the_wrong_unit_are_objected_to(scene: asperity.Scene) -> Non
     with pytest.warns(asperity.ContactWarning) as seen:
         ke.solve(scene, [1.0, 2.0], separation_unit="m")
     assert any(slip in str(warning.message) for warning in seen)
-    nanometres = "separation is 2000.0 asperity_height_std: is it in another unit"
+    nanometres = "separation is 2000 asperity_height_std: the surfaces are far apart; check the unit"
     with pytest.warns(asperity.ContactWarning, match=nanometres):
         ke.compile(scene).force(2000.0)
     with pytest.warns(asperity.ContactWarning, match=nanometres):
         ke.solve([scene], [2000.0], ["ln-force"])
     for metres_in_sigmas in (2e-6, [1e-6, -2e-6]):
-        with pytest.warns(asperity.ContactWarning, match="is it in metres, -?2.0 asperity_height_std"):
+        with pytest.warns(asperity.ContactWarning, match="looks like metres; -?2e-6 m is -?2 asperity_height_std"):
             ke.compile(scene).force(metres_in_sigmas)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -249,16 +249,18 @@ def test_what_does_not_converge_is_an_error_of_its_own(scene: asperity.Scene) ->
 def test_odd_answers_come_with_one_warning_a_cause(soft_steel: asperity.Scene) -> None:
     printed = asperity.model("at")
     quantities = ["force", "pressure", "mean-pressure"]
-    negative = "AT: the force is negative in 2 rows, first at a separation of 1 asperity_height_std "
+    negative = "AT: force is negative ("
     for scenes in (soft_steel, [soft_steel]):
         with pytest.warns(asperity.ContactWarning) as seen:
             curve = printed.solve(scenes, [-9.0, 1.0, 1.5], quantities)
         said = [str(w.message)[: len(negative)] for w in seen if str(w.message).startswith("AT")]
         assert said == [negative]
+        where = " N) in 2 rows, first at a separation of 1 asperity_height_std: "
+        assert any(where in str(w.message) for w in seen)
         assert curve.force[0] > 0.0 > curve.force[1]
         # The caller's line, not the package's.
         assert seen[0].filename == __file__
-    with pytest.warns(asperity.ContactWarning, match="first at a separation of 1e-6 m "):
+    with pytest.warns(asperity.ContactWarning, match="at a separation of 1e-6 m: "):
         printed.solve(soft_steel, 1e-6, separation_unit="m")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -451,5 +453,5 @@ def test_what_cancels_is_told_however_many_rows_there_are(soft_steel: asperity.S
     for count in (1, 300, 3000):
         places = np.append(np.linspace(5.0, 6.0, count - 1), high)
         for scenes in (soft_steel, [soft_steel]):
-            with pytest.warns(asperity.ContactWarning, match="parts of the force cancel in 1 row"):
+            with pytest.warns(asperity.ContactWarning, match="negative parts of the force cancel at "):
                 printed.solve(scenes, places, ["force"])

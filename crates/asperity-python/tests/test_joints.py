@@ -169,12 +169,12 @@ def test_refusals_name_what_was_wrong(scene: asperity.Scene) -> None:
 def test_slips_of_the_unit_and_odd_places_are_objected_to(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     with pytest.warns(
-        asperity.ContactWarning, match="separation is 2e-6 .* is it in metres"
+        asperity.ContactWarning, match="separation is 2e-6 .* looks like metres"
     ) as seen:
         ke.unloading(scene, 2e-6)
-    with pytest.warns(asperity.ContactWarning, match="retreat is 1e-7 .* is it in metres") as more:
+    with pytest.warns(asperity.ContactWarning, match="retreat is 1e-7 .* looks like metres") as more:
         ke.unloading(scene, 1.0).force([0.0, 1e-7])
-    with pytest.warns(asperity.ContactWarning, match="yielding_share is") as most:
+    with pytest.warns(asperity.ContactWarning, match="yielding asperities carry") as most:
         asperity.model("gw").unloading(scene, load=1e3)
     assert {warning.filename for warning in [*seen, *more, *most]} == {__file__}
 

@@ -111,7 +111,7 @@ def test_what_fails_of_one_quantity_does_not_take_the_others_with_it() -> None:
     )
     ke = asperity.model("ke")
     for scenes in (scene, [scene]):
-        with pytest.warns(asperity.ContactWarning, match="no asperity touches in 1 row"):
+        with pytest.warns(asperity.ContactWarning, match="no asperity touches at "):
             curve = ke.solve(
                 scenes, [0.5, 3.0], ["force", "ln-force", "mean-pressure"], errors="mask"
             )

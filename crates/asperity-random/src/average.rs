@@ -4,8 +4,8 @@ use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Part, Quantity,
-    Tolerance, Validity, Warning,
+    Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Formula, Law, Part,
+    Quantity, Tolerance, Validity,
 };
 use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
 
@@ -39,7 +39,7 @@ impl Described for Average<'_> {
         self.model.validity()
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.model.notes()
     }
 }

@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic, Evaluation,
     HeightDistribution, Quantity, Request, Scene, Separation, SeparationUnit, Share, Validity,
-    Warning,
 };
 
 use crate::average::Average;
@@ -80,7 +79,7 @@ impl Described for RandomAsperities {
         self.model.validity()
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.model.notes()
     }
 }
@@ -160,7 +159,7 @@ impl Contact for OnScene {
         self.averaged.quantities()
     }
 
-    fn notes(&self) -> &[Warning] {
+    fn notes(&self) -> &[Diagnostic] {
         self.averaged.notes()
     }
 

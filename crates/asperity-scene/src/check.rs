@@ -3,10 +3,10 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    At, Check, ContactError, ContactModel, Finding, HeightDistribution, Model, ProfileMoments,
-    Recommendation, Request, Severity,
+    At, Check, ContactError, ContactModel, Diagnostic, Diagnostics, HeightDistribution, Model,
+    ProfileMoments, Recommendation, Request, Severity,
 };
-use asperity_topography::{Statistics, Warning};
+use asperity_topography::Statistics;
 
 use crate::SceneFile;
 
@@ -50,25 +50,34 @@ fn follows(of_body: &str) -> Vec<&str> {
 impl SceneFile {
     /// What is unusual about the scene: of bodies each by its own name, and of a scan.
     #[must_use]
-    pub fn findings(&self) -> Vec<Finding> {
+    pub fn findings(&self) -> Diagnostics {
         let of_body = |(body, k): (&asperity::Body, usize)| {
             let section = format!("body[{k}]");
             body.findings().into_iter().map(move |finding| finding.within(&section))
         };
-        let of_bodies: Vec<Finding> = self.bodies.iter().zip(1..).flat_map(of_body).collect();
+        let of_bodies: Vec<Diagnostic> = self.bodies.iter().zip(1..).flat_map(of_body).collect();
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
-        let mut found = self.scene.findings();
-        found.retain(|of_interface| !shown.contains(&&*of_interface.field));
-        let derived = |found: &&mut Finding| OF_ASPERITIES.contains(&&*found.field);
-        for derived in found.iter_mut().filter(derived).filter(|_| !self.follows_from.is_empty()) {
-            let keys = self.follows_from.join(", ");
-            derived.message.push_str(&format!(" (the asperities follow from {keys} of the file)"));
-        }
-        found.extend(of_bodies);
-        found.extend(self.of_elastic_body());
-        found.extend(self.measured.iter().flat_map(|measured| self.of_scan(measured)));
-        found.sort_by_key(|finding| finding.severity);
-        found
+        let of_interface = self.scene.findings().into_iter().map(|found| {
+            match OF_ASPERITIES.contains(&&*found.field) && !self.follows_from.is_empty() {
+                true => {
+                    found.from_origin(format!("asperities from {}", self.follows_from.join(", ")))
+                }
+                false => found,
+            }
+        });
+        let of_interface = of_interface.filter(|found| !shown.contains(&&*found.field));
+        let of_scan = self.measured.iter().flat_map(|measured| self.of_scan(measured));
+        let found = of_interface.chain(of_bodies.clone()).chain(self.of_elastic_body());
+        // The files have been reported, and what follows from them is not repeated.
+        let found = self.warnings.iter().cloned().chain(found).chain(of_scan).collect();
+        let found = self.accepted(found).into_iter();
+        found.filter(|found| !self.warnings.contains(found)).collect()
+    }
+
+    /// One diagnostic for each cause, without those that the scene accepts.
+    #[must_use]
+    pub fn accepted(&self, found: Diagnostics) -> Diagnostics {
+        found.by_cause().silenced(&self.accept)
     }
 
     /// The roughness of the gap, as correlations of its conductance take it: of the scan or, without
@@ -90,7 +99,8 @@ impl SceneFile {
             None => self.scene.check()?,
         };
         let theirs = self.scene.findings();
-        check.findings.retain(|finding| !theirs.contains(finding));
+        let of_answer = std::mem::take(&mut check.findings).into_iter();
+        check.findings = of_answer.filter(|finding| !theirs.contains(finding)).collect();
         check.extend(self.findings());
         if let Some((model, _)) = asked {
             check.keep_for(model);
@@ -105,6 +115,7 @@ impl SceneFile {
             check.say("pixel_size", *pixel_size, "m", "of the scan");
             check.extend(self.of_pixels(&check, *pixel_size));
         }
+        check.findings = self.accepted(check.findings);
         Ok(check)
     }
 
@@ -130,18 +141,16 @@ impl SceneFile {
     /// What is unusual about the answers of a model at these places; nothing where a number of the
     /// scene makes no sense, as all else may follow from that.
     #[must_use]
-    pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Vec<Finding> {
-        let asperities = model.validity().asperities;
-        let known = |found: &Finding| asperities || !found.is_of_asperities();
-        let wrong = |found: &Finding| found.severity == Severity::Error && known(found);
-        match self.findings().iter().any(wrong) {
-            true => vec![],
-            false => Check::answers(model, &self.scene, places),
+    pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Diagnostics {
+        let known = self.findings().for_asperities(model.validity().asperities);
+        match known.at_least(Severity::Error).is_empty() {
+            true => self.accepted(Check::answers(model, &self.scene, places)),
+            false => Diagnostics::default(),
         }
     }
 
     /// A body that was given no hardness beside one that was: forgotten, more likely than meant.
-    fn of_elastic_body(&self) -> Option<Finding> {
+    fn of_elastic_body(&self) -> Option<Diagnostic> {
         let elastic = |body: &asperity::Body| body.hardness.or(body.yield_strength).is_none();
         let [first, second] = &self.bodies[..] else { return None };
         let (k, body) = match (elastic(first), elastic(second)) {
@@ -150,83 +159,70 @@ impl SceneFile {
             _ => return None,
         };
         let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
-        let (field, modulus) = ("youngs_modulus", body.youngs_modulus);
-        let message = format!(
-            "{field} stands without hardness and yield_strength{}",
-            if without {
-                ": nothing yields then, and only models of elastic contact can be asked"
-            } else {
-                ": the other body is taken for the softer one"
-            }
-        );
-        let usual = [0.0, f64::INFINITY];
-        let finding =
-            Finding::new("no-hardness", Severity::Warning, field, modulus, usual, message);
+        let advice = match without {
+            true => "nothing yields, and only elastic models work",
+            false => "the other body is assumed to be the softer one",
+        };
+        let modulus = body.youngs_modulus;
+        let finding = Diagnostic::warning("no-hardness", "youngs_modulus", modulus)
+            .unit("Pa")
+            .fact(format!("body[{k}] has neither hardness nor yield_strength"))
+            .advice(advice);
         // Rubber on glass is as it should be.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }
 
-    fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Finding> {
+    fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Diagnostic> {
         let mut found = vec![];
         if matches!(self.scene.heights, HeightDistribution::Gaussian) {
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
-                let message = format!(
-                    "{field} is {value:.3}, and Gaussian heights have a skewness of 0 and a kurtosis of 3: heights = \"measured\" takes those of the scan"
-                );
-                Finding::new("not-gaussian", Severity::Warning, field, value, usual, message)
+                Diagnostic::warning("not-gaussian", field, value).usual(usual).advice(
+                    "the heights are not Gaussian; heights = \"measured\" uses those of the scan",
+                )
             }));
         }
         let slope = (2.0 * statistics.m2).sqrt();
         if !(SLOPE[0]..=SLOPE[1]).contains(&slope) {
-            let message = format!(
-                "measured_slope is {slope:.3e}, where {:e} to {} is usual: are unit and pixel_size ({pixel_size:e} m) right?",
-                SLOPE[0], SLOPE[1]
-            );
             let severity = if slope > SLOPE[1] { Severity::Error } else { Severity::Warning };
-            found.push(Finding::new("slope", severity, "measured_slope", slope, SLOPE, message));
+            let advice = format!("check unit and pixel_size ({pixel_size:e} m)");
+            let steep = Diagnostic::warning("slope", "measured_slope", slope).severity(severity);
+            found.push(steep.usual(SLOPE).advice(advice));
         }
         found
     }
 
     /// Contacts that the scan could not have seen.
-    fn of_pixels(&self, check: &Check, pixel: f64) -> Option<Finding> {
+    fn of_pixels(&self, check: &Check, pixel: f64) -> Option<Diagnostic> {
         let radius = check.number("contact_radius")?;
-        let message = format!(
-            "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m): what lies between the points decides, compare cut-offs with `asperity surface --scales`"
-        );
-        let usual = [pixel, f64::INFINITY];
-        (radius < pixel).then(|| {
-            Finding::new(
-                "below-a-pixel",
-                Severity::Warning,
-                "contact_radius",
-                radius,
-                usual,
-                message,
-            )
-        })
+        let found = Diagnostic::warning("below-a-pixel", "contact_radius", radius)
+            .usual([pixel, f64::INFINITY])
+            .fact(format!(
+                "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
+            ))
+            .advice("roughness below the pixel size decides; compare cut-offs with `asperity surface --scales`")
+            .unit("m");
+        (radius < pixel).then_some(found)
     }
 }
 
-/// Which number of a scan says that its heights are far from Gaussian, and what is usual.
+/// The number of a scan by which its heights are far from Gaussian, with its usual range.
 fn not_gaussian(statistics: &Statistics) -> Option<(&'static str, f64, [f64; 2])> {
     let Statistics { ssk, sku, .. } = *statistics;
-    let told = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
-    told.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value))
+    let shape = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
+    shape.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value))
 }
 
 /// Why evidence of isotropic Gaussian surfaces is none of a scan.
 fn unlike_solved(Measured { statistics, .. }: &Measured) -> Option<String> {
-    let solved = "surfaces that were solved are Gaussian and isotropic, ask `asperity truth`";
+    let solved = "solved surfaces are Gaussian and isotropic, use `asperity truth`";
     if let Some((field, value, _)) = not_gaussian(statistics) {
         return Some(format!("{field} is {value:.3}, and {solved}"));
     }
-    statistics.warnings.iter().find_map(|warning| match warning {
-        Warning::Anisotropic { slope_x, slope_y } => Some(format!(
-            "the scan is anisotropic (rms slopes {slope_x:.3e} and {slope_y:.3e}), and {solved}"
-        )),
-        _ => None,
-    })
+    let found = statistics.warnings.iter().find(|warning| warning.code == "anisotropic")?;
+    Some(format!(
+        "the slopes along rows and columns have a ratio of {:.3}, and {solved}",
+        found.value
+    ))
 }
 
 #[cfg(test)]
@@ -267,8 +263,8 @@ mod tests {
         let plain = told(&scan(1.0)).remove(0);
         assert!(!plain.contains("asperity truth"), "{plain}");
         let along = told(&scan(6.0)).remove(0);
-        let wanted = "no boundary-element solution is close: the scan is anisotropic (rms slopes ";
-        assert!(along.starts_with(wanted) && along.ends_with("ask `asperity truth`"), "{along}");
+        let wanted = "no boundary-element solution is close: the slopes along rows and columns have a ratio of ";
+        assert!(along.starts_with(wanted) && along.ends_with("use `asperity truth`"), "{along}");
         let whole = scan(1.0);
         let dug = |z: &f64| if *z < -8e-8 { 5.0 * z } else { *z };
         let dug = whole.heights().iter().map(dug).collect();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{ContactError, TabulatedHeights};
+use asperity::{ContactError, Diagnostic, TabulatedHeights};
 
 use crate::document::{Document, shortened, text_of};
 use crate::{Place, SceneError};
@@ -81,12 +81,12 @@ fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
     })
 }
 
-/// A table's own standard deviation against the scene's; what deserves a word.
+/// A table's own standard deviation and integral against those of the scene.
 pub(crate) fn compared(
     document: &Document<'_>,
     table: &TabulatedHeights,
     std: f64,
-) -> Result<Vec<String>, SceneError> {
+) -> Result<Vec<Diagnostic>, SceneError> {
     let (own, integral) = (table.standard_deviation(), table.integral());
     let (at, ratio) = (document.place("surface.heights"), own / std);
     // So far off, one of the two is not in metres.
@@ -98,14 +98,23 @@ pub(crate) fn compared(
     }
     let mut notes = vec![];
     if (ratio - 1.0).abs() > DIFFERENT {
-        notes.push(format!(
-            "{at}: the table's standard deviation is {own:.4e} m, asperity_height_std is {std:.4e} m: the table's heights are used as they are, in metres; the other is the unit of separations only"
-        ));
+        let found = Diagnostic::warning("heights-std", "table_height_std", own)
+            .usual([(1.0 - DIFFERENT) * std, (1.0 + DIFFERENT) * std])
+            .unit("m")
+            .fact(format!(
+                "the standard deviation of the table is {own:.4e} m, asperity_height_std {std:.4e} m"
+            ))
+            .advice(
+                "the table is used in metres as it is, and asperity_height_std is the unit of separations only",
+            );
+        notes.push(found.from_origin(at.to_string()));
     }
     if (integral - 1.0).abs() > 0.01 {
-        notes.push(format!(
-            "{at}: the table's integral is {integral:.4e}, not 1: it was normalised"
-        ));
+        let found = Diagnostic::warning("heights-integral", "table_integral", integral)
+            .usual([0.99, 1.01])
+            .fact(format!("the integral of the table is {integral:.4e}, not 1"))
+            .advice("the table is normalised");
+        notes.push(found.from_origin(at.to_string()));
     }
     Ok(notes)
 }

@@ -15,6 +15,9 @@ pub(crate) struct SceneKeys {
     pub(crate) nominal_area: f64,
     pub(crate) rigid_counterface: Option<bool>,
     pub(crate) work_of_adhesion: Option<f64>,
+    /// Codes of warnings and notes that are not shown.
+    #[serde(default)]
+    pub(crate) accept: Vec<String>,
     pub(crate) interface: Option<Interface>,
     #[serde(default)]
     pub(crate) body: Vec<Body>,

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::{Surface, TabulatedHeights};
+use asperity::{Diagnostic, Surface, TabulatedHeights};
 use asperity_topography::{
     Estimator, HeightDensity, ReadOptions, Statistics, Topography, TopographyError, read,
 };
@@ -11,7 +11,7 @@ use asperity_topography::{
 use crate::document::Document;
 use crate::keys::{HeightsKey, PixelSize, SurfaceKeys};
 use crate::scan::open_seam;
-use crate::{Measured, SceneError};
+use crate::{Measured, Place, SceneError};
 
 /// The surface of a scene.
 #[derive(Debug, Clone)]
@@ -20,7 +20,7 @@ pub(crate) struct Described {
     pub(crate) measured: Option<Measured>,
     /// The density of its summits' heights, where that is asked for.
     pub(crate) heights: Option<TabulatedHeights>,
-    pub(crate) notes: Vec<String>,
+    pub(crate) notes: Vec<Diagnostic>,
     /// The scan, levelled and filtered, where there is one alone.
     pub(crate) scan: Option<Arc<Topography>>,
     /// The keys that the asperities follow from, where they are not given themselves.
@@ -102,13 +102,15 @@ pub(crate) fn measured(
     let surface = statistics.surface();
     surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
-    let mut notes: Vec<String> =
-        statistics.warnings.iter().map(|warning| format!("{at}: {warning}")).collect();
-    if let Some(tilted) = keys.level.and_then(|level| level.tilts(keys.periodic)) {
-        notes.push(format!("{}: {tilted}", document.place("surface.level")));
-    }
+    let from = |at: &Place| {
+        let at = at.to_string();
+        move |found: Diagnostic| found.from_origin(at.clone())
+    };
+    let mut notes: Vec<Diagnostic> = statistics.warnings.iter().cloned().map(from(&at)).collect();
+    let tilted = keys.level.and_then(|level| level.tilts(keys.periodic));
+    notes.extend(tilted.map(from(&document.place("surface.level"))));
     let seam = scan.as_deref().and_then(open_seam);
-    notes.extend(seam.map(|told| format!("{}: {told}", document.place("surface.periodic"))));
+    notes.extend(seam.map(from(&document.place("surface.periodic"))));
     let heights = density.map(|points| {
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::Spectrum;
+use asperity::{Diagnostic, Spectrum};
 use asperity_bem::{Bem, BemError, Boundary, HeightMap};
 use asperity_topography::Topography;
 
@@ -18,15 +18,17 @@ pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
     HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
 }
 
-/// That the edges of a periodic scan do not meet, and what its numbers then hold; nothing of other
-/// scans, and of those that are no whole [map](height_map).
+/// A diagnostic of a periodic scan whose edges do not meet; none of other scans, and of those that are
+/// no whole [map](height_map).
 #[must_use]
-pub fn open_seam(scan: &Topography) -> Option<String> {
+pub fn open_seam(scan: &Topography) -> Option<Diagnostic> {
     let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;
     let step = map.seam_step();
-    Some(format!(
-        "the edges of the scan do not meet (a step {step:.1} times that of neighbours), and periodic takes the step for slope and curvature: leave it out"
-    ))
+    let fact = format!(
+        "the edges of the scan do not meet, with a step of {step:.1} times that between neighbours"
+    );
+    let found = Diagnostic::warning("open-seam", "seam_step", step).fact(fact);
+    Some(found.advice("periodic counts the step as slope and curvature; leave it out"))
 }
 
 impl SceneFile {
@@ -130,9 +132,13 @@ mod tests {
     fn a_hurst_exponent_beside_a_scan_counts_and_is_told() {
         let own = scene("file = \"scan.txt\"");
         let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
-        let told = "line 11: options.hurst_exponent: with it persson and persson-fudge take";
-        assert!(own.warnings.iter().all(|word| !word.contains("hurst")));
-        assert!(given.warnings.iter().any(|word| word.starts_with(told)), "{:?}", given.warnings);
+        let told = "line 11: options.hurst_exponent: persson and persson-fudge use a power law";
+        assert!(own.warnings.iter().all(|found| found.code != "hurst-exponent"));
+        assert!(
+            given.warnings.iter().any(|found| found.to_string().starts_with(told)),
+            "{:?}",
+            given.warnings
+        );
         let request =
             asperity::Request::new([asperity::Quantity::Tangent]).at([asperity::At::Pressure(1e8)]);
         let [a, b] = [own, given].map(|file| {
@@ -149,10 +155,15 @@ mod tests {
         let tilted = Topography::new((0..48 * 32).map(tilted).collect(), 48, [1e-6; 2]).unwrap();
         assert_eq!(open_seam(&tilted), None);
         let open = open_seam(&tilted.with_periodic(true)).unwrap();
-        assert!(open.starts_with("the edges of the scan do not meet (a step "), "{open}");
+        assert!(
+            open.to_string().starts_with("the edges of the scan do not meet, with a step "),
+            "{open}"
+        );
         let file = scene("file = \"scan.txt\"\nperiodic = true\nsmooth = 4e-6\nfilter = 8e-6");
-        let said =
-            file.warnings.iter().any(|word| word.starts_with("line 10: surface.periodic: the"));
+        let said = file
+            .warnings
+            .iter()
+            .any(|w| w.to_string().starts_with("line 10: surface.periodic: the"));
         assert!(said, "{:?}", file.warnings);
         let whole = |k: usize| (TAU * (k % 48) as f64 / 12.0).cos();
         let whole = Topography::new((0..48 * 32).map(whole).collect(), 48, [1e-6; 2]).unwrap();
@@ -214,7 +225,12 @@ mod tests {
         let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
         // A wave of 8 pixels is 0.3 of its height higher than the mean of its neighbours.
         assert!(off.fold(0.0, f64::max) < 0.4 * largest);
-        assert!(filled.warnings.iter().any(|w| w.contains("0.651 % of the points were missing")));
+        assert!(
+            filled
+                .warnings
+                .iter()
+                .any(|w| w.to_string().contains("0.651 % of the points were missing"))
+        );
         std::fs::write(folder.path().join("few.txt"), lines(81)).unwrap();
         let more = format!("{text}fill_missing = true\n");
         let many = crate::parse(&more, folder.path()).unwrap_err().to_string();

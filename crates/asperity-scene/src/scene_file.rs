@@ -4,8 +4,9 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Body, ContactError, ContactModel, Datum, HeightDistribution, Interface, Model, Quantity,
-    Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
+    Body, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, HeightDistribution,
+    Interface, Model, Quantity, Request, Scene, Separation, SeparationUnit, Surface,
+    TabulatedHeights, WeibullHeights,
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
@@ -34,8 +35,10 @@ pub struct SceneFile {
     pub bodies: Vec<Body>,
     /// What the scans say that the surface follows from, where there are any.
     pub measured: Option<Measured>,
-    /// What was read, and still deserves a word.
-    pub warnings: Vec<String>,
+    /// Diagnostics of the files that were read.
+    pub warnings: Diagnostics,
+    /// Codes of the warnings and notes that are accepted, and not shown.
+    pub accept: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
     pub scan: Option<Arc<Topography>>,
     /// The keys of `[surface]` that the asperities follow from, where they are not given themselves.
@@ -115,7 +118,7 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
     keys.options.check(document, "options.")?;
     let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { mut options, surface: keys, nominal_area, body: bodies, .. } = keys;
+    let SceneKeys { mut options, surface: keys, nominal_area, body: bodies, accept, .. } = keys;
     if let Some(asperities) = keys.asperities {
         if document.has("options.asperities") {
             let needed = "the asperities of the surface, once,";
@@ -173,9 +176,11 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
     let follows_from = described.follows_from;
     if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
         let at = document.place("options.hurst_exponent");
-        warnings.push(format!(
-            "{at}: with it persson and persson-fudge take gaps and stiffnesses from a power law, and not from the spectrum of the scan: leave it out for the scan's own"
-        ));
+        let exponent = options.hurst_exponent.unwrap_or(f64::NAN);
+        let found = Diagnostic::warning("hurst-exponent", "hurst_exponent", exponent)
+            .fact("persson and persson-fudge use a power law in place of the spectrum of the scan")
+            .advice("leave it out for the spectrum of the scan");
+        warnings.push(found.from_origin(at.to_string()));
     }
     let spectrum = Arc::default();
     Ok(SceneFile {
@@ -185,7 +190,8 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
         table,
         bodies,
         measured,
-        warnings,
+        warnings: warnings.into_iter().collect::<Diagnostics>().silenced(&accept),
+        accept,
         scan,
         follows_from,
         spectrum,
@@ -203,7 +209,8 @@ impl From<Scene> for SceneFile {
             table: None,
             bodies: vec![],
             measured: None,
-            warnings: vec![],
+            warnings: Diagnostics::default(),
+            accept: vec![],
             scan: None,
             follows_from: &[],
             spectrum: Arc::default(),
@@ -302,6 +309,6 @@ impl SceneFile {
         let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
         // Nor is a scan one of another surface.
         let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
-        Ok(Self { scene, bodies, measured, warnings: vec![], scan, ..self.clone() })
+        Ok(Self { scene, bodies, measured, warnings: Diagnostics::default(), scan, ..self.clone() })
     }
 }

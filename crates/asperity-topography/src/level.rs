@@ -46,17 +46,6 @@ impl Level {
         if periodic { Self::Mean } else { Self::Plane }
     }
 
-    /// What taking this away does to a periodic surface, in a sentence; nothing where it keeps one.
-    #[must_use]
-    pub fn tilts(self, periodic: bool) -> Option<String> {
-        let form = periodic && matches!(self, Self::Plane | Self::Quadratic);
-        form.then(|| {
-            format!(
-                "level {self} of a periodic surface: its edges no longer meet, which spoils slopes and curvatures; level mean, the usual one there, keeps them"
-            )
-        })
-    }
-
     /// Powers (a, b) of the terms u^a v^b that are fitted.
     fn terms(self, profile: bool) -> Vec<[usize; 2]> {
         let all: &[[usize; 2]] = match self {
@@ -274,7 +263,8 @@ mod tests {
         assert!((0..2).all(|k| (asked[k] / kept[k] - 1.0).abs() < 1e-9), "{kept:?} {asked:?}");
         let tilted = periodic.clone().levelled(Some(Level::Plane)).unwrap();
         assert!(slopes(&tilted)[1] > 1.5 * kept[1]);
-        assert!(Level::Plane.tilts(true).unwrap().starts_with("level plane of a periodic surface"));
+        let tilts = Level::Plane.tilts(true).unwrap().to_string();
+        assert!(tilts.starts_with("level plane of a periodic surface"), "{tilts}");
         assert!(Level::Plane.tilts(false).is_none() && Level::Mean.tilts(true).is_none());
         // One that ends at its edges lies in the plane of its instrument.
         let level = wave.clone().level(Level::Plane).unwrap();

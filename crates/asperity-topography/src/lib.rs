@@ -24,4 +24,3 @@ pub use statistics::Statistics;
 pub use summits::Summits;
 pub use topography::{MAX_POINTS, Topography};
 pub use unit::LengthUnit;
-pub use warning::{Disagreement, Warning};

@@ -1,9 +1,9 @@
 //! What a surface comes to: heights, moments, asperities.
 
-use asperity_core::Surface;
+use asperity_core::{Diagnostic, Surface};
 use serde::Serialize;
 
-use crate::{Disagreement, Estimator, Moments, Topography, TopographyError, Warning};
+use crate::{Estimator, Moments, Topography, TopographyError, warning};
 
 /// What a surface comes to, in SI units.
 ///
@@ -50,9 +50,9 @@ pub struct Statistics {
     /// The asperities by the other estimator, where it finds any.
     #[serde(skip)]
     pub other: Option<Surface>,
-    /// What a user should know of these numbers.
+    /// Diagnostics of these numbers.
     #[serde(skip)]
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl Topography {
@@ -63,7 +63,7 @@ impl Topography {
     /// As [`Topography::moments`]; [`TopographyError::Flat`] when all heights are the same; that
     /// of the estimator asked for: [`TopographyError::Moments`] where no isotropic Gaussian
     /// surface has such moments, or as [`Summits::surface`](crate::Summits::surface). That the
-    /// other estimator fails is a [`Warning`].
+    /// other estimator fails is a [`Diagnostic`].
     pub fn statistics(&self, estimator: Estimator) -> Result<Statistics, TopographyError> {
         let moments = self.moments()?;
         let mean = self.mean();
@@ -88,34 +88,27 @@ impl Topography {
         let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
         statistics.mean_plane_offset = mean_plane_offset;
         statistics.missing_share = self.missing_share() + self.filled_share();
-        if self.filled_share() > 0.0 {
-            statistics.warnings.push(Warning::Filled { share: self.filled_share() });
-        }
+        statistics.warnings.extend(warning::filled(self.filled_share()));
         statistics.warnings.extend(self.sampling());
         match other {
             Ok((other, _)) => statistics.compare(other),
             // A profile has no summits of 8 neighbours: nothing to warn of.
             Err(TopographyError::SummitsOfProfile) => {}
-            Err(error) => {
-                let reason = error.to_string();
-                statistics.warnings.push(Warning::NoSecondEstimator { reason });
-            }
+            Err(error) => statistics.warnings.push(warning::no_second_estimator(&error)),
         }
         Ok(statistics)
     }
 
     /// Whether it is the sampling that makes the asperities.
-    fn sampling(&self) -> Option<Warning> {
+    fn sampling(&self) -> Option<Diagnostic> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
             let (fine, coarse) = (self.curvature_of_every(1)?, self.curvature_of_every(2)?);
-            let follows = fine > 4.0 * coarse;
-            return follows.then_some(Warning::CurvatureFollowsSampling { fine, coarse });
+            return warning::curvature_follows_sampling(fine, coarse);
         }
         // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
         let (fine, coarse) = (self.summit_density(1)?, self.summit_density(2)?);
-        let follows = fine > 2.0 * coarse;
-        follows.then_some(Warning::SummitsFollowSampling { fine, coarse })
+        warning::summits_follow_sampling(fine, coarse)
     }
 }
 
@@ -126,15 +119,9 @@ impl Statistics {
         let sq = profile.m0.sqrt();
         let per_length = surface.asperity_density * surface.asperity_radius;
         let beta = per_length * sq;
-        let mut warnings = Vec::new();
-        if !(0.02..=0.1).contains(&beta) {
-            warnings.push(Warning::RoughnessParameter { beta });
-        }
+        let mut warnings: Vec<_> = warning::roughness_parameter(beta).into_iter().collect();
         if let Some([m2, _]) = moments.along_columns {
-            let (slope_x, slope_y) = (moments.along_rows[0].sqrt(), m2.sqrt());
-            if apart(slope_x, slope_y) {
-                warnings.push(Warning::Anisotropic { slope_x, slope_y });
-            }
+            warnings.extend(warning::anisotropic(moments.along_rows[0].sqrt(), m2.sqrt()));
         }
         Self {
             sq,
@@ -161,24 +148,17 @@ impl Statistics {
     /// Keeps the asperities by the other estimator, and says where the two disagree.
     fn compare(&mut self, other: Surface) {
         let asked = self.surface();
-        let parameters: Vec<Disagreement> = [
+        let parameters = [
             ("asperity_density", asked.asperity_density, other.asperity_density),
             ("asperity_radius", asked.asperity_radius, other.asperity_radius),
             ("asperity_height_std", asked.asperity_height_std, other.asperity_height_std),
-        ]
-        .into_iter()
-        .filter(|(_, asked, other)| apart(*asked, *other))
-        .map(|(parameter, asked, other)| {
-            let (moments, summits) = match self.estimator {
-                Estimator::Moments => (asked, other),
-                Estimator::Summits => (other, asked),
-            };
-            Disagreement { parameter, moments, summits }
-        })
-        .collect();
-        if !parameters.is_empty() {
-            self.warnings.push(Warning::EstimatorsDisagree { parameters });
-        }
+        ];
+        let by_moments = self.estimator == Estimator::Moments;
+        let parameters = parameters.map(|(name, asked, other)| match by_moments {
+            true => (name, asked, other),
+            false => (name, other, asked),
+        });
+        self.warnings.extend(warning::estimators_disagree(&parameters));
         self.other = Some(other);
     }
 
@@ -223,9 +203,4 @@ impl Statistics {
         combined.missing_share = 1.0 - (1.0 - first.missing_share) * (1.0 - second.missing_share);
         Ok(combined)
     }
-}
-
-/// Whether two positive numbers differ by more than a factor 2.
-fn apart(a: f64, b: f64) -> bool {
-    a > 2.0 * b || b > 2.0 * a
 }

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use crate::{
-    At, Check, ContactError, ContactModel, Deviation, Evaluation, Evidence, Finding, Model,
+    At, Check, ContactError, ContactModel, Deviation, Diagnostic, Evaluation, Evidence, Model,
     Nearest, Quantity, Request, Scene, Severity,
 };
 
@@ -37,7 +37,7 @@ pub struct Comparison {
     /// Parts of the model's laws, a measure of its complexity.
     pub regimes: usize,
     /// Why a model within the limit is not valid there; the reference may be invalid too.
-    pub outside: Option<Finding>,
+    pub outside: Option<Diagnostic>,
     /// Largest deviation of the model from boundary elements in the solved cases nearest to the
     /// scene, if there are any.
     pub off: Option<Deviation>,
@@ -174,9 +174,9 @@ pub fn recommend_among(
 }
 
 /// The finding that makes a model invalid at these separations or loads.
-fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Finding> {
+fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Diagnostic> {
     let found = Check::answers(model, scene, places).into_iter();
-    found.filter(|finding| finding.severity < Severity::Note).find(Finding::is_of_model)
+    found.filter(|finding| finding.severity < Severity::Note).find(Diagnostic::is_of_model)
 }
 
 /// At separations, the pressure is that of the reference.

@@ -12,10 +12,10 @@ use strsim::osa_distance;
 
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
-    ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Gao,
-    GeometricHardness, GreenwoodWilliamson, JacksonGreen, JkrBranch, JohnsonKendallRoberts,
-    KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene, Validity, Warning,
-    ZhaoMaiettaChang,
+    ContactError, ContactModel, DerjaguinMullerToporov, Described, Diagnostic,
+    EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
+    Validity, ZhaoMaiettaChang,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -229,7 +229,7 @@ impl Described for Model {
         self.model.validity()
     }
 
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         self.model.notes()
     }
 }

@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::bem::{Bem, BemError, Given, Note, Progress, Solution};
+use crate::bem::{Bem, BemError, Given, Progress, Solution};
 use crate::{
-    At, Check, Contact, ContactError, ContactModel, Datum, Finding, Model, Quantity, Request,
+    At, Check, Contact, ContactError, ContactModel, Datum, Diagnostic, Model, Quantity, Request,
     Scene, SeparationUnit, ranking,
 };
 
@@ -23,12 +23,12 @@ pub struct Truth {
     pub bem: ContactState,
     /// Root mean square height of the scan \[m\], the unit of the deviations of gaps.
     pub rms_height: f64,
-    /// What to know of the boundary elements before they are trusted.
-    pub notes: Vec<Note>,
+    /// Diagnostics of the boundary elements.
+    pub notes: Vec<Diagnostic>,
     /// What the models say, in the order in which they were given.
     pub models: Vec<(Model, ContactState)>,
     /// Why models have no numbers here that would mean nothing: more area than there is.
-    pub refused: Vec<(Model, Finding)>,
+    pub refused: Vec<(Model, Diagnostic)>,
     /// Why models lack all of their numbers, or else the first of them that they lack.
     pub missing: Vec<(Model, ContactError)>,
 }
@@ -146,7 +146,7 @@ pub fn truth(
 /// sentence; loads that few pixels or patches carry are left out of it.
 #[must_use]
 pub fn told(found: &[Truth]) -> String {
-    let few = |note: &Note| matches!(note, Note::FewPixels { .. } | Note::FewPatches { .. });
+    let few = |note: &Diagnostic| ["few-pixels", "few-patches"].contains(&note.code);
     let resolved = || found.iter().filter(|truth| !truth.notes.iter().any(few));
     let count = resolved().count();
     if count == 0 {
@@ -174,7 +174,7 @@ pub fn told(found: &[Truth]) -> String {
 struct Kept {
     area: f64,
     gap: f64,
-    notes: Vec<Note>,
+    notes: Vec<Diagnostic>,
 }
 
 impl From<Solution> for Kept {
@@ -277,7 +277,8 @@ mod tests {
         assert!(soft.models[2].1.area_fraction.is_some_and(|area| area <= 1.0));
         // Loads that few pixels carry take no part in what is said of all.
         let [mut clear, mut few] = [soft.clone(), soft];
-        (clear.notes, few.notes) = (vec![], vec![Note::FewPixels { found: 33 }]);
+        (clear.notes, few.notes) =
+            (vec![], vec![Diagnostic::warning("few-pixels", "pixels", 33.0)]);
         let both = told(&[clear.clone(), few.clone()]);
         assert!(both.starts_with("over the loads that enough pixels and patches carry (1), "));
         assert!(both.contains("persson") && !both.contains("gw"), "{both}");

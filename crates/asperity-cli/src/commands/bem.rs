@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
+use asperity::Diagnostics;
 use asperity::bem::{Bem, Boundary, Given};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -135,7 +136,13 @@ impl BemCommand {
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.way.bem(&scene)?;
-        let mut run = Run { scene: &scene, given: &given, maps: vec![], words: vec![] };
+        let mut run = Run {
+            scene: &scene,
+            given: &given,
+            maps: vec![],
+            words: vec![],
+            found: Diagnostics::default(),
+        };
         let keep = self.map.is_some() || self.picture.is_some();
         let whole = run.solve(&bem, keep)?;
         let half = match self.refine {
@@ -144,6 +151,7 @@ impl BemCommand {
         };
         let maps = std::mem::take(&mut run.maps);
         run.words.iter().for_each(|text| say("warning", text));
+        scene.report(std::mem::take(&mut run.found));
         if !whole.iter().any(Option::is_some) {
             bail!("{}: no load was solved", scene.name);
         }

@@ -9,7 +9,7 @@ use clap::Args;
 use crate::args::{OutputArgs, model_id, separation_unit};
 use crate::distances::{Distance, ask_unit};
 use crate::numbers::{load_or_tension, pressure_or_tension};
-use crate::output::{self, say};
+use crate::output;
 use crate::scene::LoadedScene;
 use crate::table::{Cell, Format, Table};
 
@@ -91,7 +91,7 @@ impl Check {
                 })
             })?;
             if !findings {
-                looked.findings.iter().for_each(|f| say(&f.severity.to_string(), &f.message));
+                output::report(&looked.findings);
             }
         }
         if let Some(refused) = refused {

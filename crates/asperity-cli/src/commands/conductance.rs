@@ -108,7 +108,7 @@ impl Conductance {
                 table.rows.push(row);
             }
         }
-        scene.tell(&models.iter().collect::<Vec<_>>(), &places);
+        scene.report_answers(&models.iter().collect::<Vec<_>>(), &places);
 
         'each: for correlation in Correlation::ALL {
             let (id, range, mut outside) = (correlation.id(), correlation.range(), None);

@@ -108,7 +108,7 @@ impl Recommend {
         let told = [&advice.reference].into_iter().chain(&advice.simplest);
         let told = told.chain(outside.map(|found| &found.model));
         let told: Vec<_> = told.map(|m| (m.id().to_string(), m.clone())).collect();
-        scene.tell(&told.iter().collect::<Vec<_>>(), &places);
+        scene.report_answers(&told.iter().collect::<Vec<_>>(), &places);
         let reference = advice.reference.id();
         let compared = |id: &&str| advice.comparisons.iter().any(|found| found.model.id() == *id);
         let within = rounded(100.0 * self.within);

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
+use asperity::Diagnostics;
 use asperity_topography::{
     Estimator, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError,
 };
@@ -13,7 +14,7 @@ use toml::Value;
 use crate::args::OutputArgs;
 use crate::commands::scales::Scales;
 use crate::numbers::{length, number, positive_numbers};
-use crate::output::{self, once, progress, say};
+use crate::output::{self, progress, report, say};
 use crate::table::{Cell, Format, Table};
 
 /// What a measured surface is like, and a scene made of it
@@ -97,7 +98,7 @@ impl Surface {
             output::refuse_to_replace(path, self.force)?;
         }
         if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
-            say("warning", &tilted);
+            say("warning", &tilted.message());
         }
         let working = progress("surface");
         if self.scales.is_asked() {
@@ -105,15 +106,14 @@ impl Surface {
             drop(working);
             return self.output.write(&table);
         }
-        let (mut each, mut words, mut density) = (vec![], vec![], None);
+        let (mut each, mut found, mut density) = (vec![], Diagnostics::default(), None);
         for path in &self.files {
             let of = || path.display().to_string();
             let surface = self.prepared(path)?;
             let statistics = surface.statistics(self.estimator).with_context(of)?;
-            words.extend(
-                asperity_scene::open_seam(&surface).map(|word| format!("{}: {word}", of())),
-            );
-            words.extend(statistics.warnings.iter().map(|word| format!("{}: {word}", of())));
+            let seam = asperity_scene::open_seam(&surface).into_iter();
+            let of_scan = seam.chain(statistics.warnings.iter().cloned());
+            found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if self.heights.is_some() {
                 density = Some(surface.height_density().with_context(of)?);
@@ -121,11 +121,12 @@ impl Surface {
         }
         if let [first, second] = &each[..] {
             let both = Statistics::combined(first, second).context(self.names(" and "))?;
-            words.extend(both.warnings.iter().map(|word| format!("both together: {word}")));
+            let of_both = both.warnings.iter().cloned();
+            found.extend(of_both.map(|found| found.from_origin("both together")));
             each.push(both);
         }
         drop(working);
-        once(&words).iter().for_each(|text| say("warning", text));
+        report(&found);
         let statistics = each.last().context("a file was required")?;
         if let (Some(path), Some(density)) = (&self.heights, density) {
             let points = density.heights_m.into_iter().zip(density.density_per_m);

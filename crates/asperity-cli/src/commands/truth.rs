@@ -4,12 +4,11 @@ use std::mem::discriminant;
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use asperity::bem::{Bem, BemError, Given, Note};
+use asperity::bem::{Bem, BemError};
 use asperity::{ContactError, ContactState, Described, Model, Truth, told, truth};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
-use crate::ask::tell;
 use crate::commands::bem::Way;
 use crate::interrupt;
 use crate::numbers::{Numbers, loads, pressures};
@@ -102,14 +101,11 @@ impl TruthCommand {
         if found.is_empty() {
             bail!("{}: no load was solved", scene.name);
         }
-        let notes: Vec<_> = found
-            .iter()
-            .flat_map(|t| t.notes.iter().map(|note| (Given::MeanPressure(t.pressure), *note)))
-            .collect();
-        Note::summary(&notes).iter().for_each(|text| say("warning", text));
-        let refused = found.iter().flat_map(|truth| &truth.refused);
-        let refused: Vec<_> = refused.map(|(m, why)| (m.id().to_string(), why.clone())).collect();
-        tell(&refused);
+        let of_truth = |truth: &Truth| {
+            let refused = truth.refused.iter().map(|(_, why)| why.clone());
+            truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+        };
+        scene.report(found.iter().flat_map(of_truth).collect());
         // Of each model the first reason of a kind: others differ by the load alone.
         let mut missing: Vec<(String, ContactError)> = vec![];
         for (model, why) in found.iter().flat_map(|truth| &truth.missing) {

@@ -90,7 +90,7 @@ impl Unload {
         }
         match (turns, place) {
             (Some(turns), _) => {
-                scene.tell(&[&model], &turns);
+                scene.report_answers(&[&model], &turns);
                 history::write(&scene, &model, &joints, &turns, &self.output)
             }
             (None, Some(place)) => self.back(&scene, &model, &joints, place),

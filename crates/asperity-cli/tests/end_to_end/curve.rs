@@ -166,11 +166,12 @@ fn odd_answers_stand_and_are_warned_of() {
     assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
     assert!(column(&run.out, &Quantity::LnForce.column())[1] < -1e5);
     assert!(
-        run.words.contains("the force is negative in 1 row, first at a separation of 1 asp"),
+        run.words.contains(" N) at a separation of 1 asp")
+            && run.words.contains("force is negative ("),
         "{}",
         run.words
     );
-    assert!(run.words.contains("too small for a double in 1 row"), "{}", run.words);
+    assert!(run.words.contains("too small for f64 at a separation of 500"), "{}", run.words);
 }
 
 #[test]

@@ -112,11 +112,12 @@ fn what_cancels_is_told_with_what_it_does_to_the_answer() {
     let run = |words: &str| bench.run(&format!("{words} --model at,jg,ke"));
     // Next to a zero crossing, as large a part of the force as of its parts moves it.
     let near = run("curve scene.toml --separation 3.4637,0 --quantity force");
-    let to = told(&near.words, "give it only to ", " of itself there");
+    let to = told(&near.words, "leave a relative error of ", "\n");
     assert!((1e-4..0.5).contains(&to), "{to}");
     assert!(
-        near.words
-            .contains("AT: parts of the force cancel in 1 row, most at a separation of 3.4637")
+        near.words.contains(
+            "AT: positive and negative parts of the force cancel at a separation of 3.4637"
+        )
     );
     assert_eq!(near.words.matches("cancel").count(), 1, "{}", near.words);
     // Below the top, at a load.
@@ -124,8 +125,10 @@ fn what_cancels_is_told_with_what_it_does_to_the_answer() {
         column(&bench.data("curve scene.toml --model at --separation 3.69:3.71:2001"), "force_N");
     let load = 0.9999999 * force.iter().copied().fold(0.0, f64::max);
     let top = run(&format!("solve scene.toml --load {load:e},20"));
-    assert!(top.words.contains("AT: parts of the tangent cancel in 1 row, most at a load of"));
-    assert!(top.words.contains("the force turns near there"), "{}", top.words);
+    assert!(
+        top.words.contains("AT: positive and negative parts of the tangent cancel at a load of")
+    );
+    assert!(top.words.contains("the force has an extremum nearby"), "{}", top.words);
     assert_eq!(top.words.matches("cancel").count(), 1, "{}", top.words);
     // Nothing is said elsewhere.
     for words in ["curve scene.toml --separation 0,2,5", "solve scene.toml --load 1e-3,1"] {

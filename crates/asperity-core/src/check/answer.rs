@@ -1,15 +1,15 @@
 //! An answer that is looked at before it is believed: how deep the asperities are pressed, how many
 //! there are, and whether the model is made for that.
 
-use super::finding::{Finding, Severity, short};
 use super::interferences::Interferences;
 use super::{Check, Scene};
+use crate::diagnostic::short;
 use crate::{
-    At, Contact, ContactError, ContactModel, Datum, KnownDefect, Quantity, Request, Separation,
-    SeparationUnit, Tolerance,
+    At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, KnownDefect, Quantity,
+    Request, Separation, SeparationUnit, Severity, Tolerance,
 };
 
-/// So many numbers are enough for a word.
+/// Enough for the numbers of a diagnostic.
 const TOLERANCE: f64 = 1e-6;
 /// Asperities that cover more of the nominal area feel each other.
 const CROWDED: [f64; 2] = [0.1, 0.5];
@@ -47,40 +47,37 @@ impl Check {
     /// What is unusual about the answers at these places, each finding once: where the surfaces are
     /// closest, and at the lightest of the loads. A place that has no answer has no findings.
     #[must_use]
-    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Vec<Finding> {
+    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Diagnostics {
         let mut check = Self::default();
         for at in extremes(places, scene) {
             if let Ok(answer) = Self::of_answer(model, scene, at, false) {
                 check.extend(answer.findings);
             }
         }
-        check.findings
+        // The worst of a few extremes: rows are not counted.
+        check.findings.into_iter().map(|found| found.in_rows(1)).collect()
     }
 
     /// Leaves out what a model of the whole surface knows nothing of.
     pub fn keep_for(&mut self, model: &dyn ContactModel) {
-        let asperities = model.validity().asperities;
-        self.findings.retain(|finding| asperities || !finding.is_of_asperities());
+        let findings = std::mem::take(&mut self.findings);
+        self.findings = findings.for_asperities(model.validity().asperities);
     }
 
-    /// Why a real area is no answer of a model at a pressure: there is more of it than of the surface.
+    /// An error where a model's real area at a pressure exceeds the nominal area.
     #[must_use]
     pub fn no_answer(
         model: &dyn ContactModel,
         pressure: f64,
         area_fraction: f64,
-    ) -> Option<Finding> {
-        let at = At::Pressure(pressure);
-        (area_fraction > 1.0).then(|| {
-            let message = format!(
-                "area_fraction is {} at {at} by {}, more than there is: no answer; are modulus and load in their units? else the load is too heavy for asperities: ask persson-fudge, or bem",
-                short(area_fraction),
-                model.name()
-            );
-            let (field, usual) = ("area_fraction", [0.0, CROWDED[0]]);
-            let (code, severity) = ("above-nominal", Severity::Error);
-            Finding::new(code, severity, field, area_fraction, usual, message)
-        })
+    ) -> Option<Diagnostic> {
+        let found = Diagnostic::error("above-nominal", "area_fraction", area_fraction)
+            .usual([0.0, CROWDED[0]])
+            .of_model(model.name())
+            .at(At::Pressure(pressure))
+            .fact(format!("area_fraction is {}, above 1", short(area_fraction)))
+            .advice("check the units of modulus and load; at such loads use persson-fudge or bem");
+        (area_fraction > 1.0).then_some(found)
     }
 
     /// With all numbers, or with those alone that warnings come of: models over angles are then
@@ -154,7 +151,7 @@ impl Check {
         if let Some(contacts) = contacts {
             check.say("contacts", contacts, "", "asperities that touch");
             if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
-                check.extend([few(at, contacts)]);
+                check.extend([few(model, at, contacts)]);
             }
             if contacts > 0.0 && area > 0.0 {
                 let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
@@ -166,7 +163,7 @@ impl Check {
             check.say("mean_pressure", mean, "Pa", "load over real area");
             if let Ok((Some(hardness), ..)) = scene.interface.check() {
                 check.say("mean_pressure_over_hardness", mean / hardness, "", "p/H");
-                // What yields is told by its depth.
+                // The depth shows what yields.
                 if model.validity().holds_to.is_none() {
                     check.extend(above_hardness(model, at, mean / hardness));
                 }
@@ -175,27 +172,20 @@ impl Check {
         check
     }
 
-    /// What the depths tell to which the asperities are pressed.
+    /// Diagnostics of the depths to which the asperities are pressed.
     fn of_depths(&mut self, model: &dyn ContactModel, scene: &Scene, at: At, deep: &Interferences) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
         self.say("interference", w, "m", "w beyond which 1 % of the load is carried");
         self.say("interference_over_radius", w / r, "", "w/R of it");
         if w > DEEP[0] * r {
             let severity = if w > DEEP[1] * r { Severity::Error } else { Severity::Warning };
-            let name = model.name();
-            let message = format!(
-                "interference_over_radius is {} at {at} by {name}: asperities are pressed as flat as they are high, which no law of a spherical cap describes",
-                short(w / r)
-            );
-            let usual = [0.0, DEEP[0]];
-            self.extend([Finding::new(
-                "deep",
-                severity,
-                "interference_over_radius",
-                w / r,
-                usual,
-                message,
-            )]);
+            let deep = Diagnostic::warning("deep", "interference_over_radius", w / r)
+                .severity(severity)
+                .usual([0.0, DEEP[0]])
+                .of_model(model.name())
+                .at(at)
+                .advice("the interference is too large for a spherical-asperity law");
+            self.extend([deep]);
         }
         let Some(critical) = scene.asperity().ok().and_then(|a| a.critical_interference().ok())
         else {
@@ -229,59 +219,63 @@ fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool 
 
 const HIDDEN: f64 = Scene::HIDES_ADHESION;
 
-/// Adhesion that a scene has and a model does not know, or knows beyond what it is derived for.
-fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
+/// Adhesion that a scene has and a model ignores, or that is beyond the model's range.
+fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
     let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
-    let name = model.name();
     let Some([least, most]) = model.validity().tabor else {
-        let message = format!(
-            "adhesion_parameter is {}: at less than {HIDDEN} surfaces stick, and {name} leaves the work_of_adhesion out: ask dmt or jkr",
-            short(theta)
-        );
-        let (field, usual) = ("adhesion_parameter", [HIDDEN, f64::INFINITY]);
-        return Some(Finding::new("sticks", Severity::Warning, field, theta, usual, message));
+        let found = Diagnostic::warning("sticks", "adhesion_parameter", theta)
+            .usual([HIDDEN, f64::INFINITY])
+            .of_model(model.name())
+            .advice("this model ignores work_of_adhesion, which matters here; use dmt or jkr");
+        return Some(found);
     };
     let tabor = scene.asperity().ok()?.tabor_parameter()?;
     let other = if tabor > most { "jkr" } else { "dmt" };
-    let message = format!(
-        "tabor_parameter is {}: {name} holds from {least} to {most}: {other} is nearer",
-        short(tabor)
-    );
-    let (field, usual) = ("tabor_parameter", [least, most]);
-    let finding = Finding::new("tabor", Severity::Warning, field, tabor, usual, message);
-    (!(least..=most).contains(&tabor)).then_some(finding)
+    let found = Diagnostic::warning("tabor", "tabor_parameter", tabor)
+        .usual([least, most])
+        .of_model(model.name())
+        .advice(format!("outside the range of this model; use {other}"));
+    (!(least..=most).contains(&tabor)).then_some(found)
 }
 
-/// A load that asperities carry which yield, by a model that knows no yielding.
-fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
-    let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
-    let (name, percent) = (model.name(), short(100.0 * share));
-    let advice = match model.validity().adhesive {
+/// A load on yielding asperities, by a model without yielding.
+fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
+    let name = model.name();
+    let remedy = match model.validity().adhesive {
         true => {
-            "no model here has both yielding and adhesion: ke and jg have the first alone, and are nearer where adhesion_parameter is above 10"
+            "no model has both yielding and adhesion; use ke or jg if adhesion_parameter is above 10"
         }
-        false => "ask a model that does (ke, jg)",
+        false => "use ke or jg",
     };
-    let message = format!(
-        "yielding_share is {percent} % at {at}: {name} knows no yielding and gives too small an area and too large a load there: {advice}"
-    );
-    let usual = [0.0, YIELDS[0]];
-    let finding = Finding::new("yields", severity, "yielding_share", share, usual, message);
-    (share > YIELDS[0]).then_some(finding)
+    let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
+    let found = Diagnostic::warning("yields", "yielding_share", share)
+        .severity(severity)
+        .usual([0.0, YIELDS[0]])
+        .of_model(name)
+        .at(at)
+        .fact(format!("yielding asperities carry {} % of the force", short(100.0 * share)))
+        .advice(format!(
+            "{name} ignores yielding and underestimates the area at this load; {remedy}"
+        ));
+    (share > YIELDS[0]).then_some(found)
 }
 
 /// A load that is carried where a law is known to be off.
-fn missed(model: &dyn ContactModel, at: At, share: f64, defect: &KnownDefect) -> Option<Finding> {
+fn missed(
+    model: &dyn ContactModel,
+    at: At,
+    share: f64,
+    defect: &KnownDefect,
+) -> Option<Diagnostic> {
     let KnownDefect { from, to, summary } = defect;
-    let message = format!(
-        "missed_share is {} % at {at}, of the load by asperities from {from} to {to} w_c: {} {summary}",
-        short(100.0 * share),
-        model.name()
-    );
-    let usual = [0.0, MISSED];
-    let finding =
-        Finding::new("fit-misses", Severity::Warning, "missed_share", share, usual, message);
-    (share > MISSED).then_some(finding)
+    let percent = short(100.0 * share);
+    let found = Diagnostic::warning("fit-misses", "missed_share", share)
+        .usual([0.0, MISSED])
+        .of_model(model.name())
+        .at(at)
+        .fact(format!("asperities pressed from {from} to {to} w_c carry {percent} % of the force"))
+        .advice(format!("{} {summary}", model.name()));
+    (share > MISSED).then_some(found)
 }
 
 /// A load that is carried beyond what a law was fitted to; `x` is the largest w/w_c that matters.
@@ -291,53 +285,44 @@ fn beyond_fit(
     share: f64,
     x: f64,
     holds_to: f64,
-) -> Option<Finding> {
-    let (name, percent) = (model.name(), short(100.0 * share));
-    let message = format!(
-        "interference_over_critical is {} at {at}: {percent} % of the load is carried beyond {} w_c, to which {name} is fitted; it goes on as plastic there, as one expects",
-        short(x),
-        short(holds_to)
-    );
-    let (field, usual) = ("interference_over_critical", [0.0, holds_to]);
-    let finding = Finding::new("beyond-fit", Severity::Note, field, x, usual, message);
-    (share > BEYOND).then_some(finding)
+) -> Option<Diagnostic> {
+    let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
+    let found = Diagnostic::note("beyond-fit", "interference_over_critical", x)
+        .usual([0.0, holds_to])
+        .of_model(name)
+        .at(at)
+        .fact(format!("asperities pressed beyond {limit} w_c carry {percent} % of the force"))
+        .advice(format!("beyond this interference {name} assumes full plasticity"));
+    (share > BEYOND).then_some(found)
 }
 
-fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Finding> {
+fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Diagnostic> {
     let severity = match fraction {
         f if f > CROWDED[1] => Severity::Error,
         f if f > CROWDED[0] => Severity::Warning,
         _ => return None,
     };
-    let message = format!(
-        "area_fraction is {} at {at} by {}: models of asperities that do not feel each other are made for less than {}, and contacts grow together beyond",
-        short(fraction),
-        model.name(),
-        CROWDED[0]
-    );
-    Some(Finding::new("crowded", severity, "area_fraction", fraction, [0.0, CROWDED[0]], message))
+    let found = Diagnostic::warning("crowded", "area_fraction", fraction).severity(severity);
+    let advice =
+        "contacts merge, and models of independent asperities do not hold; use persson or bem";
+    Some(found.usual([0.0, CROWDED[0]]).of_model(model.name()).at(at).advice(advice))
 }
 
 /// A mean pressure that no contact carries.
-fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
-    let message = format!(
-        "mean_pressure_over_hardness is {} at {at} by {}: no contact carries much more than its hardness, the real area is larger: ask a model of yielding (ke, jg)",
-        short(ratio),
-        model.name()
-    );
-    let field = "mean_pressure_over_hardness";
-    let usual = [0.0, PLASTIC];
-    let finding = Finding::new("above-hardness", Severity::Warning, field, ratio, usual, message);
-    (ratio > PLASTIC).then_some(finding)
+fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Diagnostic> {
+    let found = Diagnostic::warning("above-hardness", "mean_pressure_over_hardness", ratio)
+        .usual([0.0, PLASTIC])
+        .of_model(model.name())
+        .at(at)
+        .advice("the contacts would yield, and the real area is larger; use ke or jg");
+    (ratio > PLASTIC).then_some(found)
 }
 
-fn few(at: At, contacts: f64) -> Finding {
-    let message = format!(
-        "contacts is {} at {at}: one surface differs from this average of many by more than the models do",
-        short(contacts)
-    );
-    let usual = [FEW, f64::INFINITY];
-    Finding::new("few-contacts", Severity::Warning, "contacts", contacts, usual, message)
+fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Diagnostic {
+    let advice =
+        "with so few contacts, the scatter between samples exceeds the differences between models";
+    let found = Diagnostic::warning("few-contacts", "contacts", contacts);
+    found.usual([FEW, f64::INFINITY]).of_model(model.name()).at(at).advice(advice)
 }
 
 /// The closest place and, of loads, the lightest.

@@ -1,8 +1,8 @@
 //! Whether moduli and hardnesses are those of any material.
 
-use super::finding::{Finding, Severity, short};
-use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, ask, slip};
-use crate::{Body, Interface};
+use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, likely, likely_unit};
+use crate::diagnostic::short;
+use crate::{Body, Diagnostic, Diagnostics, Interface, Severity};
 
 /// From soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
@@ -41,7 +41,7 @@ struct Material {
 impl Body {
     /// What is unusual about these numbers for any material.
     #[must_use]
-    pub fn findings(&self) -> Vec<Finding> {
+    pub fn findings(&self) -> Diagnostics {
         let modulus = ("youngs_modulus", self.youngs_modulus);
         let &Self { hardness, yield_strength, .. } = self;
         let mut found = Material { modulus, hardness, yield_strength }.findings();
@@ -53,7 +53,7 @@ impl Body {
 impl Interface {
     /// What is unusual about these numbers for any two materials.
     #[must_use]
-    pub fn findings(&self) -> Vec<Finding> {
+    pub fn findings(&self) -> Diagnostics {
         let modulus = ("equivalent_modulus", self.equivalent_modulus);
         let &Self { hardness, yield_strength, .. } = self;
         let mut found = Material { modulus, hardness, yield_strength }.findings();
@@ -61,78 +61,65 @@ impl Interface {
             let usual = SHEAR_RATIO.map(|ratio| ratio * self.equivalent_modulus);
             // Where the modulus is objected to, the ratio says nothing new.
             if found.is_empty() && !within(shear, usual) {
-                let field = "equivalent_shear_modulus";
                 let share = short(shear / self.equivalent_modulus);
-                let why = format!(
-                    "{share} of the equivalent modulus, and (1 - nu)/(2 (2 - nu)), about 0.2, is usual"
+                let meaning = format!(
+                    "{share} of the equivalent modulus, where (1 - nu)/(2 (2 - nu)), about 0.2, is usual"
                 );
-                let question = slip(shear, PRESSURES, "Pa", |g| within(g, usual));
-                let why = question.into_iter().fold(why, |why, question| why + ": " + &question);
-                found.push(unusual(field, shear, usual, &why));
+                let unit = likely_unit(shear, PRESSURES, "Pa", |g| within(g, usual));
+                let advice = [Some(meaning), unit].into_iter().flatten().collect::<Vec<_>>();
+                let found_here = unusual("equivalent_shear_modulus", shear, usual).unit("Pa");
+                found.push(found_here.advice(advice.join("; ")));
             }
         }
         if let Some(work) = self.work_of_adhesion
             && work > 0.0
             && !within(work, ADHESION)
         {
-            let question = slip(work, ENERGIES, "J/m2", |w| within(w, ADHESION));
-            let why = question.into_iter().fold(
-                "where 0.001 to 5 is usual, 0.05 for most clean surfaces in air".to_string(),
-                |why, question| why + ": " + &question,
-            );
-            let message = format!("work_of_adhesion is {} J/m2, {why}", short(work));
-            let (field, severity) = ("work_of_adhesion", severity(work, ADHESION));
-            found.push(Finding::new("unusual-size", severity, field, work, ADHESION, message));
+            let unit = likely_unit(work, ENERGIES, "J/m2", |w| within(w, ADHESION));
+            let advice = unit.unwrap_or_else(|| "clean surfaces in air have about 0.05".into());
+            let found_here = unusual("work_of_adhesion", work, ADHESION).unit("J/m2");
+            found.push(found_here.advice(advice));
         }
         if let Some(factor) = self.pressure_factor
             && !within(factor, PRESSURE_FACTOR)
         {
-            let why = "0.454 + 0.41 nu, 0.4 to 0.7, is usual: leave it out if in doubt";
-            found.push(unusual("pressure_factor", factor, PRESSURE_FACTOR, why));
+            let advice = "leave it out for 0.454 + 0.41 nu";
+            found.push(unusual("pressure_factor", factor, PRESSURE_FACTOR).advice(advice));
         }
         found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
         found
     }
 }
 
-/// What is unusual about what conducts: a word only, as no force depends on it.
-fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Finding> {
-    let told = |field, value: f64, usual: [f64; 2], units: &[Unit], si: &str, of: &str| {
-        let question = slip(value, units, si, |x| within(x, usual));
-        let question = question.map_or(String::new(), |question| format!(": {question}"));
-        let [from, to] = usual.map(short);
-        let message = format!(
-            "{field} is {} {si}, where {from} to {to} is usual of {of}{question}",
-            short(value)
-        );
-        let finding = Finding::new("unusual-size", Severity::Warning, field, value, usual, message);
-        (!within(value, usual)).then_some(finding)
+/// Conductivity and resistivity: never an error, as no force depends on them.
+fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Diagnostic> {
+    let check = |field, value: f64, usual, units: &[Unit], si| {
+        let unit = likely_unit(value, units, si, |x| within(x, usual));
+        let found = Diagnostic::warning("unusual-size", field, value).usual(usual).unit(si);
+        (!within(value, usual)).then(|| found.advice(unit.unwrap_or_default()))
     };
-    let k = conductivity.and_then(|k| {
-        told("thermal_conductivity", k, CONDUCTIVITY, CONDUCTIVITIES, "W/(m K)", "materials")
-    });
-    let rho = resistivity.and_then(|rho| {
-        let of = "what conducts (1/conductivity)";
-        told("electrical_resistivity", rho, RESISTIVITY, RESISTIVITIES, "ohm m", of)
-    });
-    k.into_iter().chain(rho).collect()
+    let thermal = conductivity
+        .and_then(|k| check("thermal_conductivity", k, CONDUCTIVITY, CONDUCTIVITIES, "W/(m K)"));
+    let electrical = resistivity
+        .and_then(|rho| check("electrical_resistivity", rho, RESISTIVITY, RESISTIVITIES, "ohm m"));
+    thermal.into_iter().chain(electrical).collect()
 }
 
 impl Material {
-    fn findings(&self) -> Vec<Finding> {
-        let mut found = self.sizes();
+    fn findings(&self) -> Diagnostics {
+        let mut found: Diagnostics = self.sizes().into_iter().collect();
         if let (Some(h), Some(y)) = (self.hardness, self.yield_strength)
             && !within(h / y, YIELD_RATIO)
         {
             let usual = [h / YIELD_RATIO[1], h / YIELD_RATIO[0]];
-            let why = format!("{} of the hardness, where 1/2.8 is usual", short(y / h));
-            found.push(unusual("yield_strength", y, usual, &why));
+            let advice = format!("{} of the hardness, where 1/2.8 is usual", short(y / h));
+            found.push(unusual("yield_strength", y, usual).unit("Pa").advice(advice));
         }
         found
     }
 
     /// Of modulus and hardness: which of them is of no material, or not of the other's.
-    fn sizes(&self) -> Vec<Finding> {
+    fn sizes(&self) -> Vec<Diagnostic> {
         let (modulus_field, modulus) = self.modulus;
         let (strength_field, strength) = match (self.hardness, self.yield_strength) {
             (Some(h), _) => ("hardness", Some(h)),
@@ -144,31 +131,33 @@ impl Material {
         let ratio = strength.unwrap_or(0.0) / modulus;
         let by_ratio = ratios(modulus);
         let found = |field, value: f64, usual: [f64; 2], unit: Option<Unit>| {
-            let within_its_own = within(value, usual);
-            let mut why = match within_its_own {
-                false => format!("materials have {} to {} Pa", short(usual[0]), short(usual[1])),
-                true => format!(
-                    "{strength_field} over modulus would be {}, where {} to {} is usual",
-                    short(ratio),
-                    by_ratio[0],
-                    by_ratio[1]
-                ),
+            let of_modulus = field == modulus_field;
+            let (usual, meaning) = match within(value, usual) {
+                false => (usual, "no material has such a value".to_string()),
+                true => {
+                    let usual = match of_modulus {
+                        true => [by_ratio[1], by_ratio[0]].map(|r| ratio * modulus / r),
+                        false => by_ratio.map(|r| r * modulus),
+                    };
+                    let [least, most] = by_ratio.map(short);
+                    let meaning = format!(
+                        "{strength_field} over modulus is {}, where {least} to {most} is usual",
+                        short(ratio)
+                    );
+                    (usual, meaning)
+                }
             };
-            why += &unit.map_or(String::new(), |unit| format!(": {}", ask(value, unit, "Pa")));
-            let is_modulus = field == strength_field && unit.is_none() && modulus >= PLASTIC;
-            if is_modulus && ratio > NO_HARDNESS {
-                why += &format!(", and {} times the modulus: is it a modulus?", short(ratio));
-                let message = format!("{field} is {} Pa, {why}", short(value));
-                let usual = by_ratio.map(|r| r * modulus);
-                let (code, severity) = ("unusual-size", Severity::Error);
-                return Finding::new(code, severity, field, value, usual, message);
+            let stiff = !of_modulus && modulus >= PLASTIC && ratio > NO_HARDNESS;
+            match unit {
+                Some(unit) => unusual(field, value, usual).advice(likely(value, unit, "Pa")),
+                None if stiff => {
+                    let usual = by_ratio.map(|r| r * modulus);
+                    let advice = format!("{} times the modulus looks like a modulus", short(ratio));
+                    Diagnostic::error("unusual-size", field, value).usual(usual).advice(advice)
+                }
+                None => unusual(field, value, usual).advice(meaning),
             }
-            let usual = match field == modulus_field {
-                _ if !within_its_own => usual,
-                true => [by_ratio[1], by_ratio[0]].map(|r| ratio * modulus / r),
-                false => by_ratio.map(|r| r * modulus),
-            };
-            unusual(field, value, usual, &why)
+            .unit("Pa")
         };
         let of_modulus = |unit| found(modulus_field, modulus, MODULUS, unit);
         let of_strength = |unit| strength.map(|h| found(strength_field, h, HARDNESS, unit));
@@ -226,8 +215,6 @@ pub(crate) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
 }
 
 /// A number that no material has.
-fn unusual(field: &'static str, value: f64, usual: [f64; 2], why: &str) -> Finding {
-    let unit = if field == "pressure_factor" { "" } else { " Pa" };
-    let message = format!("{field} is {}{unit}, {why}", short(value));
-    Finding::new("unusual-size", severity(value, usual), field, value, usual, message)
+fn unusual(field: &'static str, value: f64, usual: [f64; 2]) -> Diagnostic {
+    Diagnostic::warning("unusual-size", field, value).usual(usual).severity(severity(value, usual))
 }

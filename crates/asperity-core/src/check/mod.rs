@@ -2,7 +2,6 @@
 //! them are those of no surface, no material, or of none that a model is made for.
 
 mod answer;
-mod finding;
 mod interferences;
 mod materials;
 mod roughness;
@@ -12,10 +11,8 @@ use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
-use crate::{ContactError, HeightDistribution, Scene};
-
-use finding::short;
-pub use finding::{Finding, Severity};
+use crate::diagnostic::short;
+use crate::{ContactError, Diagnostic, Diagnostics, HeightDistribution, Scene};
 
 /// A number that follows from a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +38,7 @@ pub struct DerivedNumber {
 /// let check = scene.check()?;
 /// let finding = &check.findings[0];
 /// assert_eq!((finding.severity, &*finding.field), (Severity::Error, "equivalent_modulus"));
-/// assert!(finding.message.ends_with("is it in GPa? 116 GPa is 1.16e11 Pa"));
+/// assert!(finding.message().ends_with("116 looks like GPa; 116 GPa is 1.16e11 Pa"));
 /// # Ok::<(), asperity_core::ContactError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -50,8 +47,8 @@ pub struct Check {
     /// What follows from the inputs.
     #[serde(serialize_with = "as_map")]
     pub numbers: Vec<DerivedNumber>,
-    /// What deserves a word, what matters most first.
-    pub findings: Vec<Finding>,
+    /// What is unusual, most severe first.
+    pub findings: Diagnostics,
 }
 
 fn as_map<S: Serializer>(numbers: &[DerivedNumber], serializer: S) -> Result<S::Ok, S::Error> {
@@ -65,17 +62,10 @@ impl Check {
         self.numbers.iter().find(|number| number.name == name).map(|number| number.value)
     }
 
-    /// Adds findings, what matters most first, each code and field once.
-    pub fn extend(&mut self, findings: impl IntoIterator<Item = Finding>) {
-        for new in findings {
-            let same = |known: &&mut Finding| known.code == new.code && known.field == new.field;
-            match self.findings.iter_mut().find(same) {
-                Some(known) if new.excess() > known.excess() => *known = new,
-                Some(_) => {}
-                None => self.findings.push(new),
-            }
-        }
-        self.findings.sort_by_key(|finding| finding.severity);
+    /// Adds findings, one for each cause.
+    pub fn extend(&mut self, findings: impl IntoIterator<Item = Diagnostic>) {
+        self.findings.extend(findings);
+        self.findings = std::mem::take(&mut self.findings).by_cause();
     }
 
     /// Adds a number.
@@ -172,7 +162,7 @@ impl Scene {
     /// What is unusual about the numbers of the scene, by themselves and for each other; nothing
     /// for most scenes. Cheap enough to be asked of every scene of a study.
     #[must_use]
-    pub fn findings(&self) -> Vec<Finding> {
+    pub fn findings(&self) -> Diagnostics {
         let mut found = self.interface.findings();
         let surface = self.surface.findings();
         let area = surface.is_empty().then(|| roughness::of_area(self)).flatten();
@@ -181,33 +171,30 @@ impl Scene {
         if let (true, Ok(w)) = (found.is_empty(), critical)
             && w < ATOM
         {
-            let message = format!(
-                "critical_interference is {} m, less than the distance of two atoms (0.3 nm): read it as plastic from the first touch",
-                short(w)
-            );
-            let (field, usual) = ("critical_interference", [ATOM, f64::INFINITY]);
-            found.push(Finding::new("atomic", Severity::Note, field, w, usual, message));
+            let advice = "below the distance of two atoms (0.3 nm) contacts are plastic from the first touch";
+            let atomic = Diagnostic::note("atomic", "critical_interference", w);
+            found.push(atomic.usual([ATOM, f64::INFINITY]).unit("m").advice(advice));
         }
         found.extend(self.which_adhesion());
-        found.sort_by_key(|finding| finding.severity);
         found
     }
 
     /// Which models know the scene's work of adhesion, and which of them is made for it.
-    fn which_adhesion(&self) -> Option<Finding> {
+    fn which_adhesion(&self) -> Option<Diagnostic> {
         let tabor = self.asperity().ok()?.tabor_parameter().filter(|tabor| *tabor > 0.0)?;
         let theta = self.adhesion_parameter()?;
-        let nearer = match tabor {
-            t if t <= DMT => "dmt is made for it",
-            t if t >= JKR => "jkr (jkr-separation as the surfaces part) is made for it",
-            _ => "dmt (below 0.1) and jkr (above 5) are both off, and lie on both sides",
+        let advice = match tabor {
+            t if t <= DMT => "use dmt",
+            t if t >= JKR => "use jkr, or jkr-separation as the surfaces part",
+            _ => "between dmt (below 0.1) and jkr (above 5); use both as bounds",
         };
-        let message = format!(
-            "tabor_parameter is {}: of the models with adhesion {nearer}; all others leave work_of_adhesion out; adhesion_parameter is {}: above 10 roughness hides all but little of it",
-            short(tabor),
-            short(theta)
+        let advice = format!(
+            "{advice}, as other models ignore work_of_adhesion; adhesion_parameter is {}, and above {} roughness hides adhesion",
+            short(theta),
+            Self::HIDES_ADHESION
         );
-        let (field, usual) = ("tabor_parameter", [DMT, JKR]);
-        Some(Finding::new("adhesion", Severity::Note, field, tabor, usual, message))
+        let found = Diagnostic::note("adhesion", "tabor_parameter", tabor).usual([DMT, JKR]);
+        let fact = format!("tabor_parameter is {}", short(tabor));
+        Some(found.fact(fact).advice(advice))
     }
 }

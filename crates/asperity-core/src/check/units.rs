@@ -1,6 +1,6 @@
 //! Numbers that would be usual in another unit.
 
-use super::finding::short;
+use crate::diagnostic::short;
 
 /// A unit that people mean when they forget that plain numbers are SI: its name, and how many SI
 /// units it is. The likeliest stands first.
@@ -23,18 +23,21 @@ pub(crate) const DENSITIES: &[Unit] =
 /// Of areas \[m²\].
 pub(crate) const AREAS: &[Unit] = &[("mm2", 1e-6), ("cm2", 1e-4), ("um2", 1e-12)];
 
-/// What to ask of a value that would make sense in one of these units.
-pub(crate) fn slip(
+/// The unit that a value probably has: the first in which it makes sense.
+pub(crate) fn likely_unit(
     value: f64,
     units: &[Unit],
     si: &str,
     makes_sense: impl Fn(f64) -> bool,
 ) -> Option<String> {
-    units.iter().find(|(_, factor)| makes_sense(value * factor)).map(|unit| ask(value, *unit, si))
+    units
+        .iter()
+        .find(|(_, factor)| makes_sense(value * factor))
+        .map(|unit| likely(value, *unit, si))
 }
 
-/// "is it in GPa? 116 GPa is 1.16e11 Pa"
-pub(crate) fn ask(value: f64, (name, factor): Unit, si: &str) -> String {
+/// "116 looks like GPa; 116 GPa is 1.16e11 Pa"
+pub(crate) fn likely(value: f64, (name, factor): Unit, si: &str) -> String {
     let (given, meant) = (short(value), short(value * factor));
-    format!("is it in {name}? {given} {name} is {meant} {si}")
+    format!("{given} looks like {name}; {given} {name} is {meant} {si}")
 }

@@ -2,10 +2,10 @@
 
 use asperity_quadrature::{Column, ColumnAccuracy};
 
-use crate::diagnostic::CANCELLED;
 use crate::engine::averages::Averages;
 use crate::engine::prepared::Prepared;
 use crate::request::quantity_table::Derivation;
+use crate::response::row_check::CANCELLED;
 use crate::{At, Contact, ContactError, Quantity};
 
 /// Values that fall back together to one at a time, if one of them has to.

@@ -16,8 +16,8 @@ use crate::engine::row::Row;
 use crate::law::contact_radii;
 use crate::response::Response;
 use crate::{
-    AsperityModel, At, Contact, ContactError, Evaluation, Plan, Quantity, Request, Scene,
-    Separation, Share, Warning,
+    AsperityModel, At, Contact, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request,
+    Scene, Separation, Share,
 };
 
 /// The averages of a model's laws over the heights of a scene.
@@ -47,7 +47,11 @@ impl Contact for Compiled {
         &self.0.facts.quantities
     }
 
-    fn notes(&self) -> &[Warning] {
+    fn is_adhesive(&self) -> bool {
+        self.0.facts.laws.adhesive
+    }
+
+    fn notes(&self) -> &[Diagnostic] {
         &self.0.facts.notes
     }
 

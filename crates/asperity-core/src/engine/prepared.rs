@@ -10,7 +10,9 @@ use crate::engine::channel::{Channel, Units, failed};
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::{Laws, any_load};
 use crate::law::contact_radii;
-use crate::{AsperityModel, At, ContactError, Law, Quantity, Request, Scene, Tolerance, Warning};
+use crate::{
+    AsperityModel, At, ContactError, Diagnostic, Law, Quantity, Request, Scene, Tolerance,
+};
 
 /// The part of a question that does not depend on the surface.
 #[derive(Debug)]
@@ -18,7 +20,7 @@ pub(crate) struct Facts {
     pub(crate) model: String,
     pub(crate) quantities: Vec<Quantity>,
     pub(crate) laws: Laws,
-    pub(crate) notes: Vec<Warning>,
+    pub(crate) notes: Vec<Diagnostic>,
     pub(crate) tolerance: Tolerance,
 }
 

@@ -6,7 +6,7 @@ use crate::engine::arrays::{self, FillReport};
 use crate::engine::parallel;
 use crate::response::{Cell, Response, respond};
 use crate::{
-    At, ContactError, Evaluation, Plan, Quantity, Request, Scene, Separation, Share, Warning,
+    At, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
 /// A model applied to a scene: shared by threads, asked as often as wanted.
@@ -22,8 +22,13 @@ pub trait Contact: fmt::Debug + Send + Sync {
     /// The quantities that were asked for.
     fn quantities(&self) -> &[Quantity];
 
-    /// What the model's options deserve to be noted of; the same for every answer.
-    fn notes(&self) -> &[Warning] {
+    /// Whether the surfaces attract each other, so that forces may be negative.
+    fn is_adhesive(&self) -> bool {
+        false
+    }
+
+    /// Notes on the model's options; the same for every answer.
+    fn notes(&self) -> &[Diagnostic] {
         &[]
     }
 
@@ -143,7 +148,9 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let cells = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene(), false), request, cells, shares, |_, _| None)
+        respond((self.model(), self.scene(), self.is_adhesive()), request, cells, shares, |_, _| {
+            None
+        })
     }
 
     /// Whether a quantity was asked for, and is one of those that this model knows: for models that

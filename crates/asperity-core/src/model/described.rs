@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::Warning;
+use crate::Diagnostic;
 
 /// How well the source of an equation is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -176,7 +176,7 @@ pub trait Described: fmt::Debug + Send + Sync {
     }
 
     /// Remarks on the chosen options.
-    fn notes(&self) -> Vec<Warning> {
+    fn notes(&self) -> Vec<Diagnostic> {
         vec![]
     }
 }

@@ -1,10 +1,12 @@
 //! What comes back.
 
 pub(crate) mod evaluation;
+pub(crate) mod row_check;
 
 use serde::Serialize;
 
-use crate::{At, ContactError, Evaluation, Quantity, Request, Scene, Share, Warning, Warnings};
+use self::row_check::RowCheck;
+use crate::{At, ContactError, Diagnostic, Evaluation, Quantity, Request, Scene, Share};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -63,8 +65,8 @@ pub struct Response {
     pub at: Vec<At>,
     /// The quantities, in the order of the request.
     pub columns: Vec<Column>,
-    /// What deserves a word; the values stand.
-    pub warnings: Vec<Warning>,
+    /// Diagnostics of the rows; the values stand.
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl Response {
@@ -92,8 +94,8 @@ pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 /// Rows that are held before they join their columns.
 const TOGETHER: usize = 8192;
 
-/// Puts columns of runs of rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
-/// or share hides, where it may be negative; `adhesive` says whether adhesion makes it so.
+/// Puts columns of runs of rows together, with their diagnostics. `behind` returns the value whose
+/// sign a logarithm or share hides, where it may be negative; `adhesive` if adhesion makes it so.
 pub(crate) fn respond(
     (model, scene, adhesive): (&str, &Scene, bool),
     request: &Request,
@@ -111,17 +113,18 @@ pub(crate) fn respond(
             column.rows.extend(cells);
         }
     }
-    let mut seen = if adhesive { Warnings::of_adhesion() } else { Warnings::default() };
+    let mut seen = RowCheck::new(adhesive);
     for column in &mut columns {
         let quantity = column.quantity;
         for (row, &at) in column.rows.iter().zip(&request.at) {
             let row = row.as_ref().map_err(|error| &**error);
-            seen.look_at(model, quantity, row, at, scene, |of| behind(of, at));
+            seen.check(quantity, row, at, scene, |of| behind(of, at));
         }
         if request.shares {
             let of = |at: &At| shares(column.quantity, *at).map_err(Box::new);
             column.shares = Some(request.at.iter().map(of).collect());
         }
     }
-    Response { model: model.into(), at: request.at.clone(), columns, warnings: seen.into_vec() }
+    let warnings = seen.finish(model);
+    Response { model: model.into(), at: request.at.clone(), columns, warnings }
 }

@@ -141,7 +141,12 @@ impl Surface {
         ProfileMoments { m0, m2, m4 }
     }
 
-    /// β_z = η R σ_z; 0.03 to 0.06 for classic surfaces.
+    /// The range of β = η R σ where rough surfaces are found: β = 0.0204 √α of isotropic Gaussian
+    /// surfaces, from the narrowest spectrum (α = 1.5) to α = 24 \[derived\]; Greenwood & Williamson
+    /// (1966) give 0.03 to 0.05 \[recalled\].
+    pub const USUAL_ROUGHNESS: [f64; 2] = [0.02, 0.1];
+
+    /// β_z = η R σ_z; usually in [`USUAL_ROUGHNESS`](Self::USUAL_ROUGHNESS).
     #[must_use]
     pub fn roughness_parameter(&self) -> f64 {
         self.asperity_density * self.asperity_radius * self.asperity_height_std

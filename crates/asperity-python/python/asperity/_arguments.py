@@ -209,10 +209,12 @@ class Rows:
         rtol: float,
         aspect: Aspect,
         errors: str,
+        checked: bool = False,
     ) -> tuple[dict[str, Floats], dict[int, str], list[str]]:
-        """Quantities of the rows in their shape, why rows failed, and what deserves a word."""
-        arguments = self, names, rtol, aspect, errors == "raise", None
-        columns, failures, said = _asperity.answer(engine, *arguments)
+        """Quantities of the rows in their shape, why rows failed, and diagnostics, if ``checked``
+        also of the scenes."""
+        arguments = self, names, rtol, aspect, errors == "raise", None, checked
+        columns, failures, found_here = _asperity.answer(engine, *arguments)
         why = self.failed(failures, errors)
         found = {q: self.shaped(v, np.isnan(v)) for q, v in zip(names, columns, strict=True)}
-        return found, why, said
+        return found, why, found_here

@@ -306,6 +306,7 @@ def answer(
     aspect: Literal["value", "ln", "error"],
     stop: bool,
     threads: int | None,
+    checked: bool,
 ) -> tuple[list[_Floats], _Failures, list[str]]: ...
 def separations(
     engine: Engine, rows: _Rows, unit: str, rtol: _Float, all: bool, stop: bool

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 
@@ -12,15 +12,15 @@ class Finding:
 
     #: What it is about: ``unusual-size``, ``crowded``.
     code: str
-    #: ``error``: the answers mean nothing until it is mended; ``warning``; ``note``.
+    #: ``error``: results are invalid until this is corrected; ``warning``; ``note``.
     severity: str
     #: The number, by its name in scene files.
     field: str
     #: Its value, in SI units.
     value: float
-    #: What is usual, from and to; None where that end is open.
+    #: The usual range; None where an end is open.
     usual: tuple[float | None, float | None]
-    #: All of it in a sentence, with what to do.
+    #: The whole text, with advice.
     message: str
 
     def __str__(self) -> str:
@@ -33,13 +33,15 @@ class Check:
 
     #: Numbers by their names, in SI units.
     numbers: dict[str, float]
-    #: What is unusual, what matters most first.
+    #: What is unusual, most severe first.
     findings: tuple[Finding, ...]
     text: str = field(repr=False)
 
     @staticmethod
     def _of(numbers: list[tuple[str, float, str, str]], findings: list[dict[str, Any]]) -> Check:
-        found = tuple(Finding(**{**f, "usual": tuple(f["usual"])}) for f in findings)
+        names = [entry.name for entry in fields(Finding)]
+        known = [{name: f[name] for name in names} for f in findings]
+        found = tuple(Finding(**{**f, "usual": tuple(f["usual"])}) for f in known)
         width = max(len(name) for name, *_ in numbers)
         lines = [
             f"{name:<{width}}  {value:<12.6g} {unit:<5} {meaning}".rstrip()

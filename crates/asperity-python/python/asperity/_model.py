@@ -123,12 +123,10 @@ class Model(Engine):
         """
         axis, numbers = place(separation, load, pressure, separation_unit)
         rows, names = Rows(scene, axis, numbers), quantity_names(quantities)
-        columns, failures, said = rows.answer(self, names, rtol, "value", checked_errors(errors))
-        found = _asperity.findings(self, rows)
-        # Too large an area is what they explain.
-        others = [words for words in said if not (found and "above the nominal area" in words)]
-        for words in [*found, *others]:
-            warnings.warn(words, ContactWarning, stacklevel=2)
+        checked = checked_errors(errors)
+        columns, failures, found = rows.answer(self, names, rtol, "value", checked, checked=True)
+        for message in found:
+            warnings.warn(message, ContactWarning, stacklevel=2)
         name = self._source(*rows.files[:1])[1]
         return Curve(self, name, rows, rtol, separation_unit, columns, failures)
 

@@ -207,7 +207,7 @@ class Surface(_Given):
 
     @property
     def roughness_parameter(self) -> float:
-        """Density times radius times height_std; 0.03 to 0.06 for classic surfaces."""
+        """Density times radius times height_std; usually 0.02 to 0.1."""
         return _asperity.roughness_of(self)[0]
 
     @property
@@ -402,7 +402,7 @@ class Scene(_Given):
         >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
         >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
         >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
-        error: equivalent_modulus is 116 Pa, materials have 30000 to 1.3e12 Pa: is it in GPa? 116 GPa is 1.16e11 Pa
+        error: equivalent_modulus is 116 Pa (usual: 30000 to 1.3e12): 116 looks like GPa; 116 GPa is 1.16e11 Pa
         """
         given = {"separation": separation, "load": load, "pressure": pressure}
         places = [(name, number) for name, number in given.items() if number is not None]

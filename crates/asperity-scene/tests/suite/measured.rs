@@ -135,7 +135,7 @@ fn a_periodic_scan_keeps_its_moments_unless_a_plane_is_asked_for() {
     let tilted = read("level = \"plane\"");
     assert!(moments(&tilted).1 > 1.1 * m4);
     let told = |file: &asperity_scene::SceneFile| {
-        file.warnings.iter().any(|word| word.contains("level plane of a periodic surface"))
+        file.warnings.iter().any(|w| w.message().contains("level plane of a periodic surface"))
     };
     assert!(told(&tilted) && !told(&usual) && !told(&mean), "{:?}", tilted.warnings);
     // Boundary elements are pressed on what was measured.

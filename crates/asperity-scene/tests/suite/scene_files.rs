@@ -96,9 +96,8 @@ fn the_ways_lead_to_the_librarys_surfaces() {
     assert_eq!(read(&text("", INTERFACE, iso)).unwrap().scene.surface, wanted);
     // What does not make sense of it is told by the keys of the file.
     let found = read(&text("", INTERFACE, &iso.replace("\"1 um\"", "1.0"))).unwrap().findings();
-    let (said, keys) =
-        (&found[0].message, " (the asperities follow from sq, spd, spc of the file)");
-    assert!(said.contains("is it in um?") && said.ends_with(keys), "{said}");
+    let (whole, keys) = (found[0].message(), "asperities from sq, spd, spc: ");
+    assert!(whole.contains("looks like um") && whole.starts_with(keys), "{whole}");
     for (surface, words) in [
         (iso.replace("2.5 1/mm", "-2.5 1/mm"), "surface.spc is -2500.0: a finite number above 0"),
         (format!("{iso}\nm2 = 1e-2"), "exclude each other"),

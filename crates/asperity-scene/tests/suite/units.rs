@@ -50,7 +50,10 @@ fn conductivities_may_say_their_unit() {
     // Copper has 1.7 uohm cm.
     let plain = conducting.replace("\"17 uohm cm\"", "1.7");
     let odd = read(&text("", &plain, SURFACE)).unwrap().findings();
-    assert!(odd[0].message.contains("is it in uohm cm? 1.7 uohm cm is 1.7e-8 ohm m"), "{odd:?}");
+    assert!(
+        odd[0].message().contains("looks like uohm cm; 1.7 uohm cm is 1.7e-8 ohm m"),
+        "{odd:?}"
+    );
 }
 
 #[test]
@@ -75,7 +78,7 @@ fn what_is_odd_of_a_body_hides_nothing_else() {
     let fields = |top: &str, more: &str| {
         let text = text("", &bodies(more), SURFACE).replace("nominal_area = 3e-5", top);
         let file = read(&text).unwrap();
-        let of = |found: &[asperity::Finding]| -> Vec<String> {
+        let of = |found: &[asperity::Diagnostic]| -> Vec<String> {
             found.iter().map(|found| found.field.to_string()).collect()
         };
         let fields = of(&file.findings());
@@ -93,4 +96,26 @@ fn what_is_odd_of_a_body_hides_nothing_else() {
     let found = read(&text).unwrap().findings();
     let fields: Vec<&str> = found.iter().map(|found| &*found.field).collect();
     assert_eq!(fields, ["body[1].youngs_modulus"]);
+}
+
+#[test]
+fn accepted_codes_are_silent_but_errors_are_not() {
+    let body = |modulus: &str| {
+        format!(
+            "rigid_counterface = true\n[[body]]\nyoungs_modulus = {modulus}\npoissons_ratio = 0.3\nhardness = 2e9\nthermal_conductivity = 5e4\n"
+        )
+    };
+    let found = |top: &str, modulus: &str| {
+        let file = read(&text(top, &body(modulus), SURFACE)).unwrap();
+        let fields = |found: asperity::Diagnostics| -> Vec<String> {
+            found.iter().map(|found| found.field.to_string()).collect()
+        };
+        (fields(file.findings()), fields(file.check(None).unwrap().findings))
+    };
+    let conductivity = || vec!["body[1].thermal_conductivity".to_string()];
+    assert_eq!(found("", "210e9"), (conductivity(), conductivity()));
+    let accept = "accept = [\"unusual-size\"]\n";
+    assert_eq!(found(accept, "210e9"), (vec![], vec![]));
+    let modulus = || vec!["body[1].youngs_modulus".to_string()];
+    assert_eq!(found(accept, "210"), (modulus(), modulus()));
 }

@@ -40,7 +40,7 @@ class Job:
         """One part, and the warnings of the model."""
         rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
         values, failures, said = _asperity.answer(
-            self.model, rows, self.quantities, self.rtol, "value", stop, threads
+            self.model, rows, self.quantities, self.rtol, "value", stop, threads, False
         )
         first = self.design.first_row(number)
         for k, error in failures:

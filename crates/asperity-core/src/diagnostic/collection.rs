@@ -1,0 +1,173 @@
+//! Diagnostics together: merged, ordered and silenced by their codes.
+
+use std::ops::Deref;
+use std::slice;
+use std::vec;
+
+use serde::Serialize;
+
+use super::{Diagnostic, FEW_ASPERITIES, ROUGHNESS_PARAMETER, Severity};
+
+/// A code, and those that have the same cause and add nothing beside it.
+const SAME_CAUSE: [(&str, &[&str]); 3] = [
+    ("above-nominal", &["area-above-nominal", "crowded"]),
+    ("crowded", &["area-above-nominal"]),
+    (FEW_ASPERITIES, &["few-contacts"]),
+];
+
+/// Diagnostics, one for each cause.
+///
+/// ```
+/// use asperity_core::{At, Diagnostic, Diagnostics, Severity};
+///
+/// let few = |load, contacts| {
+///     let few = Diagnostic::warning("few-contacts", "contacts", contacts);
+///     few.usual([30.0, f64::INFINITY]).at(At::Load(load))
+/// };
+/// let mut all: Diagnostics = [few(2.0, 20.0), few(1.0, 10.0)].into_iter().collect();
+/// all.push(Diagnostic::error("unusual-size", "hardness", 2.0).unit("Pa"));
+/// let texts: Vec<_> = all.iter().map(ToString::to_string).collect();
+/// assert_eq!(texts[0], "hardness is 2 Pa");
+/// assert_eq!(texts[1], "contacts is 10 in 2 rows, worst at a load of 1 N (usual: at least 30)");
+/// // Errors are not silenced.
+/// assert_eq!(all.clone().silenced(&["few-contacts", "unusual-size"]).len(), 1);
+/// assert_eq!(all.at_least(Severity::Error).len(), 1);
+/// ```
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct Diagnostics(Vec<Diagnostic>);
+
+impl Diagnostics {
+    /// Adds one, most severe first. Of the same code, field, quantity and law of one model, from one
+    /// origin, rows are counted and the worst is kept.
+    pub fn push(&mut self, new: Diagnostic) {
+        match self.0.iter_mut().find(|known| known.has_cause_of(&new)) {
+            Some(known) => {
+                let count = known.count + new.count;
+                if new.excess() > known.excess() {
+                    *known = new;
+                }
+                known.count = count;
+            }
+            None => self.0.push(new),
+        }
+        self.0.sort_by_key(|found| found.severity);
+    }
+
+    /// Without warnings and notes of these codes; errors stay. A scene file names them in `accept`.
+    #[must_use]
+    pub fn silenced(mut self, codes: &[impl AsRef<str>]) -> Self {
+        let accepted = |found: &Diagnostic| codes.iter().any(|code| code.as_ref() == found.code);
+        self.0.retain(|found| found.severity == Severity::Error || !accepted(found));
+        self
+    }
+
+    /// Those that matter at least as much: `at_least(Severity::Error)` is what a quiet program shows,
+    /// `at_least(Severity::Warning)` leaves out notes.
+    #[must_use]
+    pub fn at_least(mut self, least: Severity) -> Self {
+        self.0.retain(|found| found.severity <= least);
+        self
+    }
+
+    /// Without what concerns asperities alone, unless `asperities` are used.
+    #[must_use]
+    pub fn for_asperities(mut self, asperities: bool) -> Self {
+        self.0.retain(|found| asperities || !found.is_of_asperities());
+        self
+    }
+
+    /// One diagnostic for each cause: of several models the worst, with the names of the others, and
+    /// nothing that follows from another one here.
+    #[must_use]
+    pub fn by_cause(self) -> Self {
+        let mut kept: Vec<Diagnostic> = vec![];
+        for new in self.0 {
+            let same = |known: &&mut Diagnostic| {
+                let places = (&known.field, &known.origin) == (&new.field, &new.origin);
+                let of_models = known.model.is_some() && new.model.is_some();
+                known.code == new.code && places && of_models && known.quantity == new.quantity
+            };
+            match kept.iter_mut().find(same) {
+                Some(known) => known.add_model(new),
+                None => kept.push(new),
+            }
+        }
+        let follows = |found: &Diagnostic| {
+            let scan = kept.iter().any(|other| other.code == ROUGHNESS_PARAMETER);
+            let same = |(code, others): &(&str, &[&str])| {
+                others.contains(&found.code) && kept.iter().any(|other| other.code == *code)
+            };
+            // β of a scan and of the asperities made of it.
+            scan && found.code != ROUGHNESS_PARAMETER && found.field == "roughness_parameter"
+                || SAME_CAUSE.iter().any(same)
+        };
+        Self(kept.iter().filter(|found| !follows(found)).cloned().collect())
+    }
+
+    /// As a list, most severe first.
+    #[must_use]
+    pub fn into_vec(self) -> Vec<Diagnostic> {
+        self.0
+    }
+}
+
+impl Diagnostic {
+    fn has_cause_of(&self, other: &Self) -> bool {
+        let cause = |d: &Self| (d.code, d.quantity);
+        cause(self) == cause(other)
+            && (&self.field, &self.model) == (&other.field, &other.model)
+            && (&self.law, &self.origin) == (&other.law, &other.origin)
+    }
+
+    /// Adds another model that shows the same; the worse one comes first.
+    fn add_model(&mut self, mut other: Self) {
+        if other.excess() > self.excess() {
+            std::mem::swap(self, &mut other);
+        }
+        for name in other.model.into_iter().chain(other.also) {
+            if self.model.as_ref() != Some(&name) && !self.also.contains(&name) {
+                self.also.push(name);
+            }
+        }
+    }
+}
+
+impl Deref for Diagnostics {
+    type Target = [Diagnostic];
+
+    fn deref(&self) -> &[Diagnostic] {
+        &self.0
+    }
+}
+
+impl Extend<Diagnostic> for Diagnostics {
+    fn extend<T: IntoIterator<Item = Diagnostic>>(&mut self, found: T) {
+        found.into_iter().for_each(|new| self.push(new));
+    }
+}
+
+impl FromIterator<Diagnostic> for Diagnostics {
+    fn from_iter<T: IntoIterator<Item = Diagnostic>>(found: T) -> Self {
+        let mut all = Self::default();
+        all.extend(found);
+        all
+    }
+}
+
+impl IntoIterator for Diagnostics {
+    type Item = Diagnostic;
+    type IntoIter = vec::IntoIter<Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'d> IntoIterator for &'d Diagnostics {
+    type Item = &'d Diagnostic;
+    type IntoIter = slice::Iter<'d, Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
