@@ -45,4 +45,4 @@ pub use recommend::{
 };
 pub use registry::Model;
 pub use table_error::TableError;
-pub use truth::{ContactState, Truth, told, truth};
+pub use truth::{ContactState, Truth, compare_with_bem, summary};

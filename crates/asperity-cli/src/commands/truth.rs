@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{Bem, BemError, Given, Note};
-use asperity::{ContactError, ContactState, Described, Model, Truth, told, truth};
+use asperity::{ContactError, ContactState, Described, Model, Truth, compare_with_bem, summary};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
@@ -82,7 +82,7 @@ impl TruthCommand {
                 let all = 3 * pressures.len();
                 bar.set_message(format!("truth: contact {} of {all}", progress.done + 1));
             })?;
-            Ok(truth(&scene.file.scene, bem, &pressures, models, watch)?)
+            Ok(compare_with_bem(&scene.file.scene, bem, &pressures, models, watch)?)
         };
         let found = solve(&bem, &models)?;
         let half = match self.refine {
@@ -121,7 +121,7 @@ impl TruthCommand {
             }
         }
         told_together(&missing).iter().for_each(|text| say("warning", text));
-        say("note", &told(&found));
+        say("note", &summary(&found));
         self.output.write(&table(&found, &half, area))?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
         if !models.is_empty() && states.all(|state| state == ContactState::default()) {
