@@ -3,9 +3,9 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
 use crate::HeightMap;
 use crate::parallel;
+use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
 
 /// Rows and columns that move together between the layouts: 8 complex numbers are two cache lines.
 const BLOCK: usize = 8;
@@ -88,12 +88,16 @@ impl HalfSpace {
         let quarter = self.padded_rows / 2 + 1;
         let mut compliance = vec![0.0; (self.padded_columns / 2 + 1) * quarter];
         let columns = compliance.chunks_mut(quarter).enumerate();
-        parallel::map(columns, || (), |(), (j, column)| {
-            for (i, compliance) in column.iter_mut().enumerate() {
-                let q = (q_row * i as f64).hypot(q_column * j as f64);
-                *compliance = if i + j == 0 { 0.0 } else { 2.0 / (modulus * q) };
-            }
-        });
+        parallel::map(
+            columns,
+            || (),
+            |(), (j, column)| {
+                for (i, compliance) in column.iter_mut().enumerate() {
+                    let q = (q_row * i as f64).hypot(q_column * j as f64);
+                    *compliance = if i + j == 0 { 0.0 } else { 2.0 / (modulus * q) };
+                }
+            },
+        );
         compliance
     }
 
@@ -102,30 +106,38 @@ impl HalfSpace {
     fn rectangles(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
         let (half, quarter) = (self.padded_columns / 2 + 1, self.padded_rows / 2 + 1);
         let mut by_rows = vec![0.0; quarter * half];
-        parallel::map(by_rows.chunks_mut(half).enumerate(), || (), |(), (i, row)| {
-            let y = i as f64 * dy;
-            let mut line: Vec<f64> = (0..self.padded_columns)
-                .map(|j| j.min(self.padded_columns - j) as f64 * dx)
-                .map(|x| rectangle(x, y, dx, dy) / (PI * modulus))
-                .collect();
-            let mut spectrum = self.row_forward.make_output_vec();
-            // It fails only for wrong lengths.
-            let _ = self.row_forward.process(&mut line, &mut spectrum);
-            for (number, wave) in row.iter_mut().zip(spectrum) {
-                *number = wave.re;
-            }
-        });
+        parallel::map(
+            by_rows.chunks_mut(half).enumerate(),
+            || (),
+            |(), (i, row)| {
+                let y = i as f64 * dy;
+                let mut line: Vec<f64> = (0..self.padded_columns)
+                    .map(|j| j.min(self.padded_columns - j) as f64 * dx)
+                    .map(|x| rectangle(x, y, dx, dy) / (PI * modulus))
+                    .collect();
+                let mut spectrum = self.row_forward.make_output_vec();
+                // It fails only for wrong lengths.
+                let _ = self.row_forward.process(&mut line, &mut spectrum);
+                for (number, wave) in row.iter_mut().zip(spectrum) {
+                    *number = wave.re;
+                }
+            },
+        );
         let mut compliance = vec![0.0; half * quarter];
         let columns = compliance.chunks_mut(quarter).enumerate();
-        parallel::map(columns, || (), |(), (j, column)| {
-            let mut line: Vec<Complex64> = (0..self.padded_rows)
-                .map(|i| by_rows[i.min(self.padded_rows - i) * half + j].into())
-                .collect();
-            self.column_forward.process(&mut line);
-            for (compliance, wave) in column.iter_mut().zip(line) {
-                *compliance = wave.re;
-            }
-        });
+        parallel::map(
+            columns,
+            || (),
+            |(), (j, column)| {
+                let mut line: Vec<Complex64> = (0..self.padded_rows)
+                    .map(|i| by_rows[i.min(self.padded_rows - i) * half + j].into())
+                    .collect();
+                self.column_forward.process(&mut line);
+                for (compliance, wave) in column.iter_mut().zip(line) {
+                    *compliance = wave.re;
+                }
+            },
+        );
         compliance
     }
 

@@ -256,8 +256,7 @@ impl<'a> Iteration<'a> {
         let Problem { heights, cap, load, .. } = problem;
         self.product = None;
         let maps = [&self.deflections, heights];
-        let [distances] =
-            sum(maps, |[deflection, height]| [problem.distance(deflection, height)]);
+        let [distances] = sum(maps, |[deflection, height]| [problem.distance(deflection, height)]);
         let mean = distances / heights.len() as f64;
         let [descent] = update(&mut self.gradient, maps, |gradient, [deflection, height]| {
             *gradient = problem.distance(deflection, height) - mean;

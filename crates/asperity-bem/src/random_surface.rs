@@ -147,13 +147,17 @@ impl RandomSurface {
         parallel::map(columns.chunks_mut(n), || (), |(), column| down.process(column));
         let along = asperity_fft::real_inverse(n);
         let mut heights = vec![0.0; n * n];
-        parallel::map(heights.chunks_mut(n).enumerate(), || (), |(), (a, row)| {
-            let mut waves: Vec<Complex64> = (0..half).map(|j| columns[j * n + a]).collect();
-            // Real but for rounding, which is refused.
-            waves[0].im = 0.0;
-            // It fails only for wrong lengths and for these.
-            let _ = along.process(&mut waves, row);
-        });
+        parallel::map(
+            heights.chunks_mut(n).enumerate(),
+            || (),
+            |(), (a, row)| {
+                let mut waves: Vec<Complex64> = (0..half).map(|j| columns[j * n + a]).collect();
+                // Real but for rounding, which is refused.
+                waves[0].im = 0.0;
+                // It fails only for wrong lengths and for these.
+                let _ = along.process(&mut waves, row);
+            },
+        );
         HeightMap::new(heights, [n, n], [self.side / n as f64; 2])
     }
 

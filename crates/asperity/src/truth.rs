@@ -228,7 +228,8 @@ mod tests {
     #[test]
     fn areas_gaps_and_stiffnesses_are_those_of_the_solver() {
         let (scene, bem) = scan();
-        let all = compare_with_bem(&scene, &bem, &[3e7, 2e9, 3e8], &Model::all(), |_| GO_ON).unwrap();
+        let all =
+            compare_with_bem(&scene, &bem, &[3e7, 2e9, 3e8], &Model::all(), |_| GO_ON).unwrap();
         assert!(matches!(all[1], Err(BemError::CannotBeCarried { .. })));
         let elements = bem.elements(&scene.interface).unwrap();
         for found in all.iter().flatten() {
@@ -282,7 +283,10 @@ mod tests {
         let [mut clear, mut few] = [soft.clone(), soft];
         (clear.notes, few.notes) = (vec![], vec![Note::FewPixels { found: 33 }]);
         let both = summary(&[clear.clone(), few.clone()]);
-        assert!(both.starts_with("over the loads with enough pixels and patches in contact (1 of 2), "), "{both}");
+        assert!(
+            both.starts_with("over the loads with enough pixels and patches in contact (1 of 2), "),
+            "{both}"
+        );
         assert!(both.contains("persson") && !both.contains("gw"), "{both}");
         assert!(summary(&[clear.clone(), clear.clone()]).starts_with("over these loads, "));
         assert!(summary(&[few]).starts_with("models are not ranked: too few pixels"));
@@ -296,7 +300,8 @@ mod tests {
         scene.interface = Interface::elastic(1e11, 0.3);
         // Without a spectrum there is an area, and nothing else.
         let persson = ["persson".parse::<Model>().unwrap()];
-        let found = compare_with_bem(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
+        let found =
+            compare_with_bem(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
         let (_, state) = &found.models[0];
         assert!(state.area_fraction.is_some() && state.mean_gap.or(state.stiffness).is_none());
         let told = found.missing[0].1.to_string();

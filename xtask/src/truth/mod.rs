@@ -194,7 +194,8 @@ pub fn solve(scope: &Scope) -> Result<String> {
                 }
                 bar.set_message(case);
                 let bem = cases::bem(scope, surface, seed)?;
-                let found = compare_with_bem(&scene, &bem, &pressures, &[], |_| ControlFlow::Continue(()))?;
+                let found =
+                    compare_with_bem(&scene, &bem, &pressures, &[], |_| ControlFlow::Continue(()))?;
                 seeds.push(found.into_iter().collect::<Result<_, _>>()?);
                 bar.inc(1);
             }
