@@ -85,7 +85,7 @@ impl TruthCommand {
             Ok(compare_with_bem(&scene.file.scene, bem, &pressures, models, watch)?)
         };
         let found = solve(&bem, &models)?;
-        let half = match self.refine {
+        let half = match self.refine && !interrupt::asked() {
             true => solve(&bem.half_grid()?, &[])?.into_iter().map(Result::ok).collect(),
             false => vec![],
         };
@@ -100,6 +100,9 @@ impl TruthCommand {
             found.iter().zip(half).filter(|(one, _)| one.is_ok()).map(|(_, half)| half).collect();
         let found: Vec<Truth> = found.into_iter().flatten().collect();
         if found.is_empty() {
+            if interrupt::asked() {
+                interrupt::end(0, pressures.len());
+            }
             bail!("{}: no load was solved", scene.name);
         }
         let notes: Vec<_> = found
@@ -128,7 +131,7 @@ impl TruthCommand {
             bail!("{}: no model has an answer", scene.name);
         }
         if interrupt::asked() {
-            bail!("stopped: {} of {} loads were done", found.len(), pressures.len());
+            interrupt::end(found.len(), pressures.len());
         }
         Ok(())
     }
