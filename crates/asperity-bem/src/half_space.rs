@@ -3,10 +3,9 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
-use rayon::prelude::*;
-
 use crate::HeightMap;
+use crate::parallel;
+use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
 
 /// Rows and columns that move together between the layouts: 8 complex numbers are two cache lines.
 const BLOCK: usize = 8;
@@ -88,12 +87,17 @@ impl HalfSpace {
         let q_column = TAU / (self.padded_columns as f64 * dx);
         let quarter = self.padded_rows / 2 + 1;
         let mut compliance = vec![0.0; (self.padded_columns / 2 + 1) * quarter];
-        compliance.par_chunks_mut(quarter).enumerate().for_each(|(j, column)| {
-            for (i, compliance) in column.iter_mut().enumerate() {
-                let q = (q_row * i as f64).hypot(q_column * j as f64);
-                *compliance = if i + j == 0 { 0.0 } else { 2.0 / (modulus * q) };
-            }
-        });
+        let columns = compliance.chunks_mut(quarter).enumerate();
+        parallel::map(
+            columns,
+            || (),
+            |(), (j, column)| {
+                for (i, compliance) in column.iter_mut().enumerate() {
+                    let q = (q_row * i as f64).hypot(q_column * j as f64);
+                    *compliance = if i + j == 0 { 0.0 } else { 2.0 / (modulus * q) };
+                }
+            },
+        );
         compliance
     }
 
@@ -102,29 +106,38 @@ impl HalfSpace {
     fn rectangles(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
         let (half, quarter) = (self.padded_columns / 2 + 1, self.padded_rows / 2 + 1);
         let mut by_rows = vec![0.0; quarter * half];
-        by_rows.par_chunks_mut(half).enumerate().for_each(|(i, row)| {
-            let y = i as f64 * dy;
-            let mut line: Vec<f64> = (0..self.padded_columns)
-                .map(|j| j.min(self.padded_columns - j) as f64 * dx)
-                .map(|x| rectangle(x, y, dx, dy) / (PI * modulus))
-                .collect();
-            let mut spectrum = self.row_forward.make_output_vec();
-            // It fails only for wrong lengths.
-            let _ = self.row_forward.process(&mut line, &mut spectrum);
-            for (number, wave) in row.iter_mut().zip(spectrum) {
-                *number = wave.re;
-            }
-        });
+        parallel::map(
+            by_rows.chunks_mut(half).enumerate(),
+            || (),
+            |(), (i, row)| {
+                let y = i as f64 * dy;
+                let mut line: Vec<f64> = (0..self.padded_columns)
+                    .map(|j| j.min(self.padded_columns - j) as f64 * dx)
+                    .map(|x| rectangle(x, y, dx, dy) / (PI * modulus))
+                    .collect();
+                let mut spectrum = self.row_forward.make_output_vec();
+                // It fails only for wrong lengths.
+                let _ = self.row_forward.process(&mut line, &mut spectrum);
+                for (number, wave) in row.iter_mut().zip(spectrum) {
+                    *number = wave.re;
+                }
+            },
+        );
         let mut compliance = vec![0.0; half * quarter];
-        compliance.par_chunks_mut(quarter).enumerate().for_each(|(j, column)| {
-            let mut line: Vec<Complex64> = (0..self.padded_rows)
-                .map(|i| by_rows[i.min(self.padded_rows - i) * half + j].into())
-                .collect();
-            self.column_forward.process(&mut line);
-            for (compliance, wave) in column.iter_mut().zip(line) {
-                *compliance = wave.re;
-            }
-        });
+        let columns = compliance.chunks_mut(quarter).enumerate();
+        parallel::map(
+            columns,
+            || (),
+            |(), (j, column)| {
+                let mut line: Vec<Complex64> = (0..self.padded_rows)
+                    .map(|i| by_rows[i.min(self.padded_rows - i) * half + j].into())
+                    .collect();
+                self.column_forward.process(&mut line);
+                for (compliance, wave) in column.iter_mut().zip(line) {
+                    *compliance = wave.re;
+                }
+            },
+        );
         compliance
     }
 
@@ -181,8 +194,9 @@ impl HalfSpace {
     fn transform_rows(&mut self, map: &[f64]) {
         let half = self.padded_columns / 2 + 1;
         let forward = &self.row_forward;
-        let rows = map.par_chunks(BLOCK * self.columns);
-        self.by_rows.par_chunks_mut(BLOCK * half).zip(rows).for_each_init(
+        let rows = map.chunks(BLOCK * self.columns);
+        parallel::map(
+            self.by_rows.chunks_mut(BLOCK * half).zip(rows),
             || (forward.make_input_vec(), forward.make_scratch_vec()),
             |(line, scratch), (spectra, rows)| {
                 for (spectrum, row) in spectra.chunks_mut(half).zip(rows.chunks(self.columns)) {
@@ -203,8 +217,8 @@ impl HalfSpace {
         let half = self.padded_columns / 2 + 1;
         let (forward, backward) = (&self.column_forward, &self.column_backward);
         let scratch = forward.get_inplace_scratch_len().max(backward.get_inplace_scratch_len());
-        let blocks = self.by_columns.par_chunks_mut(BLOCK * self.padded_rows).enumerate();
-        let all = blocks.map_init(
+        let all = parallel::map(
+            self.by_columns.chunks_mut(BLOCK * self.padded_rows).enumerate(),
             || vec![Complex64::ZERO; scratch],
             |scratch, (block, columns)| {
                 let first = block * BLOCK;
@@ -223,14 +237,15 @@ impl HalfSpace {
                 each.collect::<Vec<T>>()
             },
         );
-        all.collect::<Vec<_>>().into_iter().flatten().collect()
+        all.into_iter().flatten().collect()
     }
 
     fn transform_rows_back(&mut self, map: &mut [f64]) {
         let half = self.padded_columns / 2 + 1;
         let backward = &self.row_backward;
-        let rows = map.par_chunks_mut(BLOCK * self.columns);
-        self.by_rows.par_chunks_mut(BLOCK * half).zip(rows).enumerate().for_each_init(
+        let rows = map.chunks_mut(BLOCK * self.columns);
+        parallel::map(
+            self.by_rows.chunks_mut(BLOCK * half).zip(rows).enumerate(),
             || (backward.make_output_vec(), backward.make_scratch_vec()),
             |(line, scratch), (block, (spectra, rows))| {
                 let first = block * BLOCK;

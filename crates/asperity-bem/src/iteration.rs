@@ -29,6 +29,9 @@ const RISE: f64 = 1e-10;
 pub(crate) struct Problem<'a> {
     /// Heights about their mean \[m\].
     pub(crate) heights: &'a [f64],
+    /// The greatest of them \[m\]. Gaps count from it: under light loads deflections are below the
+    /// rounding of the heights themselves.
+    pub(crate) highest: f64,
     /// Largest pressure \[Pa\]: the hardness, or infinity.
     pub(crate) cap: f64,
     /// Sum of the pressures of all pixels \[Pa\].
@@ -36,6 +39,12 @@ pub(crate) struct Problem<'a> {
 }
 
 impl Problem<'_> {
+    /// Distance from the undeformed half-space to the deflected one less that to the rigid surface,
+    /// when this touches with its highest pixel \[m\].
+    pub(crate) fn distance(&self, deflection: f64, height: f64) -> f64 {
+        deflection + (self.highest - height)
+    }
+
     /// Whether a pixel may move when its gap is `gap`.
     fn moves(&self, pressure: f64, gap: f64) -> bool {
         ((pressure > 0.0) | (gap < 0.0)) & ((pressure < self.cap) | (gap > 0.0))
@@ -45,7 +54,7 @@ impl Problem<'_> {
 /// How far an iteration has come.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing {
-    /// Where the rigid surface stands \[m\]: gap = deflection - height - offset.
+    /// Where the rigid surface stands \[m\]: gap = distance - offset.
     pub(crate) offset: f64,
     /// Upper bound of the energy that can still be gained, per load \[m\]: 0 at the solution.
     pub(crate) remainder: f64,
@@ -108,26 +117,28 @@ impl<'a> Iteration<'a> {
 
     /// Where the rigid surface stands, and how much is left to gain.
     pub(crate) fn standing(&self) -> Standing {
-        let Problem { heights, cap, load } = self.problem;
+        let problem = self.problem;
+        let Problem { heights, cap, load, .. } = problem;
         let maps = [&self.pressures, &self.deflections, heights];
         let [free, free_distance, touching] = sum(maps, |[pressure, deflection, height]| {
             let touches = number(pressure > 0.0);
             let free = touches * number(pressure < cap);
-            [free, free * (deflection - height), touches]
+            [free, free * problem.distance(deflection, height), touches]
         });
         let offset = if free > 0.0 { free_distance / free } else { self.offset_between_bounds() };
         let zero = (f64::INFINITY, [0.0; 5]);
         let fold = |(least, [moving, gaps, open, beyond, energy]): (f64, [f64; 5]),
                     [pressure, deflection, height]: [f64; 3]| {
-            let gap = deflection - height - offset;
-            let moves = number(self.problem.moves(pressure, gap));
+            let distance = problem.distance(deflection, height);
+            let gap = distance - offset;
+            let moves = number(problem.moves(pressure, gap));
             let closed = if gap < 0.0 { pressure - cap } else { pressure };
             let sums = [
                 moving + moves,
                 gaps + moves * gap,
                 open + pressure * gap,
                 beyond + closed * gap,
-                energy + pressure * (0.5 * deflection - height),
+                energy + pressure * (distance - 0.5 * deflection),
             ];
             (f64::min(least, gap), sums)
         };
@@ -147,9 +158,10 @@ impl<'a> Iteration<'a> {
     /// The offset when every pixel of the contact flows: half-way between the flowing pixel that
     /// is pressed in least and the lowest of the others.
     fn offset_between_bounds(&self) -> f64 {
-        let maps = [&self.pressures, &self.deflections, self.problem.heights];
+        let problem = self.problem;
+        let maps = [&self.pressures, &self.deflections, problem.heights];
         let fold = |[flowing, open]: [f64; 2], [pressure, deflection, height]: [f64; 3]| {
-            let distance = deflection - height;
+            let distance = problem.distance(deflection, height);
             if pressure > 0.0 {
                 [f64::max(flowing, distance), open]
             } else {
@@ -185,7 +197,7 @@ impl<'a> Iteration<'a> {
         let maps = [&self.pressures[..], &self.deflections, problem.heights];
         // Whether a pixel moves, and its gap about the mean of those that do.
         let slope = |[pressure, deflection, height]: [f64; 3]| {
-            let gap = deflection - height - offset;
+            let gap = problem.distance(deflection, height) - offset;
             let moves = number(problem.moves(pressure, gap));
             (moves, moves * (gap - moving_gap))
         };
@@ -240,13 +252,14 @@ impl<'a> Iteration<'a> {
     }
 
     fn plain_step(&mut self, space: &mut HalfSpace) -> bool {
-        let Problem { heights, cap, load } = self.problem;
+        let problem = self.problem;
+        let Problem { heights, cap, load, .. } = problem;
         self.product = None;
         let maps = [&self.deflections, heights];
-        let [distances] = sum(maps, |[deflection, height]| [deflection - height]);
+        let [distances] = sum(maps, |[deflection, height]| [problem.distance(deflection, height)]);
         let mean = distances / heights.len() as f64;
         let [descent] = update(&mut self.gradient, maps, |gradient, [deflection, height]| {
-            *gradient = deflection - height - mean;
+            *gradient = problem.distance(deflection, height) - mean;
             [gradient.powi(2)]
         });
         self.previous.copy_from_slice(&self.gradient);
@@ -258,11 +271,8 @@ impl<'a> Iteration<'a> {
             return false;
         }
         let step = Projection::new(&self.pressures, &self.gradient, length, cap, load);
-        let maps = [&self.pressures[..], &self.gradient];
-        update(&mut self.direction, maps, |end, [pressure, gradient]| {
-            *end = step.of(pressure, gradient);
-            []
-        });
+        self.direction.copy_from_slice(&self.pressures);
+        step.step(&mut self.direction, &self.gradient);
         self.previous.copy_from_slice(&self.direction);
         space.apply(Filter::Deflect, &mut self.previous);
         let all = [

@@ -75,6 +75,6 @@ pub use error::BemError;
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
 pub use model::Bem;
-pub use random_surface::{ProfileMoments, RandomSurface};
+pub use random_surface::RandomSurface;
 pub use solution::{EDGE_SHARE, Solution};
 pub use solver::{BoundaryElements, Given, Progress};

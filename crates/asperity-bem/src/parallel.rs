@@ -1,14 +1,48 @@
 //! Passes over maps on all cores whose digits do not depend on how many there are.
 //!
 //! A map is cut into chunks of one fixed length; a chunk is summed by one thread, and the sums of
-//! the chunks are added in their order.
+//! the chunks are added in their order. This file alone knows of threads.
 
+#[cfg(feature = "rayon")]
 use rayon::prelude::*;
 
 /// Numbers in a chunk: large against the price of a task, small against the second-level cache.
 const CHUNK: usize = 4096;
 /// Sums that run side by side in a chunk, so that an addition need not wait for the last one.
 const LANES: usize = 8;
+
+/// What `f` makes of each task, in their order; `scratch` is made once for every run of tasks.
+#[cfg(feature = "rayon")]
+pub(crate) fn map<T: Send, S, R: Send>(
+    tasks: impl Iterator<Item = T>,
+    scratch: impl Fn() -> S + Sync + Send,
+    f: impl Fn(&mut S, T) -> R + Sync + Send,
+) -> Vec<R> {
+    tasks.collect::<Vec<T>>().into_par_iter().map_init(scratch, f).collect()
+}
+
+/// What `f` makes of each task, in their order, with one `scratch`.
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn map<T, S, R>(
+    tasks: impl Iterator<Item = T>,
+    scratch: impl Fn() -> S,
+    f: impl Fn(&mut S, T) -> R,
+) -> Vec<R> {
+    let mut scratch = scratch();
+    tasks.map(|task| f(&mut scratch, task)).collect()
+}
+
+/// `f` inside the pool: from outside, each of its passes would wait for a thread to wake.
+#[cfg(feature = "rayon")]
+pub(crate) fn inside<R: Send>(f: impl FnOnce() -> R + Send) -> R {
+    rayon::scope(|_| f())
+}
+
+/// `f` on the calling thread.
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn inside<R>(f: impl FnOnce() -> R) -> R {
+    f()
+}
 
 /// The sums over all pixels of the `K` terms that `term` makes of the maps' numbers there.
 pub(crate) fn sum<const N: usize, const K: usize>(
@@ -42,7 +76,7 @@ pub(crate) fn reduce<const N: usize, T: Copy + Send + Sync>(
         }
         lanes.into_iter().fold(zero, &join)
     };
-    let chunks: Vec<T> = (0..len.div_ceil(CHUNK)).into_par_iter().map(chunk).collect();
+    let chunks = map(0..len.div_ceil(CHUNK), || (), |(), number| chunk(number));
     chunks.into_iter().fold(zero, &join)
 }
 
@@ -69,7 +103,7 @@ pub(crate) fn update<const N: usize, const K: usize>(
         }
         lanes.into_iter().fold([0.0; K], add)
     };
-    let chunks: Vec<[f64; K]> = map.par_chunks_mut(CHUNK).enumerate().map(chunk).collect();
+    let chunks = self::map(map.chunks_mut(CHUNK).enumerate(), || (), |(), task| chunk(task));
     chunks.into_iter().fold([0.0; K], add)
 }
 

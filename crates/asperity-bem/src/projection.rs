@@ -14,9 +14,12 @@ const BALANCE: f64 = 1e-12;
 /// step. Pixels whose direction is exactly 0 stay.
 pub(crate) struct Projection {
     length: f64,
-    shift: f64,
+    /// The highest end, and the pressure there after the step: ends may be so long that their
+    /// differences alone have digits at the size of the pressures.
+    highest: f64,
+    level: f64,
     cap: f64,
-    /// Whether a pixel was cut off; if none was, the shift is 0 and the step is linear.
+    /// Whether a pixel was cut off; if none was, the step is linear.
     pub(crate) cut: bool,
 }
 
@@ -69,7 +72,7 @@ impl Ends {
 
 impl Projection {
     pub(crate) fn new(from: &[f64], direction: &[f64], length: f64, cap: f64, load: f64) -> Self {
-        let mut this = Self { length, shift: 0.0, cap, cut: true };
+        let mut this = Self { length, highest: 0.0, level: 0.0, cap, cut: true };
         let maps = [from, direction];
         let fold = |ends: Ends, [from, direction]: [f64; 2]| ends.with(from, direction, length);
         let Ends { lowest, highest, moving, stay, sum: all } =
@@ -79,9 +82,9 @@ impl Projection {
             this.cut = false;
             return this;
         }
-        // Above `high` nothing is pressed, below `low` everything is pressed enough.
-        let mut low = lowest - if cap.is_finite() { cap } else { need / moving };
-        let mut high = highest;
+        // At the level 0 nothing is pressed, at `high` everything is pressed enough.
+        let (mut low, mut high) = (0.0, highest - lowest + (need / moving).min(cap));
+        (this.highest, this.level) = (highest, highest.clamp(low, high));
         for _ in 0..MOST_PASSES {
             let [carried, free] = sum(maps, |[from, direction]| {
                 let moves = number(direction != 0.0);
@@ -90,16 +93,16 @@ impl Projection {
             });
             let excess = carried - need;
             if excess > 0.0 {
-                low = this.shift;
+                high = this.level;
             } else {
-                high = this.shift;
+                low = this.level;
             }
             if excess.abs() <= ROUNDING * load {
                 break;
             }
-            let newton = this.shift + excess / free;
-            this.shift = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if this.shift <= low || this.shift >= high {
+            let newton = this.level - excess / free;
+            this.level = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if this.level <= low || this.level >= high {
                 break;
             }
         }
@@ -107,18 +110,15 @@ impl Projection {
     }
 
     fn end(&self, from: f64, direction: f64) -> f64 {
-        from - self.length * direction - self.shift
-    }
-
-    /// Pressure after the step.
-    pub(crate) fn of(&self, from: f64, direction: f64) -> f64 {
-        if direction == 0.0 { from } else { self.end(from, direction).clamp(0.0, self.cap) }
+        (from - self.length * direction - self.highest) + self.level
     }
 
     /// Makes the step.
     pub(crate) fn step(&self, pressures: &mut [f64], direction: &[f64]) {
         update(pressures, [direction], |pressure, [direction]| {
-            *pressure = self.of(*pressure, direction);
+            if direction != 0.0 {
+                *pressure = self.end(*pressure, direction).clamp(0.0, self.cap);
+            }
             []
         });
     }
@@ -146,12 +146,13 @@ mod tests {
                 assert!((0..999).step_by(3).all(|i| (to[i] - from[i]).abs() <= 0.0));
                 // Nearest: between the bounds all are off their ends by the same shift, at the
                 // bounds by more in the direction of the bound.
+                let shift = step.highest - step.level;
                 for i in (0..999).filter(|i| i % 3 != 0) {
                     let off = from[i] - length * direction[i] - to[i];
                     let little = 1e-9 * (1.0 + length);
                     let [open, full] = [to[i] <= 0.0, to[i] >= cap];
-                    assert!(open || off >= step.shift - little, "{cap} {length} {off}");
-                    assert!(full || off <= step.shift + little, "{cap} {length} {off}");
+                    assert!(open || off >= shift - little, "{cap} {length} {off}");
+                    assert!(full || off <= shift + little, "{cap} {length} {off}");
                 }
             }
         }

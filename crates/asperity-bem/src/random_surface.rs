@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use asperity_core::ProfileMoments;
 use asperity_fft::Complex64;
-use rayon::prelude::*;
 
 use crate::height_map::positive;
-use crate::{BemError, HeightMap};
+use crate::{BemError, HeightMap, parallel};
 
 /// An isotropic, periodic random surface on a square.
 ///
@@ -49,25 +49,6 @@ pub struct RandomSurface {
     side: f64,
     gradient: f64,
     seed: u64,
-}
-
-/// Moments of the profiles of a random surface, averaged over all directions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ProfileMoments {
-    /// Mean square height \[m²\].
-    pub m0: f64,
-    /// Mean square slope; half of the mean square gradient.
-    pub m2: f64,
-    /// Mean square second derivative \[1/m²\]; 3/8 of the mean square of the Laplacian.
-    pub m4: f64,
-}
-
-impl ProfileMoments {
-    /// Nayak's parameter m0 m4/m2².
-    #[must_use]
-    pub fn alpha(&self) -> f64 {
-        self.m0 * self.m4 / self.m2.powi(2)
-    }
 }
 
 impl RandomSurface {
@@ -163,20 +144,25 @@ impl RandomSurface {
             }
         }
         let down = asperity_fft::inverse(n);
-        columns.par_chunks_mut(n).for_each(|column| down.process(column));
+        parallel::map(columns.chunks_mut(n), || (), |(), column| down.process(column));
         let along = asperity_fft::real_inverse(n);
         let mut heights = vec![0.0; n * n];
-        heights.par_chunks_mut(n).enumerate().for_each(|(a, row)| {
-            let mut waves: Vec<Complex64> = (0..half).map(|j| columns[j * n + a]).collect();
-            // Real but for rounding, which is refused.
-            waves[0].im = 0.0;
-            // It fails only for wrong lengths and for these.
-            let _ = along.process(&mut waves, row);
-        });
+        parallel::map(
+            heights.chunks_mut(n).enumerate(),
+            || (),
+            |(), (a, row)| {
+                let mut waves: Vec<Complex64> = (0..half).map(|j| columns[j * n + a]).collect();
+                // Real but for rounding, which is refused.
+                waves[0].im = 0.0;
+                // It fails only for wrong lengths and for these.
+                let _ = along.process(&mut waves, row);
+            },
+        );
         HeightMap::new(heights, [n, n], [self.side / n as f64; 2])
     }
 
-    /// The moments, exactly: sums over the waves.
+    /// The moments of profiles, exact sums over the waves and averages over all directions: m2 is half of
+    /// the mean square gradient, m4 3/8 of the mean square of the Laplacian.
     #[must_use]
     pub fn moments(&self) -> ProfileMoments {
         let wave_number = TAU / self.side;

@@ -7,6 +7,7 @@ use asperity_core::Diagnostic;
 use crate::half_space::HalfSpace;
 use crate::height_map::positive;
 use crate::iteration::{Iteration, Problem};
+use crate::parallel::inside;
 use crate::solution::Fields;
 use crate::{BemError, Boundary, HeightMap, Solution, note};
 
@@ -42,7 +43,8 @@ pub struct Progress {
 
 /// A rigid rough surface above an elastic half-space: what is solved, and how well.
 ///
-/// Runs on the threads of rayon's current pool; the digits do not depend on their number.
+/// With the feature `rayon`, runs on the threads of its current pool; the digits do not depend on their
+/// number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryElements {
     map: HeightMap,
@@ -213,12 +215,14 @@ impl<'a> Run<'a> {
             return Err(BemError::CannotBeCarried { pressure, hardness: cap });
         }
         let pixels = heights.len() as f64;
-        let problem = Problem { heights, cap, load: pressure * pixels };
-        // A flat map has no Sq: its deflections have the pressure's scale.
-        let scale = if self.rms_height > 0.0 {
-            self.rms_height
-        } else {
-            pressure * map.area().sqrt() / modulus
+        let highest = map.highest();
+        let problem = Problem { heights, highest, cap, load: pressure * pixels };
+        // What one pixel that carries all of the load is pressed in by, about: under light loads, and on
+        // a flat map, that is the scale of gaps.
+        let pressed_in = pressure * map.area() / (modulus * map.pixel()[0].min(map.pixel()[1]));
+        let scale = match self.rms_height {
+            rough if rough > 0.0 => rough.min(pressed_in),
+            _ => pressed_in,
         };
         let cold = self.last.is_none();
         let start = match self.last.take() {
@@ -227,12 +231,11 @@ impl<'a> Run<'a> {
             Some((pressures, last)) => pressures.iter().map(|p| p * pressure / last).collect(),
             None => vec![pressure; heights.len()],
         };
-        // Inside the pool: from outside every pass would wait for a thread to wake.
         let space = &mut self.space;
-        let mut iteration = rayon::scope(|_| Iteration::new(problem, start, space));
+        let mut iteration = inside(|| Iteration::new(problem, start, space));
         let mut iterations = 0;
         let (standing, residual) = loop {
-            let standing = rayon::scope(|_| iteration.standing());
+            let standing = inside(|| iteration.standing());
             let residual = (standing.remainder / scale).max(0.0);
             if residual <= *tolerance {
                 break (standing, residual);
@@ -242,7 +245,7 @@ impl<'a> Run<'a> {
             }
             let first = cold && iterations == 0;
             if iterations >= *most_iterations
-                || !rayon::scope(|_| iteration.advance(standing, first, space))
+                || !inside(|| iteration.advance(standing, first, space))
             {
                 let required = *tolerance;
                 return Err(BemError::NotConverged { residual, iterations, required });
@@ -251,7 +254,7 @@ impl<'a> Run<'a> {
         };
         let (pressures, mut gaps) = iteration.into_maps();
         for (gap, height) in gaps.iter_mut().zip(heights) {
-            *gap -= height + standing.offset;
+            *gap = problem.distance(*gap, *height) - standing.offset;
         }
         self.last = Some((pressures.clone(), pressure));
         Ok(Fields { pressures, gaps, residual, iterations })

@@ -264,6 +264,7 @@ pub fn npy_file(name: PathBuf) -> Result<PathBuf, &'static str> {
     }
 }
 
-fn tolerance(text: &str) -> Result<Tolerance, String> {
+/// A relative tolerance.
+pub fn tolerance(text: &str) -> Result<Tolerance, String> {
     Tolerance::new(number(text)?).map_err(|e| e.to_string())
 }

@@ -1,4 +1,4 @@
-//! Ctrl-C: what runs for long stops and keeps what is done; asked twice, the program ends.
+//! Ctrl-C: a long run stops and keeps the results so far; pressed twice, the program ends.
 
 use std::ops::ControlFlow;
 use std::process;
@@ -6,6 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
 use asperity::bem::Progress;
+
+use crate::output::say;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -16,8 +18,16 @@ pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
 
-/// Tells of progress, until the user asks to stop.
-pub fn watch(mut told: impl FnMut(&Progress)) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
+/// Ends the program after an interrupted list, whose results so far are written.
+pub fn end(done: usize, all: usize) -> ! {
+    say("error", &format!("interrupted: {done} of {all} loads are solved"));
+    process::exit(ENDED)
+}
+
+/// Reports progress until the user asks to stop.
+pub fn watch(
+    mut report: impl FnMut(&Progress),
+) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
     let handler = || {
         if ASKED.swap(true, Ordering::Relaxed) {
             process::exit(ENDED);
@@ -29,7 +39,7 @@ pub fn watch(mut told: impl FnMut(&Progress)) -> Result<impl FnMut(&Progress) ->
         Err(error) => return Err(error).context("Ctrl-C cannot be watched"),
     }
     Ok(move |progress: &Progress| {
-        told(progress);
+        report(progress);
         if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })
 }

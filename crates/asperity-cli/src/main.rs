@@ -9,6 +9,7 @@ mod commands;
 mod contact_map;
 mod distances;
 mod interrupt;
+mod joints;
 mod number;
 mod numbers;
 mod output;

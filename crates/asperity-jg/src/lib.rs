@@ -1,10 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    Quantity, Tolerance, Validity,
+    QuadratureError, Quantity, Sampler, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -70,6 +71,46 @@ pub fn area_exponent(asperity: &Asperity) -> Result<f64, ContactError> {
     Ok(0.14 * (23.0 * asperity.yield_strength()? / asperity.equivalent_modulus).exp())
 }
 
+/// What the rounding of B adds to the relative error of the area, over ln(x/1.9): that of 23 S_y/E is
+/// multiplied by the exponential.
+fn area_exponent_error(asperity: &Asperity, b: f64) -> Result<f64, ContactError> {
+    let argument = 23.0 * asperity.yield_strength()? / asperity.equivalent_modulus;
+    Ok(f64::EPSILON * b * (3.0 + 2.0 * argument))
+}
+
+/// Errors of B that powers are evaluated with in any case: of S_y/E below 0.03.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A/A_c' beyond x = 1.9, with the error of its exponent: for yield strengths near the modulus, where
+/// that is the largest of all.
+struct AreaFit {
+    b: f64,
+    /// Of the area, over ln(x/1.9).
+    error: f64,
+}
+
+impl Sampler for AreaFit {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        for (out, x) in out.iter_mut().zip(x) {
+            *out = x * (self.b * (x / ELASTIC_END).ln()).exp();
+        }
+        Ok(())
+    }
+
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        let largest = x.iter().map(|x| (x / ELASTIC_END).ln()).fold(0.0, f64::max);
+        // 1.9 is rounded, too.
+        self.error * largest + f64::EPSILON * (4.0 + 2.0 * self.b)
+    }
+}
+
+impl From<AreaFit> for Formula {
+    fn from(fit: AreaFit) -> Self {
+        let key = vec![fit.b];
+        Self::sampled(Arc::new(fit)).known_as("JG area", key)
+    }
+}
+
 /// C, and the strain √(w_c'/R) = π C S_y/(2E).
 fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
     let c = 1.295 * (0.736 * asperity.poissons_ratio).exp();
@@ -127,9 +168,15 @@ impl AsperityModel for JacksonGreen {
                 law
             }
             // A/A_c' = x; x (x/1.9)^B
-            Quantity::Area => Law::in_units(unit, PI * r * unit)
-                .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
-                .elastic_plastic(beyond, [Power::new(ELASTIC_END.powf(-b), 1.0 + b)]),
+            Quantity::Area => {
+                let error = area_exponent_error(asperity, b)?;
+                let power = [Power::new(ELASTIC_END.powf(-b), 1.0 + b)];
+                let fit: Formula =
+                    if error > ROUNDING { AreaFit { b, error }.into() } else { power.into() };
+                Law::in_units(unit, PI * r * unit)
+                    .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
+                    .elastic_plastic(beyond, fit)
+            }
             _ => return Ok(None),
         }))
     }
@@ -164,5 +211,28 @@ mod tests {
             assert!((hardness.over_yield(1e-4) - 2.84).abs() < 1e-6);
         }
         assert!((GeometricHardness::Cosine.over_yield(3.0) - 1.0).abs() < 1e-12);
+    }
+
+    /// `tests/reference/jg_areas.csv`, by mpmath.
+    #[test]
+    fn the_bound_of_the_area_counts_the_rounding_of_its_exponent() {
+        use asperity_core::{ContactModel, HeightDistribution, Interface, Request, Scene, Surface};
+        let rows = include_str!("../../../tests/reference/jg_areas.csv").lines().skip(1);
+        for row in rows {
+            let (strength, area) = row.split_once(',').unwrap();
+            let mut interface = Interface::new(1e11, 0.3, 2.8 * strength.parse::<f64>().unwrap());
+            interface.yield_strength = Some(strength.parse().unwrap());
+            let mut scene = Scene::new(interface, Surface::new(1e-4, 1e9, 1.0), 1e-4);
+            scene.heights = HeightDistribution::Exponential;
+            for tolerance in [1e-10, 1e-14] {
+                let asked =
+                    Request::new([Quantity::Area]).within(Tolerance::new(tolerance).unwrap());
+                let contact = JacksonGreen::default().compile(&scene, &asked).unwrap();
+                let found = contact.evaluate(Quantity::Area, 1.0).unwrap();
+                let off = (found.value() / area.parse::<f64>().unwrap() - 1.0).abs();
+                let bound = found.relative_error();
+                assert!(off <= bound && bound < 1e-10, "{row} at {tolerance:e}: {off:e} {bound:e}");
+            }
+        }
     }
 }

@@ -80,6 +80,18 @@ impl Joint {
         self.loading.critical.is_finite()
     }
 
+    /// Height of the highest asperity above the mean \[m\]; infinite for heights without an end.
+    pub(crate) fn highest(&self) -> f64 {
+        match &self.scene().heights {
+            HeightDistribution::Other(heights) => heights.heights().support().1,
+            _ => f64::INFINITY,
+        }
+    }
+
+    pub(crate) fn loading(&self) -> &Loading {
+        &self.loading
+    }
+
     pub(crate) fn name(&self) -> &str {
         &self.name
     }

@@ -25,7 +25,8 @@
 //! ([`Joint::path`]; loads become such by [`Joint::turning_points`]), and [`Joint::table`] answers force and slope of a step in some tens of nanoseconds.
 //! The asperity gives back F δ/(n+1) of the work that pressed it to w, so that what yielding has taken
 //! for good ([`Work::lost`]) is again an integral over the heights, and a cycle between fixed
-//! separations loses it once. Loss factors are what is lost over 2π times what was put in
+//! separations loses it once. Where a loading law is steeper than Hertz' (AF) or jumps up (CEB, KE), the
+//! asperity recovers by more than w and creates energy: [`Joint::energy_gain`] is the finding. Loss factors are what is lost over 2π times what was put in
 //! ([`Work::loss_factor`], [`PartialSlip::loss_factor`]). Heights without an end touch at any retreat,
 //! in numbers: contact ends where fewer than one asperity is left ([`Unloading::last_contact`]). √(work back/work spent) of one asperity is its [`restitution`]. \[derived\]
 //!
@@ -61,6 +62,7 @@
 //! ```
 
 pub mod conductance;
+mod energy_gain;
 mod joint;
 mod lasting;
 mod left;
@@ -73,6 +75,7 @@ mod table;
 mod unloading;
 mod work;
 
+pub use energy_gain::EnergyGain;
 pub use joint::Joint;
 pub use one::restitution;
 pub use path::{Path, Point};

@@ -7,7 +7,6 @@ use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, ContactModel, Described, Formula, Law,
     QuadratureError, Quantity, Sampler, Tolerance, positive,
 };
-use asperity_quadrature::{fallible, gauss_kronrod};
 
 use crate::UnloadingLaw;
 use crate::lasting::{lasting, turns};
@@ -44,6 +43,9 @@ pub(crate) struct Loading {
     /// Where δ turns \[m\].
     turns: Vec<f64>,
 }
+
+/// Laws that differ by less than this are the same but for rounding.
+const SAME_LAW: f64 = 1e-12;
 
 /// At one interference w.
 struct Pressed {
@@ -88,7 +90,7 @@ impl Loading {
         if yields {
             let mut found = vec![];
             for pair in loading.breaks().windows(2) {
-                let of = |source| refused(model.name(), "pressed to", pair[0], &source);
+                let of = |source| loading.refused(model.name(), pair[0], &source);
                 found.extend(turns(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?);
             }
             loading.turns = found;
@@ -97,7 +99,7 @@ impl Loading {
     }
 
     /// δ \[m\].
-    fn recovered(&self, w: f64) -> Result<f64, QuadratureError> {
+    pub(crate) fn recovered(&self, w: f64) -> Result<f64, QuadratureError> {
         Ok(self.pressed(w)?.recovered)
     }
 
@@ -125,7 +127,7 @@ impl Loading {
     }
 
     /// `left` is 1 - u/δ, where that is known better than from δ.
-    fn answer(
+    pub(crate) fn answer(
         &self,
         w: f64,
         u: f64,
@@ -154,7 +156,7 @@ impl Loading {
     }
 
     /// Where a formula changes \[m\], from 0 to infinity.
-    fn breaks(&self) -> Vec<f64> {
+    pub(crate) fn breaks(&self) -> Vec<f64> {
         let mut breaks = vec![0.0];
         for law in [&self.force, &self.area] {
             breaks.extend(law.kinks().into_iter().map(|x| x * law.interference_unit));
@@ -167,6 +169,29 @@ impl Loading {
         breaks.dedup_by(|a, b| (*a - *b).abs() <= 1e-14 * a.abs());
         breaks.push(f64::INFINITY);
         breaks
+    }
+
+    /// The interference \[m\] below which an asperity comes back as it went: the end of the first range
+    /// of the law, if it is Hertz' there.
+    pub(crate) fn elastic_limit(&self) -> f64 {
+        let end = self.breaks()[1];
+        if !self.critical.is_finite() || end == f64::INFINITY {
+            return self.critical;
+        }
+        let is_hertz = |w: f64| {
+            let power = self.force.value(w)? / self.force.value(0.5 * w)? / 2f64.powf(1.5);
+            Ok::<_, QuadratureError>([self.recovered(w)? / w, power])
+        };
+        let same = |ratio: f64| (ratio - 1.0).abs() < SAME_LAW;
+        let hertz = [0.9, 0.5, 0.1]
+            .iter()
+            .all(|share| is_hertz(share * end).is_ok_and(|ratios| ratios.into_iter().all(same)));
+        if hertz { end } else { 0.0 }
+    }
+
+    /// The error of one asperity pressed to w \[m\].
+    pub(crate) fn refused(&self, model: &str, w: f64, source: &QuadratureError) -> ContactError {
+        refused(model, "pressed to", w, source)
     }
 
     /// What is left of contacts from `low` on, where that has just lasted to u.
@@ -211,18 +236,13 @@ pub fn restitution(
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
     let loading = Loading::new(model, *asperity, law, tolerance)?;
-    let failed = |source: QuadratureError| refused(model.name(), "pressed to", w, &source);
-    let mut breaks: Vec<f64> = loading.breaks().into_iter().filter(|x| *x < w).collect();
-    breaks.push(w);
-    let force = |x| loading.force.value(x);
-    let spent = fallible(force, |force| gauss_kronrod(force, &breaks, tolerance.relative(), MOST));
-    let spent = spent.flatten().map_err(failed)?;
-    if spent.value < f64::MIN_POSITIVE {
+    let failed = |source: QuadratureError| loading.refused(model.name(), w, &source);
+    let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
+    if spent < f64::MIN_POSITIVE {
         let required = "one whose work a double holds (2.2e-308 J)";
         return Err(ContactError::OutOfRange { field: "interference", value: w, required });
     }
-    let back = loading.answer(w, f64::INFINITY, None, Asked::Returned).map_err(failed)?;
-    Ok((back / spent.value).sqrt())
+    Ok((returned / spent).sqrt())
 }
 
 /// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no place

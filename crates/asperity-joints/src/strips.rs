@@ -1,7 +1,7 @@
 //! The way back as a table of two numbers, the closest approach c and the separation d ≥ c: strips of c
 //! and cells of d - c with products of Chebyshev polynomials, halved until these have converged.
 
-use asperity_core::{At, ContactError, QuadratureError, Quantity, positive};
+use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, positive};
 use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
 use crate::one::Asked;
@@ -17,6 +17,8 @@ const DEEPEST: u32 = 14;
 const WIDEST: f64 = 1000.0;
 /// Where contact is left after as long a retreat as this \[σ_z\], it never ends.
 const FARTHEST: f64 = 1e8;
+/// Integrals to this part of the table's tolerance are good enough for it.
+const ENOUGH: f64 = 0.1;
 /// Retreats shorter than this part of σ_z leave no contact behind.
 const NEGLIGIBLE: f64 = 1e-6;
 
@@ -37,13 +39,16 @@ pub(crate) struct Cell {
     pub(crate) to: f64,
     /// Of Tᵢ(c) Tⱼ(u), the j together.
     pub(crate) terms: [[f64; TERMS]; TERMS],
+    /// No force of the cell is below this \[N\]: 0, unless the model's own are.
+    pub(crate) least: f64,
 }
 
 impl Joint {
     /// A table for closest approaches from `deepest` to `open` \[m from the mean of the asperity
     /// heights\]; forces on the way back are within `tolerance` (1e-6, say) of the force at the closest
-    /// approach, and read 0 where they are smaller than that. Contacts that have come no closer than
-    /// `open` answer as if nothing had ever yielded.
+    /// approach, and read 0 where they are smaller than that; they are below 0 only where the model's own
+    /// are. Contacts that have come no closer than `open` answer as if nothing had ever yielded. Beyond
+    /// the highest asperity of heights with an end the force is exactly 0.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] naming a number that is none of these, and ends more than 1000 σ_z
@@ -63,13 +68,17 @@ impl Joint {
                 ("open, less deepest,", "at most 1000 asperity_height_std, in m,");
             return Err(ContactError::OutOfRange { field, value: width, required });
         }
-        let count = (width / (STRIP * sigma)).ceil().max(1.0) as usize;
+        // Nearer to the highest asperity than its elastic limit, nothing yields.
+        let highest = self.highest();
+        let open = open.min(highest - self.loading().elastic_limit());
+        let width = (open - deepest).max(0.0);
+        let count = (width / (STRIP * sigma)).ceil() as usize;
         let mut strips = vec![];
         for k in 0..count {
             let end = |k: usize| deepest + width * k as f64 / count as f64;
             self.strips((end(k), end(k + 1)), tolerance, 0, &mut strips)?;
         }
-        Ok(JointTable::new(self.clone(), strips, open))
+        Ok(JointTable::new(self.clone(), strips, (deepest, open, highest)))
     }
 
     /// The strips that serve a range of closest approaches \[m\].
@@ -84,7 +93,12 @@ impl Joint {
         let places: Vec<f64> = chebyshev_roots(TERMS)
             .map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma)
             .collect();
-        let at = |u: f64| self.retreated(Asked::Force, u, &places);
+        // Forces that are nearly gone need not be known to the tolerance of the joint.
+        let rough = self.roughly(Tolerance::new(ENOUGH * tolerance)?);
+        let at = |u: f64| match self.retreated(Asked::Force, u, &places) {
+            Err(ContactError::Integral { .. }) => rough.retreated(Asked::Force, u, &places),
+            found => found,
+        };
         // What is smaller than this at the largest c, too, is nothing.
         let nothing = |forces: &[f64; TERMS], start: &[f64; TERMS]| {
             forces.iter().zip(start).all(|(force, start)| *force <= 0.2 * tolerance * start)
@@ -142,7 +156,9 @@ impl Joint {
                 let middle = 0.5 * (low + high);
                 pending.extend([(middle, high, halved + 1), (low, middle, halved + 1)]);
             } else {
-                cells.push(Cell { from: low, to: high, terms });
+                let is_positive = samples.iter().flatten().all(|force| *force >= 0.0);
+                let least = if is_positive { 0.0 } else { f64::NEG_INFINITY };
+                cells.push(Cell { from: low, to: high, terms, least });
             }
         }
         strips.push(Strip { from, scale: 2.0 / (to - from), cells });
@@ -199,6 +215,7 @@ impl Cell {
             t = [t[1], 2.0 * v * t[1] - t[0]];
             u = [u[1], 2.0 * v * u[1] - u[0]];
         }
-        (value, -slope * scale)
+        // The polynomial may be below by its error.
+        if value <= self.least { (self.least, 0.0) } else { (value, -slope * scale) }
     }
 }

@@ -13,8 +13,12 @@ pub struct JointTable {
     joint: Joint,
     /// Ascending in c.
     strips: Vec<Strip>,
+    /// The smallest c \[m\].
+    deepest: f64,
     /// The largest c that is tabulated \[m\].
     open: f64,
+    /// The highest asperity \[m\].
+    highest: f64,
     /// 1/σ_z: multiples of σ_z are what the virgin curve is quickest at.
     per_metre: f64,
 }
@@ -32,9 +36,13 @@ pub struct Reply {
 }
 
 impl JointTable {
-    pub(crate) fn new(joint: Joint, strips: Vec<Strip>, open: f64) -> Self {
+    pub(crate) fn new(
+        joint: Joint,
+        strips: Vec<Strip>,
+        (deepest, open, highest): (f64, f64, f64),
+    ) -> Self {
         let per_metre = joint.scene().surface.asperity_height_std.recip();
-        Self { joint, strips, open, per_metre }
+        Self { joint, strips, deepest, open, highest, per_metre }
     }
 
     /// A contact that has never been closed.
@@ -52,12 +60,15 @@ impl JointTable {
     #[inline]
     pub fn at(&self, separation: f64, closest: f64) -> Result<Reply, ContactError> {
         if separation < closest || closest >= self.open {
-            let (force, tangent) =
-                self.joint.virgin().force_and_tangent(At::sigmas(separation * self.per_metre))?;
             let closest = separation.min(closest);
-            if closest < self.strips.first().map_or(closest, |strip| strip.from) {
+            if closest < self.deepest {
                 return Err(out_of_range(separation, closest));
             }
+            if separation >= self.highest {
+                return Ok(Reply { force: 0.0, stiffness: 0.0, closest });
+            }
+            let (force, tangent) =
+                self.joint.virgin().force_and_tangent(At::sigmas(separation * self.per_metre))?;
             return Ok(Reply { force: force.value(), stiffness: tangent.value(), closest });
         }
         let after = self.strips.partition_point(|strip| strip.from <= closest);

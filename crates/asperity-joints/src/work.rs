@@ -24,8 +24,8 @@ impl Work {
     /// bound relative to both. A cycle between fixed separations loses it once; after that, it
     /// retraces. 0 where nothing can yield.
     ///
-    /// Below 0 where a loading law jumps up (CEB: by half of Hertz' force at w_c) and the way back is
-    /// longer than the way there: such a pair of laws makes energy, and is none for dynamics.
+    /// Below 0 where the pair of loading and unloading laws creates energy; no such value goes without an
+    /// [`EnergyGain`](crate::EnergyGain) by [`Joint::energy_gain`].
     #[must_use]
     pub fn lost(&self) -> Evaluation {
         self.spent.less(&self.returned)

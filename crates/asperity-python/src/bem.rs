@@ -199,7 +199,7 @@ pub(crate) fn truth(
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
         let found = interruptible(py, |stop| {
-            asperity::truth(&scene.scene, bem, &pressures, models, |_| unless(stop))
+            asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| unless(stop))
         })?;
         let found = found.map_err(refused)?.into_iter().enumerate();
         let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
@@ -243,7 +243,7 @@ pub(crate) fn truth(
         };
         all.map(row).collect()
     };
-    let told = (!models.is_empty() && !found.is_empty()).then(|| asperity::told(&found));
+    let told = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
     Ok((found.iter().enumerate().flat_map(rows).collect(), told, refused, failures))
 }
 

@@ -112,15 +112,13 @@ impl Unloading {
 
     /// Loss factor of closing and opening: what is dissipated over 2 pi times the work of closing.
     fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
-        let work = || self.whole.work(self.joint.closest().into())?.loss_factor();
-        let found = py.detach(work);
-        found.map_err(|error| self.model.get().raise(py, error))
+        let factor = self.work(py)?.loss_factor();
+        factor.map_err(|error| self.model.get().raise(py, error))
     }
 
     /// Work [J] that the first closing took and opening does not give back.
     fn dissipated(&self, py: Python<'_>) -> PyResult<f64> {
-        let work = py.detach(|| self.whole.work(self.joint.closest().into()));
-        work.map(|work| work.lost().value()).map_err(|error| self.model.get().raise(py, error))
+        Ok(self.work(py)?.lost().value())
     }
 
     /// The same joint, sheared at its closest approach with a coefficient of friction.
@@ -155,6 +153,18 @@ impl Unloading {
 }
 
 impl Unloading {
+    /// The work of closing and opening; warns where a joint creates energy.
+    fn work(&self, py: Python<'_>) -> PyResult<joints::Work> {
+        let closest = self.joint.closest().into();
+        let both = py.detach(|| {
+            let work = self.whole.work(closest)?;
+            Ok((work, self.whole.energy_gain(closest, &work)?))
+        });
+        let (work, gain) = both.map_err(|error| self.model.get().raise(py, error))?;
+        gain.map_or(Ok(()), |gain| warn(py, &gain.to_string(), 1))?;
+        Ok(work)
+    }
+
     /// Of the unit of retreats.
     fn metres(&self) -> f64 {
         if self.unit == SIGMAS { self.joint.scene().surface.asperity_height_std } else { 1.0 }

@@ -16,6 +16,8 @@ use asperity_quadrature::{Estimate, Tabulated, TanhSinh};
 const BEYOND: f64 = 16.0;
 /// Relative tolerance of the tables, a tenth of that of the laws.
 const TOLERANCE: f64 = 2e-14;
+/// A layer this part of the range is integrated by itself.
+const THIN: f64 = 1e-4;
 /// Number of tables kept; laws are tabulated at the same few hundred values of u.
 const KEPT: usize = 4096;
 
@@ -81,7 +83,19 @@ fn flat(u: f64, y: f64, power: i32) -> Estimate {
         let less = down * (highest - 0.5 * down) + 1.5 * more * (SQRT_2 * highest + more);
         k.powi(2 - power) * (-less).exp()
     };
-    let found = TanhSinh::shared().integrate(0.0, width, 1e-15, |p| integrand(p.left, p.right));
+    // Below u = 0, small κ end in a layer about as thin as `lowest`, which a rule over all of the range
+    // may miss by more than the tables allow.
+    let layer = if lowest < THIN * highest { (lowest * highest).sqrt() } else { 0.0 };
+    let (rules, rest) = (TanhSinh::shared(), width - layer);
+    let main = rules.integrate(0.0, rest, 1e-15, |p| integrand(p.left, layer + p.right));
+    let mut found = main;
+    if layer > 0.0 {
+        let thin = rules
+            .integrate_beside(0.0, layer, 1e-15, main.value, |p| integrand(rest + p.left, p.right));
+        found.value += thin.value;
+        found.error += thin.error;
+        found.evaluations += thin.evaluations;
+    }
     Estimate { value: y * found.value, error: y * found.error, ..found }
 }
 

@@ -1,18 +1,22 @@
-//! What stands beside a contact table in the words of a finite-element code: thermal conductance,
-//! and friction that begins elastically.
+//! Thermal conductance, and friction that begins elastically, in the formats of finite-element codes.
 //!
-//! The forms are those of public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017;
+//! The formats are those of public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017;
 //! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and CalculiX'
 //! sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). No code was run on them here.
 
+use crate::contact_table::{ContactNode, ContactTable};
+use crate::error_bound::bounds;
 use crate::fe_tables::{Head, exact};
-use crate::table_builder::PROBES;
-use crate::{
-    At, ContactError, ContactModel, ContactNode, ContactTable, Datum, Quantity, Request, Scene,
-    TableError, TableFormat, Tolerance, UnitSystem,
-};
+use crate::fe_units::UnitSystem;
+use crate::kinks::{kinks, pieces};
+use crate::table_error::TableError;
+use crate::table_format::TableFormat;
+use crate::{At, ContactError, ContactModel, Datum, Quantity, Request, Scene, Tolerance};
 
-/// What a conductance is a function of.
+/// Points at which the line to the end of the conductance is compared with the model.
+const PROBES: usize = 7;
+
+/// The variable of a table of conductance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ConductanceAgainst {
     /// The contact pressure.
@@ -22,6 +26,36 @@ pub enum ConductanceAgainst {
 }
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
+
+impl TableFormat {
+    /// Refuses what [`ContactTable::conductance_text`] has no form for, before a table is made.
+    ///
+    /// # Errors
+    /// [`TableError::NoSuchTable`] for formats other than Abaqus and CalculiX, and for clearances
+    /// in CalculiX.
+    pub fn check_conductance(self, against: ConductanceAgainst) -> Result<()> {
+        let (what, known) = match (self, against) {
+            (Self::Abaqus, _) | (Self::Calculix, ConductanceAgainst::Pressure) => return Ok(()),
+            (Self::Calculix, _) => ("conductance against clearance", "abaqus"),
+            _ => ("conductance", "abaqus or calculix"),
+        };
+        Err(TableError::NoSuchTable { format: self, what, known })
+    }
+
+    /// Refuses what [`ContactTable::friction_text`] has no form for, before a table is made.
+    ///
+    /// # Errors
+    /// [`TableError::NoSuchTable`] for formats other than Abaqus and CalculiX.
+    pub fn check_friction(self) -> Result<()> {
+        match self {
+            Self::Abaqus | Self::Calculix => Ok(()),
+            _ => {
+                let (what, known) = ("friction", "abaqus or calculix");
+                Err(TableError::NoSuchTable { format: self, what, known })
+            }
+        }
+    }
+}
 
 impl ContactTable {
     /// The nodes of the largest and of the smallest pressure.
@@ -50,18 +84,9 @@ impl ContactTable {
         (model, scene, from): (&dyn ContactModel, &Scene, Datum),
         tolerance: Tolerance,
     ) -> Result<String> {
-        let (calculix, by_pressure) = match (format, against) {
-            (TableFormat::Abaqus, _) => (false, against == ConductanceAgainst::Pressure),
-            (TableFormat::Calculix, ConductanceAgainst::Pressure) => (true, true),
-            (TableFormat::Calculix, _) => {
-                let (what, known) = ("conductance against clearance", "abaqus");
-                return Err(TableError::NoSuchTable { format, what, known });
-            }
-            _ => {
-                let (what, known) = ("conductance", "abaqus or calculix");
-                return Err(TableError::NoSuchTable { format, what, known });
-            }
-        };
+        format.check_conductance(against)?;
+        let calculix = format == TableFormat::Calculix;
+        let by_pressure = against == ConductanceAgainst::Pressure;
         let asked = [Quantity::Pressure, Quantity::ThermalConductancePerArea];
         let contact = model.compile(scene, &Request::new(asked).within(tolerance))?;
         let of = |at: At| -> Result<[f64; 2], ContactError> {
@@ -76,34 +101,40 @@ impl ContactTable {
         }
         let few = TableError::TooFew { nodes: pairs.len() };
         // Without pressure or conductance there is nothing to be off from.
-        let off = |line: f64, h: f64| Some((line / h - 1.0).abs()).filter(|off| off.is_finite());
-        let probes = || (1..=PROBES).map(|k| k as f64 / (PROBES + 1) as f64);
+        let off = |line: f64, h: f64| Some(line / h - 1.0).filter(|off| off.is_finite());
+        let (kinks, noise) = (kinks(model, scene, tolerance)?, 4.0 * tolerance.relative());
         let mut error = 0.0_f64;
         for pair in pairs.windows(2) {
             let [(s0, [p0, h0]), (s1, [p1, h1])] = [pair[0], pair[1]];
-            for t in probes() {
-                let [p, h] = of((s0 + t * (s1 - s0)).into())?;
-                let t = if by_pressure { (p - p0) / (p1 - p0) } else { t };
-                error = error.max(off(h0 + t * (h1 - h0), h).ok_or(few.clone())?);
-            }
+            let errors = |separation: f64| {
+                let [p, h] = of(separation.into())?;
+                let t = match by_pressure {
+                    true => (p - p0) / (p1 - p0),
+                    false => (separation - s0) / (s1 - s0),
+                };
+                Ok::<_, TableError>([off(h0 + t * (h1 - h0), h).ok_or(few.clone())?])
+            };
+            let ends = pieces(&kinks, s0, s1);
+            let [found] = bounds(errors, &ends, (noise, f64::INFINITY))?;
+            error = error.max(found + 0.5 * noise);
         }
         // The line to the pair without conductance, of which the model knows nothing.
         let mut last_error = 0.0_f64;
         if let (Some((s0, [p0, h0])), Some(s1)) = (pairs.last().copied(), self.cut_off()) {
-            for t in probes() {
+            for t in (1..=PROBES).map(|k| k as f64 / (PROBES + 1) as f64) {
                 let at = match by_pressure {
                     true => At::Pressure((1.0 - t) * p0),
                     false => (s0 + t * (s1 - s0)).into(),
                 };
                 let [_, h] = of(at)?;
-                last_error = last_error.max(off((1.0 - t) * h0, h).ok_or(few.clone())?);
+                last_error = last_error.max(off((1.0 - t) * h0, h).ok_or(few.clone())?.abs());
             }
         }
         let (nodes, named) = (pairs.len(), if by_pressure { "pressure" } else { "clearance" });
         let mut text = format!(
             "** thermal conductance against {named}, in {} and {}, of contacts in vacuum that are
 ** far from each other; straight lines between {nodes} nodes: largest relative error {error:.3e},
-** and {last_error:.3e} on the line from the lightest of them to no conductance
+** and {last_error:.3e} at {PROBES} points of the line from the lightest of them to no conductance
 ",
             units.of_conductance(),
             if by_pressure { units.of_pressure() } else { units.of_length() }
@@ -159,10 +190,7 @@ impl ContactTable {
         (model, scene): (&dyn ContactModel, &Scene),
         tolerance: Tolerance,
     ) -> Result<String> {
-        if !matches!(format, TableFormat::Abaqus | TableFormat::Calculix) {
-            let (what, known) = ("friction", "abaqus or calculix");
-            return Err(TableError::NoSuchTable { format, what, known });
-        }
+        format.check_friction()?;
         crate::positive("friction", friction)?;
         let stiffness = Quantity::TangentialStiffness;
         let contact = model.compile(scene, &Request::new([stiffness]).within(tolerance))?;

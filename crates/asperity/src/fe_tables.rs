@@ -1,50 +1,15 @@
-//! Contact tables in the words of finite-element codes.
+//! Contact tables in the formats of finite-element codes.
 //!
-//! What is said of a code's format was read in its public manual or source. No code was run on
-//! these files here.
+//! Formats are those of the codes' public manuals and sources. No code was run on these files here.
 
-use crate::{
-    ContactTable, Datum, Interpolation, Scene, Separation, SeparationUnit, TableError, UnitSystem,
-};
-
-/// The words in which a table is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum TableFormat {
-    /// Clearance, pressure and tangent with their units in the head, for cubics.
-    Csv,
-    /// `*SURFACE BEHAVIOR` of Abaqus: pairs of pressure and overclosure, for straight lines.
-    Abaqus,
-    /// The same for CalculiX, with overclosures from where the pressure begins.
-    Calculix,
-    /// Real constants of the nonlinear spring COMBIN39 of ANSYS, which stands for the nominal area.
-    Ansys,
-}
-
-impl TableFormat {
-    /// The name of the form, in lower case.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Csv => "csv",
-            Self::Abaqus => "abaqus",
-            Self::Calculix => "calculix",
-            Self::Ansys => "ansys",
-        }
-    }
-
-    /// How a code reads between the nodes: tables are to be made so.
-    #[must_use]
-    pub fn interpolation(self) -> Interpolation {
-        match self {
-            Self::Csv => Interpolation::Hermite,
-            _ => Interpolation::Linear,
-        }
-    }
-}
+use crate::contact_table::ContactTable;
+use crate::fe_units::UnitSystem;
+use crate::table_error::TableError;
+use crate::table_format::TableFormat;
+use crate::{Datum, Scene, Separation, SeparationUnit};
 
 impl ContactTable {
-    /// The table of a scene in the words of a code, with clearances from a plane; `title` goes to
+    /// The table of a scene in the format of a code, with clearances from a plane; `title` goes to
     /// its comments.
     ///
     /// # Errors
@@ -67,7 +32,7 @@ impl ContactTable {
     }
 }
 
-/// A table, and what its comments say of it.
+/// A table, and the facts for its comments.
 pub(crate) struct Head<'h> {
     pub(crate) title: &'h str,
     pub(crate) table: &'h ContactTable,
@@ -119,7 +84,7 @@ fn csv(head: &Head<'_>) -> Result<String> {
 {converted}# clearance is the separation from {from}
 # tangent is -dp/dclearance: cubics through both (Hermite) are continuous with
 # their slope and fall all the way
-# interpolation error, measured at 7 points between any two of {nodes} nodes: pressure {pressure}, tangent {slope} (relative)
+# interpolation error (relative, an upper bound) between any two of {nodes} nodes: pressure {pressure}, tangent {slope}
 clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
 "
     );
@@ -141,8 +106,8 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure = -(separation from {from})
 ** so that a negative overclosure is a clearance and 0 is where the nominal surfaces meet
-** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
-** measured at 7 points between any two; the slope jumps at the nodes
+** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope
+** between any two; the slope jumps at the nodes
 ** the first pair is where the tangent of the second reaches 0: the model's pressure there,
 ** below that of the second pair, is left out; beyond the last pair the last slope goes on
 ** to be included after *SURFACE INTERACTION, NAME=...
@@ -171,8 +136,8 @@ fn calculix(head: &Head<'_>) -> Result<String> {
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} {length}
 ** from {from}: put the surfaces there, or move them by that
-** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope,
-** measured at 7 points between any two; the slope jumps at the nodes
+** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope
+** between any two; the slope jumps at the nodes
 ** to be included after *SURFACE INTERACTION, NAME=...; not yet tried with ccx
 *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR
 "
@@ -201,8 +166,8 @@ fn ansys(head: &Head<'_>) -> Result<String> {
 {converted}! that stands for the nominal area, {area:e} {length}2: scale the forces to the area of each spring
 ! deflection 0 is where the force begins, at a separation of {begins:.9e} {length}
 ! from {from}; compression is negative
-! straight lines between {nodes} nodes: largest relative error {pressure} of the force, {slope} of its slope,
-! measured at 7 points between any two; beyond the ends the last slope goes on
+! straight lines between {nodes} nodes: largest relative error {pressure} of the force, {slope} of its slope
+! between any two; beyond the ends the last slope goes on
 ! not yet tried with ANSYS
 ASPERITY = 1 ! the number of the set of real constants
 "

@@ -1,25 +1,95 @@
-//! The nodes of a contact table, and what is interpolated between two of them.
+//! Contact tables from models: nodes at equal distances, or as many as an error needs.
 
 use std::cmp::Ordering;
 
+use crate::contact_table::{ContactNode, ContactTable};
 use crate::cubic;
+use crate::error_bound::bounds;
+use crate::kinks::{kinks, pieces};
+use crate::table_error::TableError;
+use crate::table_format::Interpolation;
 use crate::{
-    At, Contact, ContactModel, ContactNode, ContactTable, Datum, Interpolation, Quantity, Request,
-    Scene, SeparationUnit, TableError, Tolerance, linspace,
+    At, Contact, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit, Tolerance, linspace,
 };
 
-/// Points at which each interval is compared with the model.
-pub(crate) const PROBES: usize = 7;
+/// More nodes than this are not added to meet an error.
+const MOST_NODES: usize = 100_000;
 
-/// A model on a scene, asked node by node.
-pub(crate) struct Builder {
+impl ContactTable {
+    /// From one separation, load or pressure to another, larger one, with `count` ≥ 2 nodes at
+    /// equal distances of separation.
+    ///
+    /// # Errors
+    /// [`TableError`]; the integrals are done to `tolerance`.
+    pub fn even<A: Into<At>>(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        tolerance: Tolerance,
+        (first, last, count): (A, A, usize),
+        interpolation: Interpolation,
+    ) -> Result<Self, TableError> {
+        let builder = Builder::new(model, scene, tolerance, interpolation)?;
+        builder.table(builder.even(first.into(), last.into(), count)?)
+    }
+
+    /// As [`even`](Self::even), with nodes added between those until no interpolated pressure is
+    /// off by more than a relative `error`.
+    ///
+    /// ```
+    /// use asperity::{ContactTable, Interface, Interpolation, Scene, Surface, Tolerance};
+    ///
+    /// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
+    /// let (range, cubic) = ((0.0, 4.0, 2), Interpolation::Hermite);
+    /// let table =
+    ///     ContactTable::within(&asperity::KogutEtsion, &scene, Tolerance::default(), range, 1e-6, cubic)?;
+    /// assert!(table.pressure_error <= 1e-6 && table.nodes.len() < 100);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`TableError`]; the integrals are done to `tolerance`, below which `error` cannot be met.
+    pub fn within<A: Into<At>>(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        tolerance: Tolerance,
+        (first, last, count): (A, A, usize),
+        error: f64,
+        interpolation: Interpolation,
+    ) -> Result<Self, TableError> {
+        crate::positive("error", error)?;
+        let builder = Builder::new(model, scene, tolerance, interpolation)?;
+        let even = builder.even(first.into(), last.into(), count)?;
+        let mut nodes = vec![even[0]];
+        // Intervals still to be looked at, the next one on top.
+        let mut ahead: Vec<ContactNode> = even[1..].iter().rev().copied().collect();
+        while let (Some(&from), Some(&to)) = (nodes.last(), ahead.last()) {
+            if builder.monotone(&from, &to) && builder.errors(&from, &to, error)?[0] <= error {
+                nodes.push(to);
+                ahead.pop();
+                continue;
+            }
+            let middle = 0.5 * (from.separation + to.separation);
+            if nodes.len() + ahead.len() >= MOST_NODES || middle <= from.separation {
+                return Err(TableError::TooFine { error });
+            }
+            ahead.push(builder.node(middle)?);
+        }
+        builder.table(nodes)
+    }
+}
+
+/// A model on a scene, evaluated node by node.
+struct Builder {
     contact: Box<dyn Contact>,
     nominal_area: f64,
     interpolation: Interpolation,
+    /// Separations \[σ_z\] at which the force may have a kink.
+    kinks: Vec<f64>,
+    tolerance: f64,
 }
 
 impl Builder {
-    pub(crate) fn new(
+    fn new(
         model: &dyn ContactModel,
         scene: &Scene,
         tolerance: Tolerance,
@@ -27,14 +97,20 @@ impl Builder {
     ) -> Result<Self, TableError> {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let contact = model.compile(scene, &request)?;
-        Ok(Self { contact, nominal_area: scene.nominal_area, interpolation })
+        Ok(Self {
+            contact,
+            nominal_area: scene.nominal_area,
+            interpolation,
+            kinks: kinks(model, scene, tolerance)?,
+            tolerance: tolerance.relative(),
+        })
     }
 
     fn height_std(&self) -> f64 {
         self.contact.scene().surface.asperity_height_std
     }
 
-    pub(crate) fn node(&self, separation: f64) -> Result<ContactNode, TableError> {
+    fn node(&self, separation: f64) -> Result<ContactNode, TableError> {
         let (force, tangent) = self.contact.force_and_tangent(separation)?;
         let [pressure, stiffness] = [force, tangent].map(|e| e.value() / self.nominal_area);
         if pressure > 0.0 && stiffness > 0.0 {
@@ -51,12 +127,7 @@ impl Builder {
         Ok(separation.measured_in(unit, from, self.contact.scene())?.value)
     }
 
-    pub(crate) fn even(
-        &self,
-        first: At,
-        last: At,
-        count: usize,
-    ) -> Result<Vec<ContactNode>, TableError> {
+    fn even(&self, first: At, last: At, count: usize) -> Result<Vec<ContactNode>, TableError> {
         let by_load = !matches!(first, At::Separation(_));
         let (first, last) = (self.sigmas(first)?, self.sigmas(last)?);
         // The smaller load is at the larger separation.
@@ -67,7 +138,7 @@ impl Builder {
         linspace(first, last, count.max(2)).into_iter().map(|s| self.node(s)).collect()
     }
 
-    pub(crate) fn table(&self, nodes: Vec<ContactNode>) -> Result<ContactTable, TableError> {
+    fn table(&self, nodes: Vec<ContactNode>) -> Result<ContactTable, TableError> {
         let (mut pressure_error, mut stiffness_error) = (0.0, 0.0);
         for pair in nodes.windows(2) {
             let (from, to) = (&pair[0], &pair[1]);
@@ -79,7 +150,7 @@ impl Builder {
                     to: to.separation,
                 });
             }
-            let (pressure, stiffness) = self.errors(from, to)?;
+            let [pressure, stiffness] = self.errors(from, to, f64::INFINITY)?;
             pressure_error = f64::max(pressure_error, pressure);
             stiffness_error = f64::max(stiffness_error, stiffness);
         }
@@ -100,7 +171,7 @@ impl Builder {
     }
 
     /// Whether what is interpolated falls all the way.
-    pub(crate) fn monotone(&self, from: &ContactNode, to: &ContactNode) -> bool {
+    fn monotone(&self, from: &ContactNode, to: &ContactNode) -> bool {
         if to.pressure >= from.pressure {
             return false;
         }
@@ -108,28 +179,35 @@ impl Builder {
         self.interpolation == Interpolation::Linear || cubic::is_monotone(a, b)
     }
 
-    /// The largest relative errors of pressure and stiffness between two nodes.
-    pub(crate) fn errors(
+    /// Bounds of the relative errors of pressure and stiffness between two nodes; of a pressure off by
+    /// more than `enough`, no more than that.
+    fn errors(
         &self,
         from: &ContactNode,
         to: &ContactNode,
-    ) -> Result<(f64, f64), TableError> {
+        enough: f64,
+    ) -> Result<[f64; 2], TableError> {
         let fall = from.pressure - to.pressure;
         let (a, b) = match self.interpolation {
             Interpolation::Linear => (1.0, 1.0),
             Interpolation::Hermite => self.slopes(from, to),
         };
         let width = to.separation - from.separation;
-        let (mut pressure_error, mut stiffness_error): (f64, f64) = (0.0, 0.0);
-        for k in 1..=PROBES {
-            let t = k as f64 / (PROBES + 1) as f64;
-            let exact = self.node(from.separation + t * width)?;
+        let secant = fall / (width * self.height_std());
+        let errors = |separation: f64| {
+            let t = (separation - from.separation) / width;
+            let exact = self.node(separation)?;
             let pressure = from.pressure - fall * cubic::value(a, b, t);
-            let secant = fall / (width * self.height_std());
             let stiffness = secant * cubic::slope(a, b, t);
-            pressure_error = pressure_error.max((pressure / exact.pressure - 1.0).abs());
-            stiffness_error = stiffness_error.max((stiffness / exact.stiffness - 1.0).abs());
-        }
-        Ok((pressure_error, stiffness_error))
+            let errors = [pressure / exact.pressure - 1.0, stiffness / exact.stiffness - 1.0];
+            Ok::<_, TableError>(errors)
+        };
+        let ends = pieces(&self.kinks, from.separation, to.separation);
+        // Nodes and what lies between are known to the tolerance.
+        let found = bounds(errors, &ends, (4.0 * self.tolerance, enough))?;
+        Ok(found.map(|error| error + 2.0 * self.tolerance))
     }
 }
+
+#[cfg(test)]
+mod tests;

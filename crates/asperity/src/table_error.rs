@@ -1,6 +1,7 @@
 //! Why there is no table for a finite-element code.
 
-use crate::{ContactError, TableFormat};
+use crate::ContactError;
+use crate::table_format::TableFormat;
 
 /// Why there is no table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -9,25 +10,25 @@ pub enum TableError {
     /// The model refused.
     #[error(transparent)]
     Contact(#[from] ContactError),
-    /// The code takes fewer nodes.
+    /// The code allows fewer nodes.
     #[error(
-        "{nodes} nodes: at most {most} were required, as {format} takes no more: a larger error, a narrower range or fewer nodes"
+        "{nodes} nodes: {format} allows {most}; increase the error, narrow the range or give fewer nodes"
     )]
     TooMany {
         /// Nodes of the table.
         nodes: usize,
         /// Nodes that can be written.
         most: usize,
-        /// What takes no more.
+        /// The code.
         format: &'static str,
     },
-    /// A table that somebody else has made is none.
+    /// A table made by the caller is empty or does not fall.
     #[error("{nodes} nodes: two or more were required, at different pressures above 0")]
     TooFew {
         /// Nodes of the table.
         nodes: usize,
     },
-    /// A format that has no such thing.
+    /// The format has no such table.
     #[error("format is {}: one with {what} was required, {known}", format.name())]
     NoSuchTable {
         /// The format.

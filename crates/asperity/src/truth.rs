@@ -1,4 +1,4 @@
-//! Which model holds on this scan? Every model beside boundary elements on it.
+//! Every model compared with boundary elements on the same scan.
 
 use std::ops::ControlFlow;
 
@@ -19,21 +19,21 @@ const STEP: f64 = 0.05;
 pub struct Truth {
     /// Mean pressure on the nominal area \[Pa\].
     pub pressure: f64,
-    /// What boundary elements say.
+    /// The contact by boundary elements.
     pub bem: ContactState,
     /// Root mean square height of the scan \[m\], the unit of the deviations of gaps.
     pub rms_height: f64,
-    /// Diagnostics of the boundary elements.
+    /// Limits of the solution by boundary elements.
     pub notes: Vec<Diagnostic>,
-    /// What the models say, in the order in which they were given.
+    /// The contact by each model, in the order given.
     pub models: Vec<(Model, ContactState)>,
-    /// Why models have no numbers here that would mean nothing: more area than there is.
+    /// Models whose area would exceed the nominal one, and the finding.
     pub refused: Vec<(Model, Diagnostic)>,
-    /// Why models lack all of their numbers, or else the first of them that they lack.
+    /// Models that lack a number, and the error of the first that they lack.
     pub missing: Vec<(Model, ContactError)>,
 }
 
-/// Three numbers of a contact; none where it has no such number.
+/// Area, gap and stiffness of a contact; `None` where there is no such number.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ContactState {
     /// Real over nominal area.
@@ -61,24 +61,22 @@ impl Truth {
     }
 }
 
-/// Solves the scan at mean pressures \[Pa\] on the nominal area, one after another, and asks the
-/// models there. `progress` is told about every iteration and may stop the run: what is solved by
-/// then is kept.
+/// Solves the scan at mean pressures \[Pa\] on the nominal area, one after another, and every model at
+/// the same pressures. `progress` is called at every iteration and may stop the run: the pressures
+/// solved by then are kept.
 ///
 /// ```
 /// use std::ops::ControlFlow;
 ///
 /// use asperity::bem::{Bem, Boundary, RandomSurface};
-/// use asperity::{Interface, Model, ProfileMoments, Scene, Surface, truth};
+/// use asperity::{Interface, Model, Scene, Surface, compare_with_bem};
 ///
 /// let rough = RandomSurface::new(2.0, 2.0, 16.0)?.side(1e-4)?.gradient(0.05)?;
-/// let moments = rough.moments();
-/// let moments = ProfileMoments { m0: moments.m0, m2: moments.m2, m4: moments.m4 };
 /// let interface = Interface::new(116e9, 0.3, 7e9);
-/// let scene = Scene::new(interface, Surface::from_moments(&moments)?, 1e-8);
+/// let scene = Scene::new(interface, Surface::from_moments(&rough.moments())?, 1e-8);
 /// let bem = Bem::new(rough.heights(128)?, Boundary::Periodic, true);
 /// let models = ["gw".parse::<Model>()?, "ke".parse()?];
-/// let found = truth(&scene, &bem, &[1e7, 1e8], &models, |_| ControlFlow::Continue(()))?;
+/// let found = compare_with_bem(&scene, &bem, &[1e7, 1e8], &models, |_| ControlFlow::Continue(()))?;
 /// let heavy = found[1].as_ref().map_err(Clone::clone)?;
 /// let deviation = heavy.deviation(&heavy.models[0].1);
 /// // One map is one realisation: its deviations hold for it, others differ by some per cent.
@@ -89,7 +87,7 @@ impl Truth {
 /// # Errors
 /// [`ContactError`] naming the input of the scene that is out of range or missing. What a single
 /// pressure lacks stands in its place.
-pub fn truth(
+pub fn compare_with_bem(
     scene: &Scene,
     bem: &Bem,
     pressures: &[f64],
@@ -142,16 +140,21 @@ pub fn truth(
     Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
 }
 
-/// Which models were nearest to boundary elements over these loads, in area and in stiffness, in a
-/// sentence; loads that few pixels or patches carry are left out of it.
+/// Which models are nearest to boundary elements over these loads, in area and in stiffness, in one
+/// sentence. Loads that few pixels or patches carry do not count; on a grid too coarse for the
+/// shortest waves of the scan no model is ranked.
 #[must_use]
-pub fn told(found: &[Truth]) -> String {
-    let few = |note: &Diagnostic| ["few-pixels", "few-patches"].contains(&note.code);
-    let resolved = || found.iter().filter(|truth| !truth.notes.iter().any(few));
+pub fn summary(found: &[Truth]) -> String {
+    let noted =
+        |truth: &Truth, codes: &[&str]| truth.notes.iter().any(|note| codes.contains(&note.code));
+    if found.iter().any(|truth| noted(truth, &["short-waves"])) {
+        return "models are not ranked: the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels".into();
+    }
+    let few = ["few-pixels", "few-patches"];
+    let resolved = || found.iter().filter(|truth| !noted(truth, &few));
     let count = resolved().count();
     if count == 0 {
-        return "no load is carried by enough pixels and patches to tell which models are nearest"
-            .into();
+        return "models are not ranked: too few pixels or patches are in contact at every load; increase the load".into();
     }
     let models = found.first().map_or(&[][..], |first| &first.models);
     let off = |id: &str| {
@@ -165,7 +168,9 @@ pub fn told(found: &[Truth]) -> String {
     let nearest = ranking::nearest(models.iter().map(|(model, _)| model.id()), off);
     match found.len() {
         all if all == count => format!("over these loads, {nearest}"),
-        _ => format!("over the loads that enough pixels and patches carry ({count}), {nearest}"),
+        all => format!(
+            "over the loads with enough pixels and patches in contact ({count} of {all}), {nearest}"
+        ),
     }
 }
 
@@ -183,10 +188,10 @@ impl From<Solution> for Kept {
     }
 }
 
-/// What a model says, and why it lacks the first number that it lacks.
+/// The contact by a model, and the error of the first number that it lacks.
 fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) {
     let mut lacks = None;
-    let mut told = |found: Result<f64, ContactError>| match found {
+    let mut kept = |found: Result<f64, ContactError>| match found {
         Ok(found) => Some(found),
         Err(reason) => {
             lacks.get_or_insert(reason);
@@ -198,9 +203,9 @@ fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) 
         separation.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, contact.scene())
     });
     let state = ContactState {
-        area_fraction: told(value(Quantity::AreaFraction)),
-        mean_gap: told(gap.map(|gap| gap.value)),
-        stiffness: told(value(Quantity::Tangent)),
+        area_fraction: kept(value(Quantity::AreaFraction)),
+        mean_gap: kept(gap.map(|gap| gap.value)),
+        stiffness: kept(value(Quantity::Tangent)),
     };
     (state, lacks)
 }
@@ -209,15 +214,13 @@ fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) 
 mod tests {
     use super::*;
     use crate::bem::{Boundary, RandomSurface};
-    use crate::{Interface, ProfileMoments, Surface};
+    use crate::{Interface, Surface};
 
     const GO_ON: ControlFlow<()> = ControlFlow::Continue(());
 
     fn scan() -> (Scene, Bem) {
         let rough = RandomSurface::new(2.0, 3.0, 12.0).unwrap().gradient(0.05).unwrap();
-        let moments = rough.moments();
-        let moments = ProfileMoments { m0: moments.m0, m2: moments.m2, m4: moments.m4 };
-        let surface = Surface::from_moments(&moments).unwrap();
+        let surface = Surface::from_moments(&rough.moments()).unwrap();
         let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), surface, 2.0);
         (scene, Bem::new(rough.heights(96).unwrap(), Boundary::Periodic, false))
     }
@@ -225,7 +228,8 @@ mod tests {
     #[test]
     fn areas_gaps_and_stiffnesses_are_those_of_the_solver() {
         let (scene, bem) = scan();
-        let all = truth(&scene, &bem, &[3e7, 2e9, 3e8], &Model::all(), |_| GO_ON).unwrap();
+        let all =
+            compare_with_bem(&scene, &bem, &[3e7, 2e9, 3e8], &Model::all(), |_| GO_ON).unwrap();
         assert!(matches!(all[1], Err(BemError::CannotBeCarried { .. })));
         let elements = bem.elements(&scene.interface).unwrap();
         for found in all.iter().flatten() {
@@ -261,7 +265,7 @@ mod tests {
         let (mut scene, bem) = scan();
         let models = ["gw", "ke", "persson"].map(|id| id.parse::<Model>().unwrap());
         let solve = |scene: &Scene, bem: &Bem| {
-            let mut found = truth(scene, bem, &[1e8], &models, |_| GO_ON).unwrap();
+            let mut found = compare_with_bem(scene, bem, &[1e8], &models, |_| GO_ON).unwrap();
             found.remove(0).unwrap()
         };
         let refused = |truth: &Truth| -> Vec<(String, &str)> {
@@ -279,11 +283,17 @@ mod tests {
         let [mut clear, mut few] = [soft.clone(), soft];
         (clear.notes, few.notes) =
             (vec![], vec![Diagnostic::warning("few-pixels", "pixels", 33.0)]);
-        let both = told(&[clear.clone(), few.clone()]);
-        assert!(both.starts_with("over the loads that enough pixels and patches carry (1), "));
+        let both = summary(&[clear.clone(), few.clone()]);
+        assert!(
+            both.starts_with("over the loads with enough pixels and patches in contact (1 of 2), "),
+            "{both}"
+        );
         assert!(both.contains("persson") && !both.contains("gw"), "{both}");
-        assert!(told(&[clear.clone(), clear]).starts_with("over these loads, "));
-        assert!(told(&[few]).starts_with("no load is carried by enough"));
+        assert!(summary(&[clear.clone(), clear.clone()]).starts_with("over these loads, "));
+        assert!(summary(&[few]).starts_with("models are not ranked: too few pixels"));
+        let notes = vec![Diagnostic::warning("short-waves", "shortest_wavelength", 3.0)];
+        let coarse = Truth { notes, ..clear };
+        assert!(summary(&[coarse]).starts_with("models are not ranked: the grid is too coarse"));
     }
 
     #[test]
@@ -292,7 +302,8 @@ mod tests {
         scene.interface = Interface::elastic(1e11, 0.3);
         // Without a spectrum there is an area, and nothing else.
         let persson = ["persson".parse::<Model>().unwrap()];
-        let found = truth(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
+        let found =
+            compare_with_bem(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
         let (_, state) = &found.models[0];
         assert!(state.area_fraction.is_some() && state.mean_gap.or(state.stiffness).is_none());
         let told = found.missing[0].1.to_string();
@@ -307,7 +318,7 @@ mod tests {
             0..=3 => GO_ON,
             _ => ControlFlow::Break(()),
         };
-        let found = truth(&scene, &bem, &[3e7, 3e8], &[], stop).unwrap();
+        let found = compare_with_bem(&scene, &bem, &[3e7, 3e8], &[], stop).unwrap();
         assert!(matches!(found[0], Err(BemError::Cancelled)));
         assert!(found[1].as_ref().is_ok_and(|heavy| heavy.bem.stiffness.is_some()));
     }

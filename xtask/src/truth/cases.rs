@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::bem::{Bem, Boundary, RandomSurface};
-use asperity::{Interface, Model, Persson, PerssonVariance, ProfileMoments, Scene, Surface};
+use asperity::{Interface, Model, Persson, PerssonVariance, Scene, Surface};
 
 /// The extent of the evidence.
 #[derive(Debug, Clone, Copy)]
@@ -52,18 +52,12 @@ pub fn surface(scope: &Scope, [longest, roll_off]: [f64; 2]) -> Result<RandomSur
     Ok(RandomSurface::new(longest, roll_off, shortest)?.side(1e-4)?.gradient(GRADIENT)?)
 }
 
-/// The moments of profiles, the input of the models.
-pub fn moments(surface: &RandomSurface) -> ProfileMoments {
-    let found = surface.moments();
-    ProfileMoments { m0: found.m0, m2: found.m2, m4: found.m4 }
-}
-
-/// The scene of a surface and a plasticity index, which determines the hardness.
+/// The scene of a surface and a plasticity index, which determines the hardness: steel on steel.
 pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
     let mut interface = Interface::elastic(MODULUS, POISSON);
     // Two equal materials.
     interface.equivalent_shear_modulus = Some(MODULUS * (1.0 - POISSON) / (2.0 * (2.0 - POISSON)));
-    let surface = Surface::from_moments(&moments(surface))?;
+    let surface = Surface::from_moments(&surface.moments())?;
     let mut scene = Scene::new(interface, surface, 1e-8);
     if index > 0.0 {
         // ψ is inversely proportional to the hardness.
@@ -98,7 +92,7 @@ mod tests {
         let mut cases = asperity::Evidence::committed()?.cases().iter();
         // Independent numbers, because the evidence was made by the function under test.
         for (waves, alpha) in FULL.waves.iter().zip([3.0, 7.5, 29.0]) {
-            let found = moments(&surface(&FULL, *waves)?).bandwidth();
+            let found = surface(&FULL, *waves)?.moments().bandwidth();
             assert!((found / alpha - 1.0).abs() < 0.05, "{found} {alpha}");
             let listed = cases.find(|case| (case.alpha / found - 1.0).abs() < 1e-6);
             assert!(listed.is_some(), "{found}");

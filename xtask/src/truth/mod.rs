@@ -16,7 +16,7 @@ use anyhow::{Context, Result, bail};
 use asperity::bem::RandomSurface;
 use asperity::{
     At, Contact, ContactError, ContactModel, ContactState, Evidence, Model, Quantity, Request,
-    Scene, Truth, truth,
+    Scene, Truth, compare_with_bem,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -142,11 +142,11 @@ pub fn asked_anew(text: &str, scope: &Scope) -> Result<String> {
                 let surfaces = scope.waves.iter().map(|waves| cases::surface(scope, *waves));
                 let surfaces = surfaces.collect::<Result<Vec<_>>>()?;
                 let same = |surface: &&RandomSurface| {
-                    (cases::moments(surface).bandwidth() / case.alpha - 1.0).abs() < 1e-6
+                    (surface.moments().bandwidth() / case.alpha - 1.0).abs() < 1e-6
                 };
                 let surface = surfaces.iter().find(same).context("a surface of another scope")?;
                 let scene = cases::scene(surface, case.plasticity_index)?;
-                Asked::new(&scene, cases::moments(surface).m0.sqrt())
+                Asked::new(&scene, surface.moments().m0.sqrt())
             }
         };
         let place = [case.alpha, case.plasticity_index, case.load].map(Field::Number);
@@ -174,7 +174,7 @@ pub fn solve(scope: &Scope) -> Result<String> {
     bar.set_style(ProgressStyle::with_template("{wide_bar} {pos}/{len} {msg}")?);
     for waves in scope.waves {
         let surface = cases::surface(scope, *waves)?;
-        let moments = cases::moments(&surface);
+        let moments = surface.moments();
         for &index in scope.indices {
             let scene = cases::scene(&surface, index)?;
             let pressures: Vec<f64> = scope.loads.iter().map(|x| x * MODULUS * GRADIENT).collect();
@@ -186,7 +186,8 @@ pub fn solve(scope: &Scope) -> Result<String> {
                 }
                 bar.set_message(case);
                 let bem = cases::bem(scope, surface, seed)?;
-                let found = truth(&scene, &bem, &pressures, &[], |_| ControlFlow::Continue(()))?;
+                let found =
+                    compare_with_bem(&scene, &bem, &pressures, &[], |_| ControlFlow::Continue(()))?;
                 seeds.push(found.into_iter().collect::<Result<_, _>>()?);
                 bar.inc(1);
             }

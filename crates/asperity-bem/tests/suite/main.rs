@@ -6,6 +6,7 @@ mod closed_forms;
 mod codes;
 mod inputs;
 mod invariants;
+mod light_loads;
 mod lists;
 mod model;
 mod notes;

@@ -36,7 +36,7 @@ fn moments_are_those_of_the_heights() {
     close(slope / count, moments.m2, 1e-6);
     // Rows and columns are two directions of all, and a lattice is not quite isotropic.
     close(bend / count, moments.m4, 6e-3);
-    close(moments.alpha(), moments.m0 * moments.m4 / moments.m2.powi(2), 1e-15);
+    close(moments.bandwidth(), moments.m0 * moments.m4 / moments.m2.powi(2), 1e-15);
 }
 
 #[test]

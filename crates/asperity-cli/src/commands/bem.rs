@@ -29,7 +29,7 @@ and flows where the pressure reaches its hardness.
 Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
 pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
 planes), patches, iterations, residual; with --refine the same on half the grid.
-An interrupted list (Ctrl-C) keeps the loads that are done.
+After Ctrl-C the loads solved so far are written; the exit code is 130.
 
 Examples:
   asperity bem scan.toml --pressure 1e7,1e8
@@ -144,15 +144,27 @@ impl BemCommand {
             found: Diagnostics::default(),
         };
         let keep = self.map.is_some() || self.picture.is_some();
-        let whole = run.solve(&bem, keep)?;
-        let half = match self.refine {
+        let mut whole = run.solve(&bem, keep)?;
+        let mut half = match self.refine && !interrupt::asked() {
             true => Some(run.solve(&bem.half_grid()?, false)?),
             false => None,
         };
+        if interrupt::asked() {
+            // Loads without a result are left out, not blank.
+            let mut solved = whole.iter().map(Option::is_some).collect::<Vec<_>>().into_iter();
+            half = half.map(|half| {
+                let rows = half.into_iter().zip(solved.clone());
+                rows.filter(|(_, solved)| *solved).map(|(row, _)| row).collect()
+            });
+            whole.retain(|_| solved.next().unwrap_or(false));
+        }
         let maps = std::mem::take(&mut run.maps);
         run.words.iter().for_each(|text| say("warning", text));
         scene.report(std::mem::take(&mut run.found));
         if !whole.iter().any(Option::is_some) {
+            if interrupt::asked() {
+                interrupt::end(0, given.len());
+            }
             bail!("{}: no load was solved", scene.name);
         }
         self.output.write(&table(&whole, half.as_deref(), scene.file.scene.nominal_area))?;
@@ -175,8 +187,7 @@ impl BemCommand {
             }
         }
         if interrupt::asked() {
-            let done = whole.iter().flatten().count();
-            bail!("stopped: {done} of {} loads were done", given.len());
+            interrupt::end(whole.len(), given.len());
         }
         Ok(())
     }

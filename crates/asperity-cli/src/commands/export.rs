@@ -24,7 +24,7 @@ cubics (Hermite), both are continuous, as Newton's method needs.
 abaqus and calculix hold *SURFACE BEHAVIOR with pairs of pressure and
 overclosure, which the codes join by straight lines; ansys holds the real
 constants of a nonlinear spring (COMBIN39) that carries the nominal area.
-All state the interpolation error, measured between the nodes; --max-error adds
+All state a bound of the interpolation error between the nodes; --max-error adds
 nodes until it is met. The N nodes of A:B:N are at equal distances of clearance.
 --conductance adds *GAP CONDUCTANCE at the same nodes, --friction adds *FRICTION
 that begins with the stiffness in stick at the largest pressure: for models with
@@ -116,6 +116,22 @@ impl Export {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
             crate::usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
+        let format = match self.form {
+            Form::Csv => TableFormat::Csv,
+            Form::Abaqus => TableFormat::Abaqus,
+            Form::Calculix => TableFormat::Calculix,
+            Form::Ansys => TableFormat::Ansys,
+        };
+        let against = self.conductance.map(|against| match against {
+            Against::Pressure => ConductanceAgainst::Pressure,
+            Against::Clearance => ConductanceAgainst::Clearance,
+        });
+        if let Some(against) = against {
+            format.check_conductance(against)?;
+        }
+        if self.friction.is_some() {
+            format.check_friction()?;
+        }
         let scene = LoadedScene::load(&self.scene)?;
         let (id, model) = scene.model(&self.model)?;
         let contact = &scene.file.scene;
@@ -132,12 +148,6 @@ impl Export {
         let range = (place(span.first), place(span.last), span.count.unwrap_or(2));
         let named = (id.clone(), model.clone());
         scene.report_answers(&[&named], &[range.0, range.1]);
-        let format = match self.form {
-            Form::Csv => TableFormat::Csv,
-            Form::Abaqus => TableFormat::Abaqus,
-            Form::Calculix => TableFormat::Calculix,
-            Form::Ansys => TableFormat::Ansys,
-        };
         let (interpolation, units) = (format.interpolation(), self.units);
         let (working, tolerance) = (progress("nodes"), Tolerance::default());
         let table = match self.max_error {
@@ -151,11 +161,7 @@ impl Export {
         let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
         let from = scene.file.separation_from;
         let mut text = table.text((format, units), contact, from, &title)?;
-        if let Some(against) = self.conductance {
-            let against = match against {
-                Against::Pressure => ConductanceAgainst::Pressure,
-                Against::Clearance => ConductanceAgainst::Clearance,
-            };
+        if let Some(against) = against {
             let place = (&model as &dyn ContactModel, contact, from);
             let added = table.conductance_text((format, units), against, place, tolerance);
             text += &added.with_context(|| format!("{}: {id}", scene.name))?;
@@ -170,7 +176,7 @@ impl Export {
             say(
                 "warning",
                 &format!(
-                    "between the nodes, pressures are off by up to {percent} %: --max-error adds nodes"
+                    "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"
                 ),
             );
         }

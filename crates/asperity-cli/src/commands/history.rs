@@ -1,4 +1,4 @@
-//! A joint that goes through a history of turning points: part of `asperity unload`.
+//! A joint through a history of turning points: part of `asperity unload`.
 
 use anyhow::{Context, Result};
 use asperity::joints::{Joint, Path, Point, Unloading};
@@ -6,7 +6,7 @@ use asperity::{At, ContactError, ContactModel, Quantity, Request, Separation, Se
 use asperity_plot::Axis;
 
 use crate::args::DrawnArgs;
-use crate::commands::unload::{READ_0, marked, named, picture};
+use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
 use crate::number::rounded;
 use crate::output::say;
 use crate::scene::{LoadedScene, NamedModel};
@@ -15,7 +15,7 @@ use crate::table::{Cell, Table};
 /// Points on each way between turning points.
 const STEPS: usize = 50;
 
-/// Writes the ways through turning points, by each law; the work that they take is said.
+/// Writes the ways through turning points by each law, with notes of their work.
 pub fn write(
     scene: &LoadedScene,
     model: &NamedModel,
@@ -72,8 +72,17 @@ pub fn write(
         drawn
             .rows
             .extend(path.points.iter().enumerate().filter(ends).map(|(k, _)| marked(&rows[k])));
-        tell_work(id, joint, &path);
-        tell_few(model, joint, &path).with_context(|| named(scene, model))?;
+        report_work(id, joint, &path);
+        if let Some(last) = path.points.last().filter(|_| path.points.len() > 1) {
+            let closest = At::metres(last.closest);
+            let warned = joint.work(closest).and_then(|w| warn_energy_gain(joint, closest, &w));
+            // A missing work is a warning of its own.
+            warned.or_else(|error| match error {
+                ContactError::Integral { .. } | ContactError::OutOfRange { .. } => Ok(()),
+                error => Err(error),
+            })?;
+        }
+        report_few(model, joint, &path).with_context(|| named(scene, model))?;
     }
     output.write(&table, || {
         let x = Axis::new("separation_m", &format!("separation from {from} (µm)")).times(1e6);
@@ -81,8 +90,8 @@ pub fn write(
     })
 }
 
-/// From where on fewer than one asperity touches, and how many values are 0.
-fn tell_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<(), ContactError> {
+/// Warns of points at which fewer than one asperity touches, and of zeros.
+fn report_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<(), ContactError> {
     let virgin = model.compile(joint.scene(), &Request::new([Quantity::Contacts]))?;
     let name = format!("{id} by {}", joint.law());
     let (mut few, mut way) = (vec![], None::<(f64, Unloading)>);
@@ -118,8 +127,8 @@ fn tell_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<(), 
     Ok(())
 }
 
-/// What the first closing and the ways after it take and give.
-fn tell_work(id: &str, joint: &Joint, path: &Path) {
+/// The work of the first closing and of the ways after it.
+fn report_work(id: &str, joint: &Joint, path: &Path) {
     let Some(first) = path.points.first() else { return };
     let name = format!("{id} by {}", joint.law());
     let first = match joint.work(At::metres(first.separation)) {
@@ -134,7 +143,7 @@ fn tell_work(id: &str, joint: &Joint, path: &Path) {
     let text = match &*works {
         "" => format!("{name}: closing takes {first} J, to the one turning point"),
         _ => format!(
-            "{name}: first closing takes {first} J, the ways after it {works} J (below 0: given back), {all} J in all"
+            "{name}: first closing takes {first} J, the ways after it {works} J (below 0: returned), {all} J in all"
         ),
     };
     say("note", &text);

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, pull_off};
+use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, pull_off};
 use clap::Args;
 
-use crate::args::{OutputArgs, model_id};
+use crate::args::{OutputArgs, model_id, tolerance};
 use crate::number::rounded;
 use crate::numbers::{of_unit, positive};
 use crate::output::{once, say};
@@ -18,7 +18,7 @@ use crate::table::{Cell, Table};
 #[command(
     name = "pull-off",
     after_help = "Columns: model, force_N and pressure_Pa (below 0), separation_over_sigma and
-separation_m there. Blank, with a word, where nothing is held. Surfaces come apart on
+separation_m there. Blank if there is no tensile force; a note gives the reason. Surfaces come apart on
 jkr-separation, and jkr is taken for it: contacts that have touched last beyond 0.
 dmt is made for small, hard asperities (tabor_parameter below
 0.1), jkr for large, soft ones (above 5); `asperity check` tells the scene's.
@@ -38,6 +38,9 @@ pub struct PullOff {
     /// Work of adhesion in J/m^2, or with a unit as 50mJ/m2, in place of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
     work_of_adhesion: Option<f64>,
+    /// Relative tolerance of every value, from 1e-15 to 0.1
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
+    tolerance: Tolerance,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -62,7 +65,8 @@ impl PullOff {
                 bail!("{id} knows no adhesion: dmt, jkr or jkr-separation was required");
             }
             let context = || format!("{}: {id}", scene.name);
-            let request = Request::new([Quantity::Force, Quantity::Tangent]);
+            let asked = [Quantity::Force, Quantity::Tangent];
+            let request = Request::new(asked).within(self.tolerance);
             let compiled = model.compile(contact, &request).with_context(context)?;
             let mut row = vec![Cell::from(&*id)];
             match pull_off(&*compiled).with_context(context)? {

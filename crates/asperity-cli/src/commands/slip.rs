@@ -7,7 +7,7 @@ use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
-use crate::args::{Closed, DrawnArgs};
+use crate::args::{Closed, DrawnArgs, tolerance};
 use crate::number::rounded;
 use crate::numbers::{friction, length};
 use crate::output::say;
@@ -15,27 +15,26 @@ use crate::plot;
 use crate::scene::{LoadedScene, NamedModel};
 use crate::table::{Cell, Table};
 
-/// The share of μ F beyond which everything all but slides.
+/// The share of μ F at which gross slip begins.
 const SLIDING: f64 = 0.99;
 
-/// Amplitudes this many times the shift at which everything slides were meant in another unit.
+/// Amplitudes this many times the shift of gross slip may be in another unit.
 const FAR: f64 = 1000.0;
 
 /// Tangential force against shift: from virgin, and in a steady cycle
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = "The separation stays what it is. Columns: model, shift_m, force_N at a first shift
+    after_help = "Slip assumes a constant separation. Columns: model, shift_m, force_N at a first shift
 (blank below 0), back_N and forth_N in a steady cycle between -amplitude and
 +amplitude (Masing); loss_J and loss_factor of a cycle whose amplitude is this shift:
-the energy it loses, and that over 2 pi times half of force times shift (4/pi where all
-slides). Beside the data it is said from which shift on everything slides: where 99 % of
-mu F is reached.
+energy dissipated per cycle, and loss factor = energy / (pi x force x shift), 4/pi in gross
+slip. A note gives the shift of gross slip, at which 99 % of mu F is reached.
 With several loads, pressures or closest approaches (100:1e4:20:log, v,v): one row for each
 and a cycle of the amplitude, with columns model, load_N, pressure_Pa,
 separation_over_sigma, force_N at the amplitude, secant_stiffness_N_per_m (that over the
-amplitude), loss_J, loss_factor, sliding_m (the shift from which on everything slides);
-the row of a preload that has no answer is blank, and said why.
+amplitude), loss_J, loss_factor, sliding_m (the shift of gross slip). Rows without a result
+are blank; the reason is printed.
 Partial slip of every asperity (Cattaneo, Mindlin), which answers as elastically as in
 unloading by --law: exact for gw; for models that yield, at constant normal load on each.
 Needs equivalent_shear_modulus, or the bodies. Models of equal, upright asperities only.
@@ -62,6 +61,9 @@ pub struct Slip {
     #[arg(long, value_name = "N", default_value = "101")]
     #[arg(value_parser = RangedU64ValueParser::<usize>::new().range(2..=100_000))]
     points: usize,
+    /// Relative tolerance of every value, from 1e-15 to 0.1
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
+    tolerance: Tolerance,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -86,8 +88,7 @@ impl Slip {
         model: &Model,
         place: At,
     ) -> Result<(Unloading, PartialSlip), ContactError> {
-        let tolerance = Tolerance::default();
-        let joint = Unloading::new(model, &scene.file.scene, place, self.law, tolerance)?;
+        let joint = Unloading::new(model, &scene.file.scene, place, self.law, self.tolerance)?;
         let slip = PartialSlip::new(&joint, self.friction)?;
         Ok((joint, slip))
     }
@@ -126,14 +127,14 @@ impl Slip {
         }
         say(
             "note",
-            &format!("{id}: a cycle of this amplitude loses {loss} J (loss factor {factor})"),
+            &format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})"),
         );
         let sliding = slip.shift_at(SLIDING)?;
-        self.ask_amplitude(sliding);
+        self.check_amplitude(sliding);
         let limit = self.friction * joint.force(0.0)?.value();
         let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
         let text = format!(
-            "{id}: everything slides from a shift of {sliding} m on, where {percent} % of mu F = {limit} N is reached"
+            "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
         say("note", &text);
         self.output.write(&table, || picture(&table))
@@ -165,9 +166,12 @@ impl Slip {
             return Err(error.clone().into());
         }
         for error in left_out {
-            say("warning", &format!("{}: {id}: a preload is left out: {error}", scene.name));
+            say(
+                "warning",
+                &format!("{}: {id}: the row of a preload is blank: {error}", scene.name),
+            );
         }
-        self.ask_amplitude(farthest);
+        self.check_amplitude(farthest);
         self.output.write(&table, || {
             let loads: Vec<f64> = table.rows.iter().filter_map(|row| row[1].number()).collect();
             let mut x = Axis::new("load_N", "load (N)");
@@ -212,14 +216,14 @@ impl Slip {
         ])
     }
 
-    /// Asks about an amplitude far beyond the shift from which on everything slides.
-    fn ask_amplitude(&self, sliding: f64) {
+    /// Warns of an amplitude far beyond the shift of gross slip.
+    fn check_amplitude(&self, sliding: f64) {
         if self.amplitude > FAR * sliding {
             let (amplitude, times) = (self.amplitude, rounded((self.amplitude / sliding).round()));
             say(
                 "warning",
                 &format!(
-                    "amplitude is {amplitude:e} m, {times} times the shift at which everything slides: is it in another unit? 100nm takes nanometres"
+                    "amplitude is {amplitude:e} m, {times} times the shift of gross slip; lengths take units, as 100nm"
                 ),
             );
         }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::bem::{Bem, BemError};
-use asperity::{ContactError, ContactState, Described, Model, Truth, told, truth};
+use asperity::{ContactError, ContactState, Described, Model, Truth, compare_with_bem, summary};
 use clap::{ArgAction, Args};
 
 use crate::args::{OutputArgs, model_id};
@@ -81,10 +81,10 @@ impl TruthCommand {
                 let all = 3 * pressures.len();
                 bar.set_message(format!("truth: contact {} of {all}", progress.done + 1));
             })?;
-            Ok(truth(&scene.file.scene, bem, &pressures, models, watch)?)
+            Ok(compare_with_bem(&scene.file.scene, bem, &pressures, models, watch)?)
         };
         let found = solve(&bem, &models)?;
-        let half = match self.refine {
+        let half = match self.refine && !interrupt::asked() {
             true => solve(&bem.half_grid()?, &[])?.into_iter().map(Result::ok).collect(),
             false => vec![],
         };
@@ -99,6 +99,9 @@ impl TruthCommand {
             found.iter().zip(half).filter(|(one, _)| one.is_ok()).map(|(_, half)| half).collect();
         let found: Vec<Truth> = found.into_iter().flatten().collect();
         if found.is_empty() {
+            if interrupt::asked() {
+                interrupt::end(0, pressures.len());
+            }
             bail!("{}: no load was solved", scene.name);
         }
         let of_truth = |truth: &Truth| {
@@ -117,14 +120,14 @@ impl TruthCommand {
             }
         }
         told_together(&missing).iter().for_each(|text| say("warning", text));
-        say("note", &told(&found));
+        say("note", &summary(&found));
         self.output.write(&table(&found, &half, area))?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
         if !models.is_empty() && states.all(|state| state == ContactState::default()) {
             bail!("{}: no model has an answer", scene.name);
         }
         if interrupt::asked() {
-            bail!("stopped: {} of {} loads were done", found.len(), pressures.len());
+            interrupt::end(found.len(), pressures.len());
         }
         Ok(())
     }

@@ -3,13 +3,14 @@
 use anyhow::{Context, Result, bail};
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
-use asperity_plot::{Axis, Curve};
+use asperity_plot::Axis;
 use clap::Args;
 use clap::error::ErrorKind;
 
-use crate::args::{Closed, DrawnArgs, separation_unit};
+use crate::args::{Closed, DrawnArgs, separation_unit, tolerance};
 use crate::commands::history;
 use crate::distances::{Distances, ask_unit};
+use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
 use crate::number::rounded;
 use crate::numbers::{Numbers, turning_loads};
 use crate::output::{once, say};
@@ -20,10 +21,6 @@ use crate::table::{Cell, Table};
 /// Retreats unless some are given, and in every picture at least.
 const POINTS: usize = 101;
 
-/// What is told of values that are 0.
-pub const READ_0: &str =
-    "read 0, as a double holds none so small: far fewer than one asperity touches there";
-
 /// Force, area and stiffness as a joint opens again, or through a history of loads
 #[derive(Debug, Args)]
 #[command(
@@ -32,14 +29,14 @@ pub const READ_0: &str =
 --pressure says, and goes back by the retreats (unless given, to where contact ends).
 Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, area_m2
 (not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
-below 1 most surfaces have parted, and what is printed is an average over many).
+below 1 most surfaces have parted, and values are averages over many surfaces).
 hertz: as a Hertzian contact of the force and area at the closest approach; brake:
 Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
-Coming closer again retraces these curves, and then follows the virgin one: what a
-cycle loses, it loses once. The loss factor is that over 2 pi times the work of closing.
+Coming closer again retraces these curves, and then follows the virgin one: the energy is
+dissipated in the first cycle only. The loss factor is that over 2 pi times the work of closing.
 --history goes through turning points in place of that, from a new joint at the first;
 columns: model, law, way, separation_over_sigma, separation_m, force_N, pressure_Pa,
-stiffness_N_per_m; the work that each way takes is said beside the data.
+stiffness_N_per_m; a note gives the work of each way.
 Models of equal, upright asperities with circular contacts only, without adhesion (as
 jkr opens, the model jkr-separation says).
 
@@ -70,6 +67,9 @@ pub struct Unload {
     #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
     #[arg(value_parser = turning_loads)]
     history_load: Option<Numbers>,
+    /// Relative tolerance of every value, from 1e-15 to 0.1
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
+    tolerance: Tolerance,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -85,7 +85,7 @@ impl Unload {
         };
         let mut joints = vec![];
         for law in once(&self.laws) {
-            let joint = Joint::new(&model.1, &scene.file.scene, law, Tolerance::default());
+            let joint = Joint::new(&model.1, &scene.file.scene, law, self.tolerance);
             joints.push(joint.with_context(|| named(&scene, &model))?);
         }
         match (turns, place) {
@@ -101,7 +101,7 @@ impl Unload {
     /// The one place from which it goes back.
     fn place(&self, scene: &LoadedScene, model: &NamedModel) -> At {
         let [place] = self.closed.places(scene, model)[..] else {
-            let text = "one closest approach, --load or --pressure was expected: --history or --history-load takes several";
+            let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
             crate::usage_error("unload", ErrorKind::TooManyValues, text)
         };
         place
@@ -132,19 +132,21 @@ impl Unload {
         for joint in joints {
             let way = joint.unloading(place).with_context(context)?;
             if way.force(0.0).with_context(context)?.value() == 0.0 {
-                let (told, at) = (context(), way.closest());
-                bail!("{told}: nothing touches at a separation of {at}: a closer one was required");
+                let (joint, at) = (context(), way.closest());
+                bail!(
+                    "{joint}: nothing touches at a separation of {at}: a closer one was required"
+                );
             }
             let end = way.last_contact();
-            tell_work(&model.0, joint, place, &end);
+            report_work(&model.0, joint, place, &end);
             // Nothing but a default depends on it.
             ends.extend(end.ok());
             ways.push(way);
         }
         let retreats = self.retreats(scene, ends.iter().copied().reduce(f64::max))?;
         let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
-        let (table, told) = of(&retreats)?;
-        told.iter().for_each(|text| say("warning", &format!("{}: {text}", scene.name)));
+        let (table, warnings) = of(&retreats)?;
+        warnings.iter().for_each(|text| say("warning", &format!("{}: {text}", scene.name)));
         self.output.write(&table, || {
             let [least, most] = [f64::min, f64::max]
                 .map(|pick| retreats.iter().copied().reduce(pick).unwrap_or_default());
@@ -175,17 +177,14 @@ impl Unload {
     }
 }
 
-pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
-    format!("{}: {id}", scene.name)
-}
-
-/// What closing and opening take and give, and where contact ends.
-fn tell_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>) {
+/// The work of closing and opening, and where contact ends.
+fn report_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>) {
     let law = joint.law();
     let works = || -> Result<[f64; 3], ContactError> {
         let work = joint.work(place)?;
+        warn_energy_gain(joint, place, &work)?;
         let lost = work.lost();
-        // What the integrals do not tell from nothing is nothing.
+        // A loss below its error is 0.
         Ok(match lost.relative_error() < 1.0 {
             true => [work.spent.value(), lost.value(), work.loss_factor()?],
             false => [work.spent.value(), 0.0, 0.0],
@@ -197,7 +196,7 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>
             say(
                 "note",
                 &format!(
-                    "{id} by {law}: closing takes {spent} J, and opening leaves {lost} J of it lost, once (loss factor {factor})"
+                    "{id} by {law}: closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
                 ),
             );
         }
@@ -223,7 +222,7 @@ fn tell_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>
     );
 }
 
-/// The table, and what its blanks and zeros deserve: a word of each for each way back.
+/// The table, and for each way back a warning of blanks and one of zeros.
 fn of_ways(
     scene: &LoadedScene,
     (id, _): &NamedModel,
@@ -237,7 +236,7 @@ fn of_ways(
     let head = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
     let mut table = Table::new(&[&head[..], area, &["stiffness_N_per_m", "contacts"]].concat());
-    let mut told = vec![];
+    let mut warnings = vec![];
     for way in ways {
         let (mut reason, mut zero) = (None, None::<f64>);
         let closest = way.closest().measured_in(SeparationUnit::Sigma, from, contact)?.value;
@@ -269,49 +268,11 @@ fn of_ways(
             table.rows.push(row);
         }
         let context = format!("{id} by {}", way.law());
-        told.extend(reason.map(|error| format!("{context}: a value is left out: {error}")));
-        told.extend(zero.map(|from| {
+        warnings.extend(reason.map(|error| format!("{context}: a value is blank: {error}")));
+        warnings.extend(zero.map(|from| {
             let from = rounded(from);
             format!("{context}: from a retreat of {from} m on, values {READ_0}")
         }));
     }
-    Ok((table, told))
-}
-
-/// A row again, of those that get a marker in the picture.
-pub fn marked(row: &[Cell]) -> Vec<Cell> {
-    let mut row = row.to_vec();
-    if let Cell::Word(law) = &row[1] {
-        row[1] = Cell::from(&*marked_key(law));
-    }
-    row
-}
-
-fn marked_key(law: &str) -> String {
-    format!("{law}, marked")
-}
-
-/// A curve for each law, with markers at the [`marked`] rows if there are any.
-pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<String> {
-    let mut by_law = table.clone();
-    // The law names the curve.
-    by_law.head.remove(0);
-    by_law.rows.iter_mut().for_each(|row| drop(row.remove(0)));
-    let columns = [
-        ("force_N", "force (N)"),
-        ("area_m2", "area (m²)"),
-        ("stiffness_N_per_m", "stiffness (N/m)"),
-    ];
-    let laws = joints.iter().map(|joint| joint.law().to_string());
-    let curves: Vec<Curve> = laws
-        .enumerate()
-        .map(|(look, law)| {
-            let mut curve = Curve::new(look, &law, &format!("{id}, back by {law}"));
-            let key = marked_key(&law);
-            let is_marked = by_law.rows.iter().any(|row| row[0] == Cell::from(&*key));
-            curve.marked = is_marked.then_some(key);
-            curve
-        })
-        .collect();
-    plot::against(&by_law, x, &columns, &curves)
+    Ok((table, warnings))
 }

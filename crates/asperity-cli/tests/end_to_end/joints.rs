@@ -83,11 +83,11 @@ fn what_reads_0_is_told_once_and_where_contacts_are_few() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --load 100 --retreat 0,100um,200um");
     assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
-    assert!(run.words.contains("from a retreat of 1e-4 m on, values read 0"), "{}", run.words);
-    assert_eq!(run.words.matches("read 0").count(), 1, "{}", run.words);
+    assert!(run.words.contains("from a retreat of 1e-4 m on, values are 0"), "{}", run.words);
+    assert_eq!(run.words.matches("values are 0").count(), 1, "{}", run.words);
     let run = bench.run("unload scene.toml --model ke --history 2,40,0.5");
     assert!(run.words.contains("fewer than one asperity touches on average at "), "{}", run.words);
-    assert!(run.words.contains(" on way 1; at ") && run.words.contains("values read 0"));
+    assert!(run.words.contains(" on way 1; at ") && run.words.contains("values are 0"));
     let few = bench.run("unload scene.toml --model ke --history 2,1").words;
     assert!(!few.contains("fewer than one"), "{few}");
     let run = bench.run("curve scene.toml --model ke --separation 40");
@@ -188,7 +188,7 @@ fn histories_turn_at_separations_and_at_loads() {
     let round = bench.run("unload scene.toml --model gw --history-load 10,200,10").words;
     let (_, first) = round.split_once("first closing takes ").unwrap();
     let (first, rest) = first.split_once(" J, ").unwrap();
-    let (_, all) = rest.split_once("given back), ").unwrap();
+    let (_, all) = rest.split_once("returned), ").unwrap();
     assert_eq!(all.split(' ').next(), Some(first), "{round}");
     let gw: Model = "gw".parse().unwrap();
     let spent = Joint::new(
@@ -250,4 +250,27 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
         column(&bench.data(&format!("{words} --retreat-unit m")), "contacts")[0]
     });
     assert!(after < 1.0 && before > 1.0, "{before} {after}");
+}
+
+#[test]
+fn a_joint_that_creates_energy_is_warned_of_and_the_tolerance_counts() {
+    let bench = Bench::new();
+    let of = |words: &str| {
+        let run = bench.run(&format!("unload scene.toml --retreat 0 --closest -1 {words}"));
+        assert_eq!(run.code, Some(0), "{}", run.words);
+        run
+    };
+    let created = of("--model ceb --law brake").words;
+    assert!(created.contains("warning: CEB by brake: "), "{created}");
+    assert!(!of("--model ke").words.contains("more than their interference"));
+    let [loose, tight] = ["1e-2", "1e-13"]
+        .map(|t| column(&of(&format!("--model ke --tolerance {t}")).out, "force_N"));
+    assert!(
+        (loose[0] / tight[0] - 1.0).abs() < 1e-2 && loose[0] != tight[0],
+        "{loose:?} {tight:?}"
+    );
+    for words in ["slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7"] {
+        assert!(bench.data(&format!("{words} --tolerance 1e-8")).starts_with("model,shift_m"));
+    }
+    assert_eq!(bench.run("unload scene.toml --model ke --load 1 --tolerance 2").code, Some(2));
 }

@@ -235,7 +235,11 @@ fn advice_and_tables_come_with_what_is_unusual_about_them() {
     let none = words("recommend scene.toml --load 100 --model gw,ceb --within 0.01");
     assert!(none.contains("note: none of these models holds within 1 % of ke"), "{none}");
     let table = words("export scene.toml --model gw --as abaqus --load 1:1e4:4");
-    assert!(table.contains("yielding_share is ") && table.contains("off by up to"), "{table}");
+    assert!(
+        table.contains("yielding_share is ")
+            && table.contains("the interpolation error of the pressure is up to"),
+        "{table}"
+    );
     let whole = words("curve scene.toml --model persson --load 100 --quantity area");
     assert!(whole.contains("mean_pressure_over_hardness is "), "{whole}");
     let slip = words("slip scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");

@@ -3,7 +3,9 @@
 #![allow(clippy::float_cmp, reason = "what a contact remembers is the very number it was given")]
 
 use asperity_ceb::ChangEtsionBogy;
-use asperity_core::{At, ContactModel, HeightDistribution, Quantity, Tolerance};
+use asperity_core::{
+    At, ContactModel, HeightDistribution, Heights, Quantity, TabulatedHeights, Tolerance,
+};
 use asperity_etsion::EtsionKligermanKadin;
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
@@ -151,6 +153,60 @@ fn tables_end_where_nothing_touches() {
     let joint = Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
     let table = joint.table((2.5 * SIGMA, 4.0 * SIGMA), 1e-4).unwrap();
     assert_eq!(table.at(3.5 * SIGMA, 3.0 * SIGMA).unwrap().force, 0.0);
+    assert!(table.at(2.4 * SIGMA, 3.0 * SIGMA).is_err(), "below the deepest");
+}
+
+#[test]
+fn tables_open_past_the_last_asperity() {
+    let triangle = [(-1.0, 0.0), (0.0, 1.0), (1.0, 0.0)].map(|(z, g)| (z * SIGMA, g / SIGMA));
+    let steep = [(-1.0, 0.0), (-0.998, 0.5), (0.998, 0.5), (1.0, 0.0)];
+    let steep = steep.map(|(z, g)| (z * SIGMA, g / SIGMA));
+    for (points, index, law) in [
+        (&triangle[..], 2.0, UnloadingLaw::Hertz),
+        (&steep, 2.0, UnloadingLaw::Etsion),
+        (&steep, 8.0, UnloadingLaw::Brake),
+    ] {
+        let mut scene = with_index(index);
+        let heights = TabulatedHeights::new("with an end", points).unwrap();
+        let end = heights.support().1;
+        scene.heights = HeightDistribution::other(heights);
+        let joint = Joint::new(&KogutEtsion, &scene, law, Tolerance::default()).unwrap();
+        let table = joint.table((-0.5 * SIGMA, 1.2 * SIGMA), 1e-4).unwrap();
+        for beyond in [0.0, 1e-13, 0.1, 5.0] {
+            let reply = table.at(end + beyond * SIGMA, f64::INFINITY).unwrap();
+            assert!(reply.force == 0.0 && reply.stiffness == 0.0, "{law} {beyond}");
+        }
+        for closest in [-0.45, 0.2, 0.5, 0.9, 0.97] {
+            let closest = closest * SIGMA;
+            let way = joint.unloading(At::metres(closest)).unwrap();
+            let whole = way.force(0.0).unwrap().value();
+            for share in [0.0, 0.01, 0.1, 0.3, 0.6, 0.9] {
+                let retreat = share * (end - closest);
+                let force = table.at(closest + retreat, closest).unwrap().force;
+                let wanted = way.force(retreat).unwrap().value();
+                let off = (force - wanted).abs() / whole;
+                assert!(force >= 0.0 && off < 1e-4, "{law} {index} {closest} {share}: {off:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_force_of_a_table_is_below_0() {
+    for (model, index) in [(&KogutEtsion as &dyn ContactModel, 2.0), (&ChangEtsionBogy, 1.5)] {
+        let scene = with_index(index);
+        let joint = Joint::new(model, &scene, UnloadingLaw::Hertz, Tolerance::default()).unwrap();
+        let table = joint.table((-1.5 * SIGMA, 5.0 * SIGMA), 1e-5).unwrap();
+        let mut zeros = 0;
+        for k in 0..200_000 {
+            let [a, b] = [0.618_033_988, 0.754_877_666].map(|g| (f64::from(k) * g).fract());
+            let (closest, retreat) = ((-1.5 + 6.5 * a) * SIGMA, 8.0 * b * SIGMA);
+            let reply = table.at(closest + retreat, closest).unwrap();
+            assert!(reply.force >= 0.0, "{closest:e} {retreat:e}: {}", reply.force);
+            zeros += i32::from(reply.force == 0.0);
+        }
+        assert!(zeros > 1000);
+    }
 }
 
 #[test]

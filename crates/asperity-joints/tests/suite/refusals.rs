@@ -1,7 +1,9 @@
 //! What cannot be told ends in an error that names it, and in no number.
 
 use asperity_ceb::ChangEtsionBogy;
-use asperity_core::{At, ContactError, HeightDistribution, Heights, QuadratureError, Tolerance};
+use asperity_core::{
+    At, ContactError, HeightDistribution, Heights, QuadratureError, TabulatedHeights, Tolerance,
+};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_joints::{Joint, PartialSlip, Unloading, UnloadingLaw};
 use asperity_ke::KogutEtsion;
@@ -10,17 +12,20 @@ use crate::scenes::{SIGMA, flat, named, tight, with_index};
 
 #[test]
 fn tables_that_miss_their_tolerance_say_by_how_much() {
-    // Heights that end leave a kink for each jump of the law: no polynomial comes so near.
-    let (scene, tolerance) = (flat(1.5), Tolerance::new(1e-6).unwrap());
+    // A step of the density leaves a kink for each jump of the law: no polynomial comes so near.
+    let (mut scene, tolerance) = (flat(1.5), Tolerance::new(1e-6).unwrap());
+    let points = [(-2.0, 0.1), (0.0, 0.1), (1e-6, 0.4), (2.0, 0.4)];
+    let step = TabulatedHeights::new("step", &points.map(|(z, g)| (z * SIGMA, g / SIGMA))).unwrap();
+    scene.heights = HeightDistribution::other(step);
     let joint = Joint::new(&ChangEtsionBogy, &scene, UnloadingLaw::Brake, tolerance).unwrap();
-    match joint.table((1.55 * SIGMA, 2.0 * SIGMA), 1e-7).map(|_| ()).unwrap_err() {
+    match joint.table((-1.1 * SIGMA, -0.9 * SIGMA), 1e-10).map(|_| ()).unwrap_err() {
         ContactError::Integral {
             at: At::Separation(place),
             source: QuadratureError::NotConverged { reached, asked, .. },
             ..
         } => {
-            assert!((1.55 * SIGMA..2.0 * SIGMA).contains(&place.value), "{place}");
-            assert!(reached > asked && asked.to_bits() == 1e-7f64.to_bits(), "{reached}");
+            assert!((-1.1 * SIGMA..-0.9 * SIGMA).contains(&place.value), "{place}");
+            assert!(reached > asked && asked.to_bits() == 1e-10f64.to_bits(), "{reached}");
         }
         other => panic!("{other}"),
     }

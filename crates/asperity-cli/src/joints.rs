@@ -1,0 +1,65 @@
+//! What `unload` and its histories share: pictures, and messages on joints.
+
+use anyhow::Result;
+use asperity::joints::{Joint, Work};
+use asperity::{At, ContactError};
+use asperity_plot::{Axis, Curve};
+
+use crate::output::say;
+use crate::plot;
+use crate::scene::{LoadedScene, NamedModel};
+use crate::table::{Cell, Table};
+
+/// Why values are 0.
+pub const READ_0: &str =
+    "are 0: they are below the smallest f64, and far fewer than one asperity touches";
+
+pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
+    format!("{}: {id}", scene.name)
+}
+
+/// Warns of a joint that creates energy when it is closed to a place and opened.
+pub fn warn_energy_gain(joint: &Joint, closest: At, work: &Work) -> Result<(), ContactError> {
+    if let Some(gain) = joint.energy_gain(closest, work)? {
+        say("warning", &gain.to_string());
+    }
+    Ok(())
+}
+
+/// A row again, of those that get a marker in the picture.
+pub fn marked(row: &[Cell]) -> Vec<Cell> {
+    let mut row = row.to_vec();
+    if let Cell::Word(law) = &row[1] {
+        row[1] = Cell::from(&*marked_key(law));
+    }
+    row
+}
+
+fn marked_key(law: &str) -> String {
+    format!("{law}, marked")
+}
+
+/// A curve for each law, with markers at the [`marked`] rows if there are any.
+pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<String> {
+    let mut by_law = table.clone();
+    // The law names the curve.
+    by_law.head.remove(0);
+    by_law.rows.iter_mut().for_each(|row| drop(row.remove(0)));
+    let columns = [
+        ("force_N", "force (N)"),
+        ("area_m2", "area (m²)"),
+        ("stiffness_N_per_m", "stiffness (N/m)"),
+    ];
+    let laws = joints.iter().map(|joint| joint.law().to_string());
+    let curves: Vec<Curve> = laws
+        .enumerate()
+        .map(|(look, law)| {
+            let mut curve = Curve::new(look, &law, &format!("{id}, back by {law}"));
+            let key = marked_key(&law);
+            let is_marked = by_law.rows.iter().any(|row| row[0] == Cell::from(&*key));
+            curve.marked = is_marked.then_some(key);
+            curve
+        })
+        .collect();
+    plot::against(&by_law, x, &columns, &curves)
+}

@@ -1,0 +1,120 @@
+//! Pairs of a loading law and an unloading law that create energy.
+
+use std::fmt;
+
+use asperity_core::{At, ContactError, QuadratureError};
+use asperity_quadrature::{fallible, gauss_kronrod};
+
+use crate::one::{Asked, Loading, MOST};
+use crate::{Joint, UnloadingLaw, Work};
+
+/// Classes of interferences between two kinks of the law, by equal ratios,
+const CLASSES: u32 = 64;
+/// over so many powers of ten, beyond the last kink.
+const DECADES: f64 = 4.0;
+/// Relative error of the work on one asperity: far below [`NEGLIGIBLE`].
+const TOLERANCE: f64 = 1e-6;
+/// Energy created by some asperities is no finding below this share of the work of loading.
+const NEGLIGIBLE: f64 = 0.01;
+
+/// The finding that opening creates energy.
+///
+/// An asperity whose loading law is steeper than Hertz' (AF above w_c), or jumps up (CEB and KE at w_c),
+/// has a residual interference w - δ below 0: by the unloading law it recovers by more than it was
+/// pressed, and returns more energy than pressing it took.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct EnergyGain {
+    /// Name of the model.
+    pub model: String,
+    /// The unloading law.
+    pub law: UnloadingLaw,
+    /// Energy created over the work of loading: 0.6 for 60 %. What the rough contact returns beyond the
+    /// work, where that is more; or else what its asperities with a residual below 0 create, to some
+    /// per cent.
+    pub amount: f64,
+    /// Whether the rough contact returns more than the work of loading.
+    pub is_net: bool,
+}
+
+impl EnergyGain {
+    /// The code of the finding.
+    pub const CODE: &str = "energy-gain";
+}
+
+impl fmt::Display for EnergyGain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { model, law, amount, is_net } = self;
+        let (percent, why) = (100.0 * amount, "asperities recover by more than their interference");
+        let advice = "use another unloading law or another model";
+        match is_net {
+            true => write!(
+                f,
+                "{model} by {law}: opening returns {percent:.1} % more energy than closing took, because {why}; cycles create energy, {advice}"
+            ),
+            false => write!(
+                f,
+                "{model} by {law}: the loss is too small by {percent:.1} % of the work of closing, because {why}; {advice}"
+            ),
+        }
+    }
+}
+
+impl Joint {
+    /// Whether opening from `closest` creates energy, given the [`work`](Self::work): more than 1 % of
+    /// it, or in all, beyond the errors of both works.
+    ///
+    /// # Errors
+    /// Those of finding a load; [`ContactError::Integral`], [`ContactError::Refused`].
+    pub fn energy_gain(
+        &self,
+        closest: At,
+        work: &Work,
+    ) -> Result<Option<EnergyGain>, ContactError> {
+        let lost = work.lost();
+        let is_net = lost.value() < 0.0 && lost.relative_error() < 1.0;
+        let gained = if is_net { -lost.value() } else { self.created(closest)? };
+        let amount = gained / work.spent.value();
+        let (model, law) = (self.name().to_string(), self.law());
+        let found = EnergyGain { model, law, amount, is_net };
+        Ok((is_net || amount > NEGLIGIBLE).then_some(found))
+    }
+
+    /// The energy \[J\] that asperities with a residual interference below 0 create, class by class.
+    fn created(&self, closest: At) -> Result<f64, ContactError> {
+        let place = self.unloading(closest)?.place();
+        let (loading, sigma) = (self.loading(), self.scene().surface.asperity_height_std);
+        let mut created = 0.0;
+        for pair in loading.breaks().windows(2).filter(|pair| pair[0] > 0.0) {
+            let low = pair[0];
+            let ratio = (pair[1] / low).min(10f64.powf(DECADES)).powf(1.0 / f64::from(CLASSES));
+            let end = |k: u32| low * ratio.powf(f64::from(k));
+            let gain = |k: u32| {
+                let w = end(k) * ratio.sqrt();
+                let found = loading.works(w, TOLERANCE).map(|[spent, returned]| returned - spent);
+                found.map_err(|source| loading.refused(self.name(), w, &source))
+            };
+            let gains = (0..CLASSES).map(gain).collect::<Result<Vec<f64>, _>>()?;
+            if gains.iter().all(|gain| *gain <= 0.0) {
+                continue;
+            }
+            let places: Vec<f64> = (0..=CLASSES).map(|k| place + end(k) / sigma).collect();
+            let above = self.retreated(Asked::Contacts, 0.0, &places)?;
+            for (gain, ends) in gains.iter().zip(above.windows(2)) {
+                created += gain.max(0.0) * (ends[0].value() - ends[1].value());
+            }
+        }
+        Ok(created)
+    }
+}
+
+impl Loading {
+    /// The work on one asperity pressed to w \[m\], and what it returns \[J\].
+    pub(crate) fn works(&self, w: f64, tolerance: f64) -> Result<[f64; 2], QuadratureError> {
+        let mut breaks: Vec<f64> = self.breaks().into_iter().filter(|x| *x < w).collect();
+        breaks.push(w);
+        let force = |x| self.force.value(x);
+        let spent = fallible(force, |force| gauss_kronrod(force, &breaks, tolerance, MOST))??;
+        Ok([spent.value, self.answer(w, f64::INFINITY, None, Asked::Returned)?])
+    }
+}

@@ -1,0 +1,44 @@
+//! Separations at which the force of a model may have a kink.
+
+use crate::{ContactError, ContactModel, HeightDistribution, Quantity, Scene, Tolerance};
+
+/// Kinks nearer to each other than this \[σ_z\] are one.
+const SAME_KINK: f64 = 1e-9;
+
+/// Separations \[σ_z\] at which the force of a model may have a kink, ascending: a break of the density
+/// that meets one of the law.
+pub(crate) fn kinks(
+    model: &dyn ContactModel,
+    scene: &Scene,
+    tolerance: Tolerance,
+) -> Result<Vec<f64>, ContactError> {
+    let HeightDistribution::Other(heights) = &scene.heights else {
+        return Ok(vec![]);
+    };
+    let heights = heights.heights();
+    let (lowest, highest) = heights.support();
+    let breaks = [lowest, highest].into_iter().chain(heights.breaks().iter().copied());
+    let law = match model.asperity_model() {
+        Some(model) => model.law(&scene.asperity()?, Quantity::Force, tolerance)?,
+        None => None,
+    };
+    // Onset of contact, and the kinks of the law, as interferences [m].
+    let mut interferences =
+        vec![law.as_ref().map_or(0.0, |law| law.begins * law.interference_unit)];
+    if let Some(law) = &law {
+        interferences.extend(law.kinks().into_iter().map(|x| x * law.interference_unit));
+    }
+    let sigma = scene.surface.asperity_height_std;
+    let at = |z: f64| interferences.iter().map(move |w| (z - w) / sigma);
+    let mut kinks: Vec<f64> = breaks.filter(|z| z.is_finite()).flat_map(at).collect();
+    kinks.sort_by(f64::total_cmp);
+    kinks.dedup_by(|a, b| (*a - *b).abs() <= SAME_KINK);
+    Ok(kinks)
+}
+
+/// The ends of an interval with the kinks between them.
+pub(crate) fn pieces(kinks: &[f64], from: f64, to: f64) -> Vec<f64> {
+    let first = kinks.partition_point(|kink| *kink <= from + SAME_KINK);
+    let inside = kinks[first..].iter().copied().take_while(|kink| *kink < to - SAME_KINK);
+    [from].into_iter().chain(inside).chain([to]).collect()
+}
