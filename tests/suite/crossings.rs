@@ -301,5 +301,5 @@ fn a_force_that_falls_though_it_claims_not_to_is_searched_all_the_same() {
     }
     let asperity = scene.asperity().unwrap();
     let found = testkit::check(&Wavy, &asperity).unwrap();
-    assert!(found.iter().any(|f| matches!(f, testkit::Finding::NotMonotone { .. })), "{found:?}");
+    assert!(found.iter().any(|f| f.code == "not-monotone"), "{found:?}");
 }

@@ -59,13 +59,13 @@ fn tangents_of_lateral_models_far_below_meet_the_default_tolerance_whatever_is_b
         let compiled = compiled(&model, &scene, &[Quantity::Force, Quantity::Tangent], 1e-10);
         // Forces of a tolerance of 1e-10, the same tables in each, differ by 1e-12 of a force that
         // is |s|/1.5 times the slope.
-        assert_tangent(&*compiled, &[-8.2, -8.5, -10.3], 1e-8, id);
+        assert_tangent(&compiled, &[-8.2, -8.5, -10.3], 1e-8, id);
         let rows: Vec<f64> = (-20..=16).map(|k| 0.5 * f64::from(k)).collect();
         for rows in [&rows[..], &rows[3..4], &rows[2..5]] {
             let request = Request::new([Quantity::Tangent]).at(rows.iter().copied());
             let found = model.solve(&scene, &request).unwrap().values(Quantity::Tangent).unwrap();
             for (s, found) in rows.iter().zip(found) {
-                let wanted = value(&*compiled, Quantity::Tangent, *s);
+                let wanted = value(&compiled, Quantity::Tangent, *s);
                 close(found, wanted, 2e-10, &format!("{id} at {s} of {}", rows.len()));
             }
         }
