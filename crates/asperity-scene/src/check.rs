@@ -255,7 +255,7 @@ mod tests {
         file.measured = Some(Measured { statistics, pixel_size: 1e-6 });
         let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
         let ke = file.model("ke").unwrap();
-        file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap().told()
+        file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap().summary()
     }
 
     #[test]
