@@ -303,3 +303,35 @@ fn a_force_that_falls_though_it_claims_not_to_is_searched_all_the_same() {
     let found = testkit::check(&Wavy, &asperity).unwrap();
     assert!(found.iter().any(|f| matches!(f, testkit::Finding::NotMonotone { .. })), "{found:?}");
 }
+
+#[test]
+fn zz_timing() {
+    use asperity::{At, Case, Sweep};
+    for id in ["gw", "ke", "etsion", "jg", "zmc"] {
+        let m = model(id);
+        let base = printed(1.12e9, 41e9, 2.0);
+        let cases = |load: bool| -> Vec<Case> {
+            (0..2000)
+                .map(|k| {
+                    let mut scene = base.clone();
+                    scene.interface.hardness = Some(1.0e9 + 1e5 * f64::from(k));
+                    Case::new(scene, if load { At::Load(1.0) } else { At::from(1.0) })
+                })
+                .collect()
+        };
+        for load in [false, true] {
+            let cases = cases(load);
+            let sweep = Sweep::new(&m, &[Quantity::Force], Tolerance::default());
+            let t = std::time::Instant::now();
+            let _ = std::hint::black_box(sweep.evaluate_all(&cases));
+            eprintln!("{id} load {load}: {:.2} us a case", t.elapsed().as_secs_f64() / 2e-3);
+        }
+        let contact = compiled(id, &base);
+        let _ = contact.separation_at(1.0);
+        let t = std::time::Instant::now();
+        for k in 0..20000 {
+            std::hint::black_box(contact.separation_at(1.0 + 1e-3 * f64::from(k)).unwrap());
+        }
+        eprintln!("{id} compiled: {:.3} us", t.elapsed().as_secs_f64() / 2e-2);
+    }
+}

@@ -11,7 +11,7 @@ use asperity_quadrature::{Density, Piece, QuadratureError, Sampler, highest};
 use crate::{Formula, Law, Part};
 
 /// Places at which a function is looked at, in each octave.
-const OCTAVE: f64 = 16.0;
+const OCTAVE: f64 = 12.0;
 /// Smaller falls, over the size of the law's parts, are rounding or the error of a tabulated law.
 const FLAT: f64 = 1e-9;
 
@@ -57,7 +57,7 @@ impl Variation {
 
     fn push(&mut self, law: &Law, knot: Knot, before: f64) {
         let from = self.knots.last().map_or(0.0, |knot| knot.right);
-        let flat = FLAT * size(law, knot.x);
+        let flat = FLAT * seen(law, knot.x).map_or(0.0, |(_, size)| size);
         if self.falls.is_none() && knot.left < from - flat {
             self.falls = Some(before);
         }
@@ -76,13 +76,12 @@ impl Variation {
         (to, least, most): (f64, f64, f64),
     ) -> (f64, f64) {
         let places = places(first.max(least.min(0.5 * to)), to.min(most.max(2.0 * first)));
-        let seen: Vec<(f64, f64)> = places
+        let all: Vec<(f64, f64, f64)> = places
             .into_iter()
-            .map_while(|x| law.shape(x).ok().filter(|q| q.is_finite()).map(|q| (x, q)))
+            .map_while(|x| seen(law, x).map(|(q, size)| (x, q, FLAT * size)))
             .collect();
         let (mut extreme, mut upwards, mut knot) = (start, None, start);
-        for (k, &(x, q)) in seen.iter().enumerate() {
-            let flat = FLAT * size(law, x);
+        for (k, &(x, q, flat)) in all.iter().enumerate() {
             let up = upwards.unwrap_or(q > extreme.1);
             let onwards = if up { q - extreme.1 } else { extreme.1 - q };
             if onwards >= 0.0 {
@@ -91,7 +90,7 @@ impl Variation {
             } else if onwards < -flat && upwards.is_some() {
                 // The extreme lies next to its largest sample.
                 let sign = if up { 1.0 } else { -1.0 };
-                let low = seen[..k].iter().rev().map(|p| p.0).find(|p| *p < extreme.0);
+                let low = all[..k].iter().rev().map(|p| p.0).find(|p| *p < extreme.0);
                 let f = |x: f64| sign * law.shape(x).unwrap_or(f64::NAN);
                 let at = highest(f, low.unwrap_or(start.0), x);
                 let (at, value) = match law.shape(at) {
@@ -162,16 +161,18 @@ fn rises(law: &Law, from: f64, to: f64) -> bool {
     })
 }
 
-/// The sum of the parts' absolute values.
-fn size(law: &Law, x: f64) -> f64 {
-    let value = |part: &Part| {
-        let mut value = [0.0];
-        part.form.sample(&[x], &mut value).map_or(0.0, |()| value[0].abs())
-    };
-    law.parts.iter().filter(|part| part.range.contains(&x)).map(value).sum()
+/// The law's value, and the sum of its parts' absolute values.
+fn seen(law: &Law, x: f64) -> Option<(f64, f64)> {
+    let (mut total, mut size, mut one) = (0.0, 0.0, [0.0]);
+    for part in law.parts.iter().filter(|part| part.range.contains(&x)) {
+        part.form.sample(&[x], &mut one).ok()?;
+        total += part.sign * one[0];
+        size += one[0].abs();
+    }
+    total.is_finite().then_some((total, size))
 }
 
-/// Places between two, close to each other next to both.
+/// Places between two, each a share larger than the one before.
 fn places(from: f64, to: f64) -> Vec<f64> {
     let steps = ((to / from).log2() * OCTAVE).ceil().clamp(24.0, 4096.0);
     let ratio = (to / from).ln() / steps;
