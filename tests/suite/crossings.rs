@@ -104,7 +104,7 @@ fn wrong(contact: &dyn Contact, load: f64) -> Option<String> {
 
 #[test]
 fn no_crossing_is_missed_on_any_heights() {
-    let count = std::env::var("CASES").map_or(48, |n| n.parse().unwrap());
+    let count = 48;
     let mut spread = Spread(0.123);
     let mut failures = vec![];
     let mut several = 0;
@@ -139,9 +139,6 @@ fn no_crossing_is_missed_on_any_heights() {
         }
         several += usize::from(contact.separations_at(load).is_ok_and(|all| all.len() > 1));
         let found = wrong(&*contact, load).map(|w| format!("{k} {id} {name} {load:e}: {w}"));
-        if let Some(f) = &found {
-            eprintln!("{}", f.chars().take(300).collect::<String>());
-        }
         failures.extend(found);
     }
     assert!(failures.is_empty(), "{} of {count}\n{}", failures.len(), failures.join("\n"));
@@ -302,36 +299,4 @@ fn a_force_that_falls_though_it_claims_not_to_is_searched_all_the_same() {
     let asperity = scene.asperity().unwrap();
     let found = testkit::check(&Wavy, &asperity).unwrap();
     assert!(found.iter().any(|f| matches!(f, testkit::Finding::NotMonotone { .. })), "{found:?}");
-}
-
-#[test]
-fn zz_timing() {
-    use asperity::{At, Case, Sweep};
-    for id in ["gw", "ke", "etsion", "jg", "zmc"] {
-        let m = model(id);
-        let base = printed(1.12e9, 41e9, 2.0);
-        let cases = |load: bool| -> Vec<Case> {
-            (0..2000)
-                .map(|k| {
-                    let mut scene = base.clone();
-                    scene.interface.hardness = Some(1.0e9 + 1e5 * f64::from(k));
-                    Case::new(scene, if load { At::Load(1.0) } else { At::from(1.0) })
-                })
-                .collect()
-        };
-        for load in [false, true] {
-            let cases = cases(load);
-            let sweep = Sweep::new(&m, &[Quantity::Force], Tolerance::default());
-            let t = std::time::Instant::now();
-            let _ = std::hint::black_box(sweep.evaluate_all(&cases));
-            eprintln!("{id} load {load}: {:.2} us a case", t.elapsed().as_secs_f64() / 2e-3);
-        }
-        let contact = compiled(id, &base);
-        let _ = contact.separation_at(1.0);
-        let t = std::time::Instant::now();
-        for k in 0..20000 {
-            std::hint::black_box(contact.separation_at(1.0 + 1e-3 * f64::from(k)).unwrap());
-        }
-        eprintln!("{id} compiled: {:.3} us", t.elapsed().as_secs_f64() / 2e-2);
-    }
 }

@@ -68,13 +68,11 @@ pub(crate) struct ForceAt<'c> {
 
 impl ForceAt<'_> {
     pub(crate) fn force(&self, s: f64) -> Result<Moments, ContactError> {
-        // Without a slope, signs and bounds lead on.
-        let value = |_| Ok(Moments { slope: f64::NAN, ..self.total.value(s)? });
-        self.total.guide(s).or_else(value).map_err(failed(Quantity::Force, s.into()))
+        at(self.total, s)
     }
 
     pub(crate) fn variation(&self, s: f64) -> Result<Moments, ContactError> {
-        self.falls.variation.guide(s).map_err(failed(Quantity::Force, s.into()))
+        at(&self.falls.variation, s)
     }
 
     pub(crate) fn sample(&self, s: f64) -> Result<Sample, ContactError> {
@@ -85,6 +83,12 @@ impl ForceAt<'_> {
     pub(crate) fn places(&self, below: f64) -> impl Iterator<Item = f64> {
         self.falls.places.iter().copied().filter(move |s| *s < below)
     }
+}
+
+/// An integral and its slope, which is NaN where it cannot be given: signs and bounds lead on.
+fn at(integral: &HeightIntegral, s: f64) -> Result<Moments, ContactError> {
+    let value = |_| Ok(Moments { slope: f64::NAN, ..integral.value(s)? });
+    integral.guide(s).or_else(value).map_err(failed(Quantity::Force, s.into()))
 }
 
 /// Heights [σ_z] at which a density may have kinks, and its middle.

@@ -91,7 +91,13 @@ impl Compiled {
         let channel = self.channel(Quantity::Force)?;
         let Some(falls) = channel.falls() else { return Ok(None) };
         let least = ForceAt { total: &channel.total, falls }.largest(-1.0)?;
-        Ok((least.force.value < 0.0).then_some(least.s))
+        let (pulls, value) = (least.force.value < 0.0, least.s);
+        if pulls && (value <= LOWEST || value >= HIGHEST) {
+            let required = "one within -1e6 and 1e9 asperity_height_std";
+            let field = "separation of the pull-off";
+            return Err(ContactError::OutOfRange { field, value, required });
+        }
+        Ok(pulls.then_some(value))
     }
 }
 

@@ -15,6 +15,9 @@ const OCTAVE: f64 = 12.0;
 /// Smaller falls, over the size of the law's parts, are rounding or the error of a tabulated law.
 const FLAT: f64 = 1e-9;
 
+/// Next to an end, as a share of it.
+const BESIDE: f64 = 1e-9;
+
 /// A place where a law jumps, turns or changes its formula, in its unit from its onset.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Knot {
@@ -41,15 +44,17 @@ impl Variation {
         for pair in ends.windows(2) {
             let (from, to) = (pair[0], pair[1]);
             let first = if from > 0.0 { from } else { 1e-6 * least.min(to) };
-            let Ok(right) = law.shape(first) else { break };
+            // A formula may have no value at the very end of its range.
+            let right = seen(law, first).or_else(|| seen(law, first * (1.0 + BESIDE)));
+            let Some((right, _)) = right else { break };
             found.push(law, Knot { x: from, left, right }, before);
             before = from;
             if !rises(law, from, to) {
                 before = found.turns(law, first, (from, right), (to, least, most)).0;
             }
-            match law.shape(to.next_down()) {
-                Ok(value) => left = value,
-                Err(_) => break,
+            match seen(law, to.next_down()).or_else(|| seen(law, to * (1.0 - BESIDE))) {
+                Some((value, _)) => left = value,
+                None => break,
             }
         }
         found
@@ -179,4 +184,47 @@ fn places(from: f64, to: f64) -> Vec<f64> {
     (0..=steps as usize)
         .map(|k| (from * (ratio * k as f64).exp()).min(to.next_down()).max(from))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Power;
+
+    const ALL: std::ops::Range<f64> = 0.0..f64::INFINITY;
+
+    fn variation(law: &Law) -> Variation {
+        Variation::new(law, (1e-3, 1e3))
+    }
+
+    #[test]
+    fn laws_that_rise_have_no_fall() {
+        let powers = Law::in_units(1.0, 1.0)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .plastic(1.0..f64::INFINITY, [Power::new(1.2, 1.0)]);
+        let function = Law::in_units(1.0, 1.0).elastic(ALL, Formula::function(|x| x * x.ln_1p()));
+        for law in [powers, function] {
+            assert_eq!(variation(&law).falls, None, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn jumps_and_turns_are_where_they_should_be() {
+        let jumps = Law::in_units(1.0, 1.0)
+            .elastic(0.0..2.0, [Power::new(1.0, 1.0)])
+            .plastic(2.0..f64::INFINITY, [Power::new(0.9, 1.0)]);
+        assert_eq!(variation(&jumps).falls, Some(2.0));
+        let turns =
+            Law::in_units(1.0, 1.0).elastic(ALL, Formula::function(|x| x * (x - 3.0).powi(2)));
+        let found = variation(&turns);
+        let knots: Vec<f64> = found.knots.iter().map(|knot| knot.x).collect();
+        assert!(knots.len() == 3 && found.falls.is_some(), "{found:?}");
+        assert!((knots[1] - 1.0).abs() < 1e-6 && (knots[2] - 3.0).abs() < 1e-6, "{knots:?}");
+        // Up to 4, down to 0, and up to 20 at x = 5.
+        let density = found.density(&turns);
+        for (x, wanted) in [(0.5, 3.125), (1.0, 4.0), (2.0, 6.0), (3.0, 8.0), (5.0, 28.0)] {
+            let value = density.value_at(x).unwrap();
+            assert!((value - wanted).abs() < 1e-9, "{x}: {value}");
+        }
+    }
 }
