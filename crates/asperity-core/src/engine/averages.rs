@@ -9,7 +9,7 @@ use crate::engine::channel::{Units, failed};
 use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{ForceCurve, Target, check_load};
 use crate::engine::laws::Laws;
-use crate::request::separation::Place;
+use crate::request::separation::{HIGHEST, LOWEST, Place};
 use crate::{At, ContactError, Quantity, Scene, Share, Tolerance};
 
 /// The integrals of the laws of one scene at any separation.
@@ -115,7 +115,13 @@ pub(crate) fn place_of_pull_off<'s>(
 ) -> Result<Option<f64>, ContactError> {
     let Some(falls) = averages.falls()? else { return Ok(None) };
     let least = ForceAt { guide: &|s| averages.guide(s), falls: &falls }.largest(-1.0)?;
-    Ok((least.force.value < 0.0).then_some(least.s))
+    let (pulls, value) = (least.force.value < 0.0, least.s);
+    if pulls && (value <= LOWEST || value >= HIGHEST) {
+        let required = "one within -1e6 and 1e9 asperity_height_std";
+        let field = "separation of the pull-off";
+        return Err(ContactError::OutOfRange { field, value, required });
+    }
+    Ok(pulls.then_some(value))
 }
 
 fn target<'s>(averages: &impl Averages<'s>, load: f64) -> Result<Target, ContactError> {

@@ -21,8 +21,8 @@ class AsperityLaws(Protocol):
     Optional: ``stiffness(w)`` in N/m, where it is not the tangent of the force; ``kinks``, the
     interferences [m] where a formula changes, jumps, bends or has a cusp (a sequence, or a dict of
     them by quantity); ``regimes``, a name for each range between the kinks, for shares; and on the
-    class ``name``, and ``force_monotone = True`` where the force never falls as ``w`` grows, which
-    makes ``separation_at`` quicker.
+    class ``name``, and ``force_monotone = False`` where the force may fall as ``w`` grows:
+    ``Model.check`` reports a force that falls otherwise.
 
     Say every kink that you know. Where one is not said, values mostly keep the tolerance and only
     cost more time; but the points at which a law is sampled may hide a jump, a kink or a cusp from
@@ -53,7 +53,7 @@ class Laws:
         name = getattr(made_for, "name", None) or getattr(made_for, "__name__", "")
         self.name = str(name)
         self.own_stiffness = hasattr(made_for, "stiffness")
-        self.force_monotone = bool(getattr(made_for, "force_monotone", False))
+        self.force_monotone = bool(getattr(made_for, "force_monotone", True))
 
     def __call__(self, one: Mapping[str, Any], quantity: str) -> tuple[Law, list[float], list[str]]:
         """The law of an asperity, its kinks [m], ascending, and names of the ranges they bound."""

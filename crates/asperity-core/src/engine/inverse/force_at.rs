@@ -102,8 +102,8 @@ fn marks(heights: &HeightDistribution, height_std: f64) -> Vec<f64> {
 /// The height [σ_z] beyond which, seen from its mean, nothing counts.
 fn farthest(heights: &HeightDistribution, height_std: f64) -> f64 {
     match heights {
-        // exp(-39²/2) is no double.
-        HeightDistribution::Gaussian => 39.0,
+        // exp(-14²/2) is 3e-43, far below the last digit of what lies nearer.
+        HeightDistribution::Gaussian => 14.0,
         HeightDistribution::Other(other) => other.heights().support().1 / height_std,
         _ => f64::INFINITY,
     }

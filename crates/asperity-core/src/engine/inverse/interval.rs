@@ -43,7 +43,7 @@ impl Sample {
     }
 
     /// Whether the force is the level or more; it does not depend on what the sample is compared with.
-    fn reaches(&self, level: Level) -> bool {
+    pub(crate) fn reaches(&self, level: Level) -> bool {
         self.force.value >= level.over(self.force.ln_scale)
     }
 

@@ -84,14 +84,25 @@ impl Target {
         let sign = self.load.signum();
         // No force exceeds its variation, which falls all the way.
         let bound = Self { load: self.load.abs(), ..*self };
+        let level = Level { sign, ln: (self.load.abs() / self.factor).ln() };
         let top = match bound.newton(&mut |s| force.variation(s)) {
             Ok(top) => top.s + top.rounding + 1e-9 * (1.0 + top.s.abs()),
-            Err(ContactError::TooLight { .. }) => HIGHEST,
+            Err(ContactError::TooLight { .. }) => {
+                let far = force.sample(HIGHEST)?;
+                if sign > 0.0 && far.reaches(level) {
+                    let smallest = far.force.value * far.force.ln_scale.exp() * self.factor;
+                    return Err(ContactError::TooLight {
+                        load: self.load,
+                        smallest,
+                        at: HIGHEST.into(),
+                    });
+                }
+                HIGHEST
+            }
             Err(ContactError::OutOfReach { .. }) => LOWEST,
             Err(other) => return Err(other),
         };
-        let ln = (self.load.abs() / self.factor).ln();
-        let found = force.crossings(Level { sign, ln }, top.min(HIGHEST), first_only)?;
+        let found = force.crossings(level, top.min(HIGHEST), first_only)?;
         if found.is_empty() {
             let largest = force.largest(sign)?;
             return Err(self.out_of_reach(&largest.force, largest.s));

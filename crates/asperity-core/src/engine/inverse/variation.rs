@@ -11,9 +11,12 @@ use asperity_quadrature::{Density, Piece, QuadratureError, Sampler, highest};
 use crate::{Formula, Law, Part};
 
 /// Places at which a function is looked at, in each octave.
-const OCTAVE: f64 = 16.0;
+const OCTAVE: f64 = 12.0;
 /// Smaller falls, over the size of the law's parts, are rounding or the error of a tabulated law.
 const FLAT: f64 = 1e-9;
+
+/// Next to an end, as a share of it.
+const BESIDE: f64 = 1e-9;
 
 /// A place where a law jumps, turns or changes its formula, in its unit from its onset.
 #[derive(Debug, Clone, Copy)]
@@ -41,15 +44,17 @@ impl Variation {
         for pair in ends.windows(2) {
             let (from, to) = (pair[0], pair[1]);
             let first = if from > 0.0 { from } else { 1e-6 * least.min(to) };
-            let Ok(right) = law.shape(first) else { break };
+            // A formula may have no value at the very end of its range.
+            let right = seen(law, first).or_else(|| seen(law, first * (1.0 + BESIDE)));
+            let Some((right, _)) = right else { break };
             found.push(law, Knot { x: from, left, right }, before);
             before = from;
             if !rises(law, from, to) {
                 before = found.turns(law, first, (from, right), (to, least, most)).0;
             }
-            match law.shape(to.next_down()) {
-                Ok(value) => left = value,
-                Err(_) => break,
+            match seen(law, to.next_down()).or_else(|| seen(law, to * (1.0 - BESIDE))) {
+                Some((value, _)) => left = value,
+                None => break,
             }
         }
         found
@@ -57,7 +62,7 @@ impl Variation {
 
     fn push(&mut self, law: &Law, knot: Knot, before: f64) {
         let from = self.knots.last().map_or(0.0, |knot| knot.right);
-        let flat = FLAT * size(law, knot.x);
+        let flat = FLAT * seen(law, knot.x).map_or(0.0, |(_, size)| size);
         if self.falls.is_none() && knot.left < from - flat {
             self.falls = Some(before);
         }
@@ -76,13 +81,12 @@ impl Variation {
         (to, least, most): (f64, f64, f64),
     ) -> (f64, f64) {
         let places = places(first.max(least.min(0.5 * to)), to.min(most.max(2.0 * first)));
-        let seen: Vec<(f64, f64)> = places
+        let all: Vec<(f64, f64, f64)> = places
             .into_iter()
-            .map_while(|x| law.shape(x).ok().filter(|q| q.is_finite()).map(|q| (x, q)))
+            .map_while(|x| seen(law, x).map(|(q, size)| (x, q, FLAT * size)))
             .collect();
         let (mut extreme, mut upwards, mut knot) = (start, None, start);
-        for (k, &(x, q)) in seen.iter().enumerate() {
-            let flat = FLAT * size(law, x);
+        for (k, &(x, q, flat)) in all.iter().enumerate() {
             let up = upwards.unwrap_or(q > extreme.1);
             let onwards = if up { q - extreme.1 } else { extreme.1 - q };
             if onwards >= 0.0 {
@@ -91,7 +95,7 @@ impl Variation {
             } else if onwards < -flat && upwards.is_some() {
                 // The extreme lies next to its largest sample.
                 let sign = if up { 1.0 } else { -1.0 };
-                let low = seen[..k].iter().rev().map(|p| p.0).find(|p| *p < extreme.0);
+                let low = all[..k].iter().rev().map(|p| p.0).find(|p| *p < extreme.0);
                 let f = |x: f64| sign * law.shape(x).unwrap_or(f64::NAN);
                 let at = highest(f, low.unwrap_or(start.0), x);
                 let (at, value) = match law.shape(at) {
@@ -162,20 +166,65 @@ fn rises(law: &Law, from: f64, to: f64) -> bool {
     })
 }
 
-/// The sum of the parts' absolute values.
-fn size(law: &Law, x: f64) -> f64 {
-    let value = |part: &Part| {
-        let mut value = [0.0];
-        part.form.sample(&[x], &mut value).map_or(0.0, |()| value[0].abs())
-    };
-    law.parts.iter().filter(|part| part.range.contains(&x)).map(value).sum()
+/// The law's value, and the sum of its parts' absolute values.
+fn seen(law: &Law, x: f64) -> Option<(f64, f64)> {
+    let (mut total, mut size, mut one) = (0.0, 0.0, [0.0]);
+    for part in law.parts.iter().filter(|part| part.range.contains(&x)) {
+        part.form.sample(&[x], &mut one).ok()?;
+        total += part.sign * one[0];
+        size += one[0].abs();
+    }
+    total.is_finite().then_some((total, size))
 }
 
-/// Places between two, close to each other next to both.
+/// Places between two, each a share larger than the one before.
 fn places(from: f64, to: f64) -> Vec<f64> {
     let steps = ((to / from).log2() * OCTAVE).ceil().clamp(24.0, 4096.0);
     let ratio = (to / from).ln() / steps;
     (0..=steps as usize)
         .map(|k| (from * (ratio * k as f64).exp()).min(to.next_down()).max(from))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Power;
+
+    const ALL: std::ops::Range<f64> = 0.0..f64::INFINITY;
+
+    fn variation(law: &Law) -> Variation {
+        Variation::new(law, (1e-3, 1e3))
+    }
+
+    #[test]
+    fn laws_that_rise_have_no_fall() {
+        let powers = Law::in_units(1.0, 1.0)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .plastic(1.0..f64::INFINITY, [Power::new(1.2, 1.0)]);
+        let function = Law::in_units(1.0, 1.0).elastic(ALL, Formula::function(|x| x * x.ln_1p()));
+        for law in [powers, function] {
+            assert_eq!(variation(&law).falls, None, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn jumps_and_turns_are_where_they_should_be() {
+        let jumps = Law::in_units(1.0, 1.0)
+            .elastic(0.0..2.0, [Power::new(1.0, 1.0)])
+            .plastic(2.0..f64::INFINITY, [Power::new(0.9, 1.0)]);
+        assert_eq!(variation(&jumps).falls, Some(2.0));
+        let turns =
+            Law::in_units(1.0, 1.0).elastic(ALL, Formula::function(|x| x * (x - 3.0).powi(2)));
+        let found = variation(&turns);
+        let knots: Vec<f64> = found.knots.iter().map(|knot| knot.x).collect();
+        assert!(knots.len() == 3 && found.falls.is_some(), "{found:?}");
+        assert!((knots[1] - 1.0).abs() < 1e-6 && (knots[2] - 3.0).abs() < 1e-6, "{knots:?}");
+        // Up to 4, down to 0, and up to 20 at x = 5.
+        let density = found.density(&turns);
+        for (x, wanted) in [(0.5, 3.125), (1.0, 4.0), (2.0, 6.0), (3.0, 8.0), (5.0, 28.0)] {
+            let value = density.value_at(x).unwrap();
+            assert!((value - wanted).abs() < 1e-9, "{x}: {value}");
+        }
+    }
 }
