@@ -37,6 +37,7 @@ pub trait ObliqueContact: Send + Sync {
 }
 
 /// q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy over y in `range`, y ≤ x.
+#[derive(Clone)]
 pub(crate) struct Average {
     pub(crate) contact: Arc<dyn ObliqueContact>,
     pub(crate) range: Range<f64>,
@@ -176,9 +177,7 @@ pub fn angle_average(
     tolerance: f64,
 ) -> (Formula, Vec<f64>) {
     let of = contact.key();
-    // The table's claim is up to five times its tolerance, and the rules need a quarter of what is
-    // asked; below 2e-13 rounding would be fitted.
-    let tolerance = (0.15 * tolerance).max(2e-13);
+    let tolerance = table_tolerance(tolerance);
     let named = |form: Formula, name: &'static str, parameters: Vec<f64>| {
         let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
         key.into_iter().fold(form, Formula::with_key)
@@ -202,6 +201,12 @@ pub fn angle_average(
     (named(form, "angle average, tabulated", parameters), kinks)
 }
 
+/// The bound of a table is up to five times its tolerance, and the rules need a quarter of the
+/// `tolerance` of the law; below 2e-13 rounding would be fitted.
+fn table_tolerance(tolerance: f64) -> f64 {
+    (0.15 * tolerance).max(2e-13)
+}
+
 /// An angle average, tabulated when first sampled.
 struct Prepared {
     average: Arc<Average>,
@@ -219,6 +224,11 @@ impl Sampler for Prepared {
 
     fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
         Some(self.average.clone())
+    }
+
+    fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {
+        let tolerance = table_tolerance(tolerance).min(self.average.tolerance);
+        Some(Arc::new(Average { tolerance, ..(*self.average).clone() }))
     }
 }
 
