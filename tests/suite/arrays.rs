@@ -69,7 +69,9 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
                         let allowed =
                             (known.bound + wanted.bound(*quantity)) * wanted.value().abs();
                         let off = (value - wanted.value()).abs();
-                        assert!(off <= allowed, "{id} {quantity} {s}: {value} {wanted:?}");
+                        // Values that underflow are made one at a time.
+                        let same = value.to_bits() == wanted.value().to_bits();
+                        assert!(same || off <= allowed, "{id} {quantity} {s}: {value} {wanted:?}");
                     }
                 }
                 // The bound is no smaller, and not much larger; what cancels is the same.

@@ -20,6 +20,7 @@ mod properties;
 mod published;
 mod reference;
 mod report;
+mod rows;
 mod scenes;
 mod sweeps;
 mod tangents;

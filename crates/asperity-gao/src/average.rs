@@ -21,9 +21,7 @@ pub fn angle_average(
     tolerance: f64,
 ) -> (Formula, Vec<f64>) {
     let of = contact.key();
-    // The error of the table is up to five times its tolerance, and the quadrature rules need a
-    // quarter of the tolerance requested; below 2e-13 rounding errors would be tabulated.
-    let tolerance = (0.15 * tolerance).max(2e-13);
+    let tolerance = table_tolerance(tolerance);
     let with_key = |formula: Formula, name: &'static str, parameters: Vec<f64>| {
         let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
         key.into_iter().fold(formula, Formula::with_key)
@@ -45,6 +43,12 @@ pub fn angle_average(
     (with_key(formula, "angle average, tabulated", parameters), kinks)
 }
 
+/// The error of the table is up to five times its tolerance, and the quadrature rules need a quarter
+/// of the `tolerance` of the law; below 2e-13 rounding errors would be tabulated.
+fn table_tolerance(tolerance: f64) -> f64 {
+    (0.15 * tolerance).max(2e-13)
+}
+
 /// An angle average, tabulated at first use.
 struct TabulatedAverage {
     average: Arc<AngleAverage>,
@@ -62,6 +66,11 @@ impl Sampler for TabulatedAverage {
 
     fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
         Some(self.average.clone())
+    }
+
+    fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {
+        let tolerance = table_tolerance(tolerance);
+        Some(Arc::new(self.average.within(tolerance)))
     }
 }
 

@@ -31,6 +31,7 @@ pub trait ObliqueContact: Send + Sync {
 }
 
 /// The angle average q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy over y in `range`, y ≤ x.
+#[derive(Clone)]
 pub(crate) struct AngleAverage {
     pub(crate) contact: Arc<dyn ObliqueContact>,
     pub(crate) range: Range<f64>,
@@ -57,6 +58,11 @@ struct Branch {
 const AZIMUTHS: f64 = 0.05;
 
 impl AngleAverage {
+    /// The same average to a smaller relative tolerance.
+    pub(crate) fn within(&self, tolerance: f64) -> Self {
+        Self { tolerance: tolerance.min(self.tolerance), ..self.clone() }
+    }
+
     pub(crate) fn new(
         contact: Arc<dyn ObliqueContact>,
         range: Range<f64>,

@@ -30,6 +30,12 @@ pub trait Sampler: Send + Sync {
         None
     }
 
+    /// The same function for a single integral, to a relative `tolerance`, where this one is an
+    /// approximation that may be coarser.
+    fn finer(&self, _tolerance: f64) -> Option<Arc<dyn Sampler>> {
+        None
+    }
+
     /// The function times a weight as point masses, where that costs less than samples do: a
     /// function that is an average itself can be averaged in another order.
     fn masses(&self, _against: &Weighted<'_>) -> Option<Discretised> {
@@ -140,9 +146,14 @@ impl Density {
         Self { pieces: self.pieces.iter().map(unprepared).collect() }
     }
 
-    /// Whether the samples of any piece are prepared, so that those of a single integral are better.
-    pub(crate) fn is_prepared(&self) -> bool {
-        self.pieces.iter().any(|piece| piece.sampler.unprepared().is_some())
+    /// The same density to a relative `tolerance`, for a single integral: see [`Sampler::finer`].
+    #[must_use]
+    pub fn finer(&self, tolerance: f64) -> Self {
+        let finer = |piece: &Piece| {
+            let sampler = piece.sampler.finer(tolerance).unwrap_or_else(|| piece.sampler.clone());
+            Piece { sampler, ..piece.clone() }
+        };
+        Self { pieces: self.pieces.iter().map(finer).collect() }
     }
 
     /// The ends and kinks of all pieces strictly inside `(low, high)`, ascending, each once.

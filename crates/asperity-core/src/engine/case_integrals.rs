@@ -9,7 +9,7 @@ use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::channel::{Units, failed};
-use crate::engine::height_integral::HeightIntegral;
+use crate::engine::height_integral::{HeightIntegral, with_slope_within};
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
@@ -213,6 +213,9 @@ impl LawIntegrals<'_> {
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let (factor, m) = source.at(part, (s, scale), slope, relative)?;
             sum = sum.plus(factor, &m);
+        }
+        if slope {
+            sum = with_slope_within(sum, || self.law.density(), (scale, s), relative);
         }
         Ok(begins.widened(given, sum))
     }

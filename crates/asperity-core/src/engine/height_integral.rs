@@ -3,7 +3,7 @@
 use std::sync::{Arc, LazyLock, OnceLock};
 
 use asperity_quadrature::{
-    Cells, Column, ColumnAccuracy, Curvature, Density, Moments, Overlap, QuadratureError,
+    Cells, Column, ColumnAccuracy, Curvature, Density, Moments, Nearby, Overlap, QuadratureError,
     ShiftedGaussian, Weight,
 };
 
@@ -23,7 +23,7 @@ pub(crate) struct HeightIntegral {
 /// The same, of s as seen from where the density begins.
 #[derive(Debug)]
 enum Over {
-    Gaussian(ShiftedGaussian),
+    Gaussian(Gaussian),
     Exponential(Exponential),
     Other(Other),
 }
@@ -36,7 +36,8 @@ impl HeightIntegral {
         let scale = interference_unit / height_std;
         let over = match &scene.heights {
             HeightDistribution::Gaussian => {
-                Over::Gaussian(ShiftedGaussian::new(density, scale, tolerance))
+                let integral = ShiftedGaussian::new(density.clone(), scale, tolerance);
+                Over::Gaussian(Gaussian { integral, density, scale, tolerance })
             }
             HeightDistribution::Exponential => Over::Exponential(Exponential {
                 density: density.clone(),
@@ -65,7 +66,7 @@ impl HeightIntegral {
     /// Terms of the polynomial for s; `None` where there is none.
     pub(crate) fn terms(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
         match &self.over {
-            Over::Gaussian(integral) => integral.terms(self.begins.seen(s)).map(Some),
+            Over::Gaussian(heights) => heights.integral.terms(self.begins.seen(s)).map(Some),
             _ => Ok(None),
         }
     }
@@ -73,7 +74,7 @@ impl HeightIntegral {
     /// Number of samples of the density for rules.
     pub(crate) fn samples(&self) -> usize {
         match &self.over {
-            Over::Gaussian(integral) => integral.evaluations(),
+            Over::Gaussian(heights) => heights.integral.evaluations(),
             _ => 0,
         }
     }
@@ -82,7 +83,7 @@ impl HeightIntegral {
     #[inline]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match &self.over {
-            Over::Gaussian(integral) if !self.begins.elsewhere() => integral.value(s),
+            Over::Gaussian(heights) if !self.begins.elsewhere() => heights.integral.value(s),
             _ => self.answer(s, Asked { slope: false, many: true }),
         }
     }
@@ -95,30 +96,23 @@ impl HeightIntegral {
         column: Column,
         out: &mut [f64],
     ) -> Option<ColumnAccuracy> {
-        let Over::Gaussian(integral) = &self.over else { return None };
+        let Over::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
         integral.fill(s, Column { shift: self.begins.0, ..column }, out).ok()
     }
 
     /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is as
     /// long: `None` for heights where that saves nothing, or if any s is refused.
     pub(crate) fn run(&self, s: &[f64], slopes: bool, out: &mut [Moments]) -> Option<()> {
-        let Over::Gaussian(integral) = &self.over else { return None };
-        if self.begins.elsewhere() {
-            let seen: Vec<f64> = s.iter().map(|s| self.begins.seen(*s)).collect();
-            integral.values_and_slopes(&seen, out).ok()?;
-            out.iter_mut().zip(s).for_each(|(out, s)| *out = self.begins.widened(*s, *out));
-            return Some(());
+        let Over::Gaussian(_) = &self.over else { return None };
+        for (s, out) in s.iter().zip(out) {
+            *out = if slopes { self.at(*s) } else { self.value(*s) }.ok()?;
         }
-        match slopes {
-            true => integral.values_and_slopes(s, out),
-            false => integral.values(s, out),
-        }
-        .ok()
+        Some(())
     }
 
     /// d²I/ds², for Gaussian heights.
     pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
-        let Over::Gaussian(integral) = &self.over else { return None };
+        let Over::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
         let found = integral.curvature(self.begins.seen(s));
         Some(found.map(|found| self.begins.widened_curvature(s, found)))
     }
@@ -152,7 +146,7 @@ impl HeightIntegral {
     fn answer(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
         let seen = self.begins.seen(s);
         let ask = |asked: Asked| match &self.over {
-            Over::Gaussian(integral) => integral.at(seen),
+            Over::Gaussian(heights) => heights.at(seen, asked),
             Over::Exponential(integral) => integral.at(seen, asked),
             Over::Other(integral) => integral.at(seen, asked),
         };
@@ -172,6 +166,49 @@ struct Asked {
     slope: bool,
     /// Whether others nearby will follow.
     many: bool,
+}
+
+/// Below this s a slope is a small difference of large integrals: so much finer an integral of so
+/// much finer a law has enough digits left, to s = -64 or so.
+const DEEP: f64 = -8.0;
+const DEEPER: f64 = 0.01;
+
+/// `found`, an integral at s with its slope; if that misses the tolerance, one that meets it, if
+/// there is one.
+#[inline]
+pub(crate) fn with_slope_within(
+    found: Moments,
+    density: impl FnOnce() -> Density,
+    (scale, s): (f64, f64),
+    tolerance: f64,
+) -> Moments {
+    if s >= DEEP || found.slope_within(s, tolerance).is_ok() {
+        return found;
+    }
+    let finer = DEEPER * tolerance;
+    let made = Nearby::new(&density().finer(finer), scale, s, finer).map(|made| made.at(s));
+    made.ok().filter(|made| made.slope_within(s, tolerance).is_ok()).unwrap_or(found)
+}
+
+/// The integral over Gaussian heights.
+#[derive(Debug)]
+struct Gaussian {
+    integral: ShiftedGaussian,
+    density: Density,
+    scale: f64,
+    tolerance: f64,
+}
+
+impl Gaussian {
+    #[inline]
+    fn at(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
+        let found = self.integral.at(s)?;
+        if !asked.slope {
+            return Ok(found);
+        }
+        let Self { density, scale, tolerance, .. } = self;
+        Ok(with_slope_within(found, || density.clone(), (*scale, s), *tolerance))
+    }
 }
 
 /// An integral over heights whose density is followed, directly or by its cells.

@@ -168,6 +168,13 @@ impl Sampler for Formula {
         }
     }
 
+    fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {
+        match self {
+            Self::Powers(_) => None,
+            Self::Function { sampler, .. } => sampler.finer(tolerance),
+        }
+    }
+
     fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
         match self {
             Self::Powers(_) => None,

@@ -97,18 +97,7 @@ impl Rules {
 
     fn build(&self, index: usize, task: &Task) -> Result<Box<Segment>, QuadratureError> {
         let patch = Patch::new(range(index), self.stretch);
-        let mut segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
-        // Slopes far below are small differences, and need a density that is no approximation.
-        let wanted = 0.1 * task.tolerance / (1.0 - patch.lowest());
-        if patch.keys().1 <= DEEP
-            && task.density.is_prepared()
-            && segment.error[0] > wanted
-            && let Ok(finer) =
-                Segment::new(&task.density.unprepared(), self.scale, patch, task.tolerance)
-            && finer.error[0] < segment.error[0]
-        {
-            segment = finer;
-        }
+        let segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
         task.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
         Ok(Box::new(segment))
     }

@@ -1,0 +1,61 @@
+//! Rows: the same answer alone and in a list, with bounds that hold.
+
+use asperity::{
+    ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace,
+};
+
+use crate::scenes::model;
+
+fn scene(plasticity: f64) -> Scene {
+    let mut interface = Interface::new(1e11, 0.3, 1e9);
+    interface.equivalent_shear_modulus = Some(3e10);
+    let surface = Surface::from_plasticity_index(plasticity, 0.04, 1e-6, &interface).unwrap();
+    Scene::new(interface, surface, 1e-4)
+}
+
+/// Tangents with their bounds at these separations.
+fn tangents(model: &Model, scene: &Scene, separations: &[f64], tolerance: f64) -> Vec<[f64; 2]> {
+    let request = Request::new([Quantity::Tangent]).within(Tolerance::new(tolerance).unwrap());
+    let answer = model.solve(scene, &request.at(separations.iter().copied())).unwrap();
+    let row = |row: &Result<asperity::Evaluation, _>| {
+        let row = row.as_ref().unwrap();
+        [row.value(), row.relative_error()]
+    };
+    answer.column(Quantity::Tangent).unwrap().rows.iter().map(row).collect()
+}
+
+#[test]
+fn tangents_of_pressed_asperities_are_answered_alone_and_in_a_list() {
+    let deep = [-60.0, -20.0, -10.0, -8.5];
+    let list: Vec<f64> = deep.into_iter().chain(linspace(-8.0, 8.0, 33)).collect();
+    for id in ["gao", "at-additive", "at-overlap", "ke"] {
+        let (model, scene) = (model(id), scene(3.0));
+        let listed = tangents(&model, &scene, &list, 1e-10);
+        for (s, [value, bound]) in deep.iter().zip(&listed) {
+            let [alone, own] = tangents(&model, &scene, &[*s], 1e-10)[0];
+            let [fine, least] = tangents(&model, &scene, &[*s], 1e-12)[0];
+            assert!(*bound < 2e-10 && own < 2e-10 && least < 1e-11, "{id} {s}: {bound:e} {own:e}");
+            assert!((value / alone - 1.0).abs() <= bound + own, "{id} {s}: {value} {alone}");
+            assert!((value / fine - 1.0).abs() <= bound + least, "{id} {s}: {value} {fine}");
+        }
+    }
+}
+
+#[test]
+fn logarithms_near_zero_are_known_to_the_rounding_of_their_scale() {
+    let gw = model("gw");
+    let lines = include_str!("../reference/ln_force.csv").lines().skip(1);
+    for line in lines {
+        let fields: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
+        let [s, nominal_area, wanted] = fields[..] else { panic!("{line}") };
+        let interface = Interface::new(1e11, 0.3, 1e9);
+        let scene = Scene::new(interface, Surface::new(1e-4, 1e9, 1e-6), nominal_area);
+        let request = Request::new([Quantity::LnForce]).within(Tolerance::new(1e-15).unwrap());
+        let answer = gw.solve(&scene, &request.at([s])).unwrap();
+        let column = answer.column(Quantity::LnForce).unwrap();
+        let (found, bound) = (column.values().unwrap()[0], column.bounds().unwrap()[0]);
+        let off = (found - wanted).abs();
+        // Two logarithms of up to 400 cancel: each is rounded to 6e-14.
+        assert!(off <= bound && bound < 3e-13, "{s}: {off:e}, bound {bound:e}");
+    }
+}
