@@ -86,7 +86,8 @@ mod tests {
         };
         // The error of a cubic, a narrow peak, a declared kink, and, undeclared, what a jump of the density
         // leaves in a force.
-        let cases: [(&dyn Fn(f64) -> f64, &[f64], f64); 4] = [
+        type Case<'c> = (&'c dyn Fn(f64) -> f64, &'c [f64], f64);
+        let cases: [Case<'_>; 4] = [
             (&|x| (x * (1.0 - x)).powi(2), &[0.0, 1.0], 1.0 / 16.0),
             (&|x| 1.0 / (1.0 + ((x - 0.3) / 0.01).powi(2)), &[0.0, 1.0], 1.0),
             (&|x| 1.0 - (x - 0.123).abs(), &[0.0, 0.123, 1.0], 1.0),

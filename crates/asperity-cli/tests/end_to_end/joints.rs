@@ -3,7 +3,7 @@
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance};
 
-use crate::bench::{Bench, cells, column, csv};
+use crate::bench::{Bench, NEGATIVE, cells, column, csv};
 
 /// A joint that was closed, by the library.
 pub fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
@@ -255,22 +255,18 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
 #[test]
 fn a_joint_that_creates_energy_is_warned_of_and_the_tolerance_counts() {
     let bench = Bench::new();
+    bench.write("low.toml", &NEGATIVE.replace("plasticity_index = 2.0", "plasticity_index = 0.5"));
     let of = |words: &str| {
-        let run = bench.run(&format!("unload scene.toml --retreat 0 --closest -1 {words}"));
+        let run = bench.run(&format!("unload low.toml --retreat 0 --closest -1 {words}"));
         assert_eq!(run.code, Some(0), "{}", run.words);
         run
     };
     let created = of("--model ceb --law brake").words;
     assert!(created.contains("warning: CEB by brake: "), "{created}");
-    assert!(!of("--model ke").words.contains("more than their interference"));
-    let [loose, tight] = ["1e-2", "1e-13"]
-        .map(|t| column(&of(&format!("--model ke --tolerance {t}")).out, "force_N"));
-    assert!(
-        (loose[0] / tight[0] - 1.0).abs() < 1e-2 && loose[0] != tight[0],
-        "{loose:?} {tight:?}"
-    );
-    for words in ["slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7"] {
-        assert!(bench.data(&format!("{words} --tolerance 1e-8")).starts_with("model,shift_m"));
-    }
+    // 0.1 % more is less than the error of a coarse tolerance.
+    assert!(of("--model ke").words.contains("warning: KE by hertz: opening returns 0.1 % more"));
+    assert!(!of("--model ke --tolerance 1e-2").words.contains("more energy"));
+    let slip = "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7";
+    assert!(bench.data(&format!("{slip} --tolerance 1e-8")).starts_with("model,shift_m"));
     assert_eq!(bench.run("unload scene.toml --model ke --load 1 --tolerance 2").code, Some(2));
 }
