@@ -42,6 +42,9 @@ Exit code: 0 done, 1 bad input, 2 bad usage.")]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Print errors only, without warnings and notes
+    #[arg(long, global = true)]
+    quiet: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -65,7 +68,9 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let done = match Cli::parse_from(with_negative_numbers(std::env::args_os())).command {
+    let Cli { command, quiet } = Cli::parse_from(with_negative_numbers(std::env::args_os()));
+    output::set_quiet(quiet);
+    let done = match command {
         Command::Check(command) => command.run(),
         Command::Curve(command) => command.run(),
         Command::Solve(command) => command.run(),

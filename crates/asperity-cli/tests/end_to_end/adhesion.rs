@@ -81,7 +81,10 @@ fn tensions_are_loads_below_0() {
     let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
     assert_eq!(all.lines().count(), 3, "{all}");
     let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").words;
-    assert!(largest.contains("shows every separation; the smallest is"), "{largest}");
+    assert!(
+        largest.contains("gives every separation, and pulling reaches the smallest"),
+        "{largest}"
+    );
     let refused = bench.run("solve soft.toml --model gw --load -5").words;
     assert!(refused.contains("gw holds no tensions") && !refused.contains("load is"), "{refused}");
     for (load, wanted) in [("-1N", "a load from -"), ("-1kN", "a smaller tension")] {
@@ -99,8 +102,8 @@ fn which_model_is_for_which_is_told_with_curves_and_advice() {
     for words in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
         let run = bench.run(words);
         let all = run.out + &run.words;
-        assert!(all.contains("note: tabor_parameter is 1733: of the models with adhesion jkr"));
-        assert!(all.contains("all others leave work_of_adhesion out"), "{words}: {all}");
+        assert!(all.contains("note: tabor_parameter is 1733: use jkr"), "{words}: {all}");
+        assert!(all.contains("other models ignore work_of_adhesion"), "{words}: {all}");
     }
     let quiet = bench.run("curve soft.toml --model jkr --separation 1").words;
     assert!(!quiet.contains("tabor_parameter"), "{quiet}");

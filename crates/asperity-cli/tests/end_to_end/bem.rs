@@ -112,7 +112,7 @@ fn what_is_not_resolved_is_said_and_half_the_grid_stands_beside() {
     for words in [
         "note: the edges of the scan do not meet",
         "warning: 96 x 96 pixels: the shortest waves are",
-        " in contact in 2 rows, worst at a pressure of 1000000 Pa",
+        " in contact in 2 rows, worst at a pressure of 1e6 Pa",
         ": at least 30 are needed",
         ": at least 100 are needed",
     ] {

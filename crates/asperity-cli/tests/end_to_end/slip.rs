@@ -44,7 +44,7 @@ fn slips_of_the_hand_are_told_and_slip_speaks_of_slip() {
     let gao = words("slip scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
     assert!(gao.contains("partial slip: its contacts lie at all angles"), "{gao}");
     let heavy = words("unload scene.toml --model ke --load 2e6kN --retreat 0");
-    assert!(heavy.contains("warning: area_fraction is 10000"), "{heavy}");
+    assert!(heavy.contains("error: KE: area_fraction is 10000"), "{heavy}");
     let random = words("unload scene.toml --model ke-random --load 100");
     assert!(random.contains("only models of equal, upright asperities"), "{random}");
     let data = bench

@@ -75,7 +75,7 @@ fn of_a_periodic_scan_the_mean_alone_is_taken() {
     let part: Vec<&str> = rows.iter().take(37).map(String::as_str).collect();
     bench.write("part.txt", &part.join("\n"));
     let open = bench.run("surface part.txt --unit um --pixel-size 5 --periodic").words;
-    let wanted = "warning: part.txt: the edges of the scan do not meet (a step ";
+    let wanted = "warning: part.txt: the edges of the scan do not meet, with a step ";
     assert!(open.contains(wanted), "{open}");
     assert!(!bench.run(&format!("surface {words}")).words.contains("do not meet"));
 }

@@ -91,7 +91,7 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
     }
     let run = bench.run("");
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
-    assert!(run.words.contains("Usage: asperity <COMMAND>"), "{}", run.words);
+    assert!(run.words.contains("Usage: asperity [OPTIONS] <COMMAND>"), "{}", run.words);
 }
 
 #[test]

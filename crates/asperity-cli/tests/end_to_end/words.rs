@@ -206,9 +206,10 @@ fn models_of_the_whole_surface_are_not_held_to_what_asperities_may_do() {
     let (gw, persson) = (words("gw"), words("persson-fudge"));
     assert!(gw.contains("roughness_parameter") && !persson.contains("roughness"), "{gw}{persson}");
     bench.write("few.toml", &NO_SHEAR.replace("3e-5", "1e-10"));
-    for (scene, load, said) in
-        [("scene.toml", "2e9", "area_fraction is"), ("few.toml", "1e7", "asperities, and averages")]
-    {
+    for (scene, load, said) in [
+        ("scene.toml", "2e9", "area_fraction is"),
+        ("few.toml", "1e7", "asperities, too few for an average"),
+    ] {
         let words = |model: &str| {
             let ask = format!("--pressure {load} --quantity area-fraction");
             bench.run(&format!("curve {scene} --model {model} {ask}")).words
@@ -231,19 +232,19 @@ fn advice_and_tables_come_with_what_is_unusual_about_them() {
         run.words
     };
     let heavy = words("recommend scene.toml --load 3e5");
-    assert!(heavy.contains("warning: area_fraction is "), "{heavy}");
+    assert!(heavy.contains("error: KE: area_fraction is "), "{heavy}");
     let none = words("recommend scene.toml --load 100 --model gw,ceb --within 0.01");
     assert!(none.contains("note: none of these models holds within 1 % of ke"), "{none}");
     let table = words("export scene.toml --model gw --as abaqus --load 1:1e4:4");
     assert!(
-        table.contains("yielding_share is ")
+        table.contains("GW: yielding asperities carry ")
             && table.contains("the interpolation error of the pressure is up to"),
         "{table}"
     );
     let whole = words("curve scene.toml --model persson --load 100 --quantity area");
     assert!(whole.contains("mean_pressure_over_hardness is "), "{whole}");
     let slip = words("slip scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");
-    assert!(slip.contains("yielding_share is "), "{slip}");
+    assert!(slip.contains("GW: yielding asperities carry "), "{slip}");
     assert_eq!(words("compare scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
 }
 
@@ -262,9 +263,9 @@ fn what_is_unusual_about_the_scene_hides_nothing_about_its_answers() {
     };
     for command in ["curve", "solve", "compare", "unload"] {
         let of_answer = warnings(&format!("{command} dense.toml --model ke"));
-        assert!(of_answer.len() == 1 && of_answer[0].starts_with("area_fraction is 0.3104"));
+        assert!(of_answer.len() == 1 && of_answer[0].starts_with("KE: area_fraction is 0.3104"));
         let both = warnings(&format!("{command} forgotten.toml --model ke"));
-        assert!(both.len() == 2 && both[0].starts_with("body[2].youngs_modulus"), "{both:?}");
+        assert!(both.len() == 2 && both[0].starts_with("body[2] has neither"), "{both:?}");
         assert_eq!(both[1], of_answer[0]);
     }
 }

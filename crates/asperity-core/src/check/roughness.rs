@@ -11,6 +11,8 @@ const RADIUS: [f64; 2] = [2e-9, 5e-2];
 const DENSITY: [f64; 2] = [5e3, 1e16];
 /// σ_z \[m\]: from cleaved mica to the texture of asphalt.
 const HEIGHT_STD: [f64; 2] = [3e-11, 2e-3];
+/// β this many times beyond its usual range is a warning.
+const RARE: f64 = 5.0;
 /// A_n \[m²\]: from the tip of an instrument to a large flange.
 const AREA: [f64; 2] = [1e-16, 0.03];
 /// Beyond this \[m²\] there is no joint, but perhaps a landing pad.
@@ -128,14 +130,14 @@ impl Surface {
     fn apart(&self) -> Vec<Diagnostic> {
         let unusual = |(_, value, usual, ..): &(_, f64, [f64; 2], _, _)| !within(*value, *usual);
         let found = |(field, value, usual, unit, advice)| {
-            let severity = match (field, severity(value, usual)) {
-                // Rare or noisy surfaces, on which laws still hold.
-                ("roughness_parameter", Severity::Error) => Severity::Warning,
-                ("roughness_parameter", _) => Severity::Note,
-                (_, severity) => severity,
+            let found = Diagnostic::warning(CODE, field, value).usual(usual);
+            let severity = match field {
+                "roughness_parameter" if found.excess() > RARE => Severity::Warning,
+                // Laws still hold.
+                "roughness_parameter" => Severity::Note,
+                _ => severity(value, usual),
             };
-            let found = Diagnostic::warning(CODE, field, value).severity(severity);
-            found.usual(usual).unit(unit).advice(advice)
+            found.severity(severity).unit(unit).advice(advice)
         };
         self.criteria().into_iter().filter(unusual).map(found).collect()
     }
