@@ -13,7 +13,8 @@ pub trait Sampler: Send + Sync {
     /// [`QuadratureError::Refused`] with the reason when the function has no value there.
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
 
-    /// Writes the derivative at `x` to `out`, if there is a formula for it: says whether.
+    /// Writes the derivative at `x` to `out`, if there is a formula for it, and returns whether
+    /// there is.
     fn slope(&self, _x: &[f64], _out: &mut [f64]) -> bool {
         false
     }
@@ -140,7 +141,8 @@ impl Density {
         Self { pieces: self.pieces.iter().map(unprepared).collect() }
     }
 
-    /// Whether the samples of any piece are prepared, so that those of a single integral are better.
+    /// Whether the samples of any piece are prepared, so that those of a single integral are
+    /// better.
     pub(crate) fn is_prepared(&self) -> bool {
         self.pieces.iter().any(|piece| piece.sampler.unprepared().is_some())
     }

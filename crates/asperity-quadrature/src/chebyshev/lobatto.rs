@@ -1,4 +1,5 @@
-//! Chebyshev's points on [0, 1], ends included: interpolation, its derivative, and how well it does.
+//! Chebyshev's points on [0, 1], ends included: interpolation, its derivative, and how well it
+//! does.
 
 use std::sync::OnceLock;
 

@@ -9,9 +9,9 @@ use fearless_simd::{Simd, SimdBase, f64x8};
 const LANES: usize = 4;
 /// Numbers of points that are tried, fewest first. With more, powers would lose digits.
 const POINTS: [usize; 6] = [8, 12, 16, 20, 24, 32];
-/// The last terms of so many points, which are to be nothing: the others then are resolved.
+/// The number of last terms that must vanish for the others to be resolved.
 const GUARDS: usize = 3;
-/// Those that tell how large unseen ones may be.
+/// The number of last terms from which the size of the missing ones is estimated.
 const UNSEEN: usize = 2;
 /// Terms below this share of the largest sample are rounding.
 const NOISE: f64 = 5e-16;
@@ -77,7 +77,7 @@ pub(crate) struct Fit {
     pub(crate) series: Series,
     /// Bound on the terms left out.
     pub(crate) left: f64,
-    /// Whether the points of u and of v were enough to tell.
+    /// Whether the points of u and of v were enough.
     pub(crate) resolved: [bool; 2],
 }
 
