@@ -13,7 +13,8 @@ pub trait Sampler: Send + Sync {
     /// [`QuadratureError::Refused`] with the reason when the function has no value there.
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
 
-    /// Writes the derivative at `x` to `out`, if there is a formula for it: says whether.
+    /// Writes the derivative at `x` to `out`, if there is a formula for it, and returns whether
+    /// there is.
     fn slope(&self, _x: &[f64], _out: &mut [f64]) -> bool {
         false
     }

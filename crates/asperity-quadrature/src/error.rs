@@ -18,7 +18,7 @@ pub enum QuadratureError {
     /// The density refused to be sampled.
     #[error("the density could not be sampled: {reason}")]
     Refused {
-        /// The density's own words.
+        /// The reason given by the density.
         reason: String,
     },
     /// There is no such place.
@@ -58,7 +58,7 @@ pub enum QuadratureError {
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum WeightFault {
-    /// Its support is none.
+    /// The support is empty.
     #[error("its support is from {low:?} to {high:?}: a lower and a higher end were required")]
     Support {
         /// The lower end.

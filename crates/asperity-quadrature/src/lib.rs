@@ -18,7 +18,12 @@
 //!    are known, and small enough;
 //! 3. [`ShiftedGaussian`] does both once for each range, on demand, and then answers the value and
 //!    its derivatives without a branch, a power or an exponential: the same digits on every
-//!    processor, and as fast without wide registers as sums of exponentials are with them.
+//!    processor, and as fast without wide registers as sums of exponentials are with them;
+//! 4. [`ShiftedGaussian::fill`] answers whole arrays, with the values of one range side by side in
+//!    the widest registers there are.
+//!
+//! [`Weight`], [`Overlap`] and [`Cells`] do the same for any other density in the place of φ, which
+//! has kinks, jumps and poles of its own.
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
 

@@ -1,7 +1,7 @@
 //! Where a function of one number is 0, stops to hold or turns, between two places.
 
-/// Calls `of` with a function that cannot fail in place of one that may: what it returns once `f` has
-/// failed is thrown away, and the first failure comes out.
+/// Calls `of` with a function that cannot fail in place of one that may: what it returns once `f`
+/// has failed is thrown away, and the first failure comes out.
 ///
 /// # Errors
 /// The first of `f`.
@@ -79,8 +79,8 @@ pub fn last_place(mut holds: impl FnMut(f64) -> bool, mut holding: f64, mut lost
     }
 }
 
-/// Where a function with one maximum between `low` and `high` has it, by golden sections, to 4e-9 of
-/// the way between them: no value tells it much better.
+/// Where a function with one maximum between `low` and `high` has it, by golden sections, to 4e-9
+/// of the way between them: values do not determine it much better.
 pub fn highest(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let inside =
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fails_on_the_way_is_told() {
+    fn the_first_failure_is_returned() {
         let f = |x: f64| if (0.5..0.9).contains(&x) { Err(x) } else { Ok(x - 0.7) };
         let failed = fallible(f, |f| bracketed_root(f, 0.0, 1.0)).unwrap_err();
         assert!((0.5..0.9).contains(&failed));

@@ -90,7 +90,7 @@ struct Series {
 
 impl Tabulated {
     /// Tabulates `function`, whose kinks are listed, to `tolerance`, relative to its largest f(x)/x
-    /// within a factor 64: between kinks that nearly meet it may be too small to be told from
+    /// within a factor 64: between kinks that nearly meet it may be too small to differ from
     /// rounding.
     #[must_use]
     pub fn new(function: Arc<Function>, kinks: &[f64], tolerance: f64) -> Self {
@@ -273,7 +273,7 @@ impl Series {
 }
 
 /// The largest term, relative to the whole interval between kinks: where the function starts at
-/// zero, its relative accuracy next to the kink is beyond what x itself can tell. And the largest
+/// zero, its relative accuracy next to the kink is limited by the rounding of x. And the largest
 /// of the last four: one or two can be small by accident.
 fn size_and_tail(terms: &[f64], size: f64) -> (f64, f64) {
     let largest = |terms: &[f64]| terms.iter().fold(0.0, |m: f64, t| m.max(t.abs()));

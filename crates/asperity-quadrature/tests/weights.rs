@@ -18,7 +18,8 @@ fn power(p: f64) -> Density {
     Density { pieces: vec![piece] }
 }
 
-/// Within its bound of the exact value and slope, which are `rounded` by as much, and the bound within the tolerance.
+/// Within its bound of the exact value and slope, which are `rounded` by as much, and the bound
+/// within the tolerance.
 fn check(name: &str, d: f64, found: &Moments, exact: [f64; 2], rounded: f64) {
     let scale = found.ln_scale.exp();
     for (n, found_one) in [found.value, found.slope].into_iter().enumerate() {

@@ -1,7 +1,9 @@
-//! Chebyshev's points on [0, 1], ends included: interpolation, its derivative, and how well it does.
+//! Chebyshev's points on [0, 1], ends included: interpolation, its derivative, and how well it
+//! does.
 
 use std::sync::OnceLock;
 
+use super::extremes;
 use crate::rules::legendre::{INSET, legendre};
 
 /// Points on an interval.
@@ -48,10 +50,9 @@ pub(crate) fn coefficients(samples: &Samples) -> Samples {
 fn cosines() -> &'static [Samples; NODES] {
     static TABLE: OnceLock<Box<[Samples; NODES]>> = OnceLock::new();
     TABLE.get_or_init(|| {
-        let factor = |degree: usize| 2.0 * trapezoid(degree) / (NODES - 1) as f64;
-        // Whole turns are taken off: multiples of π are rounded.
-        let cos = |degree: usize, i| angle(degree * (NODES - 1 - i) % (2 * NODES - 2)).cos();
-        let entry = |degree, i| factor(degree) * trapezoid(i) * cos(degree, i);
+        // The points ascend, the extremes descend.
+        let (_, rows) = extremes(NODES);
+        let entry = |degree: usize, i: usize| rows[degree][NODES - 1 - i];
         Box::new(std::array::from_fn(|degree| std::array::from_fn(|i| entry(degree, i))))
     })
 }

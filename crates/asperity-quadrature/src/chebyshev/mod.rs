@@ -22,6 +22,20 @@ pub fn chebyshev_terms(samples: &[f64]) -> Vec<f64> {
     (0..n).map(term).collect()
 }
 
+/// The n extremes of Tₙ₋₁, descending from 1 to -1, and the rows that turn samples there into the
+/// coefficients of degree 0 to n - 1.
+pub(crate) fn extremes(n: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let last = n - 1;
+    // Whole turns are taken off: multiples of π are rounded.
+    let at = |k: usize, i: usize| (PI * (k * i % (2 * last)) as f64 / last as f64).cos();
+    let half = |k: usize| if k.is_multiple_of(last) { 0.5 } else { 1.0 };
+    let row = |k: usize| {
+        let weight = |i: usize| 2.0 * half(k) * half(i) / last as f64;
+        (0..n).map(|i| weight(i) * at(k, i)).collect()
+    };
+    ((0..n).map(|i| at(1, i)).collect(), (0..n).map(row).collect())
+}
+
 /// A series at y from -1 to 1, by Clenshaw's sum; 0 without terms.
 #[inline]
 pub(crate) fn chebyshev_sum(terms: &[f64], y: f64) -> f64 {

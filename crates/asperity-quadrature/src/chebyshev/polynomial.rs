@@ -1,17 +1,18 @@
 //! Polynomials of one and of two variables in [-1, 1], through samples at Chebyshev's points.
 
-use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 use fearless_simd::{Simd, SimdBase, f64x8};
+
+use super::extremes;
 
 /// Coefficients that are handled together: products that do not wait for each other.
 const LANES: usize = 4;
 /// Numbers of points that are tried, fewest first. With more, powers would lose digits.
 const POINTS: [usize; 6] = [8, 12, 16, 20, 24, 32];
-/// The last terms of so many points, which are to be nothing: the others then are resolved.
+/// The number of last terms that must vanish for the others to be resolved.
 const GUARDS: usize = 3;
-/// Those that tell how large unseen ones may be.
+/// The number of last terms from which the size of the missing ones is estimated.
 const UNSEEN: usize = 2;
 /// Terms below this share of the largest sample are rounding.
 const NOISE: f64 = 5e-16;
@@ -38,16 +39,8 @@ impl Chebyshev {
     }
 
     fn new(count: usize) -> Self {
-        // Tₖ at point i, ends included: the angle is reduced while it is a whole number.
-        let last = count - 1;
-        let at = |k: usize, i: usize| (PI * (k * i % (2 * last)) as f64 / last as f64).cos();
-        let half = |k: usize| if k.is_multiple_of(last) { 0.5 } else { 1.0 };
-        let row = |k: usize| {
-            let weight = |i: usize| 2.0 * half(k) * half(i) / last as f64;
-            (0..count).map(|i| weight(i) * at(k, i)).collect()
-        };
-        let points = (0..count).map(|i| at(1, i)).collect();
-        Self { points, rows: (0..count).map(row).collect() }
+        let (points, rows) = extremes(count);
+        Self { points, rows }
     }
 
     fn terms(&self, samples: &[f64]) -> Vec<f64> {
@@ -77,7 +70,7 @@ pub(crate) struct Fit {
     pub(crate) series: Series,
     /// Bound on the terms left out.
     pub(crate) left: f64,
-    /// Whether the points of u and of v were enough to tell.
+    /// Whether the points of u and of v were enough.
     pub(crate) resolved: [bool; 2],
 }
 

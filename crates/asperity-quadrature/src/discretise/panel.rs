@@ -75,8 +75,8 @@ impl Panel {
             *x = self.origin + self.span * (v * v4);
             *slope = self.span * f64::from(MAP_POWER) * v4;
         }
-        // Kinks of formulas that are sums of powers are known: their ends need no look. Nor does the
-        // end where the map begins: next to nothing is there.
+        // Kinks of formulas that are sums of powers are known: their ends need no look. Nor does
+        // the end where the map begins: next to nothing is there.
         let (low, high) = self.ends;
         // So are those of tables, whose own error, known only while they grow, must not decide.
         let unknown =

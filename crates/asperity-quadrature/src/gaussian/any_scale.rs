@@ -62,7 +62,8 @@ impl AnyScale {
         }
     }
 
-    /// [`value`](Self::value) at each s and scale, in any order, into `out`, which is to be as long.
+    /// [`value`](Self::value) at each s and scale, in any order, into `out`, which is to be as
+    /// long.
     ///
     /// # Errors
     /// The first place that is refused, by its index, and why; what stands before it is answered.
@@ -139,7 +140,7 @@ impl AnyScale {
     }
 }
 
-/// The row of a scale: the two highest bits of the mantissa tell the quarter of the octave.
+/// The row of a scale: the two highest bits of the mantissa are the quarter of the octave.
 #[inline]
 fn row(scale: f64) -> usize {
     (scale.to_bits() >> 50).wrapping_sub(4 * (1023 - OCTAVES)) as usize

@@ -79,7 +79,7 @@ impl Nearby {
         self.from
     }
 
-    /// Whether [`at`](Self::at) tells anything of s.
+    /// Whether [`at`](Self::at) is of use at s.
     #[must_use]
     pub fn serves(&self, s: f64) -> bool {
         (s < 0.0) == (self.from < 0.0) && (s - self.from).abs() <= REACH

@@ -29,7 +29,7 @@ impl Place {
         Self { s, ratio, inverse }
     }
 
-    /// Tells where on t the weight is, whatever the ratio r: it is exp(-(key t + r² t²/2)) for
+    /// The place of the weight on t, whatever the ratio r: it is exp(-(key t + r² t²/2)) for
     /// s ≥ 0, exp(-r² (key + t)²/2) below.
     #[inline]
     pub(crate) fn key(self) -> f64 {

@@ -3,7 +3,6 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::moments::DEEP;
 use super::nearby::Nearby;
 use super::patch::{Patch, Place};
 use super::segment::Segment;

@@ -158,7 +158,7 @@ impl Segment {
     }
 }
 
-/// The first step of the ladder with so many points, or the last.
+/// The first step of the ladder with this number of points, or the last.
 fn step(points: f64) -> usize {
     let ladder = Chebyshev::ladder();
     let enough = |step: &Chebyshev| step.points.len() as f64 >= points;

@@ -51,8 +51,8 @@ impl ShiftedGaussian {
         }
     }
 
-    /// [`value`](Self::value) at each s, in any order, into `out`, which is to be as long: 9 ns each
-    /// at 1e-10 where the rules are built. The digits are those of one at a time.
+    /// [`value`](Self::value) at each s, in any order, into `out`, which is to be as long: 9 ns
+    /// each at 1e-10 where the rules are built. The digits are those of one at a time.
     ///
     /// # Errors
     /// The first s that is refused, by its index, and why; what stands before it is answered.

@@ -94,10 +94,10 @@ impl Legendre {
     }
 
     /// Estimates the error of the rule from how the Legendre coefficients fall: a fall from degree
-    /// n/2 to n goes on beyond, a kink's does not, and a tail at the level of rounding says nothing:
-    /// the samples are resolved. The rule errs from degree 2n on only, so that the fall could count
-    /// twice for a geometric one; next to the kinks of lateral laws it does not, and that cost
-    /// 5e-12.
+    /// n/2 to n goes on beyond, a kink's does not, and a tail at the level of rounding carries no
+    /// information: the samples are resolved. The rule errs from degree 2n on only, so that the
+    /// fall could count twice for a geometric one; next to the kinks of lateral laws it does not,
+    /// and that cost 5e-12.
     #[must_use]
     pub fn error(&self, samples: &[f64]) -> f64 {
         let tail = self.tail(samples);
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn tail_tells_resolved_from_unresolved() {
+    fn tails_differ_between_resolved_and_unresolved() {
         let rule = legendre(20);
         let sample = |f: fn(f64) -> f64| rule.nodes.iter().map(|&x| f(x)).collect::<Vec<_>>();
         assert!(rule.tail(&sample(f64::exp)) < 1e-14);

@@ -8,10 +8,10 @@ use super::weight::Weight;
 use crate::chebyshev::{chebyshev_roots, chebyshev_sum, chebyshev_terms};
 use crate::{Moments, QuadratureError};
 
-/// Terms of a series; the last few tell what is left,
+/// Terms of a series; its error is estimated from the last few,
 const TERMS: usize = 12;
 const LAST: usize = 3;
-/// and so does the integral at these shares of a cell.
+/// and from the integral at these shares of a cell.
 const CHECKED: [f64; 3] = [0.004, 0.47, 0.993];
 /// The share of the tolerance that series may take, beside the integrals they are made of.
 const SHARE: f64 = 0.25;
@@ -19,7 +19,8 @@ const SHARE: f64 = 0.25;
 const NARROW: f64 = 1e-12;
 /// Cells no wider than this share of the weight are tried; beyond it, as wide as they are far.
 const WIDE: f64 = 0.3;
-/// Cells reach so many widths of the weight beyond it; farther out each d is integrated anew.
+/// Cells reach this number of widths of the weight beyond it; farther out each d is integrated
+/// anew.
 const REACH: f64 = 64.0;
 
 /// The integral I(d) of one density over one weight for many d: between the d at which a break of
@@ -208,7 +209,7 @@ impl Cells {
                 },
                 None,
             ),
-            // Whoever asks is told why.
+            // The integral itself returns the error.
             Err(_) => State::Direct,
         }
     }

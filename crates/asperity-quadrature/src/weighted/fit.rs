@@ -18,7 +18,7 @@ const SMALL: f64 = 60.0;
 const SLIVER: f64 = 1e-15;
 /// and how wide one may be in units of its place's last place.
 const ULPS: f64 = 64.0;
-/// So many halvings in a row that do not help: it is noise, whose size is then known,
+/// After this number of halvings in a row that do not help it is noise, whose size is then known,
 const STALLED: u32 = 2;
 /// if it is small, or all of the weight is.
 const NOISE: f64 = 1e-6;
@@ -27,8 +27,8 @@ const MOST: usize = 400_000;
 /// What is smaller than exp(-FAINT) of the largest value next to an end is left out, and may be
 /// noisy elsewhere: logarithms of densities that underflow are.
 pub(crate) const FAINT: f64 = 600.0;
-/// Poles with lower powers of the distance leave too much of the weight where no double tells one
-/// distance from another.
+/// Poles with lower powers of the distance leave too much of the weight where distances
+/// are not distinct in f64.
 const LOWEST_POWER: f64 = -0.95;
 /// The largest mass that may be in doubt in a sliver.
 const HIDDEN: f64 = 1e-12;
@@ -255,7 +255,7 @@ impl<'s> Fitter<'s> {
         } else if !(error <= 1.0 && most < f64::INFINITY && least > f64::NEG_INFINITY) {
             error = 1.0;
         }
-        // Rounding hides much in a short panel: a pole, if its mass does not tell.
+        // Rounding may hide a pole in a short panel, unless its mass shows it.
         let hidden = error > NOISE && error * most.exp() * (high - low) > HIDDEN;
         let followed = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
         let steep = self.near && most - least > RANGE && most > self.peak - SMALL;

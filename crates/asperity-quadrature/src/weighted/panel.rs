@@ -7,11 +7,12 @@ use crate::chebyshev::lobatto::{Samples, centred, coefficients, dot, lobatto};
 
 /// The logarithm varies by no more than this over a panel, unless all of it is small.
 pub(crate) const RANGE: f64 = 10.0;
-/// Terms of a series on a panel without a special end, at most; the four beyond tell its error.
+/// Terms of a series on a panel without a special end, at most; its error is estimated from the
+/// four beyond.
 const TERMS: usize = 16;
 /// Terms of a series beside a power of the distance to an end.
 const END_TERMS: usize = 10;
-/// Nearer to an end than this share of the panel, rounded places tell nothing of the distance.
+/// Nearer to an end than this share of the panel, places are rounded by too much of the distance.
 const NEAREST: f64 = 1e-3;
 /// What fractional powers are made: see [`Map`](super::strip::Map).
 pub(crate) const MAP_POWER: f64 = 5.0;
@@ -26,7 +27,7 @@ pub(crate) struct Panel {
     /// and where they lead: 1 upwards, -1 downwards.
     pub(crate) side: f64,
     pub(crate) shape: Shape,
-    /// Relative error of the weight, as far as its samples tell.
+    /// Relative error of the weight, as estimated from its samples.
     pub(crate) error: f64,
 }
 

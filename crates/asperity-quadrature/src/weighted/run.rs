@@ -12,7 +12,7 @@ use crate::{QuadratureError, WeightFault};
 /// Rounding of a large logarithm of the weight, and of the places it is sampled at, in units of its
 /// last place: far out it grows with some power of the distance.
 const LN_ROUNDING: f64 = 100.0;
-/// A group counts as points where the powers of a density begin at least so many of its widths
+/// A group counts as points where the powers of a density begin at least this number of its widths
 /// away: the error of the interpolation is then below 1e-15.
 const APART: f64 = 1.0;
 /// For densities of unknown form, whose interpolation is looked at, this is enough.
@@ -21,11 +21,11 @@ const APART_LOOKED_AT: f64 = 0.5;
 const RESOLVED: f64 = 3e-14;
 /// An octave that adds less than this adds nothing.
 const NOTHING: f64 = 1e-17;
-/// So many octaves that add as much as the one before: there is no end to that.
+/// After this number of octaves that add as much as the one before the integral diverges.
 const ENDLESS: usize = 64;
 /// Bisection stops here,
 const DEEPEST: u32 = 50;
-/// after so many halvings in a row that did not help,
+/// after this number of halvings in a row that did not help,
 const STALLED: u32 = 4;
 /// or when the density was sampled this often.
 const MOST: usize = 200_000;
@@ -110,7 +110,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Adds a group as points, if the density is smooth enough over it; says whether.
+    /// Adds a group as points, if the density is smooth enough over it; returns whether.
     fn as_points(&mut self, node: &Node, weights: &[f64; NODES]) -> Result<bool, QuadratureError> {
         let (low, high) = (self.x(node.low), self.x(node.high));
         let kinks = &self.integrand.kinks;
@@ -234,7 +234,8 @@ impl<'a> Run<'a> {
         Err(weight.source.fault(WeightFault::Diverges))
     }
 
-    /// Halves strips until their errors add up to little, of the slope where it is asked for; each may err by its share of the whole.
+    /// Halves strips until their errors add up to little, of the slope where it is asked for; each
+    /// may err by its share of the whole.
     pub(crate) fn refine(&mut self, slope: bool) -> Result<(), QuadratureError> {
         let aim = (0.02 * self.integrand.tolerance).max(1e-15);
         let mut strips = std::mem::take(&mut self.strips);

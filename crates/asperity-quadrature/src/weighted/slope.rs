@@ -9,8 +9,8 @@ pub(crate) const DERIVED: f64 = 4.0 * f64::EPSILON;
 /// The share of the way to where powers begin below that is a large enough interval.
 const ROOM: f64 = 0.25;
 
-/// The derivative over an interval, from samples there. Panels of a weight may be too small to
-/// tell one value of the density from the next: the interval is then larger.
+/// The derivative over an interval, from samples there. Panels of a weight may be so
+/// small that neighbouring values of the density are equal: the interval is then larger.
 pub(crate) struct Slopes {
     low: f64,
     width: f64,
@@ -40,7 +40,7 @@ impl Slopes {
         }
     }
 
-    /// Over `[from, to]` or more, between the kinks around it; `ends` say which pieces are meant.
+    /// Over `[from, to]` or more, between the kinks around it; `ends` select the pieces.
     pub(crate) fn new(
         density: &Density,
         ends: (f64, f64),

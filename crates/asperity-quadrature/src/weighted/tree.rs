@@ -43,7 +43,7 @@ pub(crate) fn tree(panels: &[Panel]) -> Vec<Node> {
     nodes
 }
 
-/// Adds the groups of the panels from..to, and says where the largest is.
+/// Adds the groups of the panels from..to, and returns the index of the largest.
 fn group(panels: &[Panel], from: usize, to: usize, nodes: &mut Vec<Node>) -> usize {
     let node = if to - from == 1 {
         leaf(&panels[from], from)
