@@ -129,7 +129,7 @@ impl Target {
         Ok(place(s, &moments))
     }
 
-    /// From the largest on, or the largest alone; the refusal with the largest force if there is none.
+    /// From the largest on, or the largest alone; a refusal names the largest force.
     fn crossings(&self, force: &ForceAt<'_>, first_only: bool) -> Result<Vec<f64>, ContactError> {
         let sign = self.load.signum();
         // No force exceeds its variation, which falls all the way.
