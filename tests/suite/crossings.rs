@@ -27,10 +27,10 @@ impl Spread {
     }
 }
 
-/// Heights of deviation 1 µm but for the narrow ones.
-fn heights(name: &str, spread: &mut Spread) -> HeightDistribution {
+/// Heights of about this deviation.
+fn heights(name: &str, unit: f64, spread: &mut Spread) -> HeightDistribution {
     let table = |name: &str, points: &[(f64, f64)]| {
-        let points: Vec<(f64, f64)> = points.iter().map(|(z, p)| (z * 1e-6, *p)).collect();
+        let points: Vec<(f64, f64)> = points.iter().map(|(z, p)| (z * unit, *p)).collect();
         HeightDistribution::other(TabulatedHeights::new(name, &points).unwrap())
     };
     match name {
@@ -59,7 +59,7 @@ const HEIGHTS: [&str; 6] =
 
 /// Where the force crosses the load between -80 and `top`, in cells of a scan.
 fn scan(contact: &dyn Contact, load: f64, top: f64) -> Vec<(f64, f64)> {
-    const COUNT: usize = 12_000;
+    const COUNT: usize = 6_000;
     // Narrow cells above -8, ever wider ones below.
     let place = |k: usize| {
         let u = k as f64 / COUNT as f64;
@@ -113,10 +113,9 @@ fn no_crossing_is_missed_on_any_heights() {
             ["at", "at", "at", "at", "jg", "zmc", "ke", "etsion", "dmt", "jkr", "jkr-separation"];
         let id = spread.of(&ids);
         let name = HEIGHTS[k % HEIGHTS.len()];
-        let mut interface = Interface::new(116e9, 0.31, 10f64.powf(spread.between(8.0, 9.8)));
-        interface.equivalent_shear_modulus = Some(spread.between(1e10, 6e10));
-        interface.pressure_factor = Some(0.58);
-        let mut surface = Surface::new(3.6e-4, 1.1e8, 1e-6);
+        let index = spread.between(0.8, 6.5);
+        let Scene { mut interface, mut surface, .. } =
+            printed(1.12e9, spread.between(1e10, 6e10), index);
         let adhesive = matches!(id, "dmt" | "jkr" | "jkr-separation");
         if adhesive {
             interface = Interface::elastic(1e9, 0.5);
@@ -124,25 +123,22 @@ fn no_crossing_is_missed_on_any_heights() {
             surface = Surface::new(1e-4, 1e9, 1e-6);
         }
         let mut scene = Scene::new(interface, surface, 3e-5);
-        scene.heights = heights(name, &mut spread);
+        scene.heights = heights(name, surface.asperity_height_std, &mut spread);
         let request = Request::new([Quantity::Force]).within(Tolerance::new(1e-9).unwrap());
         let contact = model(id).compile(&scene, &request).unwrap();
-        // A load somewhere between the forces that there are, or a tension.
-        let from = spread.between(-6.0, 4.0);
-        let force = contact.evaluate(Quantity::Force, from).unwrap().value();
-        let mut load = force * spread.of(&[1.0, 0.3, 1.7, 0.01]);
-        if !adhesive {
-            load = load.abs();
-        }
-        if load == 0.0 {
-            load = 1e-3;
+        // A light load, or a force that there is, which may be a tension.
+        let mut load = 10f64.powf(spread.between(-8.0, 3.0));
+        if adhesive {
+            let from = spread.between(-1.0, 2.5);
+            let force = contact.evaluate(Quantity::Force, from).unwrap().value();
+            load = if force == 0.0 { load } else { force * spread.of(&[1.0, 0.3, 0.01]) };
         }
         several += usize::from(contact.separations_at(load).is_ok_and(|all| all.len() > 1));
         let found = wrong(&*contact, load).map(|w| format!("{k} {id} {name} {load:e}: {w}"));
         failures.extend(found);
     }
     assert!(failures.is_empty(), "{} of {count}\n{}", failures.len(), failures.join("\n"));
-    assert!(several > count / 10, "{several}");
+    assert!(several > 10, "{several}");
 }
 
 /// The AT paper's materials with this hardness, as rough as this plasticity index asks.

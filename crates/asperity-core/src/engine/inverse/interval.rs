@@ -1,5 +1,5 @@
-//! What is known of the force between two separations, from its values and slopes at both ends and its
-//! variation.
+//! What is known of the force between two separations, from its values and slopes at both ends
+//! and its variation.
 
 use asperity_quadrature::Moments;
 
@@ -42,7 +42,7 @@ impl Sample {
         }
     }
 
-    /// Whether the force is the level or more; it does not depend on what the sample is compared with.
+    /// Whether the force is the level or more, whatever the sample is compared with.
     pub(crate) fn reaches(&self, level: Level) -> bool {
         self.force.value >= level.over(self.force.ln_scale)
     }
@@ -182,7 +182,7 @@ impl Interval {
         [middle - reach, middle + reach]
     }
 
-    /// What cubics through both ends show, as far as force and variation in the middle agree with them.
+    /// What cubics through both ends show, as far as force and variation in the middle agree.
     /// The variation has a step wherever the force has a bump, and none is lost in a difference.
     pub(crate) fn course(&self, middle: &Sample, level: Level) -> Course {
         self.tilted(middle, level, 0.0)

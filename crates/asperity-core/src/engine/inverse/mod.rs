@@ -75,7 +75,7 @@ impl Target {
         Ok(place(s, &moments))
     }
 
-    /// From the largest on, or the largest alone; the refusal with the largest force if there is none.
+    /// From the largest on, or the largest alone; a refusal names the largest force.
     pub(crate) fn crossings(
         &self,
         force: &ForceAt<'_>,

@@ -10,7 +10,7 @@ use crate::request::separation::{HIGHEST, LOWEST};
 
 /// Separations at which a search gives up.
 const MOST: usize = 20_000;
-/// A force is not larger than another unless by more than this: the square of what rounding moves the
+/// A force is larger than another by more than this share, the square of what rounding moves the
 /// place of a maximum by.
 const LARGER: f64 = 1e-14;
 /// Two crossings nearer than this, relative to 1 + |s|, where the force touches the load, are one.

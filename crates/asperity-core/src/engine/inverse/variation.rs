@@ -1,5 +1,5 @@
-//! The variation of a law, V(x) = |q(0)| + ∫₀ˣ |dq|: it never falls, whatever the law does, so that its
-//! average over heights bounds how much the force can change between two separations:
+//! The variation of a law, V(x) = |q(0)| + ∫₀ˣ |dq|: it never falls, whatever the law does, so
+//! that its average over heights bounds how much the force changes between two separations:
 //! ```text
 //! ∫ₐᵇ |dF/ds| ds ≤ V(a) - V(b)
 //! ```
