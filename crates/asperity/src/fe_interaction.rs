@@ -139,7 +139,7 @@ impl ContactTable {
             units.of_conductance(),
             if by_pressure { units.of_pressure() } else { units.of_length() }
         );
-        text += &units.told_of_conductance("**");
+        text += &units.conductance_conversion("**");
         text += match (calculix, by_pressure) {
             (true, _) => "** constant beyond the last pair; heat flows where ccx makes contact elements, as the
 ** *SURFACE BEHAVIOR before it says; the third number is a temperature, and of no effect
@@ -247,15 +247,15 @@ mod tests {
         nan.nodes[4].pressure = f64::NAN;
         let none = ContactTable { nodes: vec![], ..whole.clone() };
         let one = ContactTable { nodes: whole.nodes[..1].to_vec(), ..whole.clone() };
-        for (table, told) in
+        for (table, begins) in
             [(none, "0 nodes: two"), (one, "1 nodes: two"), (same, "9 nodes"), (nan, "9 nodes")]
         {
             let refused =
                 table.friction_text((abaqus, UnitSystem::Si), 0.2, (&model, &scene), tolerance);
-            assert!(refused.unwrap_err().to_string().starts_with(told));
+            assert!(refused.unwrap_err().to_string().starts_with(begins));
             let asked = (&model as &dyn ContactModel, &scene, Datum::AsperityMean);
             let refused = table.conductance_text((abaqus, UnitSystem::Si), by, asked, tolerance);
-            assert!(refused.unwrap_err().to_string().starts_with(told));
+            assert!(refused.unwrap_err().to_string().starts_with(begins));
         }
     }
 }

@@ -78,7 +78,8 @@ pub(crate) fn exact(x: f64) -> String {
 fn csv(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, units, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
-    let (length, stress, converted) = (units.of_length(), units.of_pressure(), units.told("#"));
+    let (length, stress, converted) =
+        (units.of_length(), units.of_pressure(), units.conversion("#"));
     let mut text = format!(
         "# {title}: contact pressure against clearance
 {converted}# clearance is the separation from {from}
@@ -101,7 +102,8 @@ clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
 fn abaqus(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, units, .. } = head;
     let ([pressure, slope], nodes) = (head.errors(), table.nodes.len());
-    let (length, stress, converted) = (units.of_length(), units.of_pressure(), units.told("**"));
+    let (length, stress, converted) =
+        (units.of_length(), units.of_pressure(), units.conversion("**"));
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure = -(separation from {from})
@@ -131,7 +133,8 @@ fn calculix(head: &Head<'_>) -> Result<String> {
     if lines.len() > CURVE {
         return Err(TableError::TooMany { nodes, most: CURVE - 1, format: "CalculiX" });
     }
-    let (length, stress, converted) = (units.of_length(), units.of_pressure(), units.told("**"));
+    let (length, stress, converted) =
+        (units.of_length(), units.of_pressure(), units.conversion("**"));
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure 0 is where the pressure begins, at a separation of {begins:.9e} {length}
@@ -160,7 +163,7 @@ fn ansys(head: &Head<'_>) -> Result<String> {
         return Err(TableError::TooMany { nodes, most: POINTS - 2, format: "COMBIN39" });
     }
     let area = units.area(scene.nominal_area);
-    let (length, converted) = (units.of_length(), units.told("!"));
+    let (length, converted) = (units.of_length(), units.conversion("!"));
     let mut text = format!(
         "! {title}: force against deflection, in N and {length}, of a spring COMBIN39
 {converted}! that stands for the nominal area, {area:e} {length}2: scale the forces to the area of each spring

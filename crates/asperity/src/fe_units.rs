@@ -24,7 +24,7 @@ struct Units {
     length: &'static str,
     pressure: &'static str,
     conductance: &'static str,
-    /// What was converted, in words; nothing for SI.
+    /// Comments on conversion; nothing for SI.
     converted: Option<[&'static str; 2]>,
 }
 
@@ -59,56 +59,56 @@ impl UnitSystem {
         }
     }
 
-    /// A length of so many metres.
+    /// A length given in metres.
     pub(crate) fn length(self, metres: f64) -> f64 {
         metres * self.units().per_metre
     }
 
-    /// An area of so many m².
+    /// An area given in m².
     pub(crate) fn area(self, square_metres: f64) -> f64 {
         square_metres * self.units().per_metre.powi(2)
     }
 
-    /// A pressure of so many Pa.
+    /// A pressure given in Pa.
     pub(crate) fn pressure(self, pascals: f64) -> f64 {
         pascals / self.units().pascals
     }
 
-    /// A pressure over a length, of so many Pa/m.
+    /// A pressure over a length, given in Pa/m.
     pub(crate) fn slope(self, pascals_per_metre: f64) -> f64 {
         pascals_per_metre / (self.units().pascals * self.units().per_metre)
     }
 
-    /// A conductance of so many W/(m² K).
+    /// A conductance given in W/(m² K).
     pub(crate) fn conductance(self, watts: f64) -> f64 {
         watts / self.units().watts
     }
 
-    /// What lengths are in.
+    /// The unit of lengths.
     pub(crate) fn of_length(self) -> &'static str {
         self.units().length
     }
 
-    /// What pressures are in.
+    /// The unit of pressures.
     pub(crate) fn of_pressure(self) -> &'static str {
         self.units().pressure
     }
 
-    /// What conductances are in.
+    /// The unit of conductances.
     pub(crate) fn of_conductance(self) -> &'static str {
         self.units().conductance
     }
 
-    /// A comment that says what was converted; nothing for SI.
-    pub(crate) fn told(self, comment: &str) -> String {
-        let told = |[lengths, _]: [&str; 2]| format!("{comment} {lengths}\n");
-        self.units().converted.map(told).unwrap_or_default()
+    /// The comment on conversion of lengths and pressures; empty for SI.
+    pub(crate) fn conversion(self, comment: &str) -> String {
+        let line = |[lengths, _]: [&str; 2]| format!("{comment} {lengths}\n");
+        self.units().converted.map(line).unwrap_or_default()
     }
 
-    /// The same of conductances.
-    pub(crate) fn told_of_conductance(self, comment: &str) -> String {
-        let told = |[_, conductances]: [&str; 2]| format!("{comment} {conductances}\n");
-        self.units().converted.map(told).unwrap_or_default()
+    /// The comment on conversion of conductances; empty for SI.
+    pub(crate) fn conductance_conversion(self, comment: &str) -> String {
+        let line = |[_, conductances]: [&str; 2]| format!("{comment} {conductances}\n");
+        self.units().converted.map(line).unwrap_or_default()
     }
 }
 
