@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::{Contact, Model, Quantity, Scene};
+use asperity::{Contact, Model, Quantity, Request, Scene};
 use asperity_quadrature::gauss_kronrod;
 
 use crate::scenes::{close, compiled, model, named, unit, upright, value, with_index};
@@ -47,6 +47,27 @@ fn tangents_of_upright_models_are_differences_of_the_force() {
                 1e-9,
                 &format!("{model} ψ = {index}"),
             );
+        }
+    }
+}
+
+#[test]
+fn tangents_of_lateral_models_far_below_meet_the_default_tolerance_whatever_is_beside_them() {
+    for id in ["gao", "at", "at-additive", "at-overlap"] {
+        let scene = with_index(3.0);
+        let model = model(id);
+        let compiled = compiled(&model, &scene, &[Quantity::Force, Quantity::Tangent], 1e-10);
+        // Forces of a tolerance of 1e-10, the same tables in each, differ by 1e-12 of a force that
+        // is |s|/1.5 times the slope.
+        assert_tangent(&compiled, &[-8.2, -8.5, -10.3], 1e-8, id);
+        let rows: Vec<f64> = (-20..=16).map(|k| 0.5 * f64::from(k)).collect();
+        for rows in [&rows[..], &rows[3..4], &rows[2..5]] {
+            let request = Request::new([Quantity::Tangent]).at(rows.iter().copied());
+            let found = model.solve(&scene, &request).unwrap().values(Quantity::Tangent).unwrap();
+            for (s, found) in rows.iter().zip(found) {
+                let wanted = value(&compiled, Quantity::Tangent, *s);
+                close(found, wanted, 2e-10, &format!("{id} at {s} of {}", rows.len()));
+            }
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::{Discretised, QuadratureError};
+use crate::QuadratureError;
 
 /// A function sampled many points at a time.
 pub trait Sampler: Send + Sync {
@@ -41,6 +41,19 @@ pub trait Sampler: Send + Sync {
     fn masses(&self, _against: &Weighted<'_>) -> Option<Discretised> {
         None
     }
+}
+
+/// Point masses that stand for a density times a weight.
+#[derive(Debug, Clone, Default)]
+pub struct Discretised {
+    /// Where the masses are, ascending within each panel.
+    pub points: Vec<f64>,
+    /// The masses. Their sum is the integral.
+    pub masses: Vec<f64>,
+    /// Estimate of the absolute error of that sum.
+    pub error: f64,
+    /// How often the density was sampled.
+    pub evaluations: usize,
 }
 
 /// What a function is integrated against.
@@ -131,6 +144,11 @@ impl Density {
             Piece { sampler, ..piece.clone() }
         };
         Self { pieces: self.pieces.iter().map(unprepared).collect() }
+    }
+
+    /// Whether the samples of any piece are prepared, so that those of a single integral are better.
+    pub(crate) fn is_prepared(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.sampler.unprepared().is_some())
     }
 
     /// The same density to a relative `tolerance`, for a single integral: see [`Sampler::finer`].

@@ -24,40 +24,24 @@
 
 #![forbid(unsafe_code)]
 
-mod any_scale;
 mod chebyshev;
-mod column;
 mod density;
 mod discretise;
 mod error;
-mod exponential;
 mod gaussian;
-mod kronrod;
-mod legendre;
-mod nearby;
-mod overlap;
-mod panel;
-mod patch;
 mod roots;
 mod rules;
-mod segment;
-mod series;
 mod tabulated;
-mod tanh_sinh;
-mod weight;
+mod weighted;
 
-pub use any_scale::AnyScale;
 pub use chebyshev::{chebyshev_roots, chebyshev_terms};
-pub use column::{Column, ColumnAccuracy};
-pub use density::{Density, Piece, Sampler, Weighted};
-pub use discretise::{Discretised, Goal, discretise};
+pub use density::{Density, Discretised, Piece, Sampler, Weighted};
+pub use discretise::{Goal, discretise};
 pub use error::{QuadratureError, WeightFault};
-pub use gaussian::{Curvature, Moments, ShiftedGaussian};
-pub use kronrod::{Estimate, gauss_kronrod};
-pub use legendre::{Legendre, legendre};
-pub use nearby::Nearby;
-pub use overlap::{Cells, Overlap, Weight};
+pub use gaussian::{
+    AnyScale, Column, ColumnAccuracy, Curvature, Moments, Nearby, ShiftedGaussian, reach,
+};
 pub use roots::{bracketed_root, fallible, highest, last_place};
+pub use rules::{Estimate, Legendre, Point, TanhSinh, gauss_kronrod, legendre};
 pub use tabulated::Tabulated;
-pub use tanh_sinh::{Point, TanhSinh};
-pub use weight::reach;
+pub use weighted::{Cells, Overlap, Weight};

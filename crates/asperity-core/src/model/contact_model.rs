@@ -1,4 +1,4 @@
-//! A model to be named, swapped and put on a scene.
+//! A model by name, to be applied to a scene.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::{
     Scene, Tolerance,
 };
 
-/// A model of rough surfaces in contact: to be named, swapped and asked.
+/// A model of rough surfaces in contact, whatever is behind it.
 ///
 /// Every [`AsperityModel`] is one. A model that is no average over heights (a closed form, a
 /// whole-surface theory, a table) implements this trait itself, and a [`Contact`].
@@ -29,8 +29,8 @@ pub trait ContactModel: Described {
     /// Answers a request, row by row.
     ///
     /// # Errors
-    /// [`ContactError`] naming the input that is out of range or missing. What fails in one row
-    /// alone stands in that row of the answer.
+    /// [`ContactError`] naming the input that is out of range or missing. The error of a single row
+    /// is in that row of the answer.
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
         Ok(self.compile(scene, request)?.respond(request))
     }

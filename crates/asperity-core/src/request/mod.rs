@@ -1,4 +1,4 @@
-//! What is asked of a scene.
+//! Requests: quantities, places and a tolerance.
 
 pub(crate) mod quantity;
 pub(crate) mod quantity_table;
@@ -9,14 +9,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::{At, Quantity, Tolerance};
 
-/// Quantities, the places where they are asked for, and a tolerance.
+/// Quantities, the places where they are wanted, and a tolerance.
 ///
-/// Only what is listed is computed; shares are extra work and off unless asked for.
+/// Only the listed quantities are computed; shares are extra work and off by default.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Request {
-    /// What to compute, in this order.
+    /// The quantities to compute, in this order.
     pub quantities: Vec<Quantity>,
     /// Separations or loads, one for each row of the answer.
     pub at: Vec<At>,
@@ -27,7 +27,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// Asks for these quantities.
+    /// A request for these quantities.
     #[must_use]
     pub fn new(quantities: impl IntoIterator<Item = Quantity>) -> Self {
         Self { quantities: quantities.into_iter().collect(), ..Self::default() }

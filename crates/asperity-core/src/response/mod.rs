@@ -1,4 +1,4 @@
-//! What comes back.
+//! Answers to requests.
 
 pub(crate) mod evaluation;
 
@@ -12,10 +12,10 @@ use crate::{At, ContactError, Evaluation, Quantity, Request, Scene, Share, Warni
 pub struct Column {
     /// The quantity.
     pub quantity: Quantity,
-    /// One for each row: a value, or why there is none.
+    /// One for each row: a value, or the reason why it has none.
     pub rows: Vec<Result<Evaluation, Box<ContactError>>>,
-    /// Shares of the parts of the law, if they were asked for: one list for each row, or why there
-    /// is none.
+    /// Shares of the parts of the law, if they were requested: one list for each row, or the reason
+    /// why it has none.
     pub shares: Option<Vec<Result<Vec<Share>, Box<ContactError>>>>,
 }
 
@@ -59,11 +59,11 @@ impl Column {
 pub struct Response {
     /// The model's name.
     pub model: String,
-    /// Where it was asked about, as asked.
+    /// The places of the rows, in the caller's units.
     pub at: Vec<At>,
     /// The quantities, in the order of the request.
     pub columns: Vec<Column>,
-    /// What deserves a word; the values stand.
+    /// Warnings; the values stand.
     pub warnings: Vec<Warning>,
 }
 
@@ -76,7 +76,7 @@ impl Response {
         self.column(quantity)?.values()
     }
 
-    /// Everything there is of a quantity.
+    /// The column of a quantity.
     ///
     /// # Errors
     /// [`ContactError::NotRequested`].
@@ -86,14 +86,14 @@ impl Response {
     }
 }
 
-/// A value, or why there is none.
+/// A value, or the reason why there is none.
 pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 
 /// Rows that are held before they join their columns.
 const TOGETHER: usize = 8192;
 
-/// Puts columns of runs of rows together, with what deserves a word. `behind` tells the value whose sign a logarithm
-/// or share hides, where it may be negative; `adhesive` says whether adhesion makes it so.
+/// Joins columns of runs of rows, with their warnings. `behind` returns the value whose sign a
+/// logarithm or share hides, where it may be negative; `adhesive` is set if adhesion is the cause.
 pub(crate) fn respond(
     (model, scene, adhesive): (&str, &Scene, bool),
     request: &Request,

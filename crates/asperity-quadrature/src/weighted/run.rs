@@ -1,14 +1,17 @@
 //! One integral: groups far from the kinks of the density first, then strips, refined together.
 
 use super::fit::FAINT;
-use super::integral::{LN_ROUNDING, Overlap};
-use super::lobatto::{NODES, dot, lobatto};
+use super::integrand::Integrand;
 use super::slope::{DERIVED, Slopes};
 use super::strip::{Strip, View};
 use super::tree::{Node, Parts};
 use super::weight::{OCTAVES, Weight};
+use crate::chebyshev::lobatto::{NODES, dot, lobatto};
 use crate::{QuadratureError, WeightFault};
 
+/// Rounding of a large logarithm of the weight, and of the places it is sampled at, in units of its
+/// last place: far out it grows with some power of the distance.
+const LN_ROUNDING: f64 = 100.0;
 /// A group counts as points where the powers of a density begin at least so many of its widths
 /// away: the error of the interpolation is then below 1e-15.
 const APART: f64 = 1.0;
@@ -29,7 +32,7 @@ const MOST: usize = 200_000;
 
 /// Sums of one integral, as far as they have got.
 pub(crate) struct Run<'a> {
-    pub(super) overlap: &'a Overlap,
+    pub(super) integrand: &'a Integrand,
     pub(super) weight: &'a Weight,
     pub(crate) view: View<'a>,
     /// Nothing lower counts.
@@ -50,15 +53,15 @@ pub(crate) struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub(crate) fn new(
-        overlap: &'a Overlap,
+        integrand: &'a Integrand,
         weight: &'a Weight,
         view: View<'a>,
         start: f64,
     ) -> Self {
-        let approximate = overlap.density.relative_error(&[]) > 0.0;
+        let approximate = integrand.density.relative_error(&[]) > 0.0;
         let noise = LN_ROUNDING * f64::EPSILON * view.ln_scale.abs();
         Self {
-            overlap,
+            integrand,
             weight,
             view,
             start,
@@ -110,13 +113,13 @@ impl<'a> Run<'a> {
     /// Adds a group as points, if the density is smooth enough over it; says whether.
     fn as_points(&mut self, node: &Node, weights: &[f64; NODES]) -> Result<bool, QuadratureError> {
         let (low, high) = (self.x(node.low), self.x(node.high));
-        let kinks = &self.overlap.kinks;
+        let kinks = &self.integrand.kinks;
         let above = kinks.partition_point(|kink| *kink <= low);
         if kinks.get(above).is_some_and(|kink| *kink < high) {
             return Ok(false);
         }
         let Some(kink) = above.checked_sub(1).map(|k| kinks[k]) else { return Ok(false) };
-        let density = &self.overlap.density;
+        let density = &self.integrand.density;
         let width = high - low;
         let (mut known, mut any) = (true, false);
         for piece in density.active(low, high) {
@@ -149,7 +152,7 @@ impl<'a> Run<'a> {
             slope.iter_mut().for_each(|s| *s /= self.view.unit);
         } else {
             let around = (kink, kinks.get(above).copied().unwrap_or(f64::INFINITY));
-            if Slopes::missing((low, high), around, 0) > 0.0 {
+            if Slopes::missing(density, (low, high), around, 0) > 0.0 {
                 let found = Slopes::new(density, (low, high), (low, high), around, 0)?;
                 if found.off > 32.0 * found.noise {
                     return Ok(false);
@@ -196,7 +199,7 @@ impl<'a> Run<'a> {
         let weight = self.weight;
         let Some(tail) = &weight.tails[side] else { return Ok(()) };
         let peak = weight.nodes[weight.nodes.len() - 1].peak;
-        let last = self.overlap.density.pieces.iter().map(|p| p.to).fold(0.0, f64::max);
+        let last = self.integrand.density.pieces.iter().map(|p| p.to).fold(0.0, f64::max);
         let (mut nothing, mut as_much, mut before) = (0, 0, 0.0);
         for k in 0..OCTAVES {
             let panels = tail.octave(&weight.source, peak, k)?;
@@ -233,7 +236,7 @@ impl<'a> Run<'a> {
 
     /// Halves strips until their errors add up to little, of the slope where it is asked for; each may err by its share of the whole.
     pub(crate) fn refine(&mut self, slope: bool) -> Result<(), QuadratureError> {
-        let aim = (0.02 * self.overlap.tolerance).max(1e-15);
+        let aim = (0.02 * self.integrand.tolerance).max(1e-15);
         let mut strips = std::mem::take(&mut self.strips);
         let count = strips.len().max(1) as f64;
         while let Some(strip) = strips.pop() {

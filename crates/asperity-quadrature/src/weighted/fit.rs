@@ -1,8 +1,8 @@
 //! From the logarithm of a weight to panels that follow it: bisection between its breaks.
 
-use super::lobatto::{NODES, Samples, lobatto};
-use super::panel::{Panel, Series, Shape, end_shares};
-use super::weight::Source;
+use super::panel::{Panel, RANGE, Series, Shape, end_shares};
+use super::source::Source;
+use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
 use crate::{QuadratureError, WeightFault};
 
 /// How well a logarithm is followed, rounding apart.
@@ -12,9 +12,7 @@ const ROUNDED: f64 = 16.0;
 /// The share of what a series leaves that integrals see: polynomials of degree 16 and more change
 /// their sign often.
 const SEEN: f64 = 0.125;
-/// The logarithm varies by no more than this over a panel, unless all of it is small
-pub(crate) const RANGE: f64 = 10.0;
-/// or far out: smaller than exp(-SMALL) of the largest value.
+/// Panels far out, smaller than exp(-SMALL) of the largest value, may vary by more than RANGE.
 const SMALL: f64 = 60.0;
 /// The share of an interval that is too short for a kink inside to count,
 const SLIVER: f64 = 1e-15;
@@ -62,6 +60,13 @@ struct Fit {
     steep: bool,
 }
 
+impl Fit {
+    /// The logarithm at a place.
+    fn ln(&self, z: f64) -> f64 {
+        self.series.ln((z - self.low) / (self.high - self.low))
+    }
+}
+
 impl<'s> Fitter<'s> {
     /// `peak` is the largest logarithm that is known already.
     pub(crate) fn new(source: &'s Source, near: bool, peak: f64) -> Self {
@@ -107,13 +112,29 @@ impl<'s> Fitter<'s> {
         let size = 1.0 + (g[0] / largest).ln().abs().min(1.0) + largest.ln().abs();
         let place = low.abs().max(high.abs()) / (high - low);
         let rounding = 4.0 * f64::EPSILON * (size + place * (g[3] - g[0]).abs() / largest);
-        let off = (g[1] - at(AT[1])).abs().max((g[2] - at(AT[2])).abs());
-        if largest == 0.0 || !largest.is_finite() || off > rounding.min(1e-9) * largest {
+        let mut off = (g[1] - at(AT[1])).abs().max((g[2] - at(AT[2])).abs());
+        // A kink next to an end shows at the end alone.
+        for (end, other) in [(low, high), (high, low)] {
+            let place = next_to(end, other);
+            off = off.max((self.ln(place)?.exp() - at((place - low) / (high - low))).abs());
+        }
+        if largest == 0.0
+            || !largest.is_finite()
+            || off.is_nan()
+            || off > rounding.min(1e-9) * largest
+        {
             return Ok(false);
         }
         let end = |g: f64| if g < 8.0 * rounding * largest { 0.0 } else { g };
-        let shape = Shape::Linear([end(at(0.0)), end(at(1.0))]);
-        self.panels.push(Panel::new(low, high, shape, off / largest));
+        let ends = [end(at(0.0)), end(at(1.0))];
+        // Distances are counted from where there is less: no difference is left of it there.
+        let panel = if ends[0] <= ends[1] {
+            Panel::new(low, high, Shape::Linear(ends), off / largest)
+        } else {
+            let shape = Shape::Linear([ends[1], ends[0]]);
+            Panel { anchor: high, side: -1.0, ..Panel::new(low, high, shape, off / largest) }
+        };
+        self.panels.push(panel);
         Ok(true)
     }
 
@@ -122,10 +143,13 @@ impl<'s> Fitter<'s> {
     pub(crate) fn beside(&mut self, end: f64, far: f64) -> Result<(), QuadratureError> {
         let top = (far - end).abs();
         let mut far = far;
+        // Kinks between the end and the samples next to it show at the end alone.
+        let place = next_to(end, far);
+        let nearest = Nearest { distance: (place - end).abs(), ln: self.ln(place)? };
         loop {
             let width = (far - end).abs();
             let fit = self.fit(end.min(far), end.max(far), true)?;
-            if fit.followed {
+            if fit.followed && (fit.steep || nearest.agrees(fit.ln(place), 0.0, self.peak)) {
                 return self.plain(fit, top, 0);
             }
             let (_, most) = range(&fit.samples);
@@ -134,7 +158,7 @@ impl<'s> Fitter<'s> {
                 let ln = self.ln(far)?;
                 return self.last(end, far, ln, faint);
             }
-            if let Some(panel) = self.at_end(end, far)? {
+            if let Some(panel) = self.at_end(end, far, nearest)? {
                 self.panels.push(panel);
                 return Ok(());
             }
@@ -163,14 +187,24 @@ impl<'s> Fitter<'s> {
     }
 
     /// A panel with a power of the distance to an end, if that is what the weight has there.
-    fn at_end(&mut self, end: f64, far: f64) -> Result<Option<Panel>, QuadratureError> {
-        let mut samples = [0.0; NODES];
-        for (sample, share) in samples.iter_mut().zip(end_shares()) {
-            *sample = self.ln(end + (far - end) * share)?;
-            if sample.is_infinite() {
+    fn at_end(
+        &mut self,
+        end: f64,
+        far: f64,
+        nearest: Nearest,
+    ) -> Result<Option<Panel>, QuadratureError> {
+        let (mut samples, mut moved) = ([0.0; NODES], [0.0; NODES]);
+        for ((sample, moved), share) in samples.iter_mut().zip(&mut moved).zip(end_shares()) {
+            let place = end + (far - end) * share;
+            *sample = self.ln(place)?;
+            // Next to an end places are rounded by much of the distance, which is known.
+            *moved = (share / ((place - end) / (far - end))).ln();
+            if sample.is_infinite() || !moved.is_finite() {
                 return Ok(None);
             }
         }
+        let power = Series::beside_an_end(&samples).0.power;
+        samples.iter_mut().zip(moved).for_each(|(sample, moved)| *sample += power * moved);
         let (series, error) = Series::beside_an_end(&samples);
         // The nearest samples are a thousandth of the panel away from the end.
         let width = (far - end).abs();
@@ -186,6 +220,7 @@ impl<'s> Fitter<'s> {
         let good = (error <= allowed || error < NOISE && error * mass <= SLIVER)
             && series.power > LOWEST_POWER
             && most - least <= RANGE;
+        let power = series.power;
         let panel = Panel {
             low: end.min(far),
             high: end.max(far),
@@ -194,7 +229,8 @@ impl<'s> Fitter<'s> {
             shape: Shape::Series(series),
             error,
         };
-        Ok(good.then_some(panel))
+        let agrees = nearest.agrees(panel.ln(nearest.distance), power, self.peak);
+        Ok((good && agrees).then_some(panel))
     }
 
     /// Samples and follows a panel; beside an end, a pole is no surprise.
@@ -273,6 +309,29 @@ impl<'s> Fitter<'s> {
     pub(crate) fn octave(&mut self, a: f64, b: f64) -> Result<(), QuadratureError> {
         let fit = self.fit(a.min(b), a.max(b), false)?;
         self.plain(fit, (a - b).abs(), 0)
+    }
+}
+
+/// A place so near to an end of an interval that what lies between them carries nothing, yet far
+/// enough for its distance to be known.
+fn next_to(end: f64, other: f64) -> f64 {
+    let width = other - end;
+    end + width.signum() * (ULPS * f64::EPSILON * end.abs()).max(SLIVER * width.abs())
+}
+
+/// The weight next to an end.
+#[derive(Clone, Copy)]
+struct Nearest {
+    distance: f64,
+    ln: f64,
+}
+
+impl Nearest {
+    /// Whether a logarithm that was fitted farther away agrees, up to the rounding of the distance
+    /// of which the weight is a power; what is smaller than exp(-FAINT) of the peak may do so.
+    fn agrees(&self, fitted: f64, power: f64, peak: f64) -> bool {
+        let faint = self.ln.max(fitted) < peak - FAINT;
+        faint || (self.ln - fitted).abs() <= NOISE * (1.0 + fitted.abs()) + 0.05 * power.abs()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use super::integrand::Integrand;
 use super::run::Run;
 use super::strip::View;
 use super::weight::Weight;
@@ -13,20 +14,13 @@ const ROUNDING: f64 = 1e-14;
 const ATTAINABLE: f64 = 1e-13;
 /// Where a density that begins at 0 is looked at for its first value.
 const NEXT_TO_ZERO: f64 = 1e-30;
-/// Rounding of a large logarithm of the weight, and of the places it is sampled at, in units of its
-/// last place: far out it grows with some power of the distance.
-pub(crate) const LN_ROUNDING: f64 = 100.0;
 /// Logarithms of weights as far from 0 as this need a scale.
 pub(crate) const SCALED: f64 = 200.0;
 
 /// A density at one unit, ready to be integrated over weights.
 #[derive(Debug)]
 pub struct Overlap {
-    pub(crate) density: Density,
-    pub(crate) unit: f64,
-    pub(crate) tolerance: f64,
-    /// Finite ends and kinks of all pieces, ascending.
-    pub(crate) kinks: Vec<f64>,
+    pub(crate) integrand: Integrand,
     /// By how much the density jumps at each.
     jumps: OnceLock<Result<Vec<f64>, QuadratureError>>,
 }
@@ -56,9 +50,7 @@ impl Overlap {
     /// `density` over x = (z - d)/`unit`, to a relative `tolerance`.
     #[must_use]
     pub fn new(density: Density, unit: f64, tolerance: f64) -> Self {
-        let mut kinks = density.breaks(f64::NEG_INFINITY, f64::INFINITY);
-        kinks.retain(|x| x.is_finite());
-        Self { density, unit, tolerance, kinks, jumps: OnceLock::new() }
+        Self { integrand: Integrand::new(density, unit, tolerance), jumps: OnceLock::new() }
     }
 
     /// The same without a look at jumps, for values alone.
@@ -90,7 +82,7 @@ impl Overlap {
     /// The bound of value and slope, or of the value alone where the slope misses the tolerance.
     #[inline]
     pub(crate) fn bound(&self, reached: [f64; 2], total: [f64; 2]) -> f64 {
-        let held = reached[1] <= self.tolerance.max(ATTAINABLE);
+        let held = reached[1] <= self.integrand.tolerance.max(ATTAINABLE);
         if held { total[0].max(total[1]) } else { total[0] }
     }
 
@@ -102,19 +94,19 @@ impl Overlap {
         slope: bool,
     ) -> Result<(), QuadratureError> {
         let reached = if slope { errors[0].max(errors[1]) } else { errors[0] };
-        if reached <= self.tolerance.max(ATTAINABLE) {
+        if reached <= self.integrand.tolerance.max(ATTAINABLE) {
             return Ok(());
         }
-        Err(QuadratureError::NotConverged { reached, asked: self.tolerance, evaluations })
+        Err(QuadratureError::NotConverged { reached, asked: self.integrand.tolerance, evaluations })
     }
 
     /// The d from which on there is nothing: the top of the weight meets the density's beginning.
     pub(crate) fn end(&self, weight: &Weight) -> f64 {
-        weight.top() - self.first() * self.unit
+        weight.top() - self.first() * self.integrand.unit
     }
 
     fn first(&self) -> f64 {
-        self.kinks.first().copied().unwrap_or(0.0)
+        self.integrand.kinks.first().copied().unwrap_or(0.0)
     }
 
     pub(crate) fn find(
@@ -123,7 +115,7 @@ impl Overlap {
         d: f64,
         slope: bool,
     ) -> Result<Found, QuadratureError> {
-        let start = d + self.first() * self.unit;
+        let start = d + self.first() * self.integrand.unit;
         let mut found = Found {
             sums: [0.0; 2],
             sizes: [0.0; 2],
@@ -132,7 +124,7 @@ impl Overlap {
             inputs: [0.0; 2],
             evaluations: 0,
         };
-        if start >= weight.top() || self.density.pieces.is_empty() {
+        if start >= weight.top() || self.integrand.density.pieces.is_empty() {
             return Ok(found);
         }
         if let Some(above) = weight.faint.filter(|faint| start >= *faint) {
@@ -142,8 +134,13 @@ impl Overlap {
         if peak.abs() > SCALED && peak.is_finite() {
             found.ln_scale = peak;
         }
-        let view = View { density: &self.density, d, unit: self.unit, ln_scale: found.ln_scale };
-        let mut run = Run::new(self, weight, view, start);
+        let view = View {
+            density: &self.integrand.density,
+            d,
+            unit: self.integrand.unit,
+            ln_scale: found.ln_scale,
+        };
+        let mut run = Run::new(&self.integrand, weight, view, start);
         run.everything()?;
         let places = self.jumps_over(weight, d, &mut run)?;
         run.refine(slope)?;
@@ -160,7 +157,7 @@ impl Overlap {
         let distance = if run.sizes[1] > 0.0 { run.sizes[0] / run.sizes[1] } else { 0.0 };
         let shift = f64::EPSILON * (d.abs() + 2.0 * distance);
         let steepness = relative(0, run.sizes[1]);
-        let own = self.density.relative_error(&run.looked_at);
+        let own = self.integrand.density.relative_error(&run.looked_at);
         found.inputs = [0, 1].map(|_| 4.0 * shift * steepness + ROUNDING + own);
         found.inputs[1] += relative(1, places);
         // What is as small as exp(-1e6) has no more digits: no sum mends that.
@@ -181,11 +178,11 @@ impl Overlap {
     ) -> Result<f64, QuadratureError> {
         let jumps = self.jumps.get_or_init(|| self.jumps()).as_ref().map_err(Clone::clone)?;
         let mut rounding = 0.0;
-        for (&kink, &jump) in self.kinks.iter().zip(jumps) {
+        for (&kink, &jump) in self.integrand.kinks.iter().zip(jumps) {
             if jump == 0.0 {
                 continue;
             }
-            let z = d + kink * self.unit;
+            let z = d + kink * self.integrand.unit;
             let g = |z: f64| weight.at(z, run.view.ln_scale);
             let near = 2.0 * f64::EPSILON * z.abs().max(d.abs());
             let (here, below, above) = (g(z)?, g(z - near)?, g(z + near)?);
@@ -197,7 +194,8 @@ impl Overlap {
     }
 
     fn jumps(&self) -> Result<Vec<f64>, QuadratureError> {
-        let side = |x: f64, inside: &dyn Fn(f64, f64) -> bool| self.density.value(x, inside);
+        let side =
+            |x: f64, inside: &dyn Fn(f64, f64) -> bool| self.integrand.density.value(x, inside);
         let jump = |&x: &f64| {
             let at = if x == 0.0 { NEXT_TO_ZERO } else { x };
             let holds = |from: f64, to: f64| from <= x && x < to;
@@ -214,6 +212,6 @@ impl Overlap {
             }
             Ok(if jump.abs() > rounding { jump } else { 0.0 })
         };
-        self.kinks.iter().map(jump).collect()
+        self.integrand.kinks.iter().map(jump).collect()
     }
 }

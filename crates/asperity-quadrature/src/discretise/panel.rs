@@ -1,6 +1,6 @@
 //! One panel of a density times a smooth weight: its samples, and how well they resolve it.
 
-use crate::legendre::{INSET, Legendre, legendre};
+use crate::rules::legendre::{INSET, Legendre, legendre};
 use crate::{Density, Piece, QuadratureError};
 
 /// Points of the rule on each panel.

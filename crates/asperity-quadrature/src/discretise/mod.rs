@@ -1,9 +1,11 @@
 //! From a density times a smooth weight to point masses, on panels refined until resolved.
 
+pub(crate) mod panel;
+
 use std::cmp::Ordering;
 
-use crate::panel::{POINTS, Panel};
-use crate::{Density, Piece, QuadratureError, Weighted};
+use crate::{Density, Discretised, Piece, QuadratureError, Weighted};
+use panel::{POINTS, Panel};
 
 /// Without a known origin, panels grow by no more than this ratio.
 const RATIO: f64 = 4.0;
@@ -11,19 +13,6 @@ const RATIO: f64 = 4.0;
 const DEEPEST: u32 = 50;
 /// So does it after this many halvings in a row that did not help.
 const STALLED: u32 = 4;
-
-/// Point masses that stand for a density times a weight.
-#[derive(Debug, Clone, Default)]
-pub struct Discretised {
-    /// Where the masses are, ascending within each panel.
-    pub points: Vec<f64>,
-    /// The masses. Their sum is the integral.
-    pub masses: Vec<f64>,
-    /// Estimate of the absolute error of that sum.
-    pub error: f64,
-    /// How often the density was sampled.
-    pub evaluations: usize,
-}
 
 /// And so does all bisection once the density was sampled this often: dozens of undeclared kinks
 /// take a tenth of it, and halving noise would never end.

@@ -3,15 +3,13 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::patch::{Patch, Place};
-use crate::segment::Segment;
-use crate::{Density, Nearby, QuadratureError};
+use super::moments::DEEP;
+use super::nearby::Nearby;
+use super::patch::{Patch, Place};
+use super::segment::Segment;
+use super::weight::{HIGHEST, LOWEST};
+use crate::{Density, QuadratureError};
 
-/// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
-pub(crate) const LOWEST: f64 = -64.0;
-/// Beyond this s the window is so short that only the first power of the density counts, and
-/// s² no longer fits a multiple of the height's rounding; nothing physical lies there.
-pub(crate) const HIGHEST: f64 = 1e9;
 /// Rules below zero, one for each unit.
 const NEGATIVE: usize = 64;
 /// Rules above zero, four for each octave of s + 4.5.
@@ -99,7 +97,18 @@ impl Rules {
 
     fn build(&self, index: usize, task: &Task) -> Result<Box<Segment>, QuadratureError> {
         let patch = Patch::new(range(index), self.stretch);
-        let segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        let mut segment = Segment::new(&task.density, self.scale, patch, task.tolerance)?;
+        // Slopes far below are small differences, and need a density that is no approximation.
+        let wanted = 0.1 * task.tolerance / (1.0 - patch.lowest());
+        if patch.keys().1 <= DEEP
+            && task.density.is_prepared()
+            && segment.error[0] > wanted
+            && let Ok(finer) =
+                Segment::new(&task.density.unprepared(), self.scale, patch, task.tolerance)
+            && finer.error[0] < segment.error[0]
+        {
+            segment = finer;
+        }
         task.evaluations.fetch_add(segment.evaluations, Ordering::Relaxed);
         Ok(Box::new(segment))
     }
@@ -116,7 +125,7 @@ pub(crate) fn locate(s: f64) -> usize {
     let below = ((s + 128.0).to_bits() >> 46).wrapping_sub(FIRST_BELOW);
     let above = ((s + OFFSET).to_bits() >> 50).wrapping_sub(FIRST).wrapping_add(NEGATIVE as u64);
     let index = if s < 0.0 { below } else { above };
-    if s >= LOWEST && s <= HIGHEST { index as usize } else { SEGMENTS }
+    if (LOWEST..=HIGHEST).contains(&s) { index as usize } else { SEGMENTS }
 }
 
 const FIRST_BELOW: u64 = 64f64.to_bits() >> 46;

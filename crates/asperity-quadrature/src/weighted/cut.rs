@@ -29,12 +29,12 @@ impl<'a> Run<'a> {
         let begin = if panel.low >= self.start {
             Place { z: panel.low, x: self.x(panel.low) }
         } else {
-            Place { z: self.start, x: self.overlap.kinks[0] }
+            Place { z: self.start, x: self.integrand.kinks[0] }
         };
         let end = Place { z: panel.high, x: self.x(panel.high) };
-        let overlap = self.overlap;
-        let from = overlap.kinks.partition_point(|kink| *kink <= begin.x);
-        let inside = overlap.kinks[from..].iter().take_while(|kink| **kink < end.x);
+        let integrand = self.integrand;
+        let from = integrand.kinks.partition_point(|kink| *kink <= begin.x);
+        let inside = integrand.kinks[from..].iter().take_while(|kink| **kink < end.x);
         let gentle = panel.is_gentle();
         let mut left = begin;
         for &x in inside {
@@ -56,7 +56,7 @@ impl<'a> Run<'a> {
         if right.z <= left.z {
             return Ok(());
         }
-        if self.overlap.density.active(left.x, right.x).next().is_none() {
+        if self.integrand.density.active(left.x, right.x).next().is_none() {
             return Ok(());
         }
         if gentle {
@@ -75,7 +75,7 @@ impl<'a> Run<'a> {
             let (mut scratch, mut q) = ([0.0; 2], [0.0; 2]);
             let x = [middle.x, middle.x + 0.5 * (right.x - middle.x)];
             self.evaluations +=
-                self.overlap.density.sample((left.x, right.x), &x, &mut scratch, &mut q)?;
+                self.integrand.density.sample((left.x, right.x), &x, &mut scratch, &mut q)?;
             let q = q[0].abs().max(q[1].abs());
             let left_over = most - self.view.ln_scale + (q * (right.z - left.z)).ln();
             if self.sizes[0] > 0.0 && left_over < self.sizes[0].ln() + LN_NOTHING {
@@ -100,11 +100,11 @@ impl<'a> Run<'a> {
     fn ends(&mut self, panel: &'a Panel, left: Place, right: Place) -> Result<(), QuadratureError> {
         let View { d, unit, .. } = self.view;
         let width = right.z - left.z;
-        let density = &self.overlap.density;
+        let density = &self.integrand.density;
         let mut origins = density.active(left.x, right.x).map(|piece: &Piece| piece.origin);
         let first = origins.next().flatten();
         let known = first.filter(|_| origins.all(|origin| origin == first));
-        let kinks = &self.overlap.kinks;
+        let kinks = &self.integrand.kinks;
         let kink = kinks.partition_point(|kink| *kink <= left.x).checked_sub(1).map(|k| kinks[k]);
         let begin = known.or(kink).unwrap_or(left.x).min(left.x);
         let to_begin = (left.x - begin) * unit;
@@ -180,7 +180,7 @@ impl<'a> Run<'a> {
         ends: (f64, f64),
     ) -> Result<(), QuadratureError> {
         let low = if nearest <= 0.0 { 0.0 } else { map.v(nearest) };
-        let kinks = &self.overlap.kinks;
+        let kinks = &self.integrand.kinks;
         let above = kinks.partition_point(|kink| *kink <= ends.0);
         let place = |k: usize| kinks.get(k).copied();
         let around = (

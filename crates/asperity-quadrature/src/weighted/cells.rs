@@ -137,7 +137,7 @@ impl Cells {
         let end = overlap.end(&weight);
         let range = (low - width, if end.is_finite() { end } else { high + width });
         let meet = |at: &f64| -> Vec<f64> {
-            overlap.kinks.iter().map(|kink| at - kink * overlap.unit).collect()
+            overlap.integrand.kinks.iter().map(|kink| at - kink * overlap.integrand.unit).collect()
         };
         let mut meetings: Vec<f64> = weight.breaks().iter().flat_map(meet).collect();
         meetings.retain(|d| *d > range.0 && *d < range.1);
@@ -230,7 +230,7 @@ impl Cells {
             samples.iter().map(|(_, found)| of(found)).fold(0.0, f64::max)
         };
         series.reached = [0, 1].map(|n| most(&|found| found.errors[n]));
-        let least = (SHARE * self.overlap.tolerance).max(1e-14);
+        let least = (SHARE * self.overlap.integrand.tolerance).max(1e-14);
         let allowed = series.reached.map(|reached| least.max(2.0 * reached));
         if left[0] > allowed[0] || left[1] > allowed[1] {
             return Ok(None);

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use crate::legendre::{INSET, legendre};
+use crate::rules::legendre::{INSET, legendre};
 
 /// Points on an interval.
 pub(crate) const NODES: usize = 20;

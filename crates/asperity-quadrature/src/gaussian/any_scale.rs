@@ -3,10 +3,10 @@
 use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
-use crate::gaussian::{Moments, fill};
-use crate::patch::Place;
-use crate::rules::{Rules, Task};
-use crate::segment::Segment;
+use super::moments::{Moments, fill};
+use super::patch::Place;
+use super::ranges::{Rules, Task};
+use super::segment::Segment;
 use crate::{Density, QuadratureError};
 
 /// Scales from 2^-64 to 2^64 have rules, four for each octave: some 70 terms instead of the 12 that
@@ -149,7 +149,7 @@ fn row(scale: f64) -> usize {
 mod tests {
     use super::*;
     use crate::ShiftedGaussian;
-    use crate::gaussian::tests::power;
+    use crate::gaussian::shifted::tests::power;
 
     #[test]
     fn agrees_with_rules_made_for_the_scale() {

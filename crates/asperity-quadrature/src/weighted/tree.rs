@@ -1,12 +1,14 @@
 //! Groups of panels, and groups of groups: far from the kinks of a law, a whole group counts as
 //! twenty points.
 
-use super::lobatto::{NODES, Samples, lobatto};
 use super::panel::{Panel, Shape};
-use crate::legendre::legendre;
+use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
+use crate::rules::legendre::legendre;
 
 /// Points of the rule on one panel.
 const POINTS: usize = 32;
+/// How often a panel beside an end is halved before the rest is small.
+const HALVINGS: u32 = 10;
 /// A part this much smaller (in logarithms) than its neighbour adds nothing to it.
 const NOTHING: f64 = 45.0;
 
@@ -71,18 +73,29 @@ fn leaf(panel: &Panel, place: usize) -> Node {
         Shape::Zero => Some([0.0; NODES]),
         Shape::Linear([near, far]) => {
             let [below, above] = &lobatto().linear;
+            let (below, above) = if panel.side > 0.0 { (below, above) } else { (above, below) };
             Some(std::array::from_fn(|j| width * (near * below[j] + far * above[j])))
         }
         Shape::Series(_) => panel.is_gentle().then(|| {
-            let rule = legendre(POINTS);
-            let power = panel.map_power().unwrap_or(1.0);
             let mut weights = [0.0; NODES];
-            for (v, w) in rule.nodes.iter().zip(&rule.weights) {
-                let share = v.powf(power);
-                let mass = w * power * share / v * width * panel.weight(share * width, 0.0);
+            let mut add = |share: f64, mass: f64| {
                 let at = if panel.side > 0.0 { share } else { 1.0 - share };
-                let basis = lobatto().basis(at);
-                weights.iter_mut().zip(&basis).for_each(|(w, b)| *w += mass * b);
+                let mass = mass * width * panel.weight(share * width, 0.0);
+                weights.iter_mut().zip(&lobatto().basis(at)).for_each(|(w, b)| *w += mass * b);
+            };
+            let rule = legendre(POINTS);
+            let nodes = || rule.nodes.iter().zip(&rule.weights);
+            // Next to a power of the distance v^power makes that smooth, and all else steep: it is
+            // for a small share of the panel.
+            let (mut top, power) = (1.0, panel.map_power());
+            for _ in 0..power.map_or(0, |_| HALVINGS) {
+                nodes().for_each(|(v, w)| add(top * (0.5 + 0.5 * v), 0.5 * top * w));
+                top *= 0.5;
+            }
+            let power = power.unwrap_or(1.0);
+            for (v, w) in nodes() {
+                let share = top * v.powf(power);
+                add(share, w * power * share / v);
             }
             weights
         }),

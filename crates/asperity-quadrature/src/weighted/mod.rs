@@ -13,11 +13,13 @@
 mod cells;
 mod cut;
 mod fit;
+mod follow;
 mod integral;
-mod lobatto;
+mod integrand;
 mod panel;
 mod run;
 mod slope;
+mod source;
 mod strip;
 mod tree;
 mod weight;

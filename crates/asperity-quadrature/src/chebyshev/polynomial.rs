@@ -3,6 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
+use fearless_simd::{Simd, SimdBase, f64x8};
+
 /// Coefficients that are handled together: products that do not wait for each other.
 const LANES: usize = 4;
 /// Numbers of points that are tried, fewest first. With more, powers would lose digits.
@@ -179,17 +181,16 @@ impl Series {
         fours.iter().fold(sum, |sum, four| powers.add(sum, four))
     }
 
-    /// The values at many u, where there is no v, with the digits of one at a time.
+    /// The values at eight u, where there is no v, with the digits of one at a time.
     #[inline(always)]
-    pub(crate) fn lanes<const N: usize>(&self, u: [f64; N]) -> [f64; N] {
-        let powers = u.map(Powers::new);
-        let mut sums = [0.0; N];
-        for four in &self.fours {
-            for (sum, powers) in sums.iter_mut().zip(&powers) {
-                *sum = powers.add(*sum, four);
-            }
+    pub(crate) fn eight<S: Simd>(&self, simd: S, u: f64x8<S>) -> f64x8<S> {
+        let square = u * u;
+        let fourth = square * square;
+        let mut sum = f64x8::splat(simd, 0.0);
+        for &[a, c, b, d] in &self.fours {
+            sum = sum * fourth + ((u * b + a) + (u * d + c) * square);
         }
-        sums
+        sum
     }
 
     pub(crate) fn coefficients(&self) -> usize {
@@ -202,14 +203,14 @@ impl Series {
 struct Powers(f64, f64, f64);
 
 impl Powers {
-    #[inline(always)]
+    #[inline]
     fn new(u: f64) -> Self {
         let square = u * u;
         Self(u, square, square * square)
     }
 
     /// u⁴ sum + a + b u + c u² + d u³.
-    #[inline(always)]
+    #[inline]
     fn add(self, sum: f64, &[a, c, b, d]: &[f64; LANES]) -> f64 {
         sum * self.2 + ((a + b * self.0) + (c + d * self.0) * self.1)
     }

@@ -2,15 +2,12 @@
 
 use fearless_simd::{Level, Simd, dispatch};
 
-use crate::exponential::{LEAST, exp};
-use crate::gaussian::ShiftedGaussian;
-use crate::patch::Place;
-use crate::rules::{SEGMENTS, locate};
-use crate::segment::Segment;
+use super::exponential::LEAST;
+use super::patch::Place;
+use super::ranges::{SEGMENTS, locate};
+use super::shifted::ShiftedGaussian;
 use crate::{Moments, QuadratureError};
 
-/// Values side by side: two of the widest registers, eight of the narrowest.
-pub(crate) const LANES: usize = 16;
 /// Values that are sorted by segment together: they stay in the fastest memory.
 const BATCH: usize = 2048;
 /// Shorter runs in one segment, on average, are worth sorting.
@@ -74,15 +71,16 @@ impl ShiftedGaussian {
     ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
         let level = Level::new();
         let mut all = ColumnAccuracy::NONE;
-        let mut indices = [0; BATCH];
+        let mut buffers = Buffers::default();
+        buffers.indices.resize(s.len().min(BATCH), 0);
         let batches = s.chunks(BATCH).zip(out.chunks_mut(BATCH));
         for (k, (s, out)) in batches.enumerate() {
-            let indices = &mut indices[..s.len()];
+            let indices = &mut buffers.indices[..s.len()];
             let changes = dispatch!(level, simd => locate_all(simd, s, column.shift, indices));
             let filled = if changes * SHORT <= s.len() {
                 self.runs(level, indices, (s, column), out)
             } else {
-                self.sorted(level, indices, (s, column), out)
+                self.sorted(level, &mut buffers, (s, column), out)
             };
             all = all.and(filled.map_err(|(index, error)| (k * BATCH + index, error))?);
         }
@@ -111,10 +109,14 @@ impl ShiftedGaussian {
     fn sorted(
         &self,
         level: Level,
-        indices: &mut [u32],
+        buffers: &mut Buffers,
         (s, column): (&[f64], Column),
         out: &mut [f64],
     ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
+        let Buffers { indices, sorted, values } = buffers;
+        let indices = &mut indices[..s.len()];
+        sorted.resize(BATCH, 0.0);
+        values.resize(BATCH, 0.0);
         // Where the next value of each segment goes.
         let mut next = [0u32; SEGMENTS + 1];
         indices.iter().for_each(|index| next[*index as usize] += 1);
@@ -122,12 +124,11 @@ impl ShiftedGaussian {
         for next in &mut next {
             total += std::mem::replace(next, total);
         }
-        let (mut sorted, mut values) = ([0.0; BATCH], [0.0; BATCH]);
         for (place, s) in indices.iter_mut().zip(s) {
             let next = &mut next[*place as usize];
             *place = *next;
             *next += 1;
-            sorted[*place as usize % BATCH] = *s;
+            sorted[*place as usize] = *s;
         }
         let (mut all, mut from) = (ColumnAccuracy::NONE, 0);
         for to in next.into_iter().map(|next| next as usize) {
@@ -142,7 +143,7 @@ impl ShiftedGaussian {
             from = to;
         }
         for (out, place) in out.iter_mut().zip(indices.iter()) {
-            *out = values[*place as usize % BATCH];
+            *out = values[*place as usize];
         }
         Ok(all)
     }
@@ -180,8 +181,7 @@ impl Column {
         let number = value * self.factor * moments.ln_scale.exp();
         let condition = if value >= size { 1.0 } else { size / value.abs() };
         let steepness = moments.sizes[1] / moments.sizes[0];
-        let error = moments.error * condition
-            + self.rounding(seen.abs(), steepness)
+        let error = (moments.error + self.rounding(seen.abs(), steepness)) * condition
             + (0.5 * moments.ln_scale.abs() + ROUNDED) * f64::EPSILON;
         let normal = moments.ln_scale > LEAST && number.is_normal();
         (number, ColumnAccuracy { error, condition, normal, lowest: seen })
@@ -189,16 +189,24 @@ impl Column {
 
     /// The relative error by the rounding of s + shift up to `largest` where the ratio of slope to
     /// value is at most `steepness`; the slope's own is one more power of s.
-    fn rounding(&self, largest: f64, steepness: f64) -> f64 {
-        if self.shift == 0.0 || !(steepness >= 0.0) {
+    pub(crate) fn rounding(&self, largest: f64, steepness: f64) -> f64 {
+        if self.shift == 0.0 || steepness.is_nan() {
             return 0.0;
         }
         f64::EPSILON * (largest + 2.0 * self.shift.abs()) * (steepness + 1.0)
     }
 }
 
+/// What batches are sorted in: where each value is, the values of s, and the numbers.
+#[derive(Default)]
+struct Buffers {
+    indices: Vec<u32>,
+    sorted: Vec<f64>,
+    values: Vec<f64>,
+}
+
 /// The product of polynomial, scale and factor, in units of the last place.
-const ROUNDED: f64 = 4.0;
+pub(crate) const ROUNDED: f64 = 4.0;
 
 /// Finds the segment of each value; returns how often it changes from one to the next.
 #[inline(always)]
@@ -209,118 +217,11 @@ fn locate_all<S: Simd>(_: S, s: &[f64], shift: f64, indices: &mut [u32]) -> usiz
     indices.windows(2).map(|pair| usize::from(pair[0] != pair[1])).sum()
 }
 
-impl Segment {
-    #[inline(always)]
-    fn fill<S: Simd>(&self, simd: S, s: &[f64], column: Column, out: &mut [f64]) -> ColumnAccuracy {
-        let mut seen = Extremes::NONE;
-        let whole = s.len() / LANES * LANES;
-        let (blocks, rest) = s.split_at(whole);
-        let (filled, left) = out.split_at_mut(whole);
-        for (s, out) in blocks.chunks_exact(LANES).zip(filled.chunks_exact_mut(LANES)) {
-            let mut lanes = [0.0; LANES];
-            lanes.copy_from_slice(s);
-            out.copy_from_slice(&self.lanes(simd, lanes, column, &mut seen));
-        }
-        if let Some(last) = rest.last() {
-            let mut lanes = [*last; LANES];
-            lanes[..rest.len()].copy_from_slice(rest);
-            left.copy_from_slice(&self.lanes(simd, lanes, column, &mut seen)[..rest.len()]);
-        }
-        self.accuracy(column, &seen)
-    }
-
-    #[inline(always)]
-    fn lanes<S: Simd>(
-        &self,
-        _: S,
-        s: [f64; LANES],
-        column: Column,
-        seen: &mut Extremes,
-    ) -> [f64; LANES] {
-        let k = usize::from(column.slope);
-        let moved = s.map(|s| s + column.shift);
-        let u = moved.map(|s| self.patch.variable(s));
-        let sums = self.power[k].lanes(u);
-        let scaled = sums.map(|sum| sum * column.factor);
-        let mut out = scaled;
-        if self.tilt.is_some() || !self.patch.negative() {
-            let exponents = moved.map(|s| self.exponent(s));
-            out = std::array::from_fn(|j| scaled[j] * exp(exponents[j]));
-            for (least, exponent) in seen.exponent.iter_mut().zip(exponents) {
-                *least = if exponent < *least { exponent } else { *least };
-            }
-        }
-        for j in 0..LANES {
-            let size = out[j].abs();
-            seen.smallest[j] = if size >= seen.smallest[j] { seen.smallest[j] } else { size };
-            seen.largest[j] = if size <= seen.largest[j] { seen.largest[j] } else { size };
-        }
-        let sizes = match (&self.size, self.growth) {
-            (size, Some(growth)) if column.slope => {
-                let of_value = size.as_ref().map_or(&self.power, |size| size)[0].lanes(u);
-                Some(of_value.map(|size| growth[0] * size))
-            }
-            (Some(size), _) => Some(size[k].lanes(u)),
-            _ => None,
-        };
-        if let Some(sizes) = sizes {
-            for j in 0..LANES {
-                let condition = sizes[j] / sums[j].abs();
-                seen.condition[j] =
-                    if condition <= seen.condition[j] { seen.condition[j] } else { condition };
-            }
-        }
-        out
-    }
-
-    /// The logarithm of all that has been taken out.
-    #[inline(always)]
-    fn exponent(&self, s: f64) -> f64 {
-        let scale = if s > 0.0 { -0.5 * s * s } else { 0.0 };
-        self.tilt.map_or(scale, |tilt| scale - tilt.exponent(self.patch.offset(s)))
-    }
-
-    fn accuracy(&self, column: Column, seen: &Extremes) -> ColumnAccuracy {
-        let least = |lanes: &[f64; LANES]| lanes.iter().copied().fold(f64::INFINITY, f64::min);
-        // Not `max`, which ignores what is not a number.
-        let most =
-            |lanes: &[f64; LANES]| lanes.iter().fold(0.0, |m, f| if *f <= m { m } else { *f });
-        let (exponent, condition) = (least(&seen.exponent), most(&seen.condition));
-        let (lowest, highest) = self.patch.keys();
-        // Of the square of s, and of its sum with the tilt.
-        let share = if self.tilt.is_some() { 1.0 } else { 0.5 };
-        let error = self.error[0] * condition
-            + column.rounding(lowest.abs().max(highest.abs()), self.steepness)
-            + (share * exponent.abs() + ROUNDED) * f64::EPSILON;
-        let normal = exponent > LEAST
-            && least(&seen.smallest) >= f64::MIN_POSITIVE
-            && most(&seen.largest) <= f64::MAX;
-        ColumnAccuracy { error, condition, normal, lowest }
-    }
-}
-
-/// Extremes of each lane.
-struct Extremes {
-    exponent: [f64; LANES],
-    smallest: [f64; LANES],
-    largest: [f64; LANES],
-    condition: [f64; LANES],
-}
-
-impl Extremes {
-    const NONE: Self = Self {
-        exponent: [0.0; LANES],
-        smallest: [f64::INFINITY; LANES],
-        largest: [0.0; LANES],
-        condition: [1.0; LANES],
-    };
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Density;
-    use crate::gaussian::tests::{both_signs, power};
+    use crate::gaussian::shifted::tests::{both_signs, power};
 
     fn checked(density: &Density, s: &[f64], column: Column, tolerance: f64) -> ColumnAccuracy {
         let integral = ShiftedGaussian::new(density.clone(), 0.3, tolerance);

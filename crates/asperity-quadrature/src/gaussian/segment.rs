@@ -1,7 +1,7 @@
 //! The integral on a short range of s, and of scales: sampled once, then a polynomial.
 
-use crate::patch::{Masses, Patch, Place, Tilt};
-use crate::series::{Chebyshev, Series};
+use super::patch::{Masses, Patch, Place, Tilt};
+use crate::chebyshev::polynomial::{Chebyshev, Series};
 use crate::{Density, QuadratureError};
 
 /// The integral for all s and scales of a patch.

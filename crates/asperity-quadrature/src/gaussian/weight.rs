@@ -2,6 +2,11 @@
 
 use crate::{Density, Discretised, Goal, QuadratureError, discretise};
 
+/// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
+pub(crate) const LOWEST: f64 = -64.0;
+/// Beyond this s the window is so short that only the first power of the density counts, and
+/// s² no longer fits a multiple of the height's rounding; nothing physical lies there.
+pub(crate) const HIGHEST: f64 = 1e9;
 /// exp(-L) of the largest weight is left out beyond the window: 1e-20.
 pub(crate) const CUT: f64 = 46.0;
 /// A density that grows by more than some 1e4 from where it counts to the end of the window needs

@@ -1,12 +1,12 @@
 //! The derivative of a density of unknown form.
 
-use super::lobatto::{NODES, Samples, dot, lobatto};
+use crate::chebyshev::lobatto::{NODES, Samples, dot, lobatto};
 use crate::{Density, QuadratureError};
 
 /// The rounding of the derivative, in units of the largest value over the interval: of the
 /// interpolating polynomial's at its ends.
 pub(crate) const DERIVED: f64 = 4.0 * f64::EPSILON;
-/// The share of the way to the nearest kinks that is a large enough interval.
+/// The share of the way to where powers begin below that is a large enough interval.
 const ROOM: f64 = 0.25;
 
 /// The derivative over an interval, from samples there. Panels of a weight may be too small to
@@ -23,9 +23,21 @@ pub(crate) struct Slopes {
 
 impl Slopes {
     /// By how much an interval between kinks is shorter than it may be; 0 where it is not.
-    pub(crate) fn missing((from, to): (f64, f64), kinks: (f64, f64), halvings: u32) -> f64 {
-        let room = (from - kinks.0).min(kinks.1 - to).max(0.0);
-        (ROOM * 0.5f64.powi(halvings as i32) * room - (to - from)).max(0.0)
+    pub(crate) fn missing(
+        density: &Density,
+        (from, to): (f64, f64),
+        kinks: (f64, f64),
+        halvings: u32,
+    ) -> f64 {
+        // Powers of the distance begin at the origin, or at the kink below.
+        let origins = density.active(from, to).map(|piece| piece.origin.unwrap_or(kinks.0));
+        let room = (from - origins.fold(f64::NEG_INFINITY, f64::max)).max(0.0);
+        let missing = ROOM * 0.5f64.powi(halvings as i32) * room - (to - from);
+        if missing.is_finite() {
+            missing.clamp(0.0, (from - kinks.0) + (kinks.1 - to))
+        } else {
+            0.0
+        }
     }
 
     /// Over `[from, to]` or more, between the kinks around it; `ends` say which pieces are meant.
@@ -36,8 +48,10 @@ impl Slopes {
         kinks: (f64, f64),
         halvings: u32,
     ) -> Result<Self, QuadratureError> {
-        let more = 0.5 * Self::missing((from, to), kinks, halvings);
-        let (low, width) = (from - more, to - from + 2.0 * more);
+        let more = Self::missing(density, (from, to), kinks, halvings);
+        let (below, above) = ((from - kinks.0).max(0.0), (kinks.1 - to).max(0.0));
+        let below = (0.5 * more).max(more - above).min(below);
+        let (low, width) = (from - below, to - from + more);
         let rule = lobatto();
         let x = rule.nodes.map(|node| (low + width * node).clamp(kinks.0, kinks.1));
         let (mut scratch, mut q) = ([0.0; NODES], [0.0; NODES]);

@@ -1,5 +1,8 @@
 //! Chebyshev series: the roots to sample at, the coefficients, and their sum.
 
+pub(crate) mod lobatto;
+pub(crate) mod polynomial;
+
 use std::f64::consts::PI;
 
 /// The roots of Tₙ, descending from 1 to -1.

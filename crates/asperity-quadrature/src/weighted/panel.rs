@@ -2,10 +2,11 @@
 
 use std::sync::OnceLock;
 
-use super::fit::RANGE;
-use super::lobatto::{Samples, centred, coefficients, dot, lobatto};
 use crate::chebyshev::chebyshev_sum;
+use crate::chebyshev::lobatto::{Samples, centred, coefficients, dot, lobatto};
 
+/// The logarithm varies by no more than this over a panel, unless all of it is small.
+pub(crate) const RANGE: f64 = 10.0;
 /// Terms of a series on a panel without a special end, at most; the four beyond tell its error.
 const TERMS: usize = 16;
 /// Terms of a series beside a power of the distance to an end.
@@ -106,7 +107,7 @@ impl Panel {
 
 impl Series {
     #[inline]
-    fn ln(&self, share: f64) -> f64 {
+    pub(crate) fn ln(&self, share: f64) -> f64 {
         let y = if self.start > 0.0 { beside(share) } else { centred(share) };
         let smooth = chebyshev_sum(&self.terms, y);
         if self.power == 0.0 { smooth } else { smooth + self.power * share.max(0.0).ln() }
@@ -165,24 +166,24 @@ fn end_fit() -> &'static EndFit {
 /// Schmidt, twice each, and back substitution.
 fn pseudo_inverse<const N: usize>(columns: [Samples; N]) -> [Samples; N] {
     let (mut q, mut r) = (columns, [[0.0; N]; N]);
-    for k in 0..N {
+    for (k, r) in r.iter_mut().enumerate() {
         let (before, rest) = q.split_at_mut(k);
         let own = &mut rest[0];
         for _ in 0..2 {
             for (j, other) in before.iter().enumerate() {
                 let share = dot(other, own);
                 own.iter_mut().zip(other).for_each(|(own, other)| *own -= share * other);
-                r[j][k] += share;
+                r[j] += share;
             }
         }
-        r[k][k] = dot(own, own).sqrt();
-        own.iter_mut().for_each(|own| *own /= r[k][k]);
+        r[k] = dot(own, own).sqrt();
+        own.iter_mut().for_each(|own| *own /= r[k]);
     }
     for k in (0..N).rev() {
         let (upto, above) = q.split_at_mut(k + 1);
         let own = &mut upto[k];
-        for (row, share) in above.iter().zip(&r[k][k + 1..]) {
-            own.iter_mut().zip(row).for_each(|(own, row)| *own -= share * row);
+        for (row, r) in above.iter().zip(&r[k + 1..]) {
+            own.iter_mut().zip(row).for_each(|(own, row)| *own -= r[k] * row);
         }
         own.iter_mut().for_each(|own| *own /= r[k][k]);
     }

@@ -4,8 +4,8 @@ use std::sync::OnceLock;
 
 use super::panel::Panel;
 use super::slope::{DERIVED, Slopes};
-use crate::legendre::{INSET, legendre};
-use crate::panel::hidden;
+use crate::discretise::panel::hidden;
+use crate::rules::legendre::{INSET, legendre};
 use crate::{Density, QuadratureError};
 
 /// Points of the rule on a strip,

@@ -1,8 +1,7 @@
 //! I(s) and its neighbourhood for one s at one scale: for scenes that are asked for few values.
 
-use crate::gaussian::Moments;
-use crate::rules::{HIGHEST, LOWEST};
-use crate::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use super::moments::{DEEP, Moments};
+use super::weight::{DEEPEST, HIGHEST, INV_SQRT_2PI, LOWEST, ROUNDING, Weight, masses};
 use crate::{Density, Goal, QuadratureError};
 
 /// As far from where the masses were made they still give a first digit.
@@ -56,7 +55,9 @@ impl Nearby {
             return Ok(made);
         }
         let noise = if s < LOWEST { 100.0 * rounding } else { weight.noise() };
-        let aim = noise.max(0.1 * tolerance);
+        // Far below slopes are small differences, and wanted as well.
+        let share = if s < DEEP { 0.1 / (1.0 - s) } else { 0.1 };
+        let aim = noise.max(share * tolerance);
         let goal = Goal { aim, refuse: (0.2 * tolerance).max(4.0 * aim) };
         let window = |depth| weight.window(depth);
         let found = masses(density, scale, (s, &window), &|t| weight.at(t), goal)?;
@@ -119,7 +120,7 @@ impl Nearby {
 mod tests {
     use super::*;
     use crate::ShiftedGaussian;
-    use crate::gaussian::tests::power;
+    use crate::gaussian::shifted::tests::power;
 
     #[test]
     fn exact_where_made_and_a_guide_nearby() {

@@ -1,7 +1,9 @@
 //! A short range of s, and of scales, and the integral sampled there.
 
-use crate::series::Chebyshev;
-use crate::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use fearless_simd::{Simd, f64x8};
+
+use super::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
+use crate::chebyshev::polynomial::Chebyshev;
 use crate::{Density, Discretised, Goal, QuadratureError};
 
 /// Scales that are summed together.
@@ -79,17 +81,11 @@ impl Patch {
         self.keys
     }
 
-    /// x at the scale of the points.
+    /// x and u of eight s at the scale of the points.
     #[inline(always)]
-    pub(crate) fn offset(&self, s: f64) -> f64 {
-        s - self.centre
-    }
-
-    /// u there.
-    #[inline(always)]
-    pub(crate) fn variable(&self, s: f64) -> f64 {
-        let x = self.offset(s);
-        (self.slopes.0 * x + self.half) / (x + self.pole)
+    pub(crate) fn eight<S: Simd>(&self, s: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
+        let x = s - self.centre;
+        (x, (x * self.slopes.0 + self.half) / (x + self.pole))
     }
 
     /// Whether it is for one scale only.
@@ -164,10 +160,10 @@ pub(crate) struct Tilt {
 }
 
 impl Tilt {
-    /// Minus the logarithm at the scale of the points.
+    /// Minus the logarithm of eight x at the scale of the points.
     #[inline(always)]
-    pub(crate) fn exponent(self, x: f64) -> f64 {
-        self.depth + x * self.y
+    pub(crate) fn eight<S: Simd>(self, x: f64x8<S>) -> f64x8<S> {
+        x * self.y + self.depth
     }
 
     #[cold]

@@ -1,0 +1,21 @@
+//! Integrals of a density against the shifted Gaussian: for many s at one scale, for many scales,
+//! for one s, and in columns of numbers.
+
+mod any_scale;
+mod column;
+mod exponential;
+mod lanes;
+mod moments;
+mod nearby;
+mod patch;
+mod ranges;
+mod segment;
+mod shifted;
+mod weight;
+
+pub use any_scale::AnyScale;
+pub use column::{Column, ColumnAccuracy};
+pub use moments::{Curvature, Moments};
+pub use nearby::Nearby;
+pub use shifted::ShiftedGaussian;
+pub use weight::reach;

@@ -1,0 +1,127 @@
+//! An integral against the shifted Gaussian, and its derivatives, scaled against underflow.
+
+use crate::QuadratureError;
+
+/// Below this s slopes are small differences of large integrals, and are held to themselves.
+pub(crate) const DEEP: f64 = -8.0;
+/// Tolerances of slopes below this are wishes: rounding comes first.
+const FINEST: f64 = 4e-12;
+
+/// I(s) with its derivatives, scaled against underflow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moments {
+    /// I(s) = value · exp(`ln_scale`).
+    pub value: f64,
+    /// -dI/ds = slope · exp(`ln_scale`).
+    pub slope: f64,
+    /// -max(s, 0)²/2.
+    pub ln_scale: f64,
+    /// Integrals of the absolute value, for value and slope: larger than those where the density
+    /// changes its sign (and, for the slope, where s < 0).
+    pub sizes: [f64; 2],
+    /// Bound on the error of value and slope relative to `sizes`, for the s given (the rounding of
+    /// s itself apart).
+    pub error: f64,
+}
+
+/// The second derivative d²I/ds² = value · exp(`ln_scale`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curvature {
+    /// ∫ q(t/c) ((s+t)² - 1) φ(s+t) dt over its scale.
+    pub value: f64,
+    /// The same with |q| ((s+t)² + 1).
+    pub size: f64,
+    /// -max(s, 0)²/2.
+    pub ln_scale: f64,
+    /// Bound on the error of the value relative to `size`.
+    pub error: f64,
+}
+
+/// One answer after the other, up to the first error.
+#[inline]
+pub(crate) fn fill<T: Copy>(
+    places: &[T],
+    out: &mut [Moments],
+    answer: impl Fn(T) -> Result<Moments, QuadratureError>,
+) -> Result<(), (usize, QuadratureError)> {
+    for (index, (place, out)) in places.iter().zip(out).enumerate() {
+        *out = answer(*place).map_err(|error| (index, error))?;
+    }
+    Ok(())
+}
+
+impl Moments {
+    /// No integral at all.
+    pub const NONE: Self =
+        Self { value: 0.0, slope: 0.0, ln_scale: 0.0, sizes: [0.0; 2], error: 0.0 };
+
+    /// The sum with `factor` times another integral at the same s: what errs much, but is small,
+    /// does not count much.
+    #[must_use]
+    pub fn plus(self, factor: f64, other: &Self) -> Self {
+        let sizes = [0, 1].map(|k| [self.sizes[k], factor.abs() * other.sizes[k]]);
+        let error = |[a, b]: [f64; 2]| {
+            if a + b > 0.0 { (a * self.error + b * other.error) / (a + b) } else { 0.0 }
+        };
+        Self {
+            value: self.value + factor * other.value,
+            slope: self.slope + factor * other.slope,
+            ln_scale: other.ln_scale,
+            sizes: sizes.map(|[a, b]| a + b),
+            error: error(sizes[0]).max(error(sizes[1])),
+        }
+    }
+
+    /// Whether the slope at s is as good as a `tolerance`, relative to itself, if s < -8: there it
+    /// is a small difference of large integrals, of which rounding leaves less and less (from
+    /// s = -800 or so not 1e-10). Where it changes its sign, what is usual of slopes takes its
+    /// place; where parts of the density do, the size.
+    ///
+    /// # Errors
+    /// [`QuadratureError::NotConverged`] where the slope misses it.
+    pub fn slope_within(&self, s: f64, tolerance: f64) -> Result<(), QuadratureError> {
+        let usual = self.slope.abs().max(self.value / (1.0 - s));
+        let (asked, error) = (tolerance.max(FINEST), self.error * self.sizes[1]);
+        if s >= DEEP || self.value < self.sizes[0] || error <= asked * usual {
+            return Ok(());
+        }
+        Err(QuadratureError::NotConverged { reached: error / usual, asked, evaluations: 0 })
+    }
+
+    #[inline]
+    pub(crate) fn new([value, slope]: [(f64, f64); 2], s: f64, error: f64) -> Self {
+        let sizes = [value.1, slope.1];
+        Self { value: value.0, slope: slope.0, ln_scale: ln_scale(s), sizes, error }
+    }
+
+    #[inline]
+    pub(crate) fn of_value((value, size): (f64, f64), s: f64, error: f64) -> Self {
+        Self { value, slope: 0.0, ln_scale: ln_scale(s), sizes: [size, 0.0], error }
+    }
+}
+
+/// -max(s, 0)²/2.
+#[inline]
+pub(crate) fn ln_scale(s: f64) -> f64 {
+    if s > 0.0 { -0.5 * s * s } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_err_as_their_large_parts_do() {
+        let part = |value: f64, error: f64| Moments {
+            value,
+            slope: 0.5 * value,
+            sizes: [value, value],
+            error,
+            ..Moments::NONE
+        };
+        let sum = Moments::NONE.plus(2.0, &part(1.0, 1e-12)).plus(-1.0, &part(1e-30, 1e-3));
+        assert_eq!(sum, Moments { error: sum.error, ..part(2.0, 0.0) });
+        assert!((sum.error / 1e-12 - 1.0).abs() < 1e-12, "{sum:?}");
+        assert_eq!(Moments::NONE.plus(1.0, &Moments::NONE), Moments::NONE);
+    }
+}

@@ -1,0 +1,9 @@
+//! Quadrature rules for functions that are sampled anew for every integral.
+
+mod kronrod;
+pub(crate) mod legendre;
+mod tanh_sinh;
+
+pub use kronrod::{Estimate, gauss_kronrod};
+pub use legendre::{Legendre, legendre};
+pub use tanh_sinh::{Point, TanhSinh};

@@ -1,0 +1,21 @@
+//! A density at one unit, with its kinks.
+
+use crate::Density;
+
+/// What is integrated over weights: a density over x = (z - d)/`unit`, to a relative tolerance.
+#[derive(Debug)]
+pub(crate) struct Integrand {
+    pub(crate) density: Density,
+    pub(crate) unit: f64,
+    pub(crate) tolerance: f64,
+    /// Finite ends and kinks of all pieces, ascending.
+    pub(crate) kinks: Vec<f64>,
+}
+
+impl Integrand {
+    pub(crate) fn new(density: Density, unit: f64, tolerance: f64) -> Self {
+        let mut kinks = density.breaks(f64::NEG_INFINITY, f64::INFINITY);
+        kinks.retain(|x| x.is_finite());
+        Self { density, unit, tolerance, kinks }
+    }
+}

@@ -1,0 +1,34 @@
+//! Where the logarithm of a weight comes from.
+
+use crate::{QuadratureError, WeightFault};
+
+/// The name of a weight, and the function that returns its logarithm.
+pub(crate) struct Source {
+    pub(crate) name: String,
+    pub(crate) ln: Box<dyn Fn(f64) -> f64 + Send + Sync>,
+}
+
+impl Source {
+    pub(crate) fn fault(&self, fault: WeightFault) -> QuadratureError {
+        QuadratureError::Weight { weight: self.name.clone(), fault }
+    }
+
+    /// The distance from a place around which the weight is; `None` where it is zero.
+    pub(crate) fn scale(&self, anchor: f64, side: f64) -> Option<f64> {
+        let (mut best, mut most) = (None, f64::NEG_INFINITY);
+        for octave in -300..=300 {
+            let u = 2f64.powi(octave);
+            let z = anchor + side * u;
+            if u <= 64.0 * f64::EPSILON * anchor.abs() {
+                continue;
+            }
+            // What is none here may be where nothing is ever followed to.
+            let value = (self.ln)(z);
+            let mass = value + u.ln();
+            if mass > most && mass < f64::INFINITY {
+                (best, most) = (Some(u), mass);
+            }
+        }
+        best
+    }
+}
