@@ -4,9 +4,9 @@
 //! Q(d) = η A_n ∫₀^∞ q(w) g(d + w) dw
 //! ```
 //!
-//! A [`Law`] q says how one asperity answers an interference w; [`Heights`] g say how the
-//! asperities are spread; a [`Scene`] is what is in contact, a [`Request`] what is asked of it.
-//! A [`ContactModel`] supplies the law and nothing else. Data flows one way:
+//! A [`Law`] q is the response of one asperity to an interference w; [`Heights`] g describe the
+//! asperity heights; a [`Scene`] describes the surfaces in contact, a [`Request`] the quantities and
+//! the places. An [`AsperityModel`] supplies the law and nothing else. Data flows one way:
 //!
 //! ```text
 //! scene + request → model.law(asperity, quantity) → compiled → response
@@ -26,14 +26,18 @@ mod request;
 mod response;
 mod scene;
 
-pub use asperity_quadrature::{Density, Moments, Piece, QuadratureError, Sampler};
+#[doc(hidden)]
+pub use asperity_quadrature::{Density, Moments, Piece};
+pub use asperity_quadrature::{QuadratureError, Sampler};
 pub use check::{Check, DerivedNumber};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
 pub use engine::plan::{Method, Plan, PlannedPart, Step};
 pub use engine::sweep::Sweep;
-pub use error::{ContactError, positive};
+pub use error::ContactError;
+#[doc(hidden)]
+pub use error::positive;
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;

@@ -243,7 +243,7 @@ fn plasticity_indices_of_hundreds_are_answered() {
         assert!(scene.plasticity_index().unwrap() > 400.0);
         for id in ["ke", "ceb", "jg", "zmc"] {
             let request = Request::new([Quantity::Force, Quantity::Area]).at([above(x * 1e-6)]);
-            let found = models(id).1.solve(&scene, &request).unwrap();
+            let found = model(id).solve(&scene, &request).unwrap();
             let [force, area] =
                 [Quantity::Force, Quantity::Area].map(|q| found.values(q).unwrap()[0]);
             assert!(force > 0.0 && area > 0.0, "{id} {hardness}: {force} {area}");

@@ -1,7 +1,7 @@
-//! Laws that begin elsewhere than at w = 0: below it, where adhesion holds on to an asperity that is
-//! pulled away; above it, where the first contacts are gone.
+//! The onset of a law: below w = 0 where adhesion holds an asperity that is pulled away, above it
+//! where the first contacts are lost.
 //!
-//! With x counted from w₀, where the law begins, and s from there too, the integral is the usual one:
+//! With x counted from the onset w₀, and s too, the integral is the usual one:
 //! ```text
 //! ∫ q(w) g(d + w) dw = ∫₀^∞ q(w₀ + t) g(d + w₀ + t) dt
 //! ```
@@ -13,25 +13,25 @@ use asperity_quadrature::{Curvature, Moments};
 pub(crate) struct Onset(pub(crate) f64);
 
 impl Onset {
-    /// Whether separations are not those of the heights' mean.
+    /// Whether the onset is not at w = 0.
     #[inline]
     pub(crate) fn elsewhere(self) -> bool {
         self.0 != 0.0
     }
 
-    /// A separation, seen from where the law begins.
+    /// A separation, counted from the onset.
     #[inline]
     pub(crate) fn seen(self, s: f64) -> f64 {
         s + self.0
     }
 
-    /// What the sum of two numbers is off by, at most.
+    /// Bound on the rounding of a separation counted from the onset.
     fn rounding(self, s: f64) -> f64 {
         f64::EPSILON * (self.seen(s).abs() + 2.0 * self.0.abs())
     }
 
-    /// The integrals at [`seen`](Self::seen), slope included, with what its rounding does to them in
-    /// the bound.
+    /// The integrals at [`seen`](Self::seen), slope included, with the effect of its rounding in the
+    /// bound.
     #[inline]
     pub(crate) fn widened(self, s: f64, mut moments: Moments) -> Moments {
         if self.elsewhere() && moments.sizes[0] > 0.0 {

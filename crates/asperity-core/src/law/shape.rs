@@ -1,4 +1,4 @@
-//! What tells parts of laws from each other, a factor apart: parts of one shape share an integral.
+//! The shape of a part of a law, its factor apart: parts of one shape share an integral.
 
 use crate::{Formula, Part, Power};
 
@@ -21,7 +21,7 @@ impl Part {
         part
     }
 
-    /// Whether the other part is this one, which has no factor, but for a factor.
+    /// Whether the other part is a multiple of this one, which has no factor.
     pub(crate) fn recurs_in(&self, other: &Self) -> bool {
         let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
         let forms = match (&self.form, &other.form) {

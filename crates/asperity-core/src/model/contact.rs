@@ -1,4 +1,4 @@
-//! A model applied to a scene: what callers hold and ask.
+//! A model applied to a scene, for callers.
 
 use std::fmt;
 
@@ -19,7 +19,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
     /// The scene.
     fn scene(&self) -> &Scene;
 
-    /// The quantities that were asked for.
+    /// The requested quantities.
     fn quantities(&self) -> &[Quantity];
 
     /// Whether the surfaces attract each other, so that forces may be negative.
@@ -50,13 +50,13 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Ok((of(Quantity::Force)?, of(Quantity::Tangent)?))
     }
 
-    /// Plain values of many separations \[σ_z from the mean of the asperity heights\], a column for
-    /// each quantity, and what is known of all of them: for inner loops over arrays. There are no
-    /// warnings, and what no double holds reads 0.
+    /// Fills plain columns, one for each quantity, with the values at many separations \[σ_z from the
+    /// mean of the asperity heights\], and returns one bound for all: for inner loops over arrays.
+    /// There are no warnings, and values that underflow read 0.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Self::evaluate_at), of the first row that is refused; what the columns
-    /// hold then is not to be used. [`ContactError::OutOfRange`] for columns of another number or
+    /// Those of [`evaluate_at`](Self::evaluate_at), for the first row that is refused; the columns are
+    /// then unspecified. [`ContactError::OutOfRange`] for columns of another number or
     /// length.
     fn fill(
         &self,
@@ -67,15 +67,15 @@ pub trait Contact: fmt::Debug + Send + Sync {
         arrays::fill(self, None, quantities, separations, columns)
     }
 
-    /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane (of
-    /// models of asperities in σ_z from the mean of the asperity heights): one for a model whose force falls all the way, possibly several for
-    /// others (AT as printed rises and falls).
+    /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane (for
+    /// models of asperities in σ_z from the mean of the asperity heights): one for a model whose
+    /// force falls all the way, possibly several for others (AT as printed rises and falls).
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a load that is not positive (adhesive models carry tensions, as
-    /// negative loads, at two separations and more), [`ContactError::OutOfReach`]
-    /// for one that the model cannot carry, and [`ContactError::Unsupported`] for a model that
-    /// knows no separations.
+    /// [`ContactError::OutOfRange`] for a load that is not positive (models with adhesion carry
+    /// tensions, as negative loads, at two separations and more), [`ContactError::OutOfReach`] for
+    /// one that the model cannot carry, and [`ContactError::Unsupported`] for a model without
+    /// separations.
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
         let _ = load;
         Err(self.unsupported("separations at a load"))
@@ -119,7 +119,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Err(self.unsupported(&format!("a second derivative of the {quantity}")))
     }
 
-    /// What is done for a request, in numbers.
+    /// The plan for a request: integrals, terms and samples.
     ///
     /// # Errors
     /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
@@ -128,12 +128,12 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Err(self.unsupported("a plan"))
     }
 
-    /// The same laws on another surface or with other heights: what a law has tabulated is shared,
-    /// so that a study of roughness or density builds it once.
+    /// The same laws on another surface or with other heights: the tables of a law are shared, so
+    /// that a study of roughness or density builds them once.
     ///
     /// # Errors
-    /// [`ContactError::OtherAsperity`] when interface or asperity radius differ, which the law
-    /// depends on, what the scene is refused for, and [`ContactError::Unsupported`].
+    /// [`ContactError::OtherAsperity`] if the interface or the asperity radius differ, on which the
+    /// law depends, those of the scene, and [`ContactError::Unsupported`].
     fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
         let _ = scene;
         Err(self.unsupported("moving to another scene"))
@@ -153,11 +153,10 @@ pub trait Contact: fmt::Debug + Send + Sync {
         })
     }
 
-    /// Whether a quantity was asked for, and is one of those that this model knows: for models that
-    /// know a few.
+    /// Checks that a quantity was requested and is one of `known`: for models that have only a few.
     ///
     /// # Errors
-    /// [`ContactError::NotRequested`], and [`ContactError::Unsupported`] with those that it knows.
+    /// [`ContactError::NotRequested`], and [`ContactError::Unsupported`] with the known ones.
     fn check_asked(&self, quantity: Quantity, known: &[Quantity]) -> Result<(), ContactError> {
         if !self.quantities().contains(&quantity) {
             return Err(ContactError::NotRequested { quantity });
@@ -169,7 +168,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Err(self.unsupported(&format!("{quantity} (it gives {})", known.join(", "))))
     }
 
-    /// The error of what this model cannot answer.
+    /// The error for something that this model does not have.
     fn unsupported(&self, what: &str) -> ContactError {
         ContactError::Unsupported { model: self.model().into(), what: what.into() }
     }

@@ -1,4 +1,4 @@
-//! One value with what is known of it.
+//! One value with a bound on its error.
 
 use std::borrow::Cow;
 
@@ -37,9 +37,8 @@ impl Evaluation {
         Self { scaled: value, ln_scale: 0.0, size: 1.0, error }
     }
 
-    /// A quantity of a model that knows force \[N\] and real area \[m²\] under a nominal area \[m²\],
-    /// both to a bound on their relative error: what the engine's integrals give for models of
-    /// asperities. `None` for quantities that need more.
+    /// A quantity from the force \[N\] and the real area \[m²\] on a nominal area \[m²\], with a bound
+    /// on their relative error; `None` for a quantity that needs more.
     #[must_use]
     pub fn of_totals(
         quantity: Quantity,
@@ -108,9 +107,9 @@ impl Evaluation {
         self.cancelled() + (0.5 * self.ln_scale.abs() + 3.0) * f64::EPSILON
     }
 
-    /// How far it is from a reference, also where both underflow: relative to the reference, but
-    /// the difference for logarithms and shares. 0 where the bounds on their errors do not tell
-    /// the two apart; `None` where it is no number.
+    /// Deviation from a reference, also where both underflow: relative to the reference, but
+    /// absolute for logarithms and shares. 0 within the sum of both bounds; `None` where it is no
+    /// number.
     #[must_use]
     pub fn deviation(&self, reference: &Self, quantity: Quantity) -> Option<f64> {
         let of = |error: fn(&Self) -> f64| error(self) + error(reference);
@@ -138,9 +137,8 @@ impl Evaluation {
         if quantity.is_absolute() { self.error * self.size } else { self.relative_error() }
     }
 
-    /// How many times larger what is added and subtracted is than what it leaves: near a zero
-    /// crossing, an input known to a part of itself gives the value to so many times that part. 1
-    /// where nothing cancels.
+    /// Condition number, ≥ 1: the integral of the absolute value over the absolute value of the
+    /// integral. Near a zero crossing a relative error of an input grows by this factor.
     #[must_use]
     pub fn condition(&self) -> f64 {
         if self.size == 0.0 { 1.0 } else { self.size / self.scaled.abs() }
@@ -216,7 +214,7 @@ impl Evaluation {
             .moved(place, moments)
     }
 
-    /// With what the rounding of the separation does to it in the bound.
+    /// With the effect of the rounding of the separation in the bound.
     #[inline]
     fn moved(mut self, place: Place, moments: &Moments) -> Self {
         if place.rounding > 0.0 && moments.value != 0.0 {

@@ -1,4 +1,4 @@
-//! What comes back.
+//! Answers to requests.
 
 pub(crate) mod evaluation;
 pub(crate) mod row_check;
@@ -14,10 +14,10 @@ use crate::{At, ContactError, Diagnostic, Evaluation, Quantity, Request, Scene, 
 pub struct Column {
     /// The quantity.
     pub quantity: Quantity,
-    /// One for each row: a value, or why there is none.
+    /// One for each row: a value, or the reason why it has none.
     pub rows: Vec<Result<Evaluation, Box<ContactError>>>,
-    /// Shares of the parts of the law, if they were asked for: one list for each row, or why there
-    /// is none.
+    /// Shares of the parts of the law, if they were requested: one list for each row, or the reason
+    /// why it has none.
     pub shares: Option<Vec<Result<Vec<Share>, Box<ContactError>>>>,
 }
 
@@ -61,7 +61,7 @@ impl Column {
 pub struct Response {
     /// The model's name.
     pub model: String,
-    /// Where it was asked about, as asked.
+    /// The places of the rows, in the caller's units.
     pub at: Vec<At>,
     /// The quantities, in the order of the request.
     pub columns: Vec<Column>,
@@ -78,7 +78,7 @@ impl Response {
         self.column(quantity)?.values()
     }
 
-    /// Everything there is of a quantity.
+    /// The column of a quantity.
     ///
     /// # Errors
     /// [`ContactError::NotRequested`].
@@ -88,7 +88,7 @@ impl Response {
     }
 }
 
-/// A value, or why there is none.
+/// A value, or the reason why there is none.
 pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 
 /// Rows that are held before they join their columns.

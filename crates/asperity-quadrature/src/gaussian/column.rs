@@ -181,8 +181,7 @@ impl Column {
         let number = value * self.factor * moments.ln_scale.exp();
         let condition = if value >= size { 1.0 } else { size / value.abs() };
         let steepness = moments.sizes[1] / moments.sizes[0];
-        let error = moments.error * condition
-            + self.rounding(seen.abs(), steepness)
+        let error = (moments.error + self.rounding(seen.abs(), steepness)) * condition
             + (0.5 * moments.ln_scale.abs() + ROUNDED) * f64::EPSILON;
         let normal = moments.ln_scale > LEAST && number.is_normal();
         (number, ColumnAccuracy { error, condition, normal, lowest: seen })

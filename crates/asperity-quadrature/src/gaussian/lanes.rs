@@ -90,8 +90,8 @@ impl Segment {
         let (lowest, highest) = self.patch.keys();
         // Of the square of s, and of its sum with the tilt.
         let share = if self.tilt.is_some() { 1.0 } else { 0.5 };
-        let error = self.error[0] * condition
-            + column.rounding(lowest.abs().max(highest.abs()), self.steepness)
+        let rounding = column.rounding(lowest.abs().max(highest.abs()), self.steepness);
+        let error = (self.error[0] + rounding) * condition
             + (share * exponent.abs() + ROUNDED) * f64::EPSILON;
         let normal = exponent > LEAST && smallest >= f64::MIN_POSITIVE && largest <= f64::MAX;
         ColumnAccuracy { error, condition, normal, lowest }
