@@ -8,9 +8,9 @@ use asperity::{
     Separation, SeparationUnit, Severity, Warning, Warnings,
 };
 
+use crate::output::table::{Cell, Table};
 use crate::output::{once, progress, say};
-use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
+use crate::scene::{LoadedScene, NamedModel, tell};
 
 /// Rows that are asked for at a time.
 const TOGETHER: usize = 8192;
@@ -222,22 +222,6 @@ impl<'s> Question<'s> {
             bail!("{}: no row has a value", self.scene.name);
         }
         Ok(())
-    }
-}
-
-/// Says what is unusual about the answers of models: one cause once, of the worst of them.
-pub fn tell(findings: &[(String, Finding)]) {
-    for code in once(&findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
-        let mut same: Vec<_> = findings.iter().filter(|(_, f)| f.code == code).collect();
-        same.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
-        let Some(((first, worst), others)) = same.split_first() else { continue };
-        let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
-        let others: Vec<&str> = once(&others).into_iter().filter(|id| id != first).collect();
-        let likewise = match &others[..] {
-            [] => String::new(),
-            ids => format!(" (likewise {})", ids.join(", ")),
-        };
-        say("warning", &format!("{worst}{likewise}"));
     }
 }
 

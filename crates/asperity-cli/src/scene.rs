@@ -6,7 +6,6 @@ use anyhow::{Result, bail};
 use asperity::{At, ContactError, ContactModel, Finding, Model, Quantity, Request, Severity};
 use asperity_scene::{LeftOut, SceneFile};
 
-use crate::ask::tell;
 use crate::output::{self, once, say};
 
 /// A scene file that has been read.
@@ -151,6 +150,22 @@ impl LoadedScene {
             say("note", &format!("{id} is {} by the scene's options", model.id()));
         }
         Ok((id.to_string(), model))
+    }
+}
+
+/// Says what is unusual about the answers of models: one cause once, of the worst of them.
+pub fn tell(findings: &[(String, Finding)]) {
+    for code in once(&findings.iter().map(|(_, found)| found.code).collect::<Vec<_>>()) {
+        let mut same: Vec<_> = findings.iter().filter(|(_, f)| f.code == code).collect();
+        same.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
+        let Some(((first, worst), others)) = same.split_first() else { continue };
+        let others: Vec<&str> = others.iter().map(|(id, _)| id.as_str()).collect();
+        let others: Vec<&str> = once(&others).into_iter().filter(|id| id != first).collect();
+        let likewise = match &others[..] {
+            [] => String::new(),
+            ids => format!(" (likewise {})", ids.join(", ")),
+        };
+        say("warning", &format!("{worst}{likewise}"));
     }
 }
 

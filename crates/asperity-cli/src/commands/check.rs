@@ -6,12 +6,12 @@ use anyhow::{Result, bail};
 use asperity::{At, Check as Looked, SeparationUnit, Severity};
 use clap::Args;
 
-use crate::args::{OutputArgs, model_id, separation_unit};
-use crate::distances::{Distance, ask_unit};
-use crate::numbers::{load_or_tension, pressure_or_tension};
+use crate::input::args::{OutputArgs, model_id, separation_unit};
+use crate::input::distances::{Distance, ask_unit};
+use crate::input::numbers::{load_or_tension, pressure_or_tension};
+use crate::output::table::{Cell, Format, Table};
 use crate::output::{self, say};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Format, Table};
 
 /// What follows from a scene, and what in it is unusual: units, sizes, ranges of models
 #[derive(Debug, Args)]
@@ -65,7 +65,11 @@ impl Check {
         if self.model.is_some() && place.is_none() {
             let text =
                 "--model: a place to ask it at, --load, --pressure or --separation, was expected";
-            crate::usage_error("check", clap::error::ErrorKind::MissingRequiredArgument, text);
+            crate::input::usage_error(
+                "check",
+                clap::error::ErrorKind::MissingRequiredArgument,
+                text,
+            );
         }
         // Without an answer, what is wrong with the scene says why.
         let answered = place.map(|place| -> Result<Looked> {

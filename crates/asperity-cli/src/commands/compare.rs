@@ -3,11 +3,11 @@
 use anyhow::Result;
 use clap::Args;
 
-use crate::args::{Asked, OutputArgs, model_id};
 use crate::ask::{Question, Row, named};
 use crate::commands::curve::USUAL;
+use crate::input::args::{Asked, OutputArgs, model_id};
+use crate::output::table::Cell;
 use crate::scene::LoadedScene;
-use crate::table::Cell;
 
 /// Models beside each other, with their deviation from a reference
 #[derive(Debug, Args)]

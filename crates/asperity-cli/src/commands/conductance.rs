@@ -7,12 +7,12 @@ use asperity::joints::conductance::{Correlation, gap_conductance};
 use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
 use clap::{ArgGroup, Args};
 
-use crate::args::{OutputArgs, model_id};
-use crate::number::rounded;
-use crate::numbers::{Numbers, length, loads, of_unit, positive, pressures};
+use crate::input::args::{OutputArgs, model_id};
+use crate::input::numbers::{Numbers, length, loads, of_unit, positive, pressures};
+use crate::output::number::rounded;
 use crate::output::say;
+use crate::output::table::{Cell, Table};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Table};
 
 const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
 

@@ -4,9 +4,9 @@ use anyhow::Result;
 use asperity::{Quantity, linspace};
 use clap::Args;
 
-use crate::args::{Asked, DrawnArgs};
 use crate::ask::Question;
-use crate::plot;
+use crate::input::args::{Asked, DrawnArgs};
+use crate::output::plot;
 use crate::scene::LoadedScene;
 
 /// What is asked for unless something is given.

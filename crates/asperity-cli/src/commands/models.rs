@@ -4,8 +4,8 @@ use anyhow::Result;
 use asperity::{Described, Model};
 use clap::Args;
 
-use crate::args::OutputArgs;
-use crate::table::{Format, Table};
+use crate::input::args::OutputArgs;
+use crate::output::table::{Format, Table};
 
 /// The models: what they are valid for, their sources
 #[derive(Debug, Args)]

@@ -6,8 +6,8 @@ use anyhow::{Context, Result};
 use asperity::{ContactModel, linspace};
 use clap::Args;
 
-use crate::args::Asked;
 use crate::commands::curve::USUAL;
+use crate::input::args::Asked;
 use crate::output::{self, progress};
 use crate::scene::LoadedScene;
 

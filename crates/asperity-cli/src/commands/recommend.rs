@@ -5,13 +5,13 @@ use anyhow::{Context, Result};
 use asperity::{At, Described, Evidence, Quantity, linspace};
 use clap::Args;
 
-use crate::args::{Asked, OutputArgs, model_id};
 use crate::ask::named;
-use crate::number::rounded;
-use crate::numbers::share;
+use crate::input::args::{Asked, OutputArgs, model_id};
+use crate::input::numbers::share;
+use crate::output::number::rounded;
+use crate::output::table::{Cell, Table};
 use crate::output::{progress, say};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Table};
 
 /// Models beside a reference, and what boundary elements say of them on surfaces like this one
 #[derive(Debug, Args)]

@@ -8,11 +8,11 @@ use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
-use crate::args::{model_id, svg_file};
-use crate::numbers::{Numbers, lengths, load, pressure};
+use crate::input::args::{model_id, svg_file};
+use crate::input::numbers::{Numbers, lengths, load, pressure};
+use crate::output::table::{Cell, Table};
 use crate::output::{self, say};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
 /// The numbers of a surface against the shortest wave that is kept.
 #[derive(Debug, Args)]
@@ -105,7 +105,7 @@ impl Scales {
                 _ => {}
             }
             if let Err(reason) = &found {
-                let (reason, cutoff) = (output::told(reason), format!("{cutoff:e}"));
+                let (reason, cutoff) = (output::summary(reason), format!("{cutoff:e}"));
                 match failed.iter_mut().find(|(known, _)| kind(known) == kind(&reason)) {
                     Some((_, cutoffs)) => cutoffs.push(cutoff),
                     None => failed.push((reason, vec![cutoff])),

@@ -3,9 +3,9 @@
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 
-use crate::args::{Asked, OutputArgs};
 use crate::ask::Question;
 use crate::commands::curve::USUAL;
+use crate::input::args::{Asked, OutputArgs};
 use crate::scene::LoadedScene;
 
 /// The separations that carry a load, and the quantities there

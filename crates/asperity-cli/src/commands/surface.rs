@@ -10,11 +10,11 @@ use clap::Args;
 use clap::error::ErrorKind;
 use toml::Value;
 
-use crate::args::OutputArgs;
 use crate::commands::scales::Scales;
-use crate::numbers::{length, number, positive_numbers};
+use crate::input::args::OutputArgs;
+use crate::input::numbers::{length, number, positive_numbers};
+use crate::output::table::{Cell, Format, Table};
 use crate::output::{self, once, progress, say};
-use crate::table::{Cell, Format, Table};
 
 /// What a measured surface is like, and a scene made of it
 #[derive(Debug, Args)]
@@ -145,7 +145,8 @@ impl Surface {
 
     /// What does not go together on the command line.
     fn check(&self) {
-        let refuse = |text: &str| crate::usage_error("surface", ErrorKind::ArgumentConflict, text);
+        let refuse =
+            |text: &str| crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
         if let (Some(plot), Some(output)) = (self.scales.plot(), &self.output.output)
             && output::is_same(plot, output)
         {

@@ -8,14 +8,13 @@ use asperity::bem::{Bem, BemError, Given, Note};
 use asperity::{ContactError, ContactState, Described, Model, Truth, told, truth};
 use clap::{ArgAction, Args};
 
-use crate::args::{OutputArgs, model_id};
-use crate::ask::tell;
 use crate::commands::bem::Way;
+use crate::input::args::{OutputArgs, model_id};
+use crate::input::numbers::{Numbers, loads, pressures};
 use crate::interrupt;
-use crate::numbers::{Numbers, loads, pressures};
+use crate::output::table::{Cell, Table};
 use crate::output::{once, progress, say};
-use crate::scene::{LoadedScene, told_together};
-use crate::table::{Cell, Table};
+use crate::scene::{LoadedScene, tell, told_together};
 
 /// Which model holds on this scan: each beside boundary elements on it
 #[derive(Debug, Args)]

@@ -3,10 +3,11 @@
 use std::io::{self, Write};
 use std::rc::Rc;
 
+use asperity::shortest_digits;
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
-use crate::number::{exact, rounded};
+use crate::output::number::rounded;
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -69,7 +70,8 @@ impl Table {
     pub fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}", self.head.join(","))?;
         for row in &self.rows {
-            let fields: Vec<String> = row.iter().map(|cell| quoted(cell.text(exact))).collect();
+            let fields: Vec<String> =
+                row.iter().map(|cell| quoted(cell.text(shortest_digits))).collect();
             writeln!(out, "{}", fields.join(","))?;
         }
         Ok(())

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
-use crate::numbers::{Numbers, Span, have_units, number, of_unit};
+use crate::input::numbers::{Numbers, Span, have_units, number, of_unit};
 use crate::output::say;
 
 /// What one `--separation` says: plain numbers, in the unit that the command has for them, or metres.

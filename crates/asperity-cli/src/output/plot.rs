@@ -5,7 +5,7 @@ use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 
 use crate::output::once;
-use crate::table::{Cell, Table};
+use crate::output::table::{Cell, Table};
 
 /// Of as many points of a curve each is seen; of more a few tell the curves apart.
 pub const SEEN: usize = 12;

@@ -6,8 +6,8 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity_plot::Map;
 
-use crate::number::rounded;
 use crate::output;
+use crate::output::number::rounded;
 use crate::pressed::Row;
 
 /// The picture of a contact; `hardness` where there is one.

@@ -12,11 +12,13 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::distances::{Distances, ask_unit};
-use crate::numbers::{Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions};
+use crate::input::distances::{Distances, ask_unit};
+use crate::input::numbers::{
+    Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions,
+};
+use crate::output::table::{Format, Table};
 use crate::output::{self, once};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Format, Table};
 
 /// What is asked of which models of a scene.
 #[derive(Debug, Args)]
@@ -189,13 +191,13 @@ impl DrawnArgs {
         let files = [self.plot.as_deref(), self.output.output.as_deref()];
         if self.plot.is_some() && files.map(output::is_standard) == [true; 2] {
             let text = "--plot - leaves no place for the data: name a file with --output";
-            crate::usage_error(command, ErrorKind::ArgumentConflict, text);
+            crate::input::usage_error(command, ErrorKind::ArgumentConflict, text);
         }
         if let [Some(plot), Some(output)] = files
             && output::is_same(plot, output)
         {
             let text = "--plot and --output name the same file: two were expected";
-            crate::usage_error(command, ErrorKind::ArgumentConflict, text);
+            crate::input::usage_error(command, ErrorKind::ArgumentConflict, text);
         }
     }
 

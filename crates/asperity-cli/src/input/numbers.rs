@@ -3,9 +3,7 @@
 use std::str::FromStr;
 
 use asperity::joints::coefficient_of_friction;
-use asperity::linspace;
-
-use crate::number::exact;
+use asperity::{linspace, shortest_digits};
 
 /// More numbers than this in one range are taken for a slip of the hand.
 const MOST: usize = 1_000_000;
@@ -59,11 +57,11 @@ impl Span {
         };
         let (first, last) = (number(first)?, number(last)?);
         if first >= last {
-            let [first, last] = [first, last].map(exact);
+            let [first, last] = [first, last].map(shortest_digits);
             return Err(format!("A is {first} and B is {last}: A below B was expected"));
         }
         if !(last - first).is_finite() {
-            let [first, last] = [first, last].map(exact);
+            let [first, last] = [first, last].map(shortest_digits);
             return Err(format!("from {first} to {last} is more than a double can hold"));
         }
         let count = others.first().map(|text| match text.trim().parse() {
@@ -245,7 +243,7 @@ pub fn positive_number(text: &str) -> Result<f64, String> {
 pub fn positive(value: f64) -> Result<f64, String> {
     match value > 0.0 {
         true => Ok(value),
-        false => Err(format!("{} is not above 0, which was expected", exact(value))),
+        false => Err(format!("{} is not above 0, which was expected", shortest_digits(value))),
     }
 }
 
