@@ -1,4 +1,4 @@
-//! Asks models of a scene, row by row; what deserves a word is said once.
+//! Evaluates models on a scene, row by row; each warning is printed once.
 
 use std::mem::discriminant;
 
@@ -10,25 +10,25 @@ use asperity::{
 
 use crate::output::table::{Cell, Table};
 use crate::output::{once, progress, say};
-use crate::scene::{LoadedScene, NamedModel, tell};
+use crate::scene::{LoadedScene, NamedModel, print_by_cause};
 
-/// Rows that are asked for at a time.
-const TOGETHER: usize = 8192;
+/// Rows evaluated at a time, which bounds the memory.
+const ROWS_AT_A_TIME: usize = 8192;
 
-/// A question to the models of a scene.
+/// A request to the models of a scene.
 pub struct Question<'s> {
     scene: &'s LoadedScene,
     pub request: Request,
-    /// Every separation that carries a load is a row, and not the largest alone.
+    /// Whether every separation that carries a load is a row, instead of the largest alone.
     pub all: bool,
-    /// The places are those where nothing was asked for.
+    /// Whether the separations are the defaults of the command.
     pub unasked: bool,
-    words: Vec<String>,
-    /// What is unusual about the answers of each model.
+    warnings: Vec<String>,
+    /// Findings on the results of each model.
     findings: Vec<(String, Finding)>,
 }
 
-/// One row of a model's answer.
+/// One row of a model's result.
 pub struct Row {
     /// The cells under [`Question::head`].
     pub place: Vec<Cell>,
@@ -38,10 +38,10 @@ pub struct Row {
 
 impl<'s> Question<'s> {
     pub fn new(scene: &'s LoadedScene, request: Request) -> Self {
-        Self { scene, request, all: false, unasked: false, words: vec![], findings: vec![] }
+        Self { scene, request, all: false, unasked: false, warnings: vec![], findings: vec![] }
     }
 
-    /// Names of the columns that say which model is asked, and where.
+    /// Names of the columns for the model and for the load or separation.
     pub fn head(&self) -> Table {
         let loads = match self.request.at.first() {
             None | Some(At::Separation(_)) => &[][..],
@@ -57,7 +57,7 @@ impl<'s> Question<'s> {
     pub fn ask(&mut self, (id, model): &NamedModel, mut deliver: impl FnMut(Row)) -> Result<()> {
         let _progress = progress(id);
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
-        // Of places that nobody chose, a usual one has to do.
+        // Findings at default separations would not be the user's: one usual place.
         let usual = [At::from(2.0)];
         let chosen = if self.unasked { &usual[..] } else { &self.request.at };
         let found = self.scene.file.findings_at(model, chosen);
@@ -70,8 +70,8 @@ impl<'s> Question<'s> {
         let (asked, model) = (model, Cell::from(id.as_str()));
         let loads = self.head().head.len() - 3;
         let (mut rows, mut warnings, mut reasons) = (0, Warnings::default(), vec![]);
-        for block in self.request.at.chunks(TOGETHER) {
-            // What was given, and where that is.
+        for block in self.request.at.chunks(ROWS_AT_A_TIME) {
+            // As given, and as evaluated.
             let places: Vec<(At, At)> =
                 block.iter().flat_map(|at| self.places(&*contact, *at)).collect();
             let request = Request::new(had.iter().copied()).within(self.request.tolerance);
@@ -79,10 +79,10 @@ impl<'s> Question<'s> {
             rows += places.len();
             for (k, (given, at)) in places.into_iter().enumerate() {
                 let values = || response.columns.iter().map(|column| column.rows[k].as_ref());
-                // That nothing touches is among the warnings.
+                // The absence of contact is among the warnings.
                 let is_new = |e: &&Box<_>| match &***e {
                     ContactError::NoValue { .. } => false,
-                    // Nor that there are no tensions without adhesion.
+                    // So is a tension without adhesion.
                     ContactError::OutOfRange { field: "load" | "pressure", value, .. } => {
                         adhesive || *value >= 0.0
                     }
@@ -107,7 +107,7 @@ impl<'s> Question<'s> {
         }
         let tension = |at: &At| at.load(scene).is_some_and(|load| load < 0.0);
         if self.request.at.iter().any(tension) && !adhesive {
-            self.words.push(format!("{id} holds no tensions: dmt, jkr and jkr-separation do"));
+            self.warnings.push(format!("{id} carries no tension; use dmt, jkr or jkr-separation"));
         }
         let (small, warnings): (Vec<_>, Vec<_>) =
             warnings.into_vec().into_iter().partition(|w| matches!(w, Warning::Underflow { .. }));
@@ -116,31 +116,28 @@ impl<'s> Question<'s> {
             let contact = asked.compile(scene, &counted)?;
             Ok(contact.evaluate(Quantity::Contacts, contact.separation(at)?)?.value())
         };
-        self.words.extend(underflown(&small, touching));
+        self.warnings.extend(underflown(&small, touching));
         let warnings = warnings.into_iter();
-        // That is what the findings say.
+        // A finding has the same content.
         let new =
             |warning: &Warning| !(crowded && matches!(warning, Warning::AreaAboveNominal { .. }));
-        self.words.extend(warnings.filter(new).map(|warning| warning.to_string()));
-        self.words.extend(reasons.into_iter().map(|(count, reason)| {
+        self.warnings.extend(warnings.filter(new).map(|warning| warning.to_string()));
+        self.warnings.extend(reasons.into_iter().map(|(count, reason)| {
             let hint = match reason {
                 ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
-                    ": jkr-separation follows surfaces as they part, and may hold more"
+                    "; jkr-separation, which follows surfaces as they part, may carry more"
                 }
                 _ => "",
             };
             match rows {
                 1 => format!("{id}: {reason}{hint}"),
-                _ => format!(
-                    "{id}: no value in {count} of {rows} rows, in the first because {reason}{hint}"
-                ),
+                _ => format!("{id}: no value in {count} of {rows} rows, first: {reason}{hint}"),
             }
         }));
         Ok(())
     }
 
-    /// The model's contact, with those of the quantities that it gives: the others are blank, and why
-    /// is said.
+    /// The model's contact, and the quantities that it has; the others are blank, with a warning.
     fn compile(
         &mut self,
         id: &str,
@@ -156,7 +153,7 @@ impl<'s> Question<'s> {
             model.compile(scene, &request.at(self.request.at.iter().copied()))
         };
         let mut given = vec![];
-        // What is refused for the same reason is told at once.
+        // One message for all quantities that are refused for the same reason.
         let mut refused: Vec<(String, Vec<String>)> = vec![];
         for quantity in &self.request.quantities {
             match of(&[*quantity]) {
@@ -170,17 +167,17 @@ impl<'s> Question<'s> {
                 }
             }
         }
-        // Without any, its places are still told.
+        // Without any quantity, the separations are still in the table.
         let contact = of(if given.is_empty() { &[Quantity::Force] } else { &given });
         let contact = contact.map_err(|_| whole)?;
-        let told = |(reason, names): (String, Vec<String>)| {
+        let message = |(reason, names): (String, Vec<String>)| {
             format!("{id}: no {}: {reason}", names.join(", "))
         };
-        self.words.extend(refused.into_iter().map(told));
+        self.warnings.extend(refused.into_iter().map(message));
         Ok((contact, given))
     }
 
-    /// A place as given, and where that is: everywhere that a load is carried, if all is asked.
+    /// A load or separation as given and as evaluated: with `all`, each separation of a load.
     fn places(&self, contact: &dyn Contact, at: At) -> Vec<(At, At)> {
         let (scene, from) = (contact.scene(), self.scene.file.separation_from);
         let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
@@ -193,7 +190,7 @@ impl<'s> Question<'s> {
         }
     }
 
-    /// Every model's answer in one table, with bounds on the errors if they are asked for.
+    /// The results of all models in one table, with error bounds on request.
     pub fn table(&mut self, models: &[NamedModel], errors: bool) -> Result<Table> {
         let quantities = self.request.quantities.clone();
         let (mut table, mut answered) = (self.head(), false);
@@ -214,10 +211,10 @@ impl<'s> Question<'s> {
         Ok(table)
     }
 
-    /// Says what deserves a word; that nothing at all was answered is an error.
+    /// Prints the warnings; an error if there is no value at all.
     pub fn finish(&self, answered: bool) -> Result<()> {
-        once(&self.words).iter().for_each(|text| say("warning", text));
-        tell(&self.findings);
+        once(&self.warnings).iter().for_each(|text| say("warning", text));
+        print_by_cause(&self.findings);
         if !answered {
             bail!("{}: no row has a value", self.scene.name);
         }
@@ -225,16 +222,16 @@ impl<'s> Question<'s> {
     }
 }
 
-/// What quantities of a model deserve that read 0: what all of them mean, once.
+/// One warning for the quantities of a model that underflow to 0.
 fn underflown(
     warnings: &[Warning],
     touching: impl FnOnce(At) -> Result<f64, ContactError>,
 ) -> Option<String> {
-    let mut told = vec![];
+    let mut quantities = vec![];
     let mut first = None::<(&str, At, usize)>;
     for warning in warnings {
         let Warning::Underflow { model, quantity, count, at, ln_value } = warning else { continue };
-        told.push(format!("{quantity} (natural logarithm {ln_value:.6})"));
+        quantities.push(format!("{quantity} (natural logarithm {ln_value:.6})"));
         // Of several, the one that does so in most rows.
         if first.is_none_or(|(.., most)| *count > most) {
             first = Some((model, *at, *count));
@@ -243,16 +240,16 @@ fn underflown(
     let (model, at, count) = first?;
     let rows = if count == 1 { "row" } else { "rows" };
     let few = match touching(at) {
-        Ok(few) if few < 1.0 => "; fewer than one asperity touches on average",
+        Ok(few) if few < 1.0 => "; fewer than one asperity is in contact on average",
         _ => "",
     };
     Some(format!(
-        "{model}: too small for a double in {count} {rows}, first at {at}, and reads 0 there: {}{few}",
-        told.join(", ")
+        "{model}: underflow to 0 in {count} {rows}, first at {at}: {}{few}",
+        quantities.join(", ")
     ))
 }
 
-/// Counts why rows have no value, each kind of reason once.
+/// Counts the reasons for missing values, each kind once.
 fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
     match kinds.iter_mut().find(|(_, known)| discriminant(known) == discriminant(reason)) {
         Some((count, _)) => *count += 1,
@@ -260,7 +257,7 @@ fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
     }
 }
 
-/// The name of a column that says something about a quantity: `mean_pressure_error`.
+/// The name of a column beside that of a quantity: `mean_pressure_error`.
 pub fn named(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
 }

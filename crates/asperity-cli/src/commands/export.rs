@@ -131,7 +131,7 @@ impl Export {
         };
         let range = (place(span.first), place(span.last), span.count.unwrap_or(2));
         let named = (id.clone(), model.clone());
-        scene.tell(&[&named], &[range.0, range.1]);
+        scene.print_findings_at(&[&named], &[range.0, range.1]);
         let format = match self.form {
             Form::Csv => TableFormat::Csv,
             Form::Abaqus => TableFormat::Abaqus,

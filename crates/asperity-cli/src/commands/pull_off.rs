@@ -48,13 +48,13 @@ impl PullOff {
         let work = &mut scene.file.scene.interface.work_of_adhesion;
         *work = self.work_of_adhesion.or(*work);
         // With the work of adhesion that was given.
-        scene.tell_findings(true);
+        scene.print_findings(true);
         let (contact, from) = (&scene.file.scene, scene.file.separation_from);
         let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
         let ids: Vec<String> = self.models.iter().map(parting).collect();
         let head = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
         let mut table = Table::new(&head);
-        scene.tell_adhesion();
+        scene.note_adhesion();
         for id in once(&ids) {
             let named = scene.model(&id)?;
             let model = &named.1;
@@ -74,7 +74,7 @@ impl PullOff {
                     );
                 }
                 Some(found) => {
-                    scene.tell(&[&named], &[found.separation.into()]);
+                    scene.print_findings_at(&[&named], &[found.separation.into()]);
                     let place = |unit| Ok(found.separation.measured_in(unit, from, contact)?.value);
                     let place: Result<Vec<f64>> = [SeparationUnit::Sigma, SeparationUnit::Metres]
                         .into_iter()

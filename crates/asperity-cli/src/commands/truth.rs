@@ -14,7 +14,7 @@ use crate::input::numbers::{Numbers, loads, pressures};
 use crate::interrupt;
 use crate::output::table::{Cell, Table};
 use crate::output::{once, progress, say};
-use crate::scene::{LoadedScene, tell, told_together};
+use crate::scene::{LoadedScene, by_reason, print_by_cause};
 
 /// Which model holds on this scan: each beside boundary elements on it
 #[derive(Debug, Args)]
@@ -108,7 +108,7 @@ impl TruthCommand {
         Note::summary(&notes).iter().for_each(|text| say("warning", text));
         let refused = found.iter().flat_map(|truth| &truth.refused);
         let refused: Vec<_> = refused.map(|(m, why)| (m.id().to_string(), why.clone())).collect();
-        tell(&refused);
+        print_by_cause(&refused);
         // Of each model the first reason of a kind: others differ by the load alone.
         let mut missing: Vec<(String, ContactError)> = vec![];
         for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
@@ -119,7 +119,7 @@ impl TruthCommand {
                 missing.push((model.id().into(), why.clone()));
             }
         }
-        told_together(&missing).iter().for_each(|text| say("warning", text));
+        by_reason(&missing).iter().for_each(|text| say("warning", text));
         say("note", &told(&found));
         self.output.write(&table(&found, &half, area))?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);

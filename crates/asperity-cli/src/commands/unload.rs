@@ -90,7 +90,7 @@ impl Unload {
         }
         match (turns, place) {
             (Some(turns), _) => {
-                scene.tell(&[&model], &turns);
+                scene.print_findings_at(&[&model], &turns);
                 history::write(&scene, &model, &joints, &turns, &self.output)
             }
             (None, Some(place)) => self.back(&scene, &model, &joints, place),
@@ -281,7 +281,7 @@ fn of_ways(
 /// A row again, of those that get a marker in the picture.
 pub fn marked(row: &[Cell]) -> Vec<Cell> {
     let mut row = row.to_vec();
-    if let Cell::Word(law) = &row[1] {
+    if let Cell::Text(law) = &row[1] {
         row[1] = Cell::from(&*marked_key(law));
     }
     row

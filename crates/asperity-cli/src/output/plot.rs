@@ -26,7 +26,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     }
     let models: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
     let curve = |model: &&Cell| {
-        let Cell::Word(id) = model else { return None };
+        let Cell::Text(id) = model else { return None };
         let known = Model::named();
         let look = known.iter().position(|model| model.id() == &**id);
         Some(Curve::new(look.unwrap_or(0), id, id))
