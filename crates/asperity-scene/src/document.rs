@@ -1,4 +1,4 @@
-//! The text of a scene file: its keys, where each stands, and what serde makes of them.
+//! The text of a scene file: its keys, and the place of each.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -17,18 +17,18 @@ use crate::quantity::{NoQuantity, in_si};
 use crate::template::keys_of;
 use crate::{Place, SceneError};
 
-/// No scene, and no table of heights, needs more bytes than this.
+/// The largest size of a scene file or of a table of heights.
 const MOST_BYTES: u64 = 1 << 20;
-/// Keys stand no deeper than `body[2].hardness` and `options.displacement.zeta`.
+/// The depth of `body[2].hardness` and `options.displacement.zeta`.
 const DEEPEST: usize = 3;
 
-/// A text in TOML, all of whose keys are found again.
+/// A text in TOML with the places of its keys.
 #[derive(Debug)]
 pub(crate) struct Document<'a> {
     file: Option<&'a Path>,
     /// Where relative paths begin; keywords have none, and no lines.
     directory: Option<&'a Path>,
-    /// With plain numbers in the place of those with units.
+    /// With plain numbers instead of numbers with units.
     pub(crate) text: Cow<'a, str>,
     /// Every key, those of a table before its own, and where it stands.
     pub(crate) keys: Vec<(String, Range<usize>)>,
@@ -118,7 +118,7 @@ impl<'a> Document<'a> {
         self.keys.push((path, span));
     }
 
-    /// Where the text is no TOML.
+    /// An error of TOML syntax.
     fn no_toml(&self, error: &Error) -> SceneError {
         let at = self.at("TOML", error.span().map_or(0, |span| span.start));
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
@@ -133,7 +133,7 @@ impl<'a> Document<'a> {
         Box::new(Place { file: self.file.map(Path::to_path_buf), line, field: field.into() })
     }
 
-    /// A path as the scene file means it.
+    /// A path relative to the scene file.
     pub(crate) fn path(&self, path: &Path) -> PathBuf {
         self.directory.unwrap_or(Path::new("")).join(path)
     }
@@ -146,7 +146,7 @@ impl<'a> Document<'a> {
         self.range(path).is_some()
     }
 
-    /// Where a key stands; what is not there has the line of its section.
+    /// The place of a key; a missing key has the line of its section.
     pub(crate) fn place(&self, path: &str) -> Box<Place> {
         let section =
             || self.range(path.rsplit_once(['.', '[']).map_or("", |(section, _)| section));
@@ -154,7 +154,7 @@ impl<'a> Document<'a> {
         self.at(path, range.map_or(0, |range| range.start))
     }
 
-    /// Names the key of a section that a refusal of the library is about.
+    /// Turns a refusal of the library into an error at the key of a section.
     pub(crate) fn refused(&self, section: &str) -> impl Fn(ContactError) -> SceneError {
         move |source| SceneError::from_contact(source, |field| self.place(&joined(section, field)))
     }
@@ -174,20 +174,20 @@ pub(crate) fn joined(section: &str, key: &str) -> String {
     format!("{section}{dot}{key}")
 }
 
-/// The text of a file that `named` speaks of.
+/// The text of a file; `named` is its place in an error.
 pub(crate) fn text_of(path: &Path, named: impl FnOnce() -> Place) -> Result<String, SceneError> {
     let mut text = String::new();
     let read =
         File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text));
     let reason = match read {
         Err(error) => error.to_string(),
-        Ok(_) if text.len() as u64 > MOST_BYTES => format!("it has more than {MOST_BYTES} bytes"),
+        Ok(_) if text.len() as u64 > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
         Ok(_) => return Ok(text),
     };
     Err(SceneError::Unreadable { at: Box::new(named()), reason })
 }
 
-/// The beginning of a text that may be of any length.
+/// At most 60 characters of a text.
 pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
     match text.char_indices().nth(60) {
         Some((end, _)) => format!("{}...", &text[..end]).into(),

@@ -1,4 +1,4 @@
-//! `heights`: how the asperities are spread, and the CSV file of a measured density.
+//! `heights`: the distribution of the asperity heights, and the CSV file of a measured density.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ use crate::{Place, SceneError};
 /// Header of the CSV file: it states the units.
 const HEADER: [&str; 2] = ["height_m", "density_per_m"];
 const NEEDED: &str = "\"height_m,density_per_m\", heights in m and densities in 1/m,";
-/// No table of heights needs more points, and every one costs time in each evaluation.
+/// The largest number of points in a table of heights; each costs time in every evaluation.
 const MOST_POINTS: usize = 10_000;
 /// A table whose standard deviation is this much off deserves a word; the bins of a histogram alone add some per cent.
 const DIFFERENT: f64 = 0.05;

@@ -26,10 +26,10 @@ pub(crate) fn interface(
     let (mut found, section) = of_bodies(document, keys)?;
     if keys.work_of_adhesion.is_some() {
         if keys.interface.is_some() {
-            let needed = "the work_of_adhesion of [interface] there, one of the bodies above them";
+            let needed = "work_of_adhesion in [interface], or above the bodies,";
             return Err(document.conflict("work_of_adhesion", "interface", needed));
         }
-        // Of the pair: no body has one of its own.
+        // A property of the pair, not of a body.
         found.work_of_adhesion = keys.work_of_adhesion;
         found.check().map_err(document.refused(""))?;
     }
@@ -41,7 +41,7 @@ fn of_bodies(
     keys: &InterfaceKeys,
 ) -> Result<(Interface, &'static str), SceneError> {
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
-    // Each checked alone, so that the error can say which of the bodies it is.
+    // Each checked alone, so that the error names the body.
     let alone = |body, section| Interface::against_rigid(body).map_err(document.refused(section));
     match (&keys.interface, &keys.body[..], keys.rigid_counterface) {
         (Some(_), [_, ..], _) => conflict("interface", "body", EITHER),

@@ -130,7 +130,7 @@ mod tests {
     fn a_hurst_exponent_beside_a_scan_counts_and_is_told() {
         let own = scene("file = \"scan.txt\"");
         let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
-        let told = "line 11: options.hurst_exponent: with it persson and persson-fudge take";
+        let told = "line 11: options.hurst_exponent: persson and persson-fudge use the power law";
         assert!(own.warnings.iter().all(|word| !word.contains("hurst")));
         assert!(given.warnings.iter().any(|word| word.starts_with(told)), "{:?}", given.warnings);
         let request =

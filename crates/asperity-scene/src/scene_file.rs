@@ -1,4 +1,4 @@
-//! A scene file, read.
+//! Scene files.
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -20,29 +20,29 @@ use crate::surface::surface;
 use crate::write::Read;
 use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
-/// All that a scene file says.
+/// A scene with the options of its models, as a scene file describes it.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SceneFile {
-    /// What is in contact.
+    /// The surfaces in contact.
     pub scene: Scene,
-    /// What the ids of the models stand for.
+    /// The variants of the models.
     pub options: ModelOptions,
-    /// What the separations of its users are measured from.
+    /// The plane from which separations are measured.
     pub separation_from: Datum,
-    /// The table of heights, where there is one: what `scene.heights` was made of.
+    /// The table of heights behind `scene.heights`, where there is one.
     pub table: Option<TabulatedHeights>,
     /// The bodies that the interface follows from, where they were given.
     pub bodies: Vec<Body>,
-    /// What the scans say that the surface follows from, where there are any.
+    /// Statistics of the scans behind the surface, where there are any.
     pub measured: Option<Measured>,
-    /// What was read, and still deserves a word.
+    /// Warnings about the file.
     pub warnings: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
     pub scan: Option<Arc<Topography>>,
     /// The keys of `[surface]` that the asperities follow from, where they are not given themselves.
     pub(crate) follows_from: &'static [&'static str],
-    /// What was read, for writing it again.
+    /// The file as read, for writing it again.
     pub(crate) read: Option<Arc<Read>>,
     /// The spectrum of the scan, once it is needed.
     pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
@@ -53,7 +53,7 @@ pub struct SceneFile {
 pub struct LeftOut {
     /// The model's id.
     pub id: String,
-    /// What it needs, or why its laws mean nothing here.
+    /// What it lacks, or why it is not valid here.
     pub reason: ContactError,
 }
 
@@ -71,10 +71,10 @@ pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
     read().map_err(|error| no_scene(path, error))
 }
 
-/// How scans are named, and scenes are not.
+/// Extensions of scans, which scenes do not have.
 const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
 
-/// That a file of another kind is a scan, rather than a scene with mistakes.
+/// The error for a scan in the place of a scene file.
 fn no_scene(path: &Path, error: SceneError) -> SceneError {
     let end = path.extension().unwrap_or_default().to_ascii_lowercase();
     if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
@@ -83,7 +83,7 @@ fn no_scene(path: &Path, error: SceneError) -> SceneError {
     let scan = |reason| {
         let name = path.display();
         format!(
-            "a scene file in TOML was required, and a file of this name is a scan: `asperity surface {name} --scene scene.toml` makes a scene of it ({reason})"
+            "the file looks like a scan, not like a scene in TOML ({reason}); `asperity surface {name} --scene scene.toml` makes a scene of it"
         )
     };
     match error {
@@ -228,8 +228,7 @@ fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'st
 }
 
 impl From<Scene> for SceneFile {
-    /// A scene that no file describes, with the models' own options and separations from the mean
-    /// of the asperity heights.
+    /// A scene without a file: default options, and separations from the mean of the asperity heights.
     fn from(scene: Scene) -> Self {
         Self {
             scene,
@@ -269,8 +268,8 @@ impl SceneFile {
         }
     }
 
-    /// All models that the scene allows, with its options, simplest first; and those it does not,
-    /// each with what it lacks.
+    /// All models that the scene allows, with its options, simplest first; and those that it does not
+    /// allow, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
@@ -283,9 +282,9 @@ impl SceneFile {
         (allowed, left_out)
     }
 
-    /// What can stand beside boundary elements on the scene's scan: [`models`](Self::models), and those
-    /// of random asperities and of the whole surface, whatever it says of its asperities; and those
-    /// that the scene does not allow, each with what it lacks.
+    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models), and
+    /// those of random asperities and of the whole surface; and those that the scene does not allow,
+    /// each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.models();
@@ -305,13 +304,13 @@ impl SceneFile {
         (models, left_out)
     }
 
-    /// The models that stick, where surfaces do.
+    /// The models with adhesion, if the scene has a work of adhesion.
     #[must_use]
     pub fn adhesive_models(&self) -> Vec<Model> {
         self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
     }
 
-    /// A separation as the users of this scene count it.
+    /// A separation from the plane of this scene.
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
         Separation { value, unit, from: self.separation_from }
@@ -331,12 +330,11 @@ impl SceneFile {
         let mut scene = Scene::new(interface, surface, nominal_area);
         scene.asperity()?;
         scene.heights = self.scene.heights.clone();
-        // What was measured holds for the surface it was measured on.
+        // A measurement is valid for its own surface only.
         let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
         let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
         let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
-        // Nor is a scan one of another surface.
         let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
         Ok(Self { scene, bodies, measured, warnings: vec![], scan, ..self.clone() })
     }

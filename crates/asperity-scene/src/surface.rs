@@ -20,7 +20,7 @@ const WAYS: [&[&str]; 5] = [
 /// The last of them.
 const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
-/// What may stand in its place, beside radius and density.
+/// Its alternative, beside radius and density.
 const OF_SURFACE: &str = "surface_height_std";
 
 /// The numbers among the keys of `[surface]`.
@@ -69,7 +69,7 @@ pub(crate) fn surface(
         return conflict(OF_SURFACE, key, "asperity_radius and asperity_density beside it");
     }
     if has(&&OF_SURFACE) && has(&&STD) {
-        return conflict(OF_SURFACE, STD, "one of the two: the one follows from the other");
+        return conflict(OF_SURFACE, STD, "one of the two, which determines the other,");
     }
     if matches!(heights, HeightsKey::Measured) && way != MEASURED {
         return conflict("heights", key, "a measured file, whose heights they are");
@@ -103,7 +103,7 @@ pub(crate) fn surface(
             let (m2, m4) = (needed("m2", keys.m2)?, needed("m4", keys.m4)?);
             Surface::from_moments(&ProfileMoments { m0, m2, m4 }).map_err(&refused)?
         }
-        // What ISO 25178 calls peaks are taken for the asperities: Spd for η, 1/Spc for R.
+        // The peaks of ISO 25178 are the asperities: Spd is η, 1/Spc is R.
         3 => {
             let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
             let spc = asperity::positive("spc", needed("spc", keys.spc)?).map_err(&refused)?;

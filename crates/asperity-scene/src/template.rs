@@ -1,17 +1,17 @@
-//! The template: the one list of the sections, their keys, and what these mean. Names that are
-//! accepted, units, hints and the order of written scenes follow from it.
+//! The template declares every section and key with its unit and meaning. Accepted names, units,
+//! hints and the order of written scenes follow from it.
 
 use asperity::Surface;
 use toml::Value;
 
-/// A commented scene file with every key there is: steel on steel, machined.
+/// A commented scene file with every key: machined steel on steel.
 #[must_use]
 pub fn template() -> &'static str {
     include_str!("template.toml")
 }
 
-/// The template on a measured surface: these keys of `[surface]` have these values, and what the
-/// asperities come to stands beside them as a note.
+/// The template for a measured surface: these keys of `[surface]` have these values; the resulting
+/// asperities stand in a comment.
 #[must_use]
 pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
     let three = [
@@ -48,7 +48,7 @@ pub(crate) struct Key {
     pub(crate) name: &'static str,
     /// Header of the section that it stands in, as `[surface]`; empty for the top of the file.
     pub(crate) section: &'static str,
-    /// Its unit and meaning; empty where these go without saying.
+    /// Its unit and meaning; empty where these stand elsewhere.
     pub(crate) meaning: &'static str,
     /// Whether it stands among the keys of a measured surface.
     measured: bool,

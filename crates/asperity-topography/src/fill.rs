@@ -28,7 +28,7 @@ impl Topography {
         if places.is_empty() {
             return Ok(self);
         }
-        // A tilt that nobody took away yet is no part of what is level at an edge.
+        // Without the tilt, so that the filled heights are level at an edge.
         let form = self.form(Level::usual(self.is_periodic()));
         let form = form.or_else(|_| self.form(Level::Mean))?;
         let flat = self.clone().without(&form);
@@ -172,7 +172,7 @@ mod tests {
         let height = |x: f64, y: f64| (0.7 * x + 0.2 * y * y).sin();
         for periodic in [false, true] {
             let holed = holed(height, [1.0; 2], true).with_periodic(periodic);
-            // What is left over the plane, or the mean.
+            // Heights above the plane, or the mean.
             let holed = holed.levelled(None).unwrap();
             let filled = holed.clone().fill().unwrap();
             let z = |x: i32, y: i32| match periodic {

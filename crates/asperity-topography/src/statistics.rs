@@ -56,7 +56,7 @@ pub struct Statistics {
 }
 
 impl Topography {
-    /// Heights, moments and asperities of the surface as it is: [`level`](Topography::level) it
+    /// Heights, moments and asperities of the surface: [`level`](Topography::level) it
     /// first.
     ///
     /// # Errors

@@ -215,7 +215,7 @@ impl DrawnArgs {
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
     if name.trim().is_empty() {
-        return Err("a name is empty; separate models by single commas, for example gw,ke".into());
+        return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity models` lists them)".into());
     }
     // Not in the registry: it belongs to the scan of a scene.
     if name.trim().eq_ignore_ascii_case("bem") {

@@ -123,7 +123,7 @@ mod tests {
             ("1,2um", "1 has no unit"),
             ("1:2um:3", "1 has no unit"),
             ("1,two", "\"two\" is not a number"),
-            ("2um:1um:3", "A below B"),
+            ("2um:1um:3", "A must be below B"),
             ("1 kN", "not a number"),
         ] {
             assert!(read(bad).unwrap_err().contains(part), "{bad}: {:?}", read(bad));

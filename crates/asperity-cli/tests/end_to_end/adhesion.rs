@@ -76,7 +76,7 @@ fn tensions_are_loads_below_0() {
     let area = cells(&run.out, "area_m2");
     assert!(area[0].is_empty() && area[1..].iter().all(|area| !area.is_empty()), "{area:?}");
     assert_eq!(column(&run.out, "load_N"), [-0.01, 0.1, -0.01, 0.1]);
-    assert!(run.words.contains("gw holds no tensions: dmt, jkr"), "{}", run.words);
+    assert!(run.words.contains("gw carries no tension; use dmt, jkr"), "{}", run.words);
     assert!(bench.data("check soft.toml --model jkr --load -10mN").contains("-0.01"));
     let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
     assert_eq!(all.lines().count(), 3, "{all}");

@@ -159,7 +159,7 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         (
             text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 parsec\"")),
             &[
-                "line 12: surface.asperity_height_std is \"1 parsec\": a number in m without quotes, or one with a unit as",
+                "line 12: surface.asperity_height_std is \"1 parsec\": a number in m without quotes, or with a unit, for example",
             ],
         ),
         (
