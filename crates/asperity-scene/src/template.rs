@@ -134,4 +134,25 @@ mod tests {
         assert_eq!(key("interface", "poissons_ratio").unwrap().meaning, "of the softer body");
         assert!(key("", "zeta").is_none() && key("", "").is_none());
     }
+
+    #[test]
+    fn every_key_of_a_section_is_declared() {
+        let only_measured: Vec<&str> = measured_keys().collect();
+        let wanted = "file files unit pixel_size estimator level filter smooth periodic max_missing fill_missing";
+        assert_eq!(only_measured.join(" "), wanted);
+        let declared = |section: &str, fields: serde_json::Value, elsewhere: &[&str]| {
+            let fields = fields.as_object().unwrap().keys().map(String::as_str);
+            let mut fields: Vec<&str> = fields.filter(|name| !elsewhere.contains(name)).collect();
+            let mut known = keys_of(section);
+            (fields.sort_unstable(), known.sort_unstable());
+            assert_eq!(known, fields, "{section}");
+        };
+        let body = asperity::Body::elastic(1e9, 0.3);
+        declared("body", serde_json::to_value(body).unwrap(), &[]);
+        let interface = asperity::Interface::new(1e9, 0.3, 1e9);
+        declared("interface", serde_json::to_value(interface).unwrap(), &[]);
+        let options = crate::ModelOptions { hurst_exponent: Some(0.8), ..Default::default() };
+        // In `[surface]`.
+        declared("options", serde_json::to_value(options).unwrap(), &["asperities"]);
+    }
 }

@@ -171,7 +171,7 @@ fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
     let retreats = column(&bench.data(short), "retreat_m");
     assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
     let odd = bench.run("unload scene.toml --model ke --closest 1 --retreat 1e-7");
-    assert!(odd.words.contains("retreat is 1e-7 asperity_height_std: is it in metres"));
+    assert!(odd.words.contains("retreat is 1e-7 asperity_height_std; 1e-7 looks like metres"));
 }
 
 #[test]

@@ -88,11 +88,7 @@ fn a_scan_in_the_place_of_a_scene_is_told_from_one() {
     for name in ["scan.txt", "scan.x3p"] {
         let run = bench.run(&format!("curve {name} --load 1"));
         let way = format!("{name} --scene scene.toml` makes a scene of it");
-        assert!(
-            run.code == Some(1) && run.words.contains("is a scan: `asperity surface "),
-            "{}",
-            run.words
-        );
+        assert!(run.code == Some(1) && run.words.contains("looks like a scan"), "{}", run.words);
         assert!(run.words.contains(&way), "{}", run.words);
     }
     let missing = bench.run("curve nowhere.txt --load 1").words;

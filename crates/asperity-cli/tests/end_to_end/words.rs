@@ -16,9 +16,9 @@ fn a_plan_says_what_is_integrated() {
 }
 
 #[test]
-fn lengths_in_sigmas_that_look_like_metres_are_asked_about_and_skewness_is_told() {
+fn separations_that_look_like_metres_are_warned_of_and_skewness_is_reported() {
     let bench = Bench::new();
-    let question = "is 1e-6 asperity_height_std: is it in metres, 1.0 asperity_height_std?";
+    let warning = "is 1e-6 asperity_height_std; 1e-6 looks like metres, 1.0 asperity_height_std";
     for words in [
         "curve scene.toml --model ke --separation 1e-6",
         "check scene.toml --separation 1e-6",
@@ -26,9 +26,9 @@ fn lengths_in_sigmas_that_look_like_metres_are_asked_about_and_skewness_is_told(
         "export scene.toml --model ke --as csv --separation 0:1e-6:2",
     ] {
         let told = bench.run(words).words;
-        assert!(told.contains(question), "{words}: {told}");
+        assert!(told.contains(warning), "{words}: {told}");
         let metres = bench.run(&words.replace("1e-6", "1um")).words;
-        assert!(!metres.contains("is it in metres"), "{words}: {metres}");
+        assert!(!metres.contains("looks like metres"), "{words}: {metres}");
     }
     let same = |words: &str| column(&bench.data(words), "force_N");
     let [length, unit] = ["1um", "1e-6 --separation-unit m"]
