@@ -16,7 +16,8 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
-/// Contact of rough surfaces: force, real contact area and stiffness from published models and boundary elements
+/// Contact of rough surfaces: force, real contact area and stiffness from published models and
+/// boundary elements
 #[derive(Debug, Parser)]
 #[command(name = "asperity", version, arg_required_else_help = true)]
 #[command(after_help = "Examples:

@@ -119,7 +119,8 @@ impl LoadedScene {
         Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
     }
 
-    /// The models given, or all that can be compared with boundary elements; a note names the others.
+    /// The models given, or all that can be compared with boundary elements; a note names the
+    /// others.
     pub fn models_beside_bem(
         &self,
         asked: &[String],

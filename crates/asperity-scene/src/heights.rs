@@ -13,7 +13,8 @@ const HEADER: [&str; 2] = ["height_m", "density_per_m"];
 const NEEDED: &str = "\"height_m,density_per_m\", heights in m and densities in 1/m,";
 /// The largest number of points in a table of heights; each costs time in every evaluation.
 const MOST_POINTS: usize = 10_000;
-/// A table whose standard deviation is this much off deserves a word; the bins of a histogram alone add some per cent.
+/// A larger relative difference of the standard deviations is a warning; the bins of a histogram
+/// alone add some per cent.
 const DIFFERENT: f64 = 0.05;
 
 /// The keys of `[surface]` for the heights, and for what separations are measured from.
@@ -164,7 +165,7 @@ fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
     })
 }
 
-/// A table's own standard deviation against the scene's; what deserves a word.
+/// Compares the standard deviation of a table with that of the scene; returns warnings.
 pub(crate) fn compared(
     document: &Document<'_>,
     table: &TabulatedHeights,

@@ -54,8 +54,8 @@ pub struct ModelOptions {
     /// `persson-fudge`. Beside a scan it replaces the scan's spectrum, with a warning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hurst_exponent: Option<f64>,
-    /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file may
-    /// also have this key in `[surface]`.
+    /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file
+    /// may also have this key in `[surface]`.
     pub asperities: Asperities,
 }
 
@@ -67,8 +67,8 @@ pub enum Asperities {
     /// All asperities have one radius.
     #[default]
     Equal,
-    /// Heights and radii are distributed together as on an isotropic Gaussian surface with the moments
-    /// of the asperities: see [`Model::random`].
+    /// Heights and radii are distributed together as on an isotropic Gaussian surface with the
+    /// moments of the asperities: see [`Model::random`].
     Random,
 }
 

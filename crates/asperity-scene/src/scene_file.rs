@@ -40,7 +40,8 @@ pub struct SceneFile {
     pub warnings: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
     pub scan: Option<Arc<Topography>>,
-    /// The keys of `[surface]` that the asperities follow from, where they are not given themselves.
+    /// The keys of `[surface]` that the asperities follow from, where they are not given
+    /// themselves.
     pub(crate) follows_from: &'static [&'static str],
     /// The file as read, for writing it again.
     pub(crate) read: Option<Arc<Read>>,
@@ -228,7 +229,8 @@ fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'st
 }
 
 impl From<Scene> for SceneFile {
-    /// A scene without a file: default options, and separations from the mean of the asperity heights.
+    /// A scene without a file: default options, and separations from the mean of the asperity
+    /// heights.
     fn from(scene: Scene) -> Self {
         Self {
             scene,
@@ -247,8 +249,9 @@ impl From<Scene> for SceneFile {
 }
 
 impl SceneFile {
-    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on the
-    /// scene's scan, repeated and with the hardness. `persson` takes its gaps from that scan's spectrum.
+    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on
+    /// the scene's scan, repeated and with the hardness. `persson` takes its gaps from that scan's
+    /// spectrum.
     ///
     /// # Errors
     /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
@@ -268,8 +271,8 @@ impl SceneFile {
         }
     }
 
-    /// All models that the scene allows, with its options, simplest first; and those that it does not
-    /// allow, each with the reason.
+    /// All models that the scene allows, with its options, simplest first; and those that it does
+    /// not allow, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
@@ -282,9 +285,9 @@ impl SceneFile {
         (allowed, left_out)
     }
 
-    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models), and
-    /// those of random asperities and of the whole surface; and those that the scene does not allow,
-    /// each with the reason.
+    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
+    /// and those of random asperities and of the whole surface; and those that the scene does not
+    /// allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.models();

@@ -144,7 +144,8 @@ mod tests {
             let fields = fields.as_object().unwrap().keys().map(String::as_str);
             let mut fields: Vec<&str> = fields.filter(|name| !elsewhere.contains(name)).collect();
             let mut known = keys_of(section);
-            (fields.sort_unstable(), known.sort_unstable());
+            fields.sort_unstable();
+            known.sort_unstable();
             assert_eq!(known, fields, "{section}");
         };
         let body = asperity::Body::elastic(1e9, 0.3);

@@ -97,7 +97,8 @@ impl SceneFile {
     /// a CSV file beside it: `scene.csv` for `scene.toml`.
     ///
     /// # Errors
-    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's reason.
+    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
+    /// reason.
     pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
         let mut text = self.to_toml(comments)?;
         let written = |path: &Path, text: &str| {

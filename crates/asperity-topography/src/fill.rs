@@ -11,9 +11,10 @@ impl Topography {
     pub const MOST_FILLED: f64 = 0.05;
 
     /// The surface with heights where points are missing: harmonic ones, each the mean of its four
-    /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and without
-    /// summits of their own. At an edge the surface goes on as its least-squares plane does, or beyond
-    /// the edge where it is periodic. Of a profile it is the straight line over a gap.
+    /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and
+    /// without summits of their own. At an edge the surface goes on as its least-squares plane
+    /// does, or beyond the edge where it is periodic. Of a profile it is the straight line over a
+    /// gap.
     ///
     /// # Errors
     /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
@@ -157,7 +158,8 @@ mod tests {
             let exact = height((k % 40) as f64 * pixel[0], (k / 40) as f64 * pixel[1]);
             assert!((found - exact).abs() < 1e-18, "{k} {found} {exact}");
         }
-        // Levelled before or after, it is the same surface but for what filled points do to the plane.
+        // Levelled before or after, it is the same surface but for what filled points do to the
+        // plane.
         let wavy = |x: f64, y: f64| height(x, y) + 1e-7 * (3e5 * x + 4e5 * y).sin();
         let level = |surface: Topography| surface.level(Level::Plane).unwrap();
         let before = level(holed(wavy, pixel, true)).fill().unwrap();

@@ -86,7 +86,8 @@ impl Topography {
         self.level(level)
     }
 
-    /// The surface without its mean, its least-squares plane or quadric; missing points stay missing.
+    /// The surface without its mean, its least-squares plane or quadric; missing points stay
+    /// missing.
     ///
     /// # Errors
     /// [`TopographyError::Level`] when the points do not determine the fit: all on one line, for

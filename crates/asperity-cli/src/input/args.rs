@@ -48,11 +48,11 @@ pub struct Asked {
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures_or_tensions)]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts, mean-pressure,
-    /// ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; for asperities of
-    /// one radius with circular contacts also contact-radius-sum, unloading-stiffness,
-    /// tangential-stiffness, thermal-conductance, electrical-conductance, and the last two with
-    /// -per-area
+    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
+    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; for
+    /// asperities of one radius with circular contacts also contact-radius-sum,
+    /// unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance, and
+    /// both conductances with -per-area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1

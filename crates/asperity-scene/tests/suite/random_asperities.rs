@@ -28,7 +28,8 @@ fn scenes() -> impl Iterator<Item = &'static str> {
 }
 
 /// Every row of three models on every surface. The program behind the file leaves the sharpest
-/// asperities out, some 1e-9 of all and more of those that touch first. `asperity-random` adds them, and has all rows to 1e-11.
+/// asperities out, some 1e-9 of all and more of those that touch first. `asperity-random` adds
+/// them, and has all rows to 1e-11.
 #[test]
 fn reference_rows_are_met_through_the_scene_file() {
     let mut count = 0;
