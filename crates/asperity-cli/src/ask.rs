@@ -1,4 +1,4 @@
-//! Asks models of a scene, row by row; each cause is reported once.
+//! Evaluates models on a scene, row by row; each warning is printed once.
 
 use std::mem::discriminant;
 
@@ -8,27 +8,27 @@ use asperity::{
     Separation, SeparationUnit,
 };
 
+use crate::output::table::{Cell, Table};
 use crate::output::{once, progress, say};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
-/// Rows that are asked for at a time.
-const TOGETHER: usize = 8192;
+/// Rows evaluated at a time, which bounds the memory.
+const ROWS_AT_A_TIME: usize = 8192;
 
-/// A question to the models of a scene.
+/// A request to the models of a scene.
 pub struct Question<'s> {
     scene: &'s LoadedScene,
     pub request: Request,
-    /// Every separation that carries a load is a row, and not the largest alone.
+    /// Whether every separation that carries a load is a row, instead of the largest alone.
     pub all: bool,
-    /// The places are those where nothing was asked for.
+    /// Whether the separations are the defaults of the command.
     pub unasked: bool,
-    words: Vec<String>,
-    /// What is unusual about the answers.
+    warnings: Vec<String>,
+    /// Diagnostics of the results.
     found: Diagnostics,
 }
 
-/// One row of a model's answer.
+/// One row of a model's result.
 pub struct Row {
     /// The cells under [`Question::head`].
     pub place: Vec<Cell>,
@@ -43,12 +43,12 @@ impl<'s> Question<'s> {
             request,
             all: false,
             unasked: false,
-            words: vec![],
+            warnings: vec![],
             found: Diagnostics::default(),
         }
     }
 
-    /// Names of the columns that say which model is asked, and where.
+    /// Names of the columns for the model and for the load or separation.
     pub fn head(&self) -> Table {
         let loads = match self.request.at.first() {
             None | Some(At::Separation(_)) => &[][..],
@@ -64,7 +64,7 @@ impl<'s> Question<'s> {
     pub fn ask(&mut self, (id, model): &NamedModel, mut deliver: impl FnMut(Row)) -> Result<()> {
         let _progress = progress(id);
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
-        // Of places that nobody chose, a usual one has to do.
+        // Findings at default separations would not be the user's: one usual place.
         let usual = [At::from(2.0)];
         let chosen = if self.unasked { &usual[..] } else { &self.request.at };
         self.found.extend(self.scene.file.findings_at(model, chosen));
@@ -74,8 +74,8 @@ impl<'s> Question<'s> {
         let model = Cell::from(id.as_str());
         let loads = self.head().head.len() - 3;
         let (mut rows, mut reasons) = (0, vec![]);
-        for block in self.request.at.chunks(TOGETHER) {
-            // What was given, and where that is.
+        for block in self.request.at.chunks(ROWS_AT_A_TIME) {
+            // As given, and as evaluated.
             let places: Vec<(At, At)> =
                 block.iter().flat_map(|at| self.places(&*contact, *at)).collect();
             let request = Request::new(had.iter().copied()).within(self.request.tolerance);
@@ -83,10 +83,10 @@ impl<'s> Question<'s> {
             rows += places.len();
             for (k, (given, at)) in places.into_iter().enumerate() {
                 let values = || response.columns.iter().map(|column| column.rows[k].as_ref());
-                // That nothing touches is among the warnings.
+                // The absence of contact is among the warnings.
                 let is_new = |e: &&Box<_>| match &***e {
                     ContactError::NoValue { .. } => false,
-                    // Nor that there are no tensions without adhesion.
+                    // So is a tension without adhesion.
                     ContactError::OutOfRange { field: "load" | "pressure", value, .. } => {
                         adhesive || *value >= 0.0
                     }
@@ -111,27 +111,24 @@ impl<'s> Question<'s> {
         }
         let tension = |at: &At| at.load(scene).is_some_and(|load| load < 0.0);
         if self.request.at.iter().any(tension) && !adhesive {
-            self.words.push(format!("{id} holds no tensions: dmt, jkr and jkr-separation do"));
+            self.warnings.push(format!("{id} carries no tension; use dmt, jkr or jkr-separation"));
         }
-        self.words.extend(reasons.into_iter().map(|(count, reason)| {
+        self.warnings.extend(reasons.into_iter().map(|(count, reason)| {
             let hint = match reason {
                 ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
-                    ": jkr-separation follows surfaces as they part, and may hold more"
+                    "; jkr-separation, which follows surfaces as they part, may carry more"
                 }
                 _ => "",
             };
             match rows {
                 1 => format!("{id}: {reason}{hint}"),
-                _ => format!(
-                    "{id}: no value in {count} of {rows} rows, in the first because {reason}{hint}"
-                ),
+                _ => format!("{id}: no value in {count} of {rows} rows, first: {reason}{hint}"),
             }
         }));
         Ok(())
     }
 
-    /// The model's contact, with those of the quantities that it gives: the others are blank, and why
-    /// is said.
+    /// The model's contact, and the quantities that it has; the others are blank, with a warning.
     fn compile(
         &mut self,
         id: &str,
@@ -147,7 +144,7 @@ impl<'s> Question<'s> {
             model.compile(scene, &request.at(self.request.at.iter().copied()))
         };
         let mut given = vec![];
-        // What is refused for the same reason is told at once.
+        // One message for all quantities that are refused for the same reason.
         let mut refused: Vec<(String, Vec<String>)> = vec![];
         for quantity in &self.request.quantities {
             match of(&[*quantity]) {
@@ -161,17 +158,17 @@ impl<'s> Question<'s> {
                 }
             }
         }
-        // Without any, its places are still told.
+        // Without any quantity, the separations are still in the table.
         let contact = of(if given.is_empty() { &[Quantity::Force] } else { &given });
         let contact = contact.map_err(|_| whole)?;
-        let told = |(reason, names): (String, Vec<String>)| {
+        let message = |(reason, names): (String, Vec<String>)| {
             format!("{id}: no {}: {reason}", names.join(", "))
         };
-        self.words.extend(refused.into_iter().map(told));
+        self.warnings.extend(refused.into_iter().map(message));
         Ok((contact, given))
     }
 
-    /// A place as given, and where that is: everywhere that a load is carried, if all is asked.
+    /// A load or separation as given and as evaluated: with `all`, each separation of a load.
     fn places(&self, contact: &dyn Contact, at: At) -> Vec<(At, At)> {
         let (scene, from) = (contact.scene(), self.scene.file.separation_from);
         let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
@@ -184,7 +181,7 @@ impl<'s> Question<'s> {
         }
     }
 
-    /// Every model's answer in one table, with bounds on the errors if they are asked for.
+    /// The results of all models in one table, with error bounds on request.
     pub fn table(&mut self, models: &[NamedModel], errors: bool) -> Result<Table> {
         let quantities = self.request.quantities.clone();
         let (mut table, mut answered) = (self.head(), false);
@@ -205,9 +202,9 @@ impl<'s> Question<'s> {
         Ok(table)
     }
 
-    /// Reports what is unusual; without any answer it is an error.
+    /// Prints the warnings; an error if there is no value at all.
     pub fn finish(&self, answered: bool) -> Result<()> {
-        once(&self.words).iter().for_each(|text| say("warning", text));
+        once(&self.warnings).iter().for_each(|text| say("warning", text));
         self.scene.report(self.found.clone());
         if !answered {
             bail!("{}: no row has a value", self.scene.name);
@@ -216,7 +213,7 @@ impl<'s> Question<'s> {
     }
 }
 
-/// Counts why rows have no value, each kind of reason once.
+/// Counts the reasons for missing values, each kind once.
 fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
     match kinds.iter_mut().find(|(_, known)| discriminant(known) == discriminant(reason)) {
         Some((count, _)) => *count += 1,
@@ -224,7 +221,7 @@ fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
     }
 }
 
-/// The name of a column that says something about a quantity: `mean_pressure_error`.
+/// The name of a column beside that of a quantity: `mean_pressure_error`.
 pub fn named(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
 }

@@ -5,10 +5,10 @@ use asperity::joints::{Joint, Work};
 use asperity::{At, ContactError};
 use asperity_plot::{Axis, Curve};
 
+use crate::output::plot;
 use crate::output::say;
-use crate::plot;
+use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
 /// Why values are 0.
 pub const READ_0: &str =

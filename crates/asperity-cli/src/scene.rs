@@ -1,4 +1,4 @@
-//! A scene file as the commands use it: its models by id.
+//! A scene file with its models by id; prints its warnings.
 
 use std::path::Path;
 
@@ -8,13 +8,13 @@ use asperity_scene::{LeftOut, SceneFile};
 
 use crate::output::{self, once, report, say};
 
-/// A scene file that has been read.
+/// A scene file and its name.
 pub struct LoadedScene {
     pub file: SceneFile,
     pub name: String,
 }
 
-/// A model, and what the answer calls it.
+/// A model, and its name in the result.
 pub type NamedModel = (String, Model);
 
 impl LoadedScene {
@@ -71,12 +71,12 @@ impl LoadedScene {
         );
     }
 
-    /// The model that others are held against: the usual one unless another is asked for.
+    /// The reference model: the usual one unless another is given.
     pub fn reference(&self, asked: Option<&str>) -> Result<NamedModel> {
         self.model(asked.unwrap_or(asperity::usual_reference(&self.file.scene)))
     }
 
-    /// The models asked for, or all that the scene allows: those it does not are named.
+    /// The models given, or all that the scene allows; a note names the others.
     pub fn models(&self, asked: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
         if !asked.is_empty() {
             let models = once(asked).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
@@ -100,16 +100,16 @@ impl LoadedScene {
         left_out.extend(refused.into_iter().filter_map(|(model, refusal)| {
             Some(LeftOut { id: model.id().into(), reason: refusal? })
         }));
-        tell_left_out(&left_out);
+        note_left_out(&left_out);
         if models.is_empty() {
-            bail!("{}: no model can use this scene", self.name);
+            bail!("{}: no model is available for this scene", self.name);
         }
         self.note_adhesion();
         Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
     }
 
-    /// The models asked for, or all that can stand beside boundary elements: those that cannot are
-    /// named.
+    /// The models given, or all that can be compared with boundary elements; a note names the
+    /// others.
     pub fn models_beside_bem(
         &self,
         asked: &[String],
@@ -119,16 +119,16 @@ impl LoadedScene {
         let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
         if asked.is_empty() {
             let (all, mut left_out) = self.file.models_beside_bem();
-            let (allowed, told) = self.file.models();
-            left_out.retain(|model| !told.contains(model));
-            tell_left_out(&left_out);
+            let (allowed, noted) = self.file.models();
+            left_out.retain(|model| !noted.contains(model));
+            note_left_out(&left_out);
             let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
             models.extend(all.into_iter().filter(|model| !known(model)));
         }
         Ok(models)
     }
 
-    /// A model with the scene's options, under the name it was asked for.
+    /// A model with the scene's options, under the given name.
     pub fn model(&self, id: &str) -> Result<NamedModel> {
         let model = self.file.model(id)?;
         let (_, left_out) = self.file.models();
@@ -136,22 +136,22 @@ impl LoadedScene {
             bail!("{}: {}", self.name, refused.reason);
         }
         if model.id() != id {
-            say("note", &format!("{id} is {} by the scene's options", model.id()));
+            say("note", &format!("{id} means {} by the options of the scene", model.id()));
         }
         Ok((id.to_string(), model))
     }
 }
 
-/// Says what models lack, those of one reason together.
-fn tell_left_out(left_out: &[LeftOut]) {
+/// Notes the models that are left out, those of one reason together.
+fn note_left_out(left_out: &[LeftOut]) {
     let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
-    for told in told_together(&left_out.iter().map(reason).collect::<Vec<_>>()) {
-        say("note", &format!("left out: {told}"));
+    for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
+        say("note", &format!("left out: {text}"));
     }
 }
 
-/// Models and what they lack, in words: those of one reason together.
-pub fn told_together(lacking: &[(String, ContactError)]) -> Vec<String> {
+/// Models and what they lack, one message for each reason.
+pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
     let mut reasons: Vec<(String, Vec<&str>)> = vec![];
     for (id, reason) in lacking {
         // Of models that lack the same, each has its name in it.

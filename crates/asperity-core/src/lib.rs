@@ -25,6 +25,7 @@ mod model;
 mod request;
 mod response;
 mod scene;
+mod text;
 
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
@@ -60,3 +61,4 @@ pub use scene::Scene;
 pub use scene::asperity::Asperity;
 pub use scene::interface::{Body, HARDNESS_OVER_YIELD, Interface};
 pub use scene::surface::{ProfileMoments, Surface};
+pub use text::{nearest_name, shortest_digits};

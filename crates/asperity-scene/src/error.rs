@@ -10,14 +10,14 @@ use asperity::ContactError;
 pub struct Place {
     /// The file; `None` for text that came from no file.
     pub file: Option<PathBuf>,
-    /// Its line, counted from 1, where one can be told.
+    /// Its line, counted from 1, where it is known.
     pub line: Option<usize>,
     /// The field, with its section: `surface.asperity_radius`, `body[2].hardness`.
     pub field: String,
 }
 
 impl Place {
-    /// A field that stands in no file, as an option given by keyword.
+    /// A field outside any file, for example an option given by keyword.
     #[must_use]
     pub fn field(field: impl Into<String>) -> Self {
         Self { field: field.into(), ..Self::default() }
@@ -46,7 +46,15 @@ pub enum SceneError {
     Unreadable {
         /// The file, and the field that names it.
         at: Box<Place>,
-        /// The system's own words.
+        /// The reason from the system.
+        reason: String,
+    },
+    /// A file could not be written, or no file can hold this value.
+    #[error("{at} cannot be written: {reason}")]
+    Unwritable {
+        /// The file, or the field.
+        at: Box<Place>,
+        /// The reason, from the system for files.
         reason: String,
     },
     /// The text is not TOML, or not CSV.
@@ -54,7 +62,7 @@ pub enum SceneError {
     Syntax {
         /// Where.
         at: Box<Place>,
-        /// The parser's own words.
+        /// The reason from the parser.
         reason: String,
     },
     /// A key that its section does not have.
@@ -67,14 +75,14 @@ pub enum SceneError {
         /// What is allowed there.
         allowed: String,
     },
-    /// A value of the wrong kind, out of its range, or not one of the words allowed.
+    /// A value of the wrong kind, out of its range, or not one of the allowed names.
     #[error("{at} is {found}{}: {needed} was required", suggestion(.near))]
     Value {
         /// The field.
         at: Box<Place>,
         /// What was found.
         found: String,
-        /// The nearest word that is allowed, if one is near.
+        /// The nearest allowed name, if one is near.
         near: Option<String>,
         /// What is needed.
         needed: String,
@@ -105,12 +113,12 @@ pub enum SceneError {
         /// The file, what was found in it, and what was required.
         reason: String,
     },
-    /// The scene was read, and the library refuses it.
+    /// The library refuses the scene.
     #[error("{at}: {source}")]
     Contact {
         /// The section.
         at: Box<Place>,
-        /// The library's own words.
+        /// The reason from the library.
         source: ContactError,
     },
 }
@@ -124,14 +132,13 @@ fn place_without_file(place: &Place) -> String {
 }
 
 impl SceneError {
-    /// A value that was found, and what is needed in its stead.
+    /// A value, and what is needed instead.
     pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
         let (found, needed) = (format!("{found:?}"), needed.trim_end_matches(',').into());
         Self::Value { at, found, near: None, needed }
     }
 
-    /// A refusal of the library, told of the field of the scene file that it concerns: `at` gives
-    /// the place of a field's name.
+    /// A refusal of the library at the field of the scene file; `at` gives the place of a field.
     pub(crate) fn from_contact(source: ContactError, at: impl Fn(&str) -> Box<Place>) -> Self {
         match source {
             ContactError::OutOfRange { field, value, required } => {

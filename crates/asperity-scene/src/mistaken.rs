@@ -1,18 +1,18 @@
-//! Separations that were probably meant in another unit.
+//! Separations that look like another unit.
 
 use asperity::{Diagnostic, SeparationUnit};
 
-/// Farther away or deeper than this many σ_z there is no contact that anybody means.
+/// Separations beyond this many σ_z are unlikely.
 const FAR: f64 = 1e3;
-/// Nearer to 0 than this many σ_z nobody asks unless for 0 itself: the number has another unit.
+/// Separations below this many σ_z are unlikely, except 0.
 const NEAR: f64 = 1e-3;
-/// Within so many σ_z lie the gaps that are asked about.
+/// Usual gaps, in σ_z.
 const GAPS: std::ops::Range<f64> = 1e-2..30.0;
-/// No gap of a rough contact is as long as this \[m\]; multiples of σ_z are.
+/// Gaps above this length \[m\] are unlikely.
 const LONG: f64 = 0.1;
 
-/// A diagnostic of a separation (or another length, by its `name`) that makes no sense in its unit, or
-/// little beside the other one; σ_z is `height_std` \[m\].
+/// A warning for a separation (or another length, by its `name`) that is unlikely in its unit and
+/// looks like the other one; σ_z is `height_std` \[m\].
 ///
 /// ```
 /// use asperity::SeparationUnit;

@@ -1,4 +1,4 @@
-//! Options of the models: one door for scene files, keywords and command lines.
+//! Options of the models, checked in one place for scene files, keywords and command lines.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -15,7 +15,7 @@ use crate::document::Document;
 use crate::scan::ScanSpectrum;
 use crate::{Place, SceneError};
 
-/// What the ids `jg`, `af`, `gao` and `at` stand for; the defaults are the models' own.
+/// Variants of the models; the defaults are the models' own.
 ///
 /// As a scene file's `[options]`, as keywords and in serde formats, it is a map from the names of
 /// these fields to [`OptionValue`]s, each of which may be left out.
@@ -34,9 +34,9 @@ use crate::{Place, SceneError};
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, expecting = "a table, [options],")]
 pub struct ModelOptions {
-    /// What the id `at` stands for (`at-additive` and `at-overlap` stand for themselves).
+    /// The reading of the id `at` (`at-additive` and `at-overlap` are fixed).
     pub at_reading: AtReading,
-    /// How the contact normals of Gao and AT are spread.
+    /// The distribution of the contact normals of Gao and AT.
     #[serde(with = "AngleChoice")]
     pub angle_density: AngleDensity,
     /// The tangential displacements of Gao and AT.
@@ -46,20 +46,20 @@ pub struct ModelOptions {
     pub stick: Stick,
     /// Which force Gao and AT sum.
     pub force: ForceComponent,
-    /// What the id `jg` stands for (`jg-cosine` stands for itself).
+    /// The hardness of the id `jg` (`jg-cosine` is fixed).
     pub jg_hardness: GeometricHardness,
     /// The pressure under AF's embedded plastic asperity.
     pub af_flow_pressure: FlowPressure,
-    /// H, from 0.1 to 1: what the mean gaps and stiffnesses of `persson` and `persson-fudge` need where
-    /// there is no scan. Beside a scan it counts, and its spectrum does not: scene files are told so.
+    /// H, from 0.1 to 1: the power-law spectrum of the mean gaps and stiffnesses of `persson` and
+    /// `persson-fudge`. Beside a scan it replaces the scan's spectrum, with a warning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hurst_exponent: Option<f64>,
-    /// Whether ids stand for their models on a random surface (`ke-random` stands for itself); a scene
-    /// file may say it of its surface.
+    /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file
+    /// may also have this key in `[surface]`.
     pub asperities: Asperities,
 }
 
-/// How radii are spread.
+/// The distribution of the asperity radii.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -67,8 +67,8 @@ pub enum Asperities {
     /// All asperities have one radius.
     #[default]
     Equal,
-    /// Heights and radii are spread together, as on an isotropic Gaussian surface with the moments
-    /// that the asperities have or come of: see [`Model::random`].
+    /// Heights and radii are distributed together as on an isotropic Gaussian surface with the
+    /// moments of the asperities: see [`Model::random`].
     Random,
 }
 
@@ -108,7 +108,7 @@ enum DisplacementChoice {
     },
 }
 
-/// The value of one option: a word, a number, or named numbers.
+/// The value of one option: a name, a number, or named numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum OptionValue {
@@ -155,7 +155,8 @@ impl ModelOptions {
         values.insert(name.into(), value.clone());
         let line = |(name, value): (String, _)| format!("{} = {value}\n", Value::from(name));
         let text: String = values.into_iter().map(line).collect();
-        let (document, options) = Document::read::<Self>(None, None, &text)?;
+        let document = Document::new(None, None, &text)?;
+        let options: Self = document.keys()?;
         options.check(&document, "")?;
         *self = options;
         Ok(())
@@ -169,7 +170,7 @@ impl ModelOptions {
     }
 
     fn all(&self) -> BTreeMap<String, OptionValue> {
-        // Words and tables of numbers: that is what option values are.
+        // Every option is a name, a number or a table of numbers.
         let table = toml::Table::try_from(self).ok();
         table.and_then(|table| table.try_into().ok()).unwrap_or_default()
     }
@@ -207,8 +208,8 @@ impl ModelOptions {
         self.model_beside(|| None, id)
     }
 
-    /// The model of an id, with these options; a theory of the whole surface with the spectrum of a
-    /// scan, or why it has none, where there is one.
+    /// The model of an id, with these options; a theory of the whole surface has the spectrum of a
+    /// scan, or the reason why there is none.
     pub(crate) fn model_beside(
         &self,
         spectrum: impl FnOnce() -> Option<ScanSpectrum>,
@@ -239,7 +240,7 @@ impl ModelOptions {
         Ok(if named_so { model.random() } else { self.on_surface(model) })
     }
 
-    /// The model on asperities as these options have them.
+    /// The model on equal or random asperities, by these options.
     #[must_use]
     pub fn on_surface(&self, model: Model) -> Model {
         match self.asperities {
@@ -248,8 +249,8 @@ impl ModelOptions {
         }
     }
 
-    /// Every model with these options, each once: where `jg_hardness` or `at_reading` make `jg` or
-    /// `at` stand for a model with an id of its own, that one takes the place of the other.
+    /// Every model with these options, each once: where `jg_hardness` or `at_reading` give `jg` or
+    /// `at` the meaning of another id, that id replaces it.
     #[must_use]
     pub fn models(&self) -> Vec<Model> {
         let mut models: Vec<Model> = vec![];

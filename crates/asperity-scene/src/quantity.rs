@@ -1,4 +1,4 @@
-//! Numbers with a unit, "210 GPa", as plain numbers in SI units. Plain numbers are SI already.
+//! Numbers with a unit, "210 GPa", as plain numbers in SI units.
 
 use std::fmt::Write;
 use std::ops::Range;
@@ -9,8 +9,8 @@ use crate::template::key;
 
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
-/// What a unit measures, as the template names the SI unit; the units, and the power of ten of
-/// each. Spaces, dots between units, * and ^ are left out; µ is u, ² is 2, and Ω ohm.
+/// The SI unit as in the template, an example, and the units with their powers of ten. Spaces, dots
+/// between units, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
 const UNITS: [Units; 9] = [
     (
         "Pa",
@@ -49,17 +49,17 @@ const UNITS: [Units; 9] = [
     ),
 ];
 
-/// A text that is no number of the unit that a key has.
+/// A text that is not a number in the unit of its key.
 pub(crate) struct NoQuantity {
     /// The key with its sections.
     pub(crate) path: String,
     pub(crate) found: String,
-    /// With a unit that differs by its case alone.
+    /// The same number with a unit that differs by its case alone.
     pub(crate) near: Option<String>,
     pub(crate) needed: String,
 }
 
-/// The text with plain numbers in the place of those with units; every line stays where it is.
+/// The text with plain numbers instead of numbers with units; line numbers stay.
 pub(crate) fn in_si(text: &str, table: &DeTable<'_>) -> Result<String, NoQuantity> {
     let mut found = vec![];
     collect(table, "", &mut found)?;
@@ -104,7 +104,7 @@ fn collect(
                     let value_of = read(given, units).ok_or_else(|| {
                         let ((si, example, _), known) = (units, list(units.2));
                         let needed = format!(
-                            "a number in {si} without quotes, or one with a unit as \"{example}\" ({known}),"
+                            "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
                         );
                         let near = in_other_case(given, units);
                         NoQuantity { path, found: given.to_string(), near, needed }
@@ -129,17 +129,17 @@ fn units_of(section: &str, name: &str) -> Option<Units> {
     UNITS.into_iter().find(|(known, ..)| si(known))
 }
 
-/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m, 1/m^2, W/(m K) or ohm m), plain or with another unit
-/// of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
+/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m, 1/m^2, W/(m K) or ohm m), plain or with
+/// another unit of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
 ///
 /// ```
 /// assert_eq!(asperity_scene::quantity("2.5 kN", "N").unwrap(), 2500.0);
 /// let error = asperity_scene::quantity("2.5 mm", "N").unwrap_err();
-/// assert_eq!(error, "\"2.5 mm\" is no number in N, or one with a unit as 2kN (N, kN, MN, mN, uN)");
+/// assert_eq!(error, "\"2.5 mm\" is not a number in N: write 2kN, for example (units: N, kN, MN, mN, uN)");
 /// ```
 ///
 /// # Errors
-/// A sentence that names what was given and what can be.
+/// A message with the text and the known units.
 pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
     if let Ok(value) = text.trim().parse() {
         return Ok(value);
@@ -150,7 +150,9 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
         let near = units.and_then(|units| in_other_case(text, units));
         let near = near.map_or(String::new(), |near| format!(" (did you mean {near:?}?)"));
         let (example, names) = (example.replace(' ', ""), list(names));
-        format!("{text:?} is no number in {si}{near}, or one with a unit as {example} ({names})")
+        format!(
+            "{text:?} is not a number in {si}{near}: write {example}, for example (units: {names})"
+        )
     })
 }
 
@@ -158,8 +160,8 @@ fn list(units: &[(&str, i32)]) -> String {
     units.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ")
 }
 
-/// The number with the one unit that is spelled like its own in another case: 20KN is 20kN. Of two
-/// (MN, mN) neither.
+/// The number with the one unit that differs by its case alone: 20kN for 20KN. None where two
+/// differ so (MN, mN).
 fn in_other_case(given: &str, units: Units) -> Option<String> {
     let text = plain(given);
     let mut alike = units.2.iter().filter_map(|(unit, _)| {
@@ -171,7 +173,7 @@ fn in_other_case(given: &str, units: Units) -> Option<String> {
     alike.next().filter(|_| alike.next().is_none())
 }
 
-/// Without what is left out.
+/// The text without ignored characters, in ASCII.
 fn plain(given: &str) -> String {
     let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
     let text: String = given.chars().filter(|c| !left_out(*c)).collect();
@@ -222,11 +224,11 @@ mod tests {
             ("3 mn", "N", None),
             ("20 KP", "N", None),
         ] {
-            let told = quantity(text, si).unwrap_err();
+            let error = quantity(text, si).unwrap_err();
             let asked = near.map(|near| format!("(did you mean {near:?}?)"));
             match asked {
-                Some(asked) => assert!(told.contains(&asked), "{told}"),
-                None => assert!(!told.contains("did you mean"), "{told}"),
+                Some(asked) => assert!(error.contains(&asked), "{error}"),
+                None => assert!(!error.contains("did you mean"), "{error}"),
             }
         }
     }

@@ -1,4 +1,4 @@
-//! A scene file, read.
+//! Scene files.
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -10,40 +10,45 @@ use asperity::{
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use crate::document::{Document, text_of};
-use crate::heights::{compared, read_heights};
-use crate::interface::interface;
-use crate::keys::{HeightsKey, SceneKeys};
+use crate::heights::{HeightKeys, HeightsKey, compared};
+use crate::interface::{InterfaceKeys, interface};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
+use crate::write::Read;
 use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
-/// All that a scene file says.
+/// A scene with the options of its models, as a scene file describes it.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SceneFile {
-    /// What is in contact.
+    /// The surfaces in contact.
     pub scene: Scene,
-    /// What the ids of the models stand for.
+    /// The variants of the models.
     pub options: ModelOptions,
-    /// What the separations of its users are measured from.
+    /// The plane from which separations are measured.
     pub separation_from: Datum,
-    /// The table of heights, where there is one: what `scene.heights` was made of.
+    /// The table of heights behind `scene.heights`, where there is one.
     pub table: Option<TabulatedHeights>,
     /// The bodies that the interface follows from, where they were given.
     pub bodies: Vec<Body>,
-    /// What the scans say that the surface follows from, where there are any.
+    /// Statistics of the scans behind the surface, where there are any.
     pub measured: Option<Measured>,
-    /// Diagnostics of the files that were read.
+    /// Warnings about the file.
     pub warnings: Diagnostics,
     /// Codes of the warnings and notes that are accepted, and not shown.
     pub accept: Vec<String>,
     /// The scan of the surface, levelled and filtered, where one file describes it.
     pub scan: Option<Arc<Topography>>,
-    /// The keys of `[surface]` that the asperities follow from, where they are not given themselves.
+    /// The keys of `[surface]` that the asperities follow from, where they are not given
+    /// themselves.
     pub(crate) follows_from: &'static [&'static str],
-    /// Its spectrum, once it was asked for.
+    /// The file as read, for writing it again.
+    pub(crate) read: Option<Arc<Read>>,
+    /// The spectrum of the scan, once it is needed.
     pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
 }
 
@@ -52,7 +57,7 @@ pub struct SceneFile {
 pub struct LeftOut {
     /// The model's id.
     pub id: String,
-    /// What it needs, or why its laws mean nothing here.
+    /// What it lacks, or why it is not valid here.
     pub reason: ContactError,
 }
 
@@ -65,15 +70,15 @@ pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
     let read = || {
         let text = text_of(path, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        scene_file(Document::read(Some(path), Some(folder), &text)?)
+        scene_file(&Document::new(Some(path), Some(folder), &text)?)
     };
     read().map_err(|error| no_scene(path, error))
 }
 
-/// How scans are named, and scenes are not.
+/// Extensions of scans, which scenes do not have.
 const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
 
-/// That a file of another kind is a scan, rather than a scene with mistakes.
+/// The error for a scan in the place of a scene file.
 fn no_scene(path: &Path, error: SceneError) -> SceneError {
     let end = path.extension().unwrap_or_default().to_ascii_lowercase();
     if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
@@ -82,7 +87,7 @@ fn no_scene(path: &Path, error: SceneError) -> SceneError {
     let scan = |reason| {
         let name = path.display();
         format!(
-            "a scene file in TOML was required, and a file of this name is a scan: `asperity surface {name} --scene scene.toml` makes a scene of it ({reason})"
+            "the file looks like a scan, not like a scene in TOML ({reason}); `asperity surface {name} --scene scene.toml` makes a scene of it"
         )
     };
     match error {
@@ -112,53 +117,56 @@ fn no_scene(path: &Path, error: SceneError) -> SceneError {
 /// # Errors
 /// Those of [`load`], without a file's name.
 pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
-    scene_file(Document::read(None, Some(directory), text)?)
+    scene_file(&Document::new(None, Some(directory), text)?)
 }
 
-fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
-    keys.options.check(document, "options.")?;
-    let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { mut options, surface: keys, nominal_area, body: bodies, accept, .. } = keys;
-    if let Some(asperities) = keys.asperities {
+/// The keys of the file as a whole; what else it has is left to its readers.
+#[derive(Deserialize)]
+struct FileKeys {
+    nominal_area: f64,
+    /// That there is one.
+    #[serde(rename = "surface")]
+    _surface: IgnoredAny,
+    #[serde(default)]
+    options: ModelOptions,
+    #[serde(default)]
+    accept: Vec<String>,
+}
+
+/// The option that may stand in `[surface]`.
+#[derive(Deserialize)]
+struct AsperitiesKey {
+    asperities: Option<Asperities>,
+}
+
+fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
+    let table = document.table()?;
+    let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
+    options.check(document, "options.")?;
+    let bodies: InterfaceKeys = document.keys()?;
+    let (interface, interface_section) = interface(document, &bodies)?;
+    let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
+    let AsperitiesKey { asperities } = document.surface()?;
+    if let Some(asperities) = asperities {
         if document.has("options.asperities") {
-            let needed = "the asperities of the surface, once,";
+            let needed = "one of the two";
             return Err(document.conflict("surface.asperities", "options.asperities", needed));
         }
         options.asperities = asperities;
     }
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
-    let table = match &keys.heights {
-        HeightsKey::Table { file } => Some(read_heights(document, file)?),
-        _ => None,
-    };
-    let own_std = table.as_ref().map(TabulatedHeights::standard_deviation);
-    let described = surface(document, &keys, &interface, own_std)?;
+    let given = heights.table(document)?;
+    let own_std = given.as_ref().map(TabulatedHeights::standard_deviation);
+    let described = surface(document, &heights, &interface, own_std)?;
     let (surface, mut warnings) = (described.surface, described.notes);
-    let std = surface.asperity_height_std;
-    if let Some(table) = &table {
-        warnings.extend(compared(document, table, std)?);
+    if let Some(table) = &given {
+        warnings.extend(compared(document, table, surface.asperity_height_std)?);
     }
-    let table = table.or(described.heights);
-    let from = keys.separation_from;
-    let impossible = match (&keys.heights, &table) {
-        _ if from == Datum::AsperityMean => None,
-        (HeightsKey::Exponential, _) => Some(
-            "separation_from = \"asperity-mean\" (exponential heights begin at the lowest asperity, and no mean plane belongs to them)",
-        ),
-        (HeightsKey::Skewed { .. }, _) => Some(
-            "separation_from = \"asperity-mean\" (how far the mean of skewed asperities lies above that of their surface is not known)",
-        ),
-        (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
-            "a table whose heights are measured from the mean plane of the surface (this one's mean is 0, as if from its own mean)",
-        ),
-        _ => None,
-    };
-    if let Some(needed) = impossible {
-        return Err(document.conflict("surface.separation_from", "surface.heights", needed));
-    }
+    let heights_table = given.or(described.heights);
+    let measured = described.measured;
     let mut scene = Scene::new(interface, surface, nominal_area);
-    scene.heights = match (&keys.heights, &table) {
+    scene.heights = match (&heights, &heights_table) {
         (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
         (HeightsKey::Skewed { skewness }, _) => {
             let heights =
@@ -168,12 +176,24 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
         (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };
-    scene.asperity().map_err(document.refused(of_interface))?;
-    let measured = described.measured;
     let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
-    scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
-    let (scan, separation_from) = (described.scan, from);
-    let follows_from = described.follows_from;
+    let offset = heights_table.as_ref().map(TabulatedHeights::mean).or(offset);
+    if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
+        let known = if heights_table.is_some() { "surface.heights" } else { "surface.file" };
+        let needed = "one of the two: the offset follows from measured heights";
+        return Err(document.conflict("surface.mean_plane_offset", known, needed));
+    }
+    scene.mean_plane_offset = mean_plane_offset.or(offset);
+    scene.asperity().map_err(|error| {
+        let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
+        document.refused(if of_plane { "surface" } else { interface_section })(error)
+    })?;
+    if separation_from != Datum::AsperityMean
+        && let Some(needed) = no_mean_plane(&scene, heights_table.as_ref())
+    {
+        return Err(document.conflict("surface.separation_from", "surface.heights", needed));
+    }
+    let scan = described.scan;
     if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
         let at = document.place("options.hurst_exponent");
         let exponent = options.hurst_exponent.unwrap_or(f64::NAN);
@@ -182,25 +202,43 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
             .advice("leave it out for the spectrum of the scan");
         warnings.push(found.from_origin(at.to_string()));
     }
-    let spectrum = Arc::default();
+    let read = Read::new(document, table, interface, surface, heights_table.as_ref());
     Ok(SceneFile {
         scene,
         options,
         separation_from,
-        table,
-        bodies,
+        table: heights_table,
+        bodies: bodies.body,
         measured,
         warnings: warnings.into_iter().collect::<Diagnostics>().silenced(&accept),
         accept,
         scan,
-        follows_from,
-        spectrum,
+        follows_from: described.follows_from,
+        read: Some(Arc::new(read)),
+        spectrum: Arc::default(),
     })
 }
 
+/// What a scene needs before separations can be measured from the mean plane of its surface.
+fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'static str> {
+    match (&scene.heights, table) {
+        (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
+            "a table whose heights are measured from the mean plane of the surface (the mean of this table is 0: its heights are measured from their own mean)",
+        ),
+        _ if scene.mean_plane_offset.is_some() => None,
+        (HeightDistribution::Exponential, _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (exponential heights begin at the lowest asperity; their mean plane is unknown)",
+        ),
+        (HeightDistribution::Weibull(_), _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed asperities is unknown)",
+        ),
+        _ => None,
+    }
+}
+
 impl From<Scene> for SceneFile {
-    /// A scene that no file describes, with the models' own options and separations from the mean
-    /// of the asperity heights.
+    /// A scene without a file: default options, and separations from the mean of the asperity
+    /// heights.
     fn from(scene: Scene) -> Self {
         Self {
             scene,
@@ -213,14 +251,16 @@ impl From<Scene> for SceneFile {
             accept: vec![],
             scan: None,
             follows_from: &[],
+            read: None,
             spectrum: Arc::default(),
         }
     }
 }
 
 impl SceneFile {
-    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on the
-    /// scene's scan, repeated and with the hardness. `persson` takes its gaps from that scan's spectrum.
+    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on
+    /// the scene's scan, repeated and with the hardness. `persson` takes its gaps from that scan's
+    /// spectrum.
     ///
     /// # Errors
     /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
@@ -240,8 +280,8 @@ impl SceneFile {
         }
     }
 
-    /// All models that the scene allows, with its options, simplest first; and those it does not,
-    /// each with what it lacks.
+    /// All models that the scene allows, with its options, simplest first; and those that it does
+    /// not allow, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
@@ -254,9 +294,9 @@ impl SceneFile {
         (allowed, left_out)
     }
 
-    /// What can stand beside boundary elements on the scene's scan: [`models`](Self::models), and those
-    /// of random asperities and of the whole surface, whatever it says of its asperities; and those
-    /// that the scene does not allow, each with what it lacks.
+    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
+    /// and those of random asperities and of the whole surface; and those that the scene does not
+    /// allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut models, mut left_out) = self.models();
@@ -276,13 +316,13 @@ impl SceneFile {
         (models, left_out)
     }
 
-    /// The models that stick, where surfaces do.
+    /// The models with adhesion, if the scene has a work of adhesion.
     #[must_use]
     pub fn adhesive_models(&self) -> Vec<Model> {
         self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
     }
 
-    /// A separation as the users of this scene count it.
+    /// A separation from the plane of this scene.
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
         Separation { value, unit, from: self.separation_from }
@@ -302,12 +342,11 @@ impl SceneFile {
         let mut scene = Scene::new(interface, surface, nominal_area);
         scene.asperity()?;
         scene.heights = self.scene.heights.clone();
-        // What was measured holds for the surface it was measured on.
+        // A measurement is valid for its own surface only.
         let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
         scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
         let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
         let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
-        // Nor is a scan one of another surface.
         let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
         Ok(Self { scene, bodies, measured, warnings: Diagnostics::default(), scan, ..self.clone() })
     }

@@ -1,16 +1,17 @@
-//! The template: the one list of the sections, their keys, and what these mean.
+//! The template declares every section and key with its unit and meaning. Accepted names, units,
+//! hints and the order of written scenes follow from it.
 
 use asperity::Surface;
 use toml::Value;
 
-/// A commented scene file with every key there is: steel on steel, machined.
+/// A commented scene file with every key: machined steel on steel.
 #[must_use]
 pub fn template() -> &'static str {
     include_str!("template.toml")
 }
 
-/// The template on a measured surface: these keys of `[surface]` have these values, and what the
-/// asperities come to stands beside them as a note.
+/// The template for a measured surface: these keys of `[surface]` have these values; the resulting
+/// asperities stand in a comment.
 #[must_use]
 pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
     let three = [
@@ -41,31 +42,56 @@ pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
     template().lines().map(line).collect()
 }
 
-/// What the template says of a key, or of a section.
+/// A key, or a section, as the template declares it.
+#[derive(Clone, Copy)]
 pub(crate) struct Key {
     pub(crate) name: &'static str,
     /// Header of the section that it stands in, as `[surface]`; empty for the top of the file.
     pub(crate) section: &'static str,
-    /// Its unit and meaning; empty where these go without saying.
+    /// Its unit and meaning; empty where these stand elsewhere.
     pub(crate) meaning: &'static str,
+    /// Whether it stands among the keys of a measured surface.
+    measured: bool,
 }
+
+/// The head of those keys in the template; an empty line ends them.
+const MEASURED: &str = "5. a measurement";
 
 /// The keys of the template, in its order.
 pub(crate) fn keys() -> impl Iterator<Item = Key> {
-    let mut inside = "";
+    let (mut inside, mut measured) = ("", false);
     template().lines().filter_map(move |line| {
         let line = line.trim_start_matches("# ");
+        measured = line.starts_with(MEASURED) || measured && !line.is_empty();
         let (code, meaning) = line.split_once('#').unwrap_or((line, ""));
         let (code, meaning) = (code.trim_end(), meaning.trim());
         match code.split_once(" = ") {
-            Some((name, _)) => Some(Key { name, section: inside, meaning }),
-            None if code.starts_with('[') => {
-                inside = code;
-                Some(Key { name: code.trim_matches(['[', ']']), section: "", meaning })
+            Some((name, _)) if name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') => {
+                Some(Key { name, section: inside, meaning, measured })
             }
-            None => None,
+            _ if code.starts_with('[') => {
+                inside = code;
+                Some(Key { name: code.trim_matches(['[', ']']), section: "", meaning, measured })
+            }
+            _ => None,
         }
     })
+}
+
+/// The names of a section, each once, in the order of the template.
+pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
+    let mut names = vec![];
+    for key in keys().filter(|key| key.section.trim_matches(['[', ']']) == section) {
+        if !names.contains(&key.name) {
+            names.push(key.name);
+        }
+    }
+    names
+}
+
+/// The keys of `[surface]` that only measured surfaces have.
+pub(crate) fn measured_keys() -> impl Iterator<Item = &'static str> {
+    keys().filter(|key| key.measured).map(|key| key.name)
 }
 
 /// The key of this name in a section, or else the first of this name.
@@ -107,5 +133,27 @@ mod tests {
         assert!(key("", "surface").unwrap().meaning.contains("exactly one of five ways"));
         assert_eq!(key("interface", "poissons_ratio").unwrap().meaning, "of the softer body");
         assert!(key("", "zeta").is_none() && key("", "").is_none());
+    }
+
+    #[test]
+    fn every_key_of_a_section_is_declared() {
+        let only_measured: Vec<&str> = measured_keys().collect();
+        let wanted = "file files unit pixel_size estimator level filter smooth periodic max_missing fill_missing";
+        assert_eq!(only_measured.join(" "), wanted);
+        let declared = |section: &str, fields: serde_json::Value, elsewhere: &[&str]| {
+            let fields = fields.as_object().unwrap().keys().map(String::as_str);
+            let mut fields: Vec<&str> = fields.filter(|name| !elsewhere.contains(name)).collect();
+            let mut known = keys_of(section);
+            fields.sort_unstable();
+            known.sort_unstable();
+            assert_eq!(known, fields, "{section}");
+        };
+        let body = asperity::Body::elastic(1e9, 0.3);
+        declared("body", serde_json::to_value(body).unwrap(), &[]);
+        let interface = asperity::Interface::new(1e9, 0.3, 1e9);
+        declared("interface", serde_json::to_value(interface).unwrap(), &[]);
+        let options = crate::ModelOptions { hurst_exponent: Some(0.8), ..Default::default() };
+        // In `[surface]`.
+        declared("options", serde_json::to_value(options).unwrap(), &["asperities"]);
     }
 }

@@ -13,7 +13,7 @@ use crate::{LengthUnit, Level};
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TopographyError {
-    /// Something was wrong with a file; the source says what.
+    /// An error in a file.
     #[error("{}: {source}", path.display())]
     File {
         /// The file.
@@ -21,10 +21,10 @@ pub enum TopographyError {
         /// What was wrong.
         source: Box<TopographyError>,
     },
-    /// The operating system did not hand the file over.
+    /// The system could not read the file.
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
-    /// More than this crate is willing to hold in memory.
+    /// Larger than this crate accepts.
     #[error("{what} is {size}: at most {limit} was required")]
     TooLarge {
         /// What is too large, with its unit.
@@ -71,12 +71,12 @@ pub enum TopographyError {
         /// What should.
         required: String,
     },
-    /// The file does not say in what unit its heights are, and nobody else did.
+    /// Neither the file nor the options have the unit of the heights.
     #[error(
-        "the file does not say the unit of its heights: unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line) was required"
+        "the file has no unit of its heights: give unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line)"
     )]
     UnitMissing,
-    /// A cut-off that the surface is too small or too coarse for.
+    /// A cut-off outside the wavelengths of the scan.
     #[error("{field} is {value:?}: {required} was required")]
     Cutoff {
         /// What the cut-off is called.
@@ -88,7 +88,7 @@ pub enum TopographyError {
     },
     /// Pixels smaller than atoms: a length in metres beside a unit.
     #[error(
-        "pixel_size is {value:e} {unit}, which is {metres:e} m and less than an atom: it is in the unit of the heights; is it in m?"
+        "pixel_size is {value:e} {unit}, which is {metres:e} m and less than an atom; {value:e} looks like m, but pixel_size is in the unit of the heights"
     )]
     TinyPixel {
         /// What was given, in the unit.
@@ -98,21 +98,21 @@ pub enum TopographyError {
         /// What that is.
         metres: f64,
     },
-    /// The file does not say how far its points are apart, and nobody else did.
+    /// Neither the file nor the options have the distance between points.
     #[error(
-        "the file does not say the distance of its points: pixel_size in the unit of the heights (--pixel-size on the command line) was required"
+        "the file has no distance between its points: give pixel_size in the unit of the heights (--pixel-size on the command line)"
     )]
     PixelSizeMissing,
-    /// An option says one thing and the file another.
+    /// An option and the file disagree.
     #[error(
-        "{option} is {given}, but the file says {in_file}: leave the option out or correct the file"
+        "{option} is {given}, but {in_file} in the file: leave the option out or correct the file"
     )]
     Contradiction {
         /// Name of the option.
         option: &'static str,
         /// What was given.
         given: String,
-        /// What the file says.
+        /// The value in the file.
         in_file: String,
     },
     /// Too many points are missing.
@@ -127,7 +127,7 @@ pub enum TopographyError {
     },
     /// More points are missing than may be filled.
     #[error(
-        "the share of missing points is {share:.4}: at most {limit} was required, that more are filled would make the surface up; cut the scan"
+        "the share of missing points is {share:.4}: at most {limit} was required; filling more would invent the surface, crop the scan instead"
     )]
     TooManyToFill {
         /// The share of missing points.
@@ -137,7 +137,7 @@ pub enum TopographyError {
     },
     /// The equations of the filled heights were not solved.
     #[error(
-        "{points} missing points could not be filled: heights of like size around them were required"
+        "{points} missing points could not be filled: heights of similar size around them were required"
     )]
     NotFilled {
         /// How many points are missing.
@@ -163,7 +163,7 @@ pub enum TopographyError {
         /// How many columns.
         columns: usize,
     },
-    /// A height is infinite or absurd.
+    /// A height is infinite or too large.
     #[error(
         "the height in row {row}, column {column} (from 0) is {value:e} m: a number of at most 1e9 m in size, or NaN for a missing point, was required"
     )]
@@ -175,7 +175,7 @@ pub enum TopographyError {
         /// The height \[m\].
         value: f64,
     },
-    /// Too little is there to compute what was asked.
+    /// Too few points or summits.
     #[error("there are {found} {what}: at least {required} were required")]
     TooFew {
         /// What is counted.
@@ -186,16 +186,14 @@ pub enum TopographyError {
         required: usize,
     },
     /// All heights are the same.
-    #[error(
-        "the {points} heights are all the same, levelled if asked to be: a rough surface was required"
-    )]
+    #[error("the {points} heights are all equal after levelling: a rough surface was required")]
     Flat {
         /// How many heights there are.
         points: usize,
     },
-    /// The points do not determine the plane or quadric that is to be taken away.
+    /// The points do not determine the plane or quadric to be removed.
     #[error(
-        "the {points} points that are there do not determine the level {level}: points in at least two (plane) or three (quadratic) rows and columns were required"
+        "the {points} points with a height do not determine the level {level}: points in at least two (plane) or three (quadratic) rows and columns were required"
     )]
     Level {
         /// What was to be fitted.
@@ -205,7 +203,7 @@ pub enum TopographyError {
     },
     /// Summits need an areal scan.
     #[error(
-        "the summits of 8 neighbours were asked of a profile: an areal scan, or the estimator \"moments\", was required"
+        "a profile has no summits of 8 neighbours: an areal scan, or the estimator \"moments\", was required"
     )]
     SummitsOfProfile,
     /// Columns of points that do not lie on a regular grid.
@@ -230,11 +228,11 @@ pub enum TopographyError {
     },
     /// Two surfaces of which one is known by its summits.
     #[error(
-        "the estimator is \"summits\": \"moments\" was required for two surfaces, whose moments add and whose summits do not"
+        "the estimator is \"summits\": \"moments\" was required for two surfaces, whose moments add up and whose summits do not"
     )]
     SummitsOfTwo,
     /// The moments are not those of an isotropic Gaussian surface.
-    #[error("{0}; the estimator \"summits\" needs no Gaussian surface")]
+    #[error("{0}; the estimator \"summits\" does not assume a Gaussian surface")]
     Moments(#[source] ContactError),
     /// The numbers of the asperities make no surface.
     #[error(transparent)]
@@ -255,7 +253,7 @@ pub(crate) fn named<T: DeserializeOwned>(
     })
 }
 
-/// The beginning of a text, for a message: files may have megabytes where a word should be.
+/// At most 60 characters of a text: a file may have megabytes in one field.
 pub(crate) fn excerpt(text: &str) -> String {
     match text.char_indices().nth(60) {
         Some((end, _)) => format!("{}...", &text[..end]),

@@ -11,9 +11,10 @@ impl Topography {
     pub const MOST_FILLED: f64 = 0.05;
 
     /// The surface with heights where points are missing: harmonic ones, each the mean of its four
-    /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and without
-    /// summits of their own. At an edge the surface goes on as its least-squares plane does, or beyond
-    /// the edge where it is periodic. Of a profile it is the straight line over a gap.
+    /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and
+    /// without summits of their own. At an edge the surface goes on as its least-squares plane
+    /// does, or beyond the edge where it is periodic. Of a profile it is the straight line over a
+    /// gap.
     ///
     /// # Errors
     /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
@@ -28,7 +29,7 @@ impl Topography {
         if places.is_empty() {
             return Ok(self);
         }
-        // A tilt that nobody took away yet is no part of what is level at an edge.
+        // Without the tilt, so that the filled heights are level at an edge.
         let form = self.form(Level::usual(self.is_periodic()));
         let form = form.or_else(|_| self.form(Level::Mean))?;
         let flat = self.clone().without(&form);
@@ -157,7 +158,8 @@ mod tests {
             let exact = height((k % 40) as f64 * pixel[0], (k / 40) as f64 * pixel[1]);
             assert!((found - exact).abs() < 1e-18, "{k} {found} {exact}");
         }
-        // Levelled before or after, it is the same surface but for what filled points do to the plane.
+        // Levelled before or after, it is the same surface but for what filled points do to the
+        // plane.
         let wavy = |x: f64, y: f64| height(x, y) + 1e-7 * (3e5 * x + 4e5 * y).sin();
         let level = |surface: Topography| surface.level(Level::Plane).unwrap();
         let before = level(holed(wavy, pixel, true)).fill().unwrap();
@@ -172,7 +174,7 @@ mod tests {
         let height = |x: f64, y: f64| (0.7 * x + 0.2 * y * y).sin();
         for periodic in [false, true] {
             let holed = holed(height, [1.0; 2], true).with_periodic(periodic);
-            // What is left over the plane, or the mean.
+            // Heights above the plane, or the mean.
             let holed = holed.levelled(None).unwrap();
             let filled = holed.clone().fill().unwrap();
             let z = |x: i32, y: i32| match periodic {

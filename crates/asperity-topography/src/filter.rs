@@ -100,7 +100,7 @@ impl Topography {
 fn refused(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> TopographyError {
     let inside = |unit: &LengthUnit| (least..=largest).contains(&(value * unit.metres()));
     let unit = [LengthUnit::Micrometre, LengthUnit::Millimetre].into_iter().find(inside);
-    let meant = unit.map_or(String::new(), |unit| format!("; is it in {unit}?"));
+    let meant = unit.map_or(String::new(), |unit| format!("; {value} looks like {unit}"));
     let required = format!(
         "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"
     );
@@ -221,7 +221,7 @@ mod tests {
         let fine = Topography::new(vec![0.0; 100], 10, [1e-6; 2]).unwrap();
         let error = fine.filter(3.0).unwrap_err().to_string();
         let said =
-            "pixels (2.000e-6 m) and at most the size of the surface (1.000e-5 m; is it in um?)";
+            "pixels (2.000e-6 m) and at most the size of the surface (1.000e-5 m; 3 looks like um)";
         assert!(error.contains(said), "{error}");
     }
 }

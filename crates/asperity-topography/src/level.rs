@@ -1,4 +1,4 @@
-//! Levelling: the mean, the least-squares plane or quadric is taken away.
+//! Levelling: removes the mean, the least-squares plane or quadric.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::named;
 use crate::{Topography, TopographyError};
 
-/// What is taken away before statistics are made.
+/// The form removed before statistics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Level {
@@ -38,9 +38,8 @@ impl FromStr for Level {
 }
 
 impl Level {
-    /// What is taken away where nobody says: the plane in which an instrument saw the surface. Of a
-    /// periodic surface the mean alone: a plane fitted to its waves would tilt it, so that its edges
-    /// no longer meet.
+    /// The default: the plane, which is the tilt in the instrument. For a periodic surface the mean
+    /// alone, because a plane fitted to its waves would tilt it, so that its edges no longer match.
     #[must_use]
     pub fn usual(periodic: bool) -> Self {
         if periodic { Self::Mean } else { Self::Plane }
@@ -76,7 +75,8 @@ impl Topography {
         self.level(level)
     }
 
-    /// The surface without its mean, its least-squares plane or quadric; missing points stay missing.
+    /// The surface without its mean, its least-squares plane or quadric; missing points stay
+    /// missing.
     ///
     /// # Errors
     /// [`TopographyError::Level`] when the points do not determine the fit: all on one line, for
@@ -170,7 +170,7 @@ fn scaled(index: usize, n: usize) -> f64 {
     if n < 2 { 0.0 } else { (2 * index) as f64 / (n - 1) as f64 - 1.0 }
 }
 
-/// Sums of u^k, k = 0..4, and of (z - mean) u^k, k = 0..2, over the points that are there.
+/// Sums of u^k, k = 0..4, and of (z - mean) u^k, k = 0..2, over the points with a height.
 fn row_sums(row: &[f64], along: &[f64], mean: f64) -> ([f64; 5], [f64; 3]) {
     let (mut powers, mut heights) = ([0.0; 5], [0.0; 3]);
     for (height, u) in row.iter().zip(along).filter(|(height, _)| !height.is_nan()) {
@@ -226,7 +226,7 @@ mod tests {
             surface.level(Level::Plane).unwrap()
         };
         let error = plane(0.0).statistics(crate::Estimator::Moments).unwrap_err().to_string();
-        assert!(error.contains("2500 heights are all the same"), "{error}");
+        assert!(error.contains("2500 heights are all equal"), "{error}");
         let sq = plane(1e-12).moments().unwrap().profile.m0.sqrt();
         assert!((0.5e-12..1e-12).contains(&sq), "{sq:e}");
     }
@@ -287,6 +287,6 @@ mod tests {
         }
         let surface = Topography::new(heights, 4, [1.0; 2]).unwrap();
         let error = surface.level(Level::Plane).unwrap_err().to_string();
-        assert!(error.starts_with("the 4 points that are there do not determine"), "{error}");
+        assert!(error.starts_with("the 4 points with a height do not determine"), "{error}");
     }
 }

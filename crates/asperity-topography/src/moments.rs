@@ -54,7 +54,7 @@ impl Moments {
 }
 
 impl Topography {
-    /// The spectral moments of the surface as it is; m₀ is taken about the mean height.
+    /// The spectral moments of the surface; m₀ is about the mean height.
     ///
     /// # Errors
     /// [`TopographyError::TooFew`] when a direction has no three neighbours that are all there.

@@ -37,8 +37,8 @@ pub struct Statistics {
     pub beta_z: f64,
     /// Share of the points that are missing, 0 to 1; those that were filled among them.
     pub missing_share: f64,
-    /// How far the mean of the asperity heights lies above the mean plane \[m\]: that of the summits
-    /// found, or of a Gaussian surface with these moments.
+    /// How far the mean of the asperity heights lies above the mean plane \[m\]: that of the
+    /// summits found, or of a Gaussian surface with these moments.
     #[serde(skip)]
     pub mean_plane_offset: f64,
     /// By which estimator the asperities are.
@@ -56,7 +56,7 @@ pub struct Statistics {
 }
 
 impl Topography {
-    /// Heights, moments and asperities of the surface as it is: [`level`](Topography::level) it
+    /// Heights, moments and asperities of the surface: [`level`](Topography::level) it
     /// first.
     ///
     /// # Errors

@@ -40,7 +40,7 @@ impl Summits {
         Ok(surface)
     }
 
-    /// Mean of the heights \[m\]; NaN where there is none.
+    /// Mean of the heights \[m\]; NaN without summits.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.heights.iter().sum::<f64>() / self.heights.len() as f64

@@ -10,15 +10,15 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args, ValueEnum};
 
-use crate::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
-use crate::contact_map;
+use crate::input::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
+use crate::input::numbers::{Numbers, lengths, loads, pressures};
 use crate::interrupt;
-use crate::number::rounded;
-use crate::numbers::{Numbers, lengths, loads, pressures};
+use crate::output::contact_map;
+use crate::output::number::rounded;
+use crate::output::table::{Cell, Table};
 use crate::output::{self, say};
 use crate::pressed::{Row, Run};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Table};
 
 /// The scan of a scene pressed on an elastic half-space, pixel by pixel: no asperities
 #[derive(Debug, Args)]
@@ -194,7 +194,8 @@ impl BemCommand {
 
     /// What does not go together on the command line.
     fn check(&self, given: &[Given]) {
-        let refuse = |text: &str| crate::usage_error("bem", ErrorKind::ArgumentConflict, text);
+        let refuse =
+            |text: &str| crate::input::usage_error("bem", ErrorKind::ArgumentConflict, text);
         if self.picture.is_some() && given.len() > 1 {
             refuse(&format!("--picture draws one load: {} were given", given.len()));
         }

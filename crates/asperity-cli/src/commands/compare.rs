@@ -1,30 +1,32 @@
-//! `asperity compare`: models beside each other.
+//! `asperity compare`: several models and their deviations from a reference.
 
 use anyhow::Result;
 use clap::Args;
 
-use crate::args::{Asked, OutputArgs, model_id};
 use crate::ask::{Question, Row, named};
 use crate::commands::curve::USUAL;
+use crate::input::args::{Asked, OutputArgs, model_id};
+use crate::output::table::Cell;
 use crate::scene::LoadedScene;
-use crate::table::Cell;
 
-/// Models beside each other, with their deviation from a reference
+/// Compare models at the same separations or loads, with deviations from a reference
 #[derive(Debug, Args)]
-#[command(after_help = "Deviations are relative to the reference (differences, for logarithms and
-shares), and 0 where the bounds on the errors do not tell two values apart. At a
-load, each model is at its own separation.
-Unless something is given: force, area and tangent (at loads, without the force)
-at a separation of 2 in sigma.
+#[command(
+    after_help = "Deviations are relative to the reference (differences for logarithms and shares),
+and 0 where two values differ by less than their error bounds. At a load, each
+model has its own separation.
+Default: force, area and tangent (at loads without the force) at a separation of
+2 asperity_height_std.
 
 Examples:
   asperity compare scene.toml
   asperity compare scene.toml --load 10,100 --reference jg --quantity area,mean-pressure
-  asperity compare scene.toml --separation -0.5 --model gw,ke,gao --format csv")]
+  asperity compare scene.toml --separation -0.5 --model gw,ke,gao --format csv"
+)]
 pub struct Compare {
     #[command(flatten)]
     asked: Asked,
-    /// The model that the others are compared with [default: ke; gw where there is no hardness]
+    /// Reference model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     reference: Option<String>,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! `asperity conductance`: models beside the correlations of thermal contact conductance.
+//! `asperity conductance`: models and correlations of thermal contact conductance.
 
 use std::path::PathBuf;
 
@@ -7,30 +7,30 @@ use asperity::joints::conductance::{Correlation, gap_conductance};
 use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
 use clap::{ArgGroup, Args};
 
-use crate::args::{OutputArgs, model_id};
-use crate::number::rounded;
-use crate::numbers::{Numbers, length, loads, of_unit, positive, pressures};
+use crate::input::args::{OutputArgs, model_id};
+use crate::input::numbers::{Numbers, length, loads, of_unit, positive, pressures};
+use crate::output::number::rounded;
 use crate::output::say;
+use crate::output::table::{Cell, Table};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Table};
 
 const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
 
-/// Thermal conductance per area by models and by the correlations that people know
+/// Thermal contact conductance per area, from models and from published correlations
 #[derive(Debug, Args)]
 #[command(
     group(ArgGroup::new("given").required(true)),
     after_help = "Columns: model, load_N, pressure_Pa, relative_pressure,
-thermal_conductance_per_area_W_per_m2_per_K, holds and, with --gas, the same of the gas
-beside the contacts, at the model's own separation from the mean plane (they add).
-cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for contacts that yield
+thermal_conductance_per_area_W_per_m2_per_K, holds and, with --gas, the conductance of
+the gas in the gap, at the model's separation from the mean plane; the two add up.
+cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for plastic contacts
 (plasticity_index above about 1); mikic: Mikic 1974, 1.55 k (m/sigma) (sqrt(2) p/(E m))^0.94,
-for elastic ones. sigma and m, the standard deviation of the heights and the mean absolute
-slope, are the scan's or, without one, those of a Gaussian surface with the scene's
-asperities. holds: whether the contacts are of that kind, where a hardness is known, and the
-power is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
+for elastic contacts. sigma and m, the standard deviation of the heights and the mean absolute
+slope, are those of the scan or, without one, of a Gaussian surface with the scene's
+asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
+power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
 sqrt(2) p/(E m) of 1e-5 to 0.012).
-All are of contacts in vacuum; models take them as far from each other.
+All values are for contacts in vacuum; the models neglect their thermal interaction.
 
 Examples:
   asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
@@ -38,25 +38,25 @@ Examples:
   asperity conductance scene.toml --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um"
 )]
 pub struct Conductance {
-    /// Scene file; `asperity init` writes one to start from
+    /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Models [default: ke; gw where there is no hardness]
+    /// Models by id [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
-    /// Loads in N, or with a unit as 2kN
+    /// Loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = loads, group = "given")]
     load: Option<Numbers>,
-    /// Loads as pressures on the nominal area, in Pa, or with a unit as 5MPa
+    /// Loads as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = pressures, group = "given")]
     pressure: Option<Numbers>,
-    /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2) in W/(m K), in place of the scene's
+    /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2) in W/(m K), instead of the scene's
     #[arg(long, value_name = "K", value_parser = conductivity)]
     conductivity: Option<f64>,
     /// Thermal conductivity of a gas in the gap, in W/(m K)
     #[arg(long, value_name = "K", value_parser = conductivity)]
     gas: Option<f64>,
-    /// Its jump of temperature at the walls as a length, some free paths, in m, or with a unit
+    /// Temperature-jump distance of the gas, in m, or with a unit: about 0.37um for air at 1 bar
     #[arg(long, value_name = "M", value_parser = length, requires = "gas")]
     gas_parameter: Option<f64>,
     #[command(flatten)]
@@ -85,7 +85,7 @@ impl Conductance {
             row
         };
 
-        self.tell_gas();
+        self.check_gas();
 
         let models = match &self.models[..] {
             [] => vec![scene.reference(None)?],
@@ -133,19 +133,17 @@ impl Conductance {
             if let Some((relative, at)) = outside {
                 let ([from, to], relative) = (range, rounded(relative));
                 let what = correlation.relative_pressure();
-                let text =
-                    format!("{id}: {what} is {relative} at {at}: it holds from {from:e} to {to}");
+                let text = format!(
+                    "{id}: {what} is {relative} at {at}, outside the range of the correlation, {from:e} to {to}"
+                );
                 say("warning", &text);
             }
             if let Some(index) = correlation.foreign(contact) {
-                let side = if index < 1.0 {
-                    "below 1 contacts are elastic"
-                } else {
-                    "from 1 on contacts yield"
-                };
+                let side =
+                    if index < 1.0 { "the contacts are elastic" } else { "the contacts yield" };
                 let (source, index) = (correlation.citation(), rounded(index));
                 let text = format!(
-                    "{id}: plasticity_index is {index}, {side}: it does not hold ({source})"
+                    "{id}: plasticity_index is {index}, so that {side} and this correlation does not hold ({source})"
                 );
                 say("warning", &text);
             }
@@ -153,27 +151,27 @@ impl Conductance {
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
         let of = match scene.file.measured {
             Some(_) => "of the scan",
-            None => "of a Gaussian surface with these asperities: measure yours",
+            None => "of a Gaussian surface with these asperities; a measured surface may differ",
         };
         say("note", &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"));
         self.output.write(&table)
     }
 }
 
-/// No gas that conducts as one has free paths as long \[m\]: that of air at 1 Pa is some 7 mm.
+/// A longer temperature-jump distance \[m\] is unlikely: that of air at 1 Pa is about 7 mm.
 const LONGEST_JUMP: f64 = 1e-2;
 
 impl Conductance {
-    /// What of the gas was not said, or not meant.
-    fn tell_gas(&self) {
+    /// Warns of a missing or unlikely temperature-jump distance.
+    fn check_gas(&self) {
         match (self.gas, self.gas_parameter) {
             (Some(_), None) => {
-                let air = "air at 1 bar between metals has some 0.37um";
-                say("note", &format!("--gas-parameter is taken for 0, as of a liquid: {air}"));
+                let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
+                say("note", text);
             }
             (_, Some(given)) if given > LONGEST_JUMP => {
                 let text = format!(
-                    "--gas-parameter is {given} m, some free paths of the gas: is it in um?"
+                    "--gas-parameter is {given} m; {given} looks like um, about 0.37um for air at 1 bar"
                 );
                 say("warning", &text);
             }

@@ -4,29 +4,29 @@ use anyhow::Result;
 use asperity::{Quantity, linspace};
 use clap::Args;
 
-use crate::args::{Asked, DrawnArgs};
 use crate::ask::Question;
-use crate::plot;
+use crate::input::args::{Asked, DrawnArgs};
+use crate::output::plot;
 use crate::scene::LoadedScene;
 
-/// What is asked for unless something is given.
+/// The default quantities.
 pub const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
 
-/// Quantities against separation, load or pressure
+/// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "Columns: model, load_N and pressure_Pa at loads, separation_over_sigma,
-separation_m, then the quantities as asked, with their units: force_N, area_m2.
-Where a load has several separations (jg, at), the largest is meant: where the
-surfaces first meet it. A row that has no value is left blank, and said why.
-A quantity that a model does not have is blank in its rows, and said why.
-Which stiffness: closing for the first time follows tangent (-dF/dd, what a solver
-needs); small vibrations, ultrasound and modal tests feel unloading-stiffness (2 E sum
-of contact radii, larger where asperities yield); shear in stick tangential-stiffness.
-Conductances are in all, or with -per-area over the nominal area.
-Unless something is given: force, area and tangent (at loads, without the force)
-at separations of 0:4:401 in sigma.
+separation_m, then the quantities with their units: force_N, area_m2.
+Where several separations carry a load (jg, at), the largest is used, which is the
+first on approach. Values that do not exist are blank; a message gives the reason.
+Stiffness: tangent (-dF/dd) describes first loading and is what a solver needs;
+unloading-stiffness (2 E times the sum of the contact radii, larger where asperities
+yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
+describes shear without slip.
+Conductances are of the whole area, or with -per-area per nominal area.
+Default: force, area and tangent (at loads without the force) at separations of
+0:4:401 in units of asperity_height_std.
 
 Examples:
   asperity curve scene.toml --format table --model gw,ke --separation -1:4:6
@@ -38,8 +38,8 @@ Examples:
 pub struct Curve {
     #[command(flatten)]
     asked: Asked,
-    /// Add a column <quantity>_error for each: a bound on the relative error (on the error itself
-    /// for logarithms and shares)
+    /// Add a column <quantity>_error with a bound on the relative error of each quantity (on the
+    /// absolute error for logarithms and shares)
     #[arg(long)]
     errors: bool,
     #[command(flatten)]

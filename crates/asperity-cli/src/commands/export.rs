@@ -10,9 +10,9 @@ use asperity::{
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
-use crate::args::{model_id, separation_unit};
-use crate::distances::{DistanceSpan, ask_unit};
-use crate::numbers::{Span, friction, positive_number, range_of_loads, range_of_pressures};
+use crate::input::args::{model_id, separation_unit};
+use crate::input::distances::{DistanceSpan, ask_unit};
+use crate::input::numbers::{Span, friction, positive_number, range_of_loads, range_of_pressures};
 use crate::output::{self, progress, say};
 use crate::scene::LoadedScene;
 
@@ -114,7 +114,7 @@ impl Export {
             separation.map(|s| s.span).or(load).or(pressure).context("a range was required")?;
         if span.count.is_none() && self.max_error.is_none() {
             let text = "A:B needs --max-error, or a number of nodes: A:B:N";
-            crate::usage_error("export", ErrorKind::MissingRequiredArgument, text);
+            crate::input::usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
         let format = match self.form {
             Form::Csv => TableFormat::Csv,

@@ -5,12 +5,12 @@ use asperity::joints::{Joint, Path, Point, Unloading};
 use asperity::{At, ContactError, ContactModel, Quantity, Request, Separation, SeparationUnit};
 use asperity_plot::Axis;
 
-use crate::args::DrawnArgs;
+use crate::input::args::DrawnArgs;
 use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
-use crate::number::rounded;
+use crate::output::number::rounded;
 use crate::output::say;
+use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
 /// Points on each way between turning points.
 const STEPS: usize = 50;

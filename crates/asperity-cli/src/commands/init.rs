@@ -1,4 +1,4 @@
-//! `asperity init`: a scene to start from.
+//! `asperity init`: an example scene.
 
 use std::path::PathBuf;
 
@@ -7,18 +7,18 @@ use clap::Args;
 
 use crate::output;
 
-/// A commented scene file to start from
+/// Write a commented example scene with every key
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   asperity init
   asperity init my-scene.toml")]
 pub struct Init {
-    /// Write to this file in place of the standard output
+    /// File to write instead of standard output
     file: Option<PathBuf>,
-    /// The same, as with the other commands
+    /// The same file by the option of the other commands
     #[arg(long, value_name = "FILE", conflicts_with = "file")]
     output: Option<PathBuf>,
-    /// Replace the file if it exists
+    /// Overwrite the file if it exists; without --force an existing scene is kept
     #[arg(long)]
     force: bool,
 }

@@ -1,20 +1,67 @@
-//! One command a file.
+//! The commands, one a file, in the order of the help: scenes, answers, joints, boundary elements,
+//! tables for solvers.
 
-pub mod bem;
-pub mod check;
-pub mod compare;
-pub mod conductance;
-pub mod curve;
-pub mod export;
-pub mod history;
-pub mod init;
-pub mod models;
-pub mod plan;
-pub mod pull_off;
-pub mod recommend;
-pub mod scales;
-pub mod slip;
-pub mod solve;
-pub mod surface;
-pub mod truth;
-pub mod unload;
+mod bem;
+mod check;
+mod compare;
+mod conductance;
+mod curve;
+mod export;
+mod history;
+mod init;
+mod models;
+mod plan;
+mod pull_off;
+mod recommend;
+mod scales;
+mod slip;
+mod solve;
+mod surface;
+mod truth;
+mod unload;
+
+use anyhow::Result;
+use clap::Subcommand;
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    Init(init::Init),
+    Surface(surface::Surface),
+    Check(check::Check),
+    Models(models::Models),
+    Solve(solve::Solve),
+    Curve(curve::Curve),
+    Compare(compare::Compare),
+    Recommend(recommend::Recommend),
+    Plan(plan::Plan),
+    Unload(unload::Unload),
+    Slip(slip::Slip),
+    PullOff(pull_off::PullOff),
+    Conductance(conductance::Conductance),
+    Bem(bem::BemCommand),
+    Truth(truth::TruthCommand),
+    Export(export::Export),
+}
+
+impl Command {
+    pub fn run(self) -> Result<()> {
+        match self {
+            Self::Init(command) => command.run(),
+            Self::Surface(command) => command.run(),
+            Self::Check(command) => command.run(),
+            Self::Models(command) => command.run(),
+            Self::Solve(command) => command.run(),
+            Self::Curve(command) => command.run(),
+            Self::Compare(command) => command.run(),
+            Self::Recommend(command) => command.run(),
+            Self::Plan(command) => command.run(),
+            Self::Unload(command) => command.run(),
+            Self::Slip(command) => command.run(),
+            Self::PullOff(command) => command.run(),
+            Self::Conductance(command) => command.run(),
+            Self::Bem(command) => command.run(),
+            Self::Truth(command) => command.run(),
+            Self::Export(command) => command.run(),
+        }
+    }
+}

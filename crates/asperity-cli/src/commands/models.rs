@@ -4,9 +4,9 @@ use anyhow::Result;
 use asperity::{Described, Model};
 use clap::Args;
 
-use crate::args::OutputArgs;
+use crate::input::args::OutputArgs;
 use crate::output::say;
-use crate::table::{Format, Table};
+use crate::output::table::{Format, Table};
 
 /// The tags of the column `equations`, as the crates' READMEs define them.
 const TAGS: [(&str, &str); 3] = [

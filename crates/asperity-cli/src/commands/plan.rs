@@ -1,4 +1,4 @@
-//! `asperity plan`: what would be integrated.
+//! `asperity plan`: the integrals behind a result.
 
 use std::path::PathBuf;
 
@@ -6,16 +6,16 @@ use anyhow::{Context, Result};
 use asperity::{ContactModel, linspace};
 use clap::Args;
 
-use crate::args::Asked;
 use crate::commands::curve::USUAL;
+use crate::input::args::Asked;
 use crate::output::{self, progress};
 use crate::scene::LoadedScene;
 
-/// What is integrated for an answer, with how many terms, and what is left out
+/// Show how a result is computed: the integrals, their number of terms, the terms left out
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Unless something is given: force, area and tangent (at loads, without the force)
-at separations of 0:4:401 in sigma.
+    after_help = "Default: force, area and tangent (at loads without the force) at separations of
+0:4:401 in units of asperity_height_std.
 
 Examples:
   asperity plan scene.toml --model ke --quantity force,tangent
@@ -25,7 +25,7 @@ Examples:
 pub struct Plan {
     #[command(flatten)]
     asked: Asked,
-    /// Write to a file in place of the standard output
+    /// Write to this file, which is overwritten, instead of standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

@@ -6,12 +6,12 @@ use anyhow::{Context, Result, bail};
 use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, pull_off};
 use clap::Args;
 
-use crate::args::{OutputArgs, model_id, tolerance};
-use crate::number::rounded;
-use crate::numbers::{of_unit, positive};
+use crate::input::args::{OutputArgs, model_id, tolerance};
+use crate::input::numbers::{of_unit, positive};
+use crate::output::number::rounded;
+use crate::output::table::{Cell, Table};
 use crate::output::{once, say};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Table};
 
 /// The greatest tension that surfaces hold which stick to each other, and where
 #[derive(Debug, Args)]

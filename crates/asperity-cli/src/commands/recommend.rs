@@ -1,51 +1,52 @@
-//! `asperity recommend`: the simplest model that will do, and how far models were from boundary
-//! elements on surfaces like this one.
+//! `asperity recommend`: the simplest valid model within a tolerance, and the deviations of models
+//! from boundary elements on similar surfaces.
 
 use anyhow::{Context, Result};
 use asperity::{At, Described, Evidence, Quantity, linspace};
 use clap::Args;
 
-use crate::args::{Asked, OutputArgs, model_id};
 use crate::ask::named;
-use crate::number::rounded;
-use crate::numbers::share;
+use crate::input::args::{Asked, OutputArgs, model_id};
+use crate::input::numbers::share;
+use crate::output::number::rounded;
+use crate::output::table::{Cell, Table};
 use crate::output::{progress, say};
 use crate::scene::LoadedScene;
-use crate::table::{Cell, Table};
 
-/// Models beside a reference, and what boundary elements say of them on surfaces like this one
+/// Recommend the simplest valid model near a reference, with evidence from boundary elements
 #[derive(Debug, Args)]
 #[command(after_help = help())]
 pub struct Recommend {
     #[command(flatten)]
     asked: Asked,
-    /// The model that the others are compared with [default: ke; gw where there is no hardness]
+    /// Reference model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     reference: Option<String>,
-    /// Largest deviation from the reference: 5%, or 0.05
+    /// Largest deviation from the reference, for example 5% or 0.05
     #[arg(long, value_name = "X", value_parser = share, default_value = "5%")]
     within: f64,
     #[command(flatten)]
     output: OutputArgs,
 }
 
-/// What was solved is said by the evidence itself.
+/// The help, with the range of the solved cases.
 fn help() -> String {
     let solved = Evidence::committed().map_or_else(|e| e.to_string(), Evidence::solved);
     format!(
-        "Simple is, in this order: upright asperities of one radius before random ones, none
-(Persson) and asperities at all angles; a force law of few parts before one of many; an
-older model before a newer one. The models are listed so, and the simplest is the first
-that is near enough and made for the scene (a model without yielding is not, where
-asperities yield). Deviations are the largest over the separations or
-loads, relative to the reference (differences, for logarithms and shares).
-Near the reference is not near the truth: columns .._off_bem hold how far a model
-was from boundary elements in the nearest case that was solved (random surfaces of
+        "Models are listed from simplest to most complex: asperities of one radius with upright
+contacts, random asperities, no asperities (Persson), inclined contacts; among these,
+force laws with fewer parts first, then older models first. The recommended model is the
+first that is near enough to the reference and valid for the scene (an elastic model is
+not valid where asperities yield). Deviations are the largest over the separations or
+loads, relative to the reference (differences for logarithms and shares).
+Agreement with the reference is no proof of accuracy: columns .._off_bem have the
+deviation of a model from boundary elements in the nearest solved case (random surfaces of
 {solved}),
-the farthest of the places that have one; .._spread is what one such surface differs
-from the next. Notes say it place by place, and where no case is near. `asperity truth` solves the scene's own scan.
-Unless something is given: force and area (at loads, the area) at separations of
-0:4:401 in sigma.
+the largest over the separations or loads that have one; .._spread is the scatter between
+such surfaces. Notes give the deviations one by one, and where no solved case is near.
+`asperity truth` solves the scan of the scene itself.
+Default: force and area (at loads the area) at separations of 0:4:401 in units of
+asperity_height_std.
 
 Examples:
   asperity recommend scene.toml
@@ -61,7 +62,7 @@ impl Recommend {
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
-        // The evidence is of these as well.
+        // There is evidence for these as well.
         let mut models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
         if self.asked.models.is_empty() {
             models.extend(scene.file.adhesive_models());
@@ -105,22 +106,21 @@ impl Recommend {
         }
         let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };
         let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());
-        let told = [&advice.reference].into_iter().chain(&advice.simplest);
-        let told = told.chain(outside.map(|found| &found.model));
-        let told: Vec<_> = told.map(|m| (m.id().to_string(), m.clone())).collect();
-        scene.report_answers(&told.iter().collect::<Vec<_>>(), &places);
+        let checked = [&advice.reference].into_iter().chain(&advice.simplest);
+        let checked = checked.chain(outside.map(|found| &found.model));
+        let checked: Vec<_> = checked.map(|m| (m.id().to_string(), m.clone())).collect();
+        scene.report_answers(&checked.iter().collect::<Vec<_>>(), &places);
         let reference = advice.reference.id();
         let compared = |id: &&str| advice.comparisons.iter().any(|found| found.model.id() == *id);
         let within = rounded(100.0 * self.within);
         let chosen = match simplest.filter(compared) {
             Some(id) => {
-                format!("{id} is the simplest model that holds, within {within} % of {reference}")
+                format!("{id} is the simplest valid model within {within} % of {reference}")
             }
-            None => format!("none of these models holds within {within} % of {reference}"),
+            None => format!("no valid model is within {within} % of {reference}"),
         };
-        let order = "simplest first: upright asperities before random ones, none, and all angles, few parts of the force law before many, old before new";
-        say("note", &format!("{chosen}; {order}"));
-        advice.summary().iter().for_each(|line| say("note", line));
+        say("note", &format!("{chosen}; models are listed from simplest to most complex"));
+        advice.summary().iter().for_each(|note| say("note", note));
         self.output.write(&table)
     }
 }

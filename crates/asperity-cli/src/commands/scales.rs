@@ -1,4 +1,4 @@
-//! `asperity surface --scales`: what of a scan is the surface's, and what the instrument's.
+//! `asperity surface --scales`: a scan against the short-wavelength cut-off.
 
 use std::path::{Path, PathBuf};
 
@@ -8,41 +8,41 @@ use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
-use crate::args::{model_id, svg_file};
-use crate::numbers::{Numbers, lengths, load, pressure};
+use crate::input::args::{model_id, svg_file};
+use crate::input::numbers::{Numbers, lengths, load, pressure};
+use crate::output::table::{Cell, Table};
 use crate::output::{self, say};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
-/// The numbers of a surface against the shortest wave that is kept.
+/// Statistics of a surface against the short-wavelength cut-off.
 #[derive(Debug, Args)]
 pub struct Scales {
-    /// Show the asperities, and the answer of a scene, against the shortest wave that is kept: N
-    /// cut-offs from A to B, in m
+    /// Tabulate the asperities, and results of a scene, against the short-wavelength cut-off: N
+    /// cut-offs from A to B, in m, or with a unit
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = lengths)]
     #[arg(conflicts_with_all = ["smooth", "scene", "heights"])]
     scales: Option<Numbers>,
-    /// With --scales: a scene whose materials, area and options answer with each surface
+    /// With --scales: a scene whose materials and nominal area are used with each surface
     #[arg(long, value_name = "SCENE", requires = "scales", requires = "place")]
     with: Option<PathBuf>,
-    /// With --with: the load in N
+    /// With --with: load in N, or with a unit
     #[arg(long, value_name = "N", value_parser = load, group = "place")]
     #[arg(requires = "with")]
     load: Option<f64>,
-    /// With --with: the pressure on the nominal area in Pa
+    /// With --with: pressure on the nominal area in Pa, or with a unit
     #[arg(long, value_name = "PA", value_parser = pressure, group = "place")]
     #[arg(requires = "with")]
     pressure: Option<f64>,
-    /// With --with: the model [default: ke; gw where there is no hardness]
+    /// With --with: model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id, requires = "with")]
     model: Option<String>,
-    /// With --scales: a picture of the table
+    /// With --scales: also plot the table
     #[arg(long, value_name = "FILE.svg", value_parser = |name: &str| svg_file(name.into()))]
     #[arg(requires = "scales")]
     plot: Option<PathBuf>,
 }
 
-/// Columns of the surface, with their labels in a picture.
+/// Columns of the surface, with their labels in a plot.
 const COLUMNS: [(&str, &str); 5] = [
     ("alpha", "bandwidth α"),
     ("asperity_radius_m", "radius R (m)"),
@@ -50,7 +50,7 @@ const COLUMNS: [(&str, &str); 5] = [
     ("asperity_height_std_m", "height std σ_z (m)"),
     ("rms_slope", "rms slope"),
 ];
-/// Columns of the answer.
+/// Columns of the results of the scene.
 const ANSWERS: [(Quantity, &str); 2] =
     [(Quantity::AreaFraction, "area fraction"), (Quantity::Tangent, "tangent (N/m)")];
 const CUTOFF: &str = "cutoff_m";
@@ -60,12 +60,12 @@ impl Scales {
         self.scales.is_some()
     }
 
-    /// Where the picture goes.
+    /// The file of the plot.
     pub fn plot(&self) -> Option<&Path> {
         self.plot.as_deref()
     }
 
-    /// The table of a surface that has been levelled; `finish` is what is done to it afterwards.
+    /// The table of a levelled surface; `finish` processes it after smoothing.
     pub fn table(
         &self,
         surface: &Topography,
@@ -84,7 +84,7 @@ impl Scales {
         if asked.is_some() {
             table.head.extend(ANSWERS.iter().map(|(quantity, _)| quantity.column()));
         }
-        // Cut-offs that fail for one reason are told together, the reason being the first's.
+        // One message for all cut-offs that fail for the same reason.
         let mut failed: Vec<(String, Vec<String>)> = vec![];
         for cutoff in cutoffs {
             let found = surface.clone().smooth(*cutoff).map_err(Into::into).and_then(&finish);
@@ -105,7 +105,7 @@ impl Scales {
                 _ => {}
             }
             if let Err(reason) = &found {
-                let (reason, cutoff) = (output::told(reason), format!("{cutoff:e}"));
+                let (reason, cutoff) = (output::summary(reason), format!("{cutoff:e}"));
                 match failed.iter_mut().find(|(known, _)| kind(known) == kind(&reason)) {
                     Some((_, cutoffs)) => cutoffs.push(cutoff),
                     None => failed.push((reason, vec![cutoff])),
@@ -127,12 +127,12 @@ impl Scales {
     }
 }
 
-/// A reason without its digits, which are each cut-off's own.
+/// A reason without its digits, which differ between cut-offs.
 fn kind(reason: &str) -> String {
     reason.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
 
-/// What a scene's bodies answer with another surface; blank where they have none.
+/// The results of a scene's bodies with another surface; blank where there is none.
 fn answers(
     scene: &LoadedScene,
     (_, model): &NamedModel,
@@ -157,7 +157,7 @@ fn picture(table: &Table) -> Result<String> {
         let values: Vec<f64> = table.rows.iter().filter_map(number).collect();
         let mut y = Axis::new(&name, label);
         y.scale = Scale::fitting(&values);
-        let x = Axis::new(CUTOFF, "shortest wave (µm)").times(1e6).log();
+        let x = Axis::new(CUTOFF, "short-wavelength cut-off (µm)").times(1e6).log();
         let mut panel = Panel::new(x, y);
         let mut curve = Curve::new(0, "surface", "");
         curve.every_point = true;
@@ -169,6 +169,6 @@ fn picture(table: &Table) -> Result<String> {
     named.rows.iter_mut().for_each(|row| row.insert(0, "surface".into()));
     let mut csv = vec![];
     named.csv(&mut csv)?;
-    let caption = "What changes with the shortest wave belongs to the instrument and the filter, not to the surface.";
+    let caption = "Values that change with the cut-off describe the measurement, not the surface.";
     Ok(draw(&Figure::new("", &[caption], panels), &String::from_utf8(csv)?)?)
 }

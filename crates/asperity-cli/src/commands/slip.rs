@@ -7,13 +7,13 @@ use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
-use crate::args::{Closed, DrawnArgs, tolerance};
-use crate::number::rounded;
-use crate::numbers::{friction, length};
+use crate::input::args::{Closed, DrawnArgs, tolerance};
+use crate::input::numbers::{friction, length};
+use crate::output::number::rounded;
+use crate::output::plot;
 use crate::output::say;
-use crate::plot;
+use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
 /// The share of μ F at which gross slip begins.
 const SLIDING: f64 = 0.99;

@@ -1,14 +1,14 @@
-//! `asperity solve`: from loads to separations.
+//! `asperity solve`: separations at given loads.
 
 use anyhow::Result;
 use clap::{ArgGroup, Args};
 
-use crate::args::{Asked, OutputArgs};
 use crate::ask::Question;
 use crate::commands::curve::USUAL;
+use crate::input::args::{Asked, OutputArgs};
 use crate::scene::LoadedScene;
 
-/// The separations that carry a load, and the quantities there
+/// Find the separations that carry a load, and the quantities there
 #[derive(Debug, Args)]
 #[command(
     group(ArgGroup::new("given").required(true)),
@@ -16,10 +16,10 @@ use crate::scene::LoadedScene;
     mut_arg("unit", |arg| arg.hide(true)),
     mut_arg("format", |arg| arg.default_value("csv")),
     after_help = "Columns: model, load_N, pressure_Pa, separation_over_sigma, separation_m, then
-the quantities as asked (area and tangent unless given), with their units.
-A model whose force rises and falls (at, jg) may have several separations for
-one load. The largest is given, where the surfaces first meet the load; with
---all each is a row, the smallest first.
+the quantities (default: area and tangent) with their units.
+Where the force does not fall steadily with the separation (at, jg), several
+separations may carry one load. The result has the largest, which is the first on
+approach; --all gives each its row, the smallest first.
 
 Examples:
   asperity solve scene.toml --model ke --load 100
@@ -29,10 +29,10 @@ Examples:
 pub struct Solve {
     #[command(flatten)]
     asked: Asked,
-    /// Every separation that carries a load, and not just the largest
+    /// Give every separation that carries the load, instead of the largest alone
     #[arg(long)]
     all: bool,
-    /// Add a column <quantity>_error for each: a bound on the error
+    /// Add a column <quantity>_error with a bound on the error of each quantity
     #[arg(long)]
     errors: bool,
     #[command(flatten)]

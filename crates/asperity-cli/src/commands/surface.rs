@@ -1,4 +1,4 @@
-//! `asperity surface`: from a scan to asperities, and to a scene.
+//! `asperity surface`: statistics and asperities of a scan, and a scene of it.
 
 use std::path::{Path, PathBuf};
 
@@ -11,21 +11,21 @@ use clap::Args;
 use clap::error::ErrorKind;
 use toml::Value;
 
-use crate::args::OutputArgs;
 use crate::commands::scales::Scales;
-use crate::numbers::{length, number, positive_numbers};
+use crate::input::args::OutputArgs;
+use crate::input::numbers::{length, number, positive_numbers};
+use crate::output::table::{Cell, Format, Table};
 use crate::output::{self, progress, report, say};
-use crate::table::{Cell, Format, Table};
 
-/// What a measured surface is like, and a scene made of it
+/// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
 #[derive(Debug, Args)]
 #[command(
     after_help = "Files: ASCII matrix, XYZ points, CSV profile, NumPy .npy, X3P, Digital Surf SUR.
-What a file does not say of its units and pixels must be said here; nothing is
-guessed. A scan of n points at a distance dx is n dx wide.
-With two files, their moments add: two rough surfaces in contact.
---scales shows how the numbers depend on the shortest wave that is kept: what
-follows it is the instrument's, not the surface's.
+Units and pixel size that a file does not contain must be given as options. A scan
+of n points with spacing dx is n dx wide.
+Two files are two rough surfaces in contact: their moments are added.
+--scales shows the results against the short-wavelength cut-off. Values that change
+with the cut-off describe the measurement, not the surface.
 
 Examples:
   asperity surface scan.txt --unit um --pixel-size 0.5
@@ -35,48 +35,48 @@ Examples:
   asperity surface scan.txt scan.txt --unit um --pixel-size 0.5 --scene measured.toml"
 )]
 pub struct Surface {
-    /// One measured surface, or the two that touch
+    /// One measured surface, or the two surfaces in contact
     #[arg(value_name = "FILE", num_args = 1..=2, required = true)]
     files: Vec<PathBuf>,
-    /// Unit of the heights, and of the pixel size: m, cm, mm, um, nm, angstrom, pm
+    /// Unit of the heights and of the pixel size: m, cm, mm, um, nm, angstrom, pm
     #[arg(long, value_name = "UNIT")]
     unit: Option<LengthUnit>,
-    /// Distance of neighbouring points, in the unit of the heights
+    /// Distance between neighbouring points, in the unit of the heights
     #[arg(long, value_name = "DX[,DY]", value_parser = pixel_size)]
     pixel_size: Option<[f64; 2]>,
-    /// How asperities are found: moments (of profiles, after McCool) or summits (points above
-    /// their eight neighbours)
+    /// Asperities from: moments (spectral moments of profiles, after McCool) or summits (points
+    /// above their eight neighbours)
     #[arg(long, value_name = "NAME", default_value = "moments")]
     estimator: Estimator,
-    /// What is taken away before: none, mean, plane or quadratic, by least squares [default: plane;
-    /// mean where --periodic]
+    /// Form removed by least squares: none, mean, plane or quadratic [default: plane; mean with
+    /// --periodic]
     #[arg(long, value_name = "NAME")]
     level: Option<Level>,
-    /// Keep the roughness below this wavelength, in m (Gaussian filter, ISO 16610)
+    /// Long-wavelength cut-off in m, or with a unit: remove waviness (Gaussian filter, ISO 16610)
     #[arg(long, value_name = "CUTOFF", value_parser = length)]
     filter: Option<f64>,
-    /// Take waves shorter than this away, noise above all, in m (Gaussian filter)
+    /// Short-wavelength cut-off in m, or with a unit: remove noise (Gaussian filter)
     #[arg(long, value_name = "CUTOFF", value_parser = length)]
     smooth: Option<f64>,
-    /// The surface goes on periodically beyond its edges
+    /// Treat the surface as periodic beyond its edges
     #[arg(long)]
     periodic: bool,
-    /// Largest share of missing points that is accepted
+    /// Largest accepted share of missing points
     #[arg(long, value_name = "SHARE", value_parser = number, default_value = "0.1")]
     max_missing: f64,
-    /// Fill missing points, up to 5 % of all, from those around them (harmonic: each the mean of its
-    /// neighbours)
+    /// Fill missing points, up to 5 % of all, from their surroundings (harmonic: each point is the
+    /// mean of its neighbours)
     #[arg(long)]
     fill_missing: bool,
     #[command(flatten)]
     output: OutputArgs,
-    /// Write a scene that reads the files in the same way, ready to run: put your materials into it
+    /// Write a scene that reads the files in the same way; its materials are examples, replace them
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
-    /// Write the measured density of the summits' heights, which the scene then uses
+    /// Write the measured density of the summit heights, which the scene then uses
     #[arg(long, value_name = "OUT.csv")]
     heights: Option<PathBuf>,
-    /// Replace the scene and heights files if they exist
+    /// Overwrite the files of --scene and --heights if they exist; without --force they are kept
     #[arg(long)]
     force: bool,
     #[command(flatten)]
@@ -87,7 +87,7 @@ fn pixel_size(text: &str) -> Result<[f64; 2], String> {
     match positive_numbers(text)?.0[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
-        ref sizes => Err(format!("{} numbers: DX or DX,DY was expected", sizes.len())),
+        ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
     }
 }
 
@@ -135,8 +135,8 @@ impl Surface {
         }
         if let Some(path) = &self.scene {
             output::write_text(Some(path), &self.scene_text(path, statistics)?)?;
-            let what = "its materials and nominal area are the template's, steel on steel";
-            say("note", &format!("{}: {what}: put yours", path.display()));
+            let text = "materials and nominal area are examples (steel on steel); replace them";
+            say("note", &format!("{}: {text}", path.display()));
         }
         if self.output.format == Format::Json {
             return self.output.write_text(&(serde_json::to_string_pretty(statistics)? + "\n"));
@@ -144,19 +144,20 @@ impl Surface {
         self.output.write(&table(statistics))
     }
 
-    /// What does not go together on the command line.
+    /// Refuses options that exclude each other.
     fn check(&self) {
-        let refuse = |text: &str| crate::usage_error("surface", ErrorKind::ArgumentConflict, text);
+        let refuse =
+            |text: &str| crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
         if let (Some(plot), Some(output)) = (self.scales.plot(), &self.output.output)
             && output::is_same(plot, output)
         {
-            refuse("--plot and --output name the same file: two were expected");
+            refuse("--plot and --output name the same file; choose two names");
         }
         if self.scene.is_some() && self.scene == self.heights {
-            refuse("--scene and --heights name the same file: two were expected");
+            refuse("--scene and --heights name the same file; choose two names");
         }
         if self.heights.is_some() && self.files.len() > 1 {
-            refuse("--heights takes one FILE: the heights of two surfaces do not add");
+            refuse("--heights takes one FILE: the height densities of two surfaces do not add");
         }
         if self.scales.is_asked() && self.files.len() > 1 {
             refuse("--scales takes one FILE");
@@ -165,7 +166,7 @@ impl Surface {
             && smooth >= filter
         {
             refuse(&format!(
-                "--smooth {smooth} takes away what --filter {filter} keeps: a smaller cut-off was expected of --smooth"
+                "--smooth {smooth} removes all that --filter {filter} keeps; choose --smooth below --filter"
             ));
         }
     }
@@ -175,7 +176,7 @@ impl Surface {
         names.join(between)
     }
 
-    /// The surface against the shortest wave that is kept.
+    /// The surface against the short-wavelength cut-off.
     fn at_scales(&self) -> Result<Table> {
         let path = self.files.first().context("a file was required")?;
         let surface = self.levelled(path)?;
@@ -243,13 +244,15 @@ impl Surface {
     }
 }
 
-/// The path of a file as a scene file at `scene` names it: from the scene's own folder where the
-/// file is there or below, so that both can be moved together.
+/// The path of a file in a scene file at `scene`: relative where the file is in the folder of the
+/// scene or below, so that both can be moved together.
 fn beside(scene: &Path, file: &Path) -> Result<String> {
     let [scene, file] = [std::path::absolute(scene)?, std::path::absolute(file)?];
     let named = scene.parent().and_then(|folder| file.strip_prefix(folder).ok()).unwrap_or(&file);
     let text = named.to_str().map(Into::into);
-    text.ok_or_else(|| anyhow!("{} is no text, which a scene file needs", named.display()))
+    text.ok_or_else(|| {
+        anyhow!("{} is not valid UTF-8, so that no scene file can name it", named.display())
+    })
 }
 
 fn table(statistics: &Statistics) -> Table {

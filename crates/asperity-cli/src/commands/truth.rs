@@ -8,13 +8,13 @@ use asperity::bem::{Bem, BemError};
 use asperity::{ContactError, ContactState, Described, Model, Truth, compare_with_bem, summary};
 use clap::{ArgAction, Args};
 
-use crate::args::{OutputArgs, model_id};
 use crate::commands::bem::Way;
+use crate::input::args::{OutputArgs, model_id};
+use crate::input::numbers::{Numbers, loads, pressures};
 use crate::interrupt;
-use crate::numbers::{Numbers, loads, pressures};
+use crate::output::table::{Cell, Table};
 use crate::output::{once, progress, say};
-use crate::scene::{LoadedScene, told_together};
-use crate::table::{Cell, Table};
+use crate::scene::{LoadedScene, by_reason};
 
 /// Which model holds on this scan: each beside boundary elements on it
 #[derive(Debug, Args)]
@@ -119,7 +119,7 @@ impl TruthCommand {
                 missing.push((model.id().into(), why.clone()));
             }
         }
-        told_together(&missing).iter().for_each(|text| say("warning", text));
+        by_reason(&missing).iter().for_each(|text| say("warning", text));
         say("note", &summary(&found));
         self.output.write(&table(&found, &half, area))?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);

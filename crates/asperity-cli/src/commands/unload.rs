@@ -7,16 +7,16 @@ use asperity_plot::Axis;
 use clap::Args;
 use clap::error::ErrorKind;
 
-use crate::args::{Closed, DrawnArgs, separation_unit, tolerance};
 use crate::commands::history;
-use crate::distances::{Distances, ask_unit};
+use crate::input::args::{Closed, DrawnArgs, separation_unit, tolerance};
+use crate::input::distances::{Distances, ask_unit};
+use crate::input::numbers::{Numbers, turning_loads};
 use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
-use crate::number::rounded;
-use crate::numbers::{Numbers, turning_loads};
+use crate::output::number::rounded;
+use crate::output::plot;
+use crate::output::table::{Cell, Table};
 use crate::output::{once, say};
-use crate::plot;
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Cell, Table};
 
 /// Retreats unless some are given, and in every picture at least.
 const POINTS: usize = 101;
@@ -102,7 +102,7 @@ impl Unload {
     fn place(&self, scene: &LoadedScene, model: &NamedModel) -> At {
         let [place] = self.closed.places(scene, model)[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
-            crate::usage_error("unload", ErrorKind::TooManyValues, text)
+            crate::input::usage_error("unload", ErrorKind::TooManyValues, text)
         };
         place
     }

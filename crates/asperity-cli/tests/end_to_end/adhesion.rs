@@ -76,7 +76,7 @@ fn tensions_are_loads_below_0() {
     let area = cells(&run.out, "area_m2");
     assert!(area[0].is_empty() && area[1..].iter().all(|area| !area.is_empty()), "{area:?}");
     assert_eq!(column(&run.out, "load_N"), [-0.01, 0.1, -0.01, 0.1]);
-    assert!(run.words.contains("gw holds no tensions: dmt, jkr"), "{}", run.words);
+    assert!(run.words.contains("gw carries no tension; use dmt, jkr"), "{}", run.words);
     assert!(bench.data("check soft.toml --model jkr --load -10mN").contains("-0.01"));
     let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
     assert_eq!(all.lines().count(), 3, "{all}");
@@ -86,11 +86,11 @@ fn tensions_are_loads_below_0() {
         "{largest}"
     );
     let refused = bench.run("solve soft.toml --model gw --load -5").words;
-    assert!(refused.contains("gw holds no tensions") && !refused.contains("load is"), "{refused}");
+    assert!(refused.contains("gw carries no tension") && !refused.contains("load is"), "{refused}");
     for (load, wanted) in [("-1N", "a load from -"), ("-1kN", "a smaller tension")] {
         let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).words;
         assert!(beyond.contains(wanted), "{beyond}");
-        assert!(beyond.contains("jkr-separation follows surfaces"), "{beyond}");
+        assert!(beyond.contains("jkr-separation, which follows surfaces"), "{beyond}");
     }
     let far = bench.run("curve soft.toml --model jkr --separation 1e300").words;
     assert!(far.contains("separation is 1e300 asperity_height_std: -1e6"), "{far}");

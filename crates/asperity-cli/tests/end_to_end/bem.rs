@@ -150,7 +150,8 @@ fn pressures_are_written_and_drawn() {
     );
     let png = std::fs::read(bench.path("one.PNG")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n"));
-    for words in ["pressure (GPa)", ">10 µm<", "white: no contact", "Black flows", "data:image/png"]
+    for words in
+        ["pressure (GPa)", ">10 µm<", "white: no contact", "Black is plastic", "data:image/png"]
     {
         assert!(svg.contains(words), "{words}");
     }
@@ -194,8 +195,11 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
         ("bem scan.toml --pressure -1", "-1 is not above 0"),
         ("bem scan.toml --pressure 1e6 --boundary open", "[possible values: periodic, free]"),
         ("bem scan.toml --pressure 1e6,1e7 --picture a.svg", "--picture draws one load"),
-        ("bem scan.toml --pressure 1e6 --picture a.jpg", "ends with .svg or .png"),
-        ("bem scan.toml --pressure 1e6 --map x.txt", "'x.txt' for '--map <FILE.npy>': maps are"),
+        ("bem scan.toml --pressure 1e6 --picture a.jpg", "ends in .svg or .png"),
+        (
+            "bem scan.toml --pressure 1e6 --map x.txt",
+            "'x.txt' for '--map <FILE.npy>': matrices are",
+        ),
         ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
         ("bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg", "name the same file"),
     ] {

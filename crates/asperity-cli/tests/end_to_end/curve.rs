@@ -240,7 +240,7 @@ fn rows_without_a_value_are_blank_and_said_once() {
     }
     assert_eq!(cells(&run.out, "load_N")[1], "1e30");
     assert_eq!(run.words.lines().count(), 2, "{}", run.words);
-    assert!(run.words.contains("ke: no value in 2 of 3 rows, in the first because load is 1e30 N"));
+    assert!(run.words.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
     assert!(run.words.contains("a load above 0 and at most"), "{}", run.words);
     let json = bench.run("curve scene.toml --model ke --load 5,1e30 --format json");
     let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
@@ -282,7 +282,7 @@ fn pictures_that_are_no_svg_are_refused_before_any_work() {
     for name in ["x.png", "x", "x.svg.pdf", ".svg"] {
         let run = bench.run(&format!("curve nowhere.toml --output out.csv --plot {name}"));
         assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{name}");
-        assert!(run.words.contains(name) && run.words.contains("ends with .svg"), "{}", run.words);
+        assert!(run.words.contains(name) && run.words.contains("ends in .svg"), "{}", run.words);
     }
     assert!(!bench.path("out.csv").exists());
 }

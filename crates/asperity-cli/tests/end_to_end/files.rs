@@ -83,7 +83,7 @@ fn an_answer_that_fails_leaves_the_old_file() {
 }
 
 #[test]
-fn a_scene_is_not_written_over_unless_told() {
+fn a_scene_is_overwritten_only_by_force() {
     let bench = Bench::new();
     bench.write("mine.toml", "mine");
     let run = bench.run("init --output mine.toml");
@@ -123,12 +123,16 @@ fn names_that_are_no_text_are_files_like_any_other() {
 }
 
 #[test]
-fn what_is_read_is_not_written_over_by_its_answer() {
+fn an_output_never_overwrites_its_input() {
     let bench = Bench::new();
     let scene = bench.read("scene.toml");
     let run = bench.run(&format!("{CURVE} --output scene.toml"));
     assert_eq!(run.code, Some(1));
-    assert!(run.words.contains("it is what was read: another name was required"), "{}", run.words);
+    assert!(
+        run.words.contains("the output would overwrite the input; choose another name"),
+        "{}",
+        run.words
+    );
     assert_eq!(bench.read("scene.toml"), scene);
     let run = bench.run("surface s.txt --unit um --pixel-size 2 --scene x.toml --heights x.toml");
     assert_eq!(run.code, Some(2), "{}", run.words);

@@ -5,31 +5,21 @@ use std::process::Command;
 
 use crate::bench::{Bench, Run};
 
-const COMMANDS: [&str; 17] = [
-    "",
-    "check",
-    "curve",
-    "solve",
-    "compare",
-    "plan",
-    "recommend",
-    "models",
-    "init",
-    "surface",
-    "export",
-    "bem",
-    "truth",
-    "unload",
-    "slip",
-    "pull-off",
-    "conductance",
-];
+/// The commands that the help lists.
+fn commands(bench: &Bench) -> Vec<String> {
+    let help = bench.data("--help");
+    let (_, commands) = help.split_once("Commands:\n").unwrap();
+    let (commands, _) = commands.split_once("\n\n").unwrap();
+    let names = commands.lines().filter_map(|line| line.split_whitespace().next());
+    names.filter(|name| *name != "help").map(Into::into).collect()
+}
 
 #[test]
 fn the_examples_of_every_help_text_work_when_pasted() {
     let bench = crate::bem::bench();
     std::fs::remove_file(bench.path("scene.toml")).unwrap();
-    for command in COMMANDS {
+    let all = commands(&bench);
+    for command in std::iter::once("").chain(all.iter().map(String::as_str)) {
         let help = bench.data(&format!("{command} --help"));
         let (_, examples) = help.split_once("Examples:\n").expect("examples in every help text");
         let pasted: Vec<&str> = examples.lines().filter(|l| l.starts_with("  asperity ")).collect();
@@ -45,13 +35,45 @@ fn the_examples_of_every_help_text_work_when_pasted() {
 }
 
 #[test]
-fn no_command_is_left_out() {
-    let help = Bench::new().data("--help");
-    let (_, commands) = help.split_once("Commands:\n").unwrap();
-    let (commands, _) = commands.split_once("\n\n").unwrap();
-    let names: Vec<&str> =
-        commands.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    assert_eq!(names[..names.len() - 1], COMMANDS[1..], "the last one is help itself");
+fn the_help_lists_every_file_of_commands() {
+    let listed = commands(&Bench::new());
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/commands");
+    for file in std::fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let name = path.file_stem().unwrap().to_str().unwrap().replace('_', "-");
+        let is_command = text.starts_with(&format!("//! `asperity {name}`"));
+        assert!(!is_command || listed.contains(&name), "{name}");
+    }
+    assert_eq!((listed.len(), listed[0].as_str()), (16, "init"));
+}
+
+#[test]
+fn quiet_leaves_out_warnings_and_notes_and_keeps_errors() {
+    let bench = Bench::new();
+    let line = "compare scene.toml --load 3e5";
+    let (loud, quiet) = (bench.run(line), bench.run(&format!("{line} --quiet")));
+    assert!(loud.words.contains("warning: ") && quiet.words.is_empty(), "{}", quiet.words);
+    assert_eq!((loud.out, loud.code), (quiet.out, quiet.code));
+    let failed = bench.run("--quiet solve scene.toml --model ke --load 1e40");
+    assert_eq!(failed.code, Some(1));
+    assert_eq!(failed.words, "error: scene.toml: no row has a value\n");
+}
+
+#[test]
+fn the_help_says_which_files_are_overwritten() {
+    let bench = Bench::new();
+    for (command, texts) in [
+        ("curve", &["Write to this file, which is overwritten"][..]),
+        ("plan", &["Write to this file, which is overwritten"]),
+        ("init", &["without --force an existing scene is kept"]),
+        ("surface", &["which is overwritten", "without --force they are kept"]),
+    ] {
+        let help = bench.data(&format!("{command} --help"));
+        // Lines are wrapped by clap alone.
+        let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(texts.iter().all(|text| help.contains(text)), "{help}");
+    }
 }
 
 /// A line as a shell runs it, with the program on its path.

@@ -3,7 +3,7 @@
 use crate::bench::Bench;
 
 #[test]
-fn a_model_without_a_name_is_told_where_names_are() {
+fn an_empty_model_name_leads_to_the_list_of_models() {
     let bench = Bench::new();
     for command in ["curve", "recommend", "check"] {
         let mut run = bench.command();
@@ -33,13 +33,13 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("curve scene.toml --quantity stifness", "did you mean \"stiffness\"?"),
         ("curve scene.toml --separation", "a value is required"),
         ("curve scene.toml --separation --errors", "a value is required"),
-        ("curve scene.toml --separation 4:0:11", "A below B"),
+        ("curve scene.toml --separation 4:0:11", "A must be below B"),
         ("curve scene.toml --separation 0:4:1", "a whole number from 2"),
         ("curve scene.toml --separation 0:4", "A:B:N"),
         ("curve scene.toml --separation 1,two", "\"two\" is not a number"),
         ("curve scene.toml --separation nan", "finite"),
         ("curve scene.toml --separation 1 --separation-unit mm", "sigma"),
-        ("curve scene.toml --separation 1:4:5:lgo", "only log may follow"),
+        ("curve scene.toml --separation 1:4:5:lgo", "only :log may follow"),
         ("curve scene.toml --separation 0:4:5:log", "begin above 0"),
         ("curve scene.toml --load 0:100:5", "0 is neither a load"),
         ("curve scene.toml --separation 1,2um", "1 has no unit"),
@@ -48,21 +48,24 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("slip scene.toml --model ke --load 5 --amplitude 1um --friction 25", "20 % is 0.2"),
         (
             "slip scene.toml --model ke,jg --load 5 --amplitude 1um --friction 0.2",
-            "one model at a time",
+            "this command takes one model",
         ),
         ("curve scene.toml --model ke,", "a name is empty"),
         ("curve scene.toml --load 20KN", "did you mean \"20kN\"?"),
         ("unload scene.toml --model ke --load 1 --law herz", "did you mean \"hertz\"?"),
         ("unload scene.toml --model ke --load=-1e300", "-1e300 is not above 0"),
-        ("curve scene.toml --load 10mm", "\"10mm\" is no number in N"),
-        ("curve scene.toml --load 1:20kN:5", "1 has no unit and others have"),
-        ("curve scene.toml --pressure 1MPa:20:5", "20 has no unit and others have"),
-        ("export scene.toml --model ke --as csv --load 1:2kN:4", "1 has no unit and others have"),
-        ("curve scene.toml --load 1:10", "how many numbers from A to B"),
+        ("curve scene.toml --load 10mm", "\"10mm\" is not a number in N"),
+        ("curve scene.toml --load 1:20kN:5", "1 has no unit; give every value a unit"),
+        ("curve scene.toml --pressure 1MPa:20:5", "20 has no unit; give every value a unit"),
+        (
+            "export scene.toml --model ke --as csv --load 1:2kN:4",
+            "1 has no unit; give every value a unit",
+        ),
+        ("curve scene.toml --load 1:10", "the number of values is missing"),
         ("curve scene.toml --load 5 --separation 2", "cannot be used with"),
         ("curve scene.toml --pressure 5 --load 2", "cannot be used with"),
         ("curve scene.toml --tolerance 0", "1e-15 to 0.1"),
-        ("curve scene.toml --plot -", "leaves no place for the data"),
+        ("curve scene.toml --plot -", "name a file for the data"),
         ("curve scene.toml --output q.svg --plot ./q.svg", "--plot and --output name the same"),
         (
             "surface s --scales 1e-6 --output q.svg --plot q.svg",
@@ -79,10 +82,10 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("plan scene.toml --load 5 --separation 5", "cannot be used with"),
         ("export scene.toml --model ke --as csv", "--separation"),
         ("export scene.toml --model ke --as csv --separation 0:4", "needs --max-error"),
-        ("export scene.toml --model ke --as csv --load 1:4:3:log", "without log"),
+        ("export scene.toml --model ke --as csv --load 1:4:3:log", "log is not allowed here"),
         ("export scene.toml --model ke --as csv --load 1:4:3 --pressure 1:4:3", "cannot be used"),
         ("export scene.toml --model ke --as nastran --separation 0:4:5", "abaqus"),
-        ("export scene.toml --model ke --as csv --separation 4:0:5", "A below B"),
+        ("export scene.toml --model ke --as csv --separation 4:0:5", "A must be below B"),
     ] {
         let run = bench.run(words);
         assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "asperity {words}\n{}", run.words);

@@ -3,11 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use strsim::osa_distance;
-
 use crate::law::contact_radii::RadiusFactor;
 use crate::request::quantity_table::Derivation;
-use crate::{ContactError, Quantity, Regime};
+use crate::{ContactError, Quantity, Regime, nearest_name};
 
 impl Quantity {
     /// SI unit, as in the heads of tables; empty for pure numbers.
@@ -129,23 +127,23 @@ impl FromStr for Quantity {
     /// Reads the names that [`Display`](fmt::Display) writes, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
         let wanted = name.trim().to_lowercase().replace('_', "-");
-        let distance = |quantity: &Self| osa_distance(&wanted, &quantity.to_string());
-        let near = Self::ALL.into_iter().map(|q| (distance(&q), q)).min();
-        match near {
-            Some((0, quantity)) => Ok(quantity),
-            _ => {
-                let separation = ["separation", "gap", "mean-gap", "distance"];
-                let beside = match separation.iter().any(|word| wanted.starts_with(word)) {
-                    true => " (separations come with every answer, unasked)",
-                    false => "",
-                };
-                Err(ContactError::UnknownQuantity {
-                    name: name.into(),
-                    near: near.filter(|(far, _)| *far <= 2).map(|(_, q)| q),
-                    known: Self::ALL.map(|q| q.to_string()).join(", ") + beside,
-                })
-            }
+        let names = Self::ALL.map(|quantity| quantity.to_string());
+        let named =
+            |name: &str| Self::ALL.into_iter().zip(&names).find(|(_, known)| *known == name);
+        if let Some((quantity, _)) = named(&wanted) {
+            return Ok(quantity);
         }
+        let separation = ["separation", "gap", "mean-gap", "distance"];
+        let beside = match separation.iter().any(|word| wanted.starts_with(word)) {
+            true => " (separations come with every answer, unasked)",
+            false => "",
+        };
+        let near = nearest_name(&wanted, names.iter().map(String::as_str)).and_then(named);
+        Err(ContactError::UnknownQuantity {
+            name: name.into(),
+            near: near.map(|(quantity, _)| quantity),
+            known: names.join(", ") + beside,
+        })
     }
 }
 

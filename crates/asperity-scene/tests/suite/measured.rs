@@ -42,10 +42,7 @@ fn what_is_wrong_with_a_measured_surface_is_said_with_line_and_field() {
         ("file = \"absent.x3p\"", ":8: surface.file: "),
         ("file = \"absent.x3p\"", "absent.x3p"),
         ("file = \"empty.txt\"", "empty.txt: "),
-        (
-            "files = \"a\"",
-            ":8: surface.files is \"a\": a list (the two that are pressed together) was",
-        ),
+        ("files = \"a\"", ":8: surface.files is \"a\": a list (the two surfaces in contact) was"),
         ("files = [\"a\"]", ":8: surface.files is a list of 1: a list of two paths"),
         ("files = [\"a\", 3]", "surface.files"),
         ("files = [\"empty.txt\", \"b\"]", ":8: surface.files[1]: "),

@@ -158,7 +158,7 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         (
             text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 parsec\"")),
             &[
-                "line 12: surface.asperity_height_std is \"1 parsec\": a number in m without quotes, or one with a unit as",
+                "line 12: surface.asperity_height_std is \"1 parsec\": a number in m without quotes, or with a unit, for example",
             ],
         ),
         (
@@ -304,7 +304,7 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         ),
         (
             text("", INTERFACE, &with("[options]\nforce = 3")),
-            &["options.force is 3: a word in quotes"],
+            &["options.force is 3: a name in quotes"],
         ),
         (text("", INTERFACE, &with("[options]\nat_readin = 3")), &["did you mean \"at_reading\"?"]),
         (

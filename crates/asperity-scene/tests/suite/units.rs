@@ -26,7 +26,7 @@ fn numbers_may_say_their_unit() {
         (
             "116e9",
             "\"116 mm\"",
-            "interface.equivalent_modulus is \"116 mm\": a number in Pa without quotes, or one with a unit as \"210 GPa\" (GPa, MPa,",
+            "interface.equivalent_modulus is \"116 mm\": a number in Pa without quotes, or with a unit, for example \"210 GPa\" (units: GPa, MPa,",
         ),
         ("116e9", "\"116\"", "interface.equivalent_modulus is \"116\": a number in Pa"),
         ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),

@@ -23,7 +23,8 @@ pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
 /// The surface in a file.
 ///
-/// The extension or the first bytes tell NumPy, X3P and SUR files; all else is text, told by its number of columns:
+/// The extension or the first bytes tell NumPy, X3P and SUR files; all else is text, distinguished
+/// by its number of columns:
 ///
 /// | columns | |
 /// |---|---|

@@ -1,4 +1,4 @@
-//! NumPy `.npy`, versions 1 to 3: a header in Python's words, then plain numbers.
+//! NumPy `.npy`, versions 1 to 3: a header as a Python literal, then plain numbers.
 //!
 //! The header is read here and not by a crate: those at hand multiply declared shapes and set
 //! memory aside before they can be checked against the file, and take nested brackets to any depth.
@@ -41,7 +41,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     Ok(Scan { heights, columns, unit: None, pixel_size: PixelSize::Unknown })
 }
 
-/// What to say of an `.npz`: which of its arrays is the surface, nobody knows.
+/// The error for an `.npz`: which of its arrays is the surface is unknown.
 pub(super) fn archive(bytes: &[u8]) -> TopographyError {
     let archive = ZipArchive::new(Cursor::new(bytes)).ok();
     let names =

@@ -17,7 +17,7 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
-    /// Whether every option is within its range: asked before a file is read.
+    /// Checks the range of every option, before a file is read.
     pub(crate) fn check(&self) -> Result<(), TopographyError> {
         let share = ("max_missing", self.max_missing, 0.0..=1.0, "a share from 0 to 1");
         let pixel =

@@ -104,7 +104,7 @@ impl Axis {
         if places.iter().enumerate().all(in_order) {
             return Ok(whole);
         }
-        // Some rows or columns have no point at all: the usual distance tells the grid.
+        // Some rows or columns have no point at all: the usual distance gives the grid.
         let mut steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let middle = (steps.len() - 1) / 2;
         let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;

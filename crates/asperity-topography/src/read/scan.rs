@@ -5,7 +5,7 @@ use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
 /// No instrument sees less \[m\].
 const ATOM: f64 = 1e-11;
 
-/// What the file says of the distance of its points.
+/// The distance between points in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PixelSize {
     /// Nothing.
@@ -131,9 +131,9 @@ mod tests {
             max_missing: 0.5,
         };
         let in_nm = scan(Some(LengthUnit::Nanometre), PixelSize::Unknown);
-        assert!(message(in_nm, &options).contains("unit is um, but the file says nm"));
+        assert!(message(in_nm, &options).contains("unit is um, but nm in the file"));
         let finer = scan(None, PixelSize::Metres([2e-6, 1e-6]));
-        assert!(message(finer, &options).contains("pixel_size is 2e-6 m, but the file says 1e-6"));
+        assert!(message(finer, &options).contains("pixel_size is 2e-6 m, but 1e-6"));
         let same = scan(Some(LengthUnit::Micrometre), PixelSize::InUnit([2.0004, 2.0]));
         let surface = same.topography(&options).unwrap();
         assert!((surface.pixel_size()[0] / 2.0004e-6 - 1.0).abs() < 1e-15);

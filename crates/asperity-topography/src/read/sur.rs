@@ -71,7 +71,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     Ok(Scan { heights, columns: columns as usize, unit: Some(unit), pixel_size })
 }
 
-/// The first 512 bytes; every place asked for lies within.
+/// The first 512 bytes, which hold every field read here.
 struct Header<'a>(&'a [u8; HEADER]);
 
 impl Header<'_> {

@@ -3,7 +3,7 @@
 use crate::error::excerpt;
 use crate::{MAX_POINTS, TopographyError};
 
-/// A table of numbers; NaN where a field says that it is missing.
+/// A table of numbers; NaN for missing values.
 pub(super) struct Table {
     /// Lines before the first row, with their numbers.
     pub(super) header: Vec<(usize, String)>,

@@ -1,4 +1,4 @@
-//! Text files: matrix, XYZ points and profiles, told by the number of columns.
+//! Text files: matrix, XYZ points and profiles, distinguished by the number of columns.
 
 use super::points::grid;
 use super::scan::{PixelSize, Scan, points};
@@ -64,7 +64,7 @@ fn xyz(table: Table, said: &Header) -> Result<Scan, TopographyError> {
     Ok(Scan { heights, columns, unit, pixel_size })
 }
 
-/// What the lines above the numbers say.
+/// The header above the numbers.
 #[derive(Default)]
 struct Header {
     /// Unit of the heights.

@@ -110,7 +110,7 @@ fn unpack(
     }
 }
 
-/// What `main.xml` says.
+/// The content of `main.xml`.
 struct Description {
     columns: u64,
     rows: u64,

@@ -133,7 +133,7 @@ fn x3p_archives() {
     let options = ReadOptions { unit: Some(LengthUnit::Metre), ..ReadOptions::default() };
     assert!(read_bytes("a.x3p", &surface, &options).is_ok());
     let unit = message("a.x3p", &surface, &in_um([0.5, 0.25]));
-    assert!(unit.starts_with("unit is um, but the file says m"), "{unit}");
+    assert!(unit.starts_with("unit is um, but m in the file"), "{unit}");
     // Whole numbers with a step and an offset, points valid but one.
     let data = HEIGHTS.iter().flat_map(|z| (*z as i16 - 100).to_le_bytes()).collect();
     let whole = X3p {
@@ -182,7 +182,7 @@ fn files_are_named_in_their_errors() {
     std::fs::File::create(&path).unwrap().write_all(lines(" ").as_bytes()).unwrap();
     check(&read(&path, &in_um([0.5, 0.25])).unwrap(), 1e-6, [5e-7, 2.5e-7]);
     let error = read(&path, &ReadOptions::default()).unwrap_err().to_string();
-    assert!(error.contains("scan.txt: the file does not say the unit"), "{error}");
+    assert!(error.contains("scan.txt: the file has no unit"), "{error}");
     let error = read(&folder.join("none.txt"), &ReadOptions::default()).unwrap_err().to_string();
     assert!(error.contains("none.txt: cannot be read"), "{error}");
     assert!(read(&folder, &ReadOptions::default()).is_err());

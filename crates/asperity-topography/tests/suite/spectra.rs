@@ -255,7 +255,7 @@ fn a_flat_or_regular_surface_is_refused_or_warned_of() {
     let error = flat.statistics(Estimator::Moments).unwrap_err().to_string();
     assert_eq!(
         error,
-        "the 100 heights are all the same, levelled if asked to be: a rough surface was required"
+        "the 100 heights are all equal after levelling: a rough surface was required"
     );
     // One wave: no Gaussian surface has a bandwidth of 1.
     let wave = Spectrum { n: 64, pixel_size: [1e-6; 2], waves: vec![(3, 3, 1e-14)] };

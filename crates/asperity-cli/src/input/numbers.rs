@@ -3,14 +3,12 @@
 use std::str::FromStr;
 
 use asperity::joints::coefficient_of_friction;
-use asperity::linspace;
+use asperity::{linspace, shortest_digits};
 
-use crate::number::exact;
-
-/// More numbers than this in one range are taken for a slip of the hand.
+/// The largest number of values in one range.
 const MOST: usize = 1_000_000;
 
-/// What one `--separation` or `--load` says.
+/// The values of one `--separation` or `--load`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
@@ -39,11 +37,11 @@ impl Numbers {
             return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
         }
         let Span { first, last, count, log } = Span::read(text, number)?;
-        let count = count.ok_or("A:B:N was expected: how many numbers from A to B?")?;
+        let count = count.ok_or("the number of values is missing; write A:B:N")?;
         if !log {
             return Ok(Self(linspace(first, last, count)));
         }
-        // Decades come out as such, and the ends are as given, to the digit.
+        // Decades are exact, and so are the ends.
         let powers = linspace(first.log10(), last.log10(), count).into_iter();
         let mut values: Vec<f64> = powers.map(|power| 10f64.powf(power)).collect();
         (values[0], values[count - 1]) = (first, last);
@@ -55,44 +53,44 @@ impl Span {
     fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         let parts: Vec<&str> = text.split(':').collect();
         let [first, last, ref others @ ..] = parts[..] else {
-            return Err("A:B or A:B:N was expected".into());
+            return Err("write A:B or A:B:N".into());
         };
         let (first, last) = (number(first)?, number(last)?);
         if first >= last {
-            let [first, last] = [first, last].map(exact);
-            return Err(format!("A is {first} and B is {last}: A below B was expected"));
+            let [first, last] = [first, last].map(shortest_digits);
+            return Err(format!("A is {first} and B is {last}; A must be below B"));
         }
         if !(last - first).is_finite() {
-            let [first, last] = [first, last].map(exact);
-            return Err(format!("from {first} to {last} is more than a double can hold"));
+            let [first, last] = [first, last].map(shortest_digits);
+            return Err(format!("the range from {first} to {last} exceeds f64"));
         }
         let count = others.first().map(|text| match text.trim().parse() {
             Ok(count) if (2..=MOST).contains(&count) => Ok(count),
-            _ => Err(format!("N is {text}: a whole number from 2 to {MOST} was expected")),
+            _ => Err(format!("N is {text}; N must be a whole number from 2 to {MOST}")),
         });
         let log = match others {
             [] | [_] => false,
-            [_, word] if word.trim() == "log" && first > 0.0 => true,
-            [_, word] if word.trim() == "log" => {
-                return Err(format!("A is {first}: equal ratios (log) begin above 0"));
+            [_, kind] if kind.trim() == "log" && first > 0.0 => true,
+            [_, kind] if kind.trim() == "log" => {
+                return Err(format!("A is {first}; a log range must begin above 0"));
             }
-            _ => return Err(format!("{text} has more than A:B:N: only log may follow")),
+            _ => return Err(format!("{text} has more parts than A:B:N; only :log may follow")),
         };
         Ok(Self { first, last, count: count.transpose()?, log })
     }
 
-    /// The ends A:B of a range, or as many numbers of it as A:B:N says, at equal distances.
+    /// A range A:B, or A:B:N in equal steps.
     pub fn even(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
         have_units(text, number)?;
         match Self::read(text, number)? {
-            Self { log: true, .. } => Err("A:B or A:B:N was expected, without log".into()),
+            Self { log: true, .. } => Err("log is not allowed here; write A:B or A:B:N".into()),
             span => Ok(span),
         }
     }
 }
 
-/// Whether the numbers of a list, or the ends of a range, have units: all of them, or none (0 needs
-/// none). In `1:20kN:5`, 1 may be meant in kN.
+/// Whether the values of a list, or the ends of a range, have units: all of them or none (0 needs
+/// none), because the 1 of `1:20kN:5` is ambiguous.
 pub fn have_units(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<bool, String> {
     let parts: Vec<&str> = match text.contains(':') {
         true => text.split(':').take(2).collect(),
@@ -103,7 +101,8 @@ pub fn have_units(text: &str, number: fn(&str) -> Result<f64, String>) -> Result
     let units = parts.iter().any(has_unit);
     match parts.iter().find(plain).filter(|_| units) {
         Some(part) => {
-            Err(format!("{text}: {part} has no unit and others have: one for each was expected"))
+            let example = parts.iter().find(|part| has_unit(part)).map_or("", |part| part.trim());
+            Err(format!("{text}: {part} has no unit; give every value a unit, as in {example}"))
         }
         None => Ok(units),
     }
@@ -133,7 +132,7 @@ pub fn loads(text: &str) -> Result<Numbers, String> {
 pub fn turning_loads(text: &str) -> Result<Numbers, String> {
     Numbers::read(text, |text| {
         match of_unit(text, "N")? {
-        0.0 => Err("0 is carried wherever nothing touches: --history turns at separations, as 10, that open a joint, and loads above 0 were expected".into()),
+        0.0 => Err("0 is not a turning load: any separation without contact carries it; give loads above 0, or an open separation such as 10 with --history".into()),
         load => positive(load),
     }
     })
@@ -178,7 +177,7 @@ pub fn length(text: &str) -> Result<f64, String> {
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     match asperity_scene::quantity(text, si)? {
         value if value.is_finite() => Ok(value),
-        _ => Err(format!("{text} is not finite: a finite number was expected")),
+        _ => Err(format!("{text} is not finite")),
     }
 }
 
@@ -203,10 +202,8 @@ pub fn range_of_pressures(text: &str) -> Result<Span, String> {
 pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(format!("{text} is not finite: a finite number was expected")),
-        Err(_) => {
-            Err(format!("{text:?} is not a number: one such as 2, -0.5 or 1e-6 was expected"))
-        }
+        Ok(_) => Err(format!("{text} is not finite")),
+        Err(_) => Err(format!("{text:?} is not a number such as 2, -0.5 or 1e-6")),
     }
 }
 
@@ -219,7 +216,7 @@ pub fn friction(text: &str) -> Result<f64, String> {
     coefficient_of_friction(value).map_err(|error| error.to_string())
 }
 
-/// A share, "5%" or "0.05": of a number above 1 one cannot know which is meant.
+/// A share, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
 pub fn share(text: &str) -> Result<f64, String> {
     match text.trim().strip_suffix('%') {
         Some(percent) => positive_number(percent.trim()).map(|percent| percent / 100.0),
@@ -227,12 +224,10 @@ pub fn share(text: &str) -> Result<f64, String> {
     }
     .and_then(|share| match share {
         share if share <= 1.0 => Ok(share),
-        _ if text.contains('%') => Err("at most 100% was expected".into()),
-        share => Err(format!(
-            "{share} would be {} %: {share}% was expected, or {}",
-            100.0 * share,
-            share / 100.0
-        )),
+        _ if text.contains('%') => Err("a share is at most 100%".into()),
+        share => {
+            Err(format!("{share} means {} %; write {share}% or {}", 100.0 * share, share / 100.0))
+        }
     })
 }
 
@@ -241,11 +236,11 @@ pub fn positive_number(text: &str) -> Result<f64, String> {
     number(text).and_then(positive)
 }
 
-/// What is above 0.
+/// The value, if it is above 0.
 pub fn positive(value: f64) -> Result<f64, String> {
     match value > 0.0 {
         true => Ok(value),
-        false => Err(format!("{} is not above 0, which was expected", exact(value))),
+        false => Err(format!("{} is not above 0", shortest_digits(value))),
     }
 }
 
@@ -272,12 +267,12 @@ mod tests {
         let span = Span::even("0:4", number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range_of_loads("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
-        for (mixed, told) in [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has")] {
+        for (mixed, part) in [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has")] {
             let refused = [loads(mixed).unwrap_err(), loads_or_tensions(mixed).unwrap_err()];
-            assert!(refused.iter().all(|r| r.contains(told)), "{mixed}: {refused:?}");
+            assert!(refused.iter().all(|r| r.contains(part)), "{mixed}: {refused:?}");
         }
         for refused in [range_of_loads("1kN:20:5"), range_of_pressures("1:2MPa")] {
-            assert!(refused.unwrap_err().contains("has no unit and others have"));
+            assert!(refused.unwrap_err().contains("has no unit; give every value a unit"));
         }
         assert!(range_of_pressures("0:1MPa").is_err() && range_of_loads("1:2kN:3:log").is_err());
         assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
@@ -318,7 +313,7 @@ mod tests {
             turning_loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err()
         );
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
-        assert_eq!(share("5").unwrap_err(), "5 would be 500 %: 5% was expected, or 0.05");
+        assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
         assert!(positive_numbers("1,0").is_err() && positive_number("-1").is_err());
         assert!(Span::even("1:3:4:log", number).is_err());

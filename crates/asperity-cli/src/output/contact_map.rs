@@ -1,4 +1,4 @@
-//! Pressures as a matrix of numbers, and as a picture.
+//! Pressures as a matrix of numbers, and as a map.
 
 use std::path::Path;
 
@@ -6,11 +6,11 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity_plot::Map;
 
-use crate::number::rounded;
 use crate::output;
+use crate::output::number::rounded;
 use crate::pressed::Row;
 
-/// The picture of a contact; `hardness` where there is one.
+/// The map of a contact; `hardness` where there is one.
 pub fn picture(bem: &Bem, pressures: &[f64], row: &Row, hardness: Option<f64>, name: &str) -> Map {
     let [rows, columns] = bem.map().shape();
     let [dy, dx] = bem.map().pixel();
@@ -22,7 +22,7 @@ pub fn picture(bem: &Bem, pressures: &[f64], row: &Row, hardness: Option<f64>, n
     let (pressure, of_pressure) =
         scaled(top, &[(1.0, "Pa"), (1e3, "kPa"), (1e6, "MPa"), (1e9, "GPa")]);
     let mut caption = vec![format!(
-        "{:.3} % of the area touches, in {} patches, under a mean pressure of {} {of_pressure}; mean gap {} {of_depth}.",
+        "{:.3} % of the area is in contact, in {} patches, under a mean pressure of {} {of_pressure}; mean gap {} {of_depth}.",
         100.0 * row.area,
         row.patches,
         rounded(row.pressure / pressure),
@@ -31,7 +31,7 @@ pub fn picture(bem: &Bem, pressures: &[f64], row: &Row, hardness: Option<f64>, n
     if hardness.is_some() {
         let hardness = rounded(top / pressure);
         caption.push(format!(
-            "Black flows: {:.3} % of the area carries the hardness, {hardness} {of_pressure}.",
+            "Black is plastic: {:.3} % of the area carries the hardness, {hardness} {of_pressure}.",
             100.0 * row.plastic,
         ));
     }

@@ -5,7 +5,7 @@ use asperity::{At, Datum, Described, Model, Quantity, Request, SeparationUnit};
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 
 use crate::output::once;
-use crate::table::{Cell, Table};
+use crate::output::table::{Cell, Table};
 
 /// Up to this many points of a curve, each has a marker; above, a few markers identify the curve.
 pub const MARKED: usize = 12;
@@ -26,7 +26,7 @@ pub fn svg(table: &Table, request: &Request, from: Datum) -> Result<String> {
     }
     let models: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
     let curve = |model: &&Cell| {
-        let Cell::Word(id) = model else { return None };
+        let Cell::Text(id) = model else { return None };
         let known = Model::named();
         let look = known.iter().position(|model| model.id() == &**id);
         Some(Curve::new(look.unwrap_or(0), id, id))

@@ -1,4 +1,4 @@
-//! Arguments that several commands share: parsing and defaults, nothing else.
+//! Arguments that several commands share: parsing and defaults only.
 
 use std::path::{Path, PathBuf};
 
@@ -12,42 +12,47 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::distances::{Distances, ask_unit};
-use crate::numbers::{Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions};
+use crate::input::distances::{Distances, ask_unit};
+use crate::input::numbers::{
+    Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions,
+};
+use crate::output::table::{Format, Table};
 use crate::output::{self, once};
 use crate::scene::{LoadedScene, NamedModel};
-use crate::table::{Format, Table};
 
-/// What is asked of which models of a scene.
+/// Models of a scene, quantities, and separations or loads.
 #[derive(Debug, Args)]
 pub struct Asked {
-    /// Scene file; `asperity init` writes one to start from
+    /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// Models, all that the scene allows by default; `asperity models` lists them
+    /// Models by id, as listed by `asperity models` [default: all that the scene allows]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     pub models: Vec<String>,
-    /// Separations: N from A to B, in equal steps or (log) ratios, or v,v,...; in sigma (of the
-    /// asperity heights), or with a unit as 2um
+    /// Separations: N values from A to B in equal steps (or equal ratios with :log), or a list; in
+    /// units of asperity_height_std (sigma), or with a unit, for example 2um
     #[arg(long = "separation", value_name = "A:B:N[:log]|v,v", conflicts_with = "given")]
     #[arg(action = ArgAction::Append)]
     separations: Vec<Distances>,
-    /// Unit of separations without one, sigma (of the asperity heights) or m
+    /// Unit of separations given without one: sigma (asperity_height_std) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separations", conflicts_with = "given")]
     unit: SeparationUnit,
-    /// Loads in N, or with a unit as 2kN, written as separations are; tensions (dmt, jkr) below 0
+    /// Loads, as a range or a list: in N, or with a unit, for example 2kN; negative for tension
+    /// (dmt, jkr)
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads_or_tensions)]
     #[arg(action = ArgAction::Append, group = "given")]
     loads: Vec<Numbers>,
-    /// Loads as pressures on the nominal area, in Pa, or with a unit as 5MPa
+    /// Loads as pressures on the nominal area, as a range or a list: in Pa, or with a unit, for
+    /// example 5MPa
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures_or_tensions)]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts, mean-pressure,
-    /// ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; of equal asperities with
-    /// circular contacts contact-radius-sum, unloading-stiffness, tangential-stiffness,
-    /// thermal-conductance, electrical-conductance and both with -per-area
+    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
+    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; for
+    /// asperities of one radius with circular contacts also contact-radius-sum,
+    /// unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance, and
+    /// both conductances with -per-area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
@@ -55,30 +60,30 @@ pub struct Asked {
     tolerance: Tolerance,
 }
 
-/// A joint that has been closed.
+/// A joint at its closest approach or largest load.
 #[derive(Debug, Args)]
 pub struct Closed {
-    /// Scene file; `asperity init` writes one to start from
+    /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// The model; `asperity models` lists them
+    /// Model by id, as listed by `asperity models`
     #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: String,
     #[command(flatten)]
     place: Place,
 }
 
-/// Where it was closed to.
+/// The closest approach, or the largest load.
 #[derive(Debug, Args)]
 #[group(id = "place", required = true, multiple = false)]
 struct Place {
-    /// The closest approach, in sigma (of the asperity heights), or with a unit as 2um
+    /// Closest approach, in units of asperity_height_std (sigma), or with a unit, for example 2um
     #[arg(long, value_name = "D")]
     closest: Option<Distances>,
-    /// The largest load, in N, or with a unit as 2kN
+    /// Largest load, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "P", value_parser = loads)]
     load: Option<Numbers>,
-    /// The largest load as a pressure on the nominal area, in Pa, or with a unit as 5MPa
+    /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
     #[arg(long, value_name = "P", value_parser = pressures)]
     pressure: Option<Numbers>,
 }
@@ -91,8 +96,7 @@ impl Closed {
         Ok((scene, model))
     }
 
-    /// Where the joint was closed to, once or, for one each, several times; what is unusual about it
-    /// is said.
+    /// The closest approaches or largest loads; prints the findings there.
     pub fn places(&self, scene: &LoadedScene, model: &NamedModel) -> Vec<At> {
         let file = &scene.file;
         let Place { closest, load, pressure } = &self.place;
@@ -111,29 +115,29 @@ impl Closed {
     }
 }
 
-/// Form and place of the answer.
+/// Format and destination of a result.
 #[derive(Debug, Args)]
 pub struct OutputArgs {
-    /// Form of the answer
+    /// Format of the result
     #[arg(long, value_name = "FORM", default_value = "table")]
     pub format: Format,
-    /// Write to a file in place of the standard output
+    /// Write to this file, which is overwritten, instead of standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
-/// Form and place of the answer, and of its picture.
+/// Format and destination of a result and of its plot.
 #[derive(Debug, Args)]
 pub struct DrawnArgs {
     #[command(flatten)]
     output: OutputArgs,
-    /// Draw the answer as well, one panel for each quantity
+    /// Also plot the result, one panel for each quantity
     #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
     plot: Option<PathBuf>,
 }
 
 impl Asked {
-    /// As a request, with what is asked for unless something is given.
+    /// The request; `usual` quantities and these separations where none are given.
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
         for list in &self.separations {
             let height_std = scene.scene.surface.asperity_height_std;
@@ -141,7 +145,7 @@ impl Asked {
         }
         let at = self.at(scene, separations);
         let quantities = match (&self.quantities[..], &at[..], usual) {
-            // At a load, the force is what was given.
+            // At a load, the force is known.
             ([], [At::Load(_) | At::Pressure(_), ..], [Quantity::Force, others @ ..]) => others,
             ([], ..) => usual,
             (given, ..) => given,
@@ -149,12 +153,12 @@ impl Asked {
         Request::new(once(quantities)).at(at).within(self.tolerance)
     }
 
-    /// Whether separations and loads are left to the command.
+    /// Whether neither separations nor loads are given.
     pub fn is_nowhere(&self) -> bool {
         self.separations.is_empty() && self.loads.is_empty() && self.pressures.is_empty()
     }
 
-    /// The default ones are multiples of sigma.
+    /// The separations or loads; `otherwise` is in units of sigma.
     fn at(&self, scene: &SceneFile, otherwise: &[f64]) -> Vec<At> {
         let separation = |value, unit| At::from(scene.separation(value, unit));
         let flat = |lists: &[Numbers]| lists.iter().flat_map(|l| l.0.clone()).collect::<Vec<_>>();
@@ -184,22 +188,22 @@ impl OutputArgs {
 }
 
 impl DrawnArgs {
-    /// Ends the `command` where picture and data would go to the same place.
+    /// Ends the `command` where plot and data have the same destination.
     pub fn check(&self, command: &str) {
         let files = [self.plot.as_deref(), self.output.output.as_deref()];
         if self.plot.is_some() && files.map(output::is_standard) == [true; 2] {
-            let text = "--plot - leaves no place for the data: name a file with --output";
-            crate::usage_error(command, ErrorKind::ArgumentConflict, text);
+            let text = "--plot - uses standard output; name a file for the data with --output";
+            crate::input::usage_error(command, ErrorKind::ArgumentConflict, text);
         }
         if let [Some(plot), Some(output)] = files
             && output::is_same(plot, output)
         {
-            let text = "--plot and --output name the same file: two were expected";
-            crate::usage_error(command, ErrorKind::ArgumentConflict, text);
+            let text = "--plot and --output name the same file; choose two names";
+            crate::input::usage_error(command, ErrorKind::ArgumentConflict, text);
         }
     }
 
-    /// The table, and its picture if one was asked for.
+    /// Writes the table, and its plot where one is requested.
     pub fn write(&self, table: &Table, picture: impl FnOnce() -> Result<String>) -> Result<()> {
         if self.plot.is_some() {
             output::write_text(self.plot.as_deref(), &picture()?)?;
@@ -211,9 +215,9 @@ impl DrawnArgs {
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
     if name.trim().is_empty() {
-        return Err("a name is empty: models are separated by single commas, as gw,ke, and `asperity models` lists them".into());
+        return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity models` lists them)".into());
     }
-    // No model of the registry: it belongs to the scene's scan.
+    // Not in the registry: it belongs to the scan of a scene.
     if name.trim().eq_ignore_ascii_case("bem") {
         return Ok("bem".into());
     }
@@ -223,7 +227,7 @@ pub fn model_id(name: &str) -> Result<String, String> {
 /// The id of the one model of a command.
 fn one_model_id(name: &str) -> Result<String, String> {
     match name.split_once(',') {
-        Some((first, _)) => Err(format!("one model at a time was expected, as {first}")),
+        Some((first, _)) => Err(format!("this command takes one model, for example {first}")),
         None => model_id(name),
     }
 }
@@ -234,21 +238,21 @@ pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
     SeparationUnit::deserialize(name).map_err(|e| e.to_string())
 }
 
-/// The name of a picture.
+/// The name of a plot.
 pub fn svg_file(name: PathBuf) -> Result<PathBuf, &'static str> {
     let is_svg = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("svg"));
     match is_svg || output::is_standard(Some(&name)) {
         true => Ok(name),
-        false => Err("pictures are svg: a name that ends with .svg was expected"),
+        false => Err("plots are written as svg; choose a name that ends in .svg"),
     }
 }
 
-/// The name of a picture that may be one of pixels.
+/// The name of a map, svg or png.
 pub fn svg_or_png_file(name: PathBuf) -> Result<PathBuf, &'static str> {
     let is_png = is_png(&name);
-    svg_file(name.clone()).or(if is_png { Ok(name) } else { Err(()) }).map_err(
-        |()| "these pictures are svg or png: a name that ends with .svg or .png was expected",
-    )
+    svg_file(name.clone())
+        .or(if is_png { Ok(name) } else { Err(()) })
+        .map_err(|()| "maps are written as svg or png; choose a name that ends in .svg or .png")
 }
 
 pub fn is_png(name: &Path) -> bool {
@@ -260,7 +264,7 @@ pub fn npy_file(name: PathBuf) -> Result<PathBuf, &'static str> {
     let is_npy = name.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy"));
     match is_npy || output::is_standard(Some(&name)) {
         true => Ok(name),
-        false => Err("maps are matrices of NumPy: a name that ends with .npy was expected"),
+        false => Err("matrices are written in NumPy format; choose a name that ends in .npy"),
     }
 }
 

@@ -1,4 +1,9 @@
-//! Where data goes: the standard output, or a file that is complete or not there at all.
+//! Standard output, or a file that is complete or absent; messages on standard error.
+
+pub mod contact_map;
+pub mod number;
+pub mod plot;
+pub mod table;
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -13,7 +18,7 @@ use asperity::Diagnostics;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use tempfile::Builder;
 
-/// Work that is done faster than this is done in silence.
+/// Shorter work shows no progress.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Whether this is the standard output: nothing named, or `-`.
@@ -21,13 +26,13 @@ pub fn is_standard(path: Option<&Path>) -> bool {
     path.is_none_or(|path| path == Path::new("-"))
 }
 
-/// Whether two names are of one file, whether or not it is there.
+/// Whether two names mean one file, which need not exist.
 pub fn is_same(one: &Path, other: &Path) -> bool {
     let real = |path: &Path| fs::canonicalize(path).or_else(|_| std::path::absolute(path));
     real(one).is_ok_and(|one| real(other).is_ok_and(|other| one == other))
 }
 
-/// What `--output` says: a file, or `-` for the standard output.
+/// Writes to a file, or to standard output without one or for `-`.
 pub fn write(
     path: Option<&Path>,
     data: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -43,27 +48,27 @@ pub fn write(
     }
 }
 
-/// The same for a text.
+/// Likewise a text.
 pub fn write_text(path: Option<&Path>, text: &str) -> Result<()> {
     write(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Files that are read, and are not written over.
+/// Input files, which must not be overwritten.
 static KEPT: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
 
-/// Keeps a file that is read from being written over by its own answer.
+/// Protects an input file from being overwritten by the output.
 pub fn keep(path: &Path) {
     if let (Ok(path), Ok(mut kept)) = (fs::canonicalize(path), KEPT.lock()) {
         kept.push(path);
     }
 }
 
-/// Writes beside the file and renames, so that what was there stays until all is written.
+/// Writes beside the file and renames, so that the old file stays until the new one is complete.
 fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    // A link is followed, so that what it points to is replaced and not the link.
+    // A link stays, and its target is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
     if KEPT.lock().is_ok_and(|kept| kept.contains(&target)) {
-        return Err(io::Error::other("it is what was read: another name was required"));
+        return Err(io::Error::other("the output would overwrite the input; choose another name"));
     }
     let found = fs::metadata(&target).ok();
     if found.as_ref().is_some_and(|found| !found.is_file() && !found.is_dir()) {
@@ -74,13 +79,13 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     }
     let permissions = found.as_ref().map(fs::Metadata::permissions);
     if permissions.as_ref().is_some_and(fs::Permissions::readonly) {
-        // A rename would replace it all the same.
+        // A rename would replace it regardless.
         return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
     }
     let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = folder.unwrap_or(Path::new("."));
     if !folder.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::NotFound, "there is no such folder"));
+        return Err(io::Error::new(io::ErrorKind::NotFound, "the folder does not exist"));
     }
     let mut builder = Builder::new();
     builder.prefix(".asperity-");
@@ -96,10 +101,10 @@ fn to_file(path: &Path, data: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> 
     Ok(())
 }
 
-/// A scene may hold an hour's work: it is replaced only when that is asked for.
+/// Refuses to overwrite a file unless forced: a scene may hold an hour's work.
 pub fn refuse_to_replace(path: &Path, force: bool) -> Result<()> {
     if !force && fs::metadata(path).is_ok_and(|found| found.is_file() && found.len() > 0) {
-        bail!("{} exists: another name, or --force to replace it, was required", path.display());
+        bail!("{} exists; choose another name, or --force to overwrite it", path.display());
     }
     Ok(())
 }
@@ -112,15 +117,15 @@ fn new_file() -> Option<fs::Permissions> {
     None
 }
 
-/// Whether the reader of our output has gone: no error, it has seen enough.
+/// Whether the reader of the output has ended, as `head` does: no error.
 pub fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
         cause.downcast_ref::<io::Error>().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
     })
 }
 
-/// An error and its causes, each told once: most messages of the libraries end with their cause's.
-pub fn told(error: &anyhow::Error) -> String {
+/// An error and its causes, each once: most messages of the libraries end with their cause's.
+pub fn summary(error: &anyhow::Error) -> String {
     let mut text = String::new();
     for cause in error.chain().map(ToString::to_string) {
         if !text.ends_with(&cause) {
@@ -141,7 +146,7 @@ pub fn once<T: PartialEq + Clone>(all: &[T]) -> Vec<T> {
     kept
 }
 
-/// What is being done, on a terminal only, from a second on until it is dropped.
+/// Progress on a terminal, shown after one second until it is dropped.
 pub fn progress(what: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden())
         .with_finish(ProgressFinish::AndClear)
@@ -160,23 +165,23 @@ pub fn progress(what: &str) -> ProgressBar {
     bar
 }
 
-/// Whether warnings and notes are silenced.
+/// Whether warnings and notes are left out.
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Silences warnings and notes from here on, but not errors.
+/// Leaves warnings and notes out, or prints them.
 pub fn set_quiet(quiet: bool) {
     QUIET.store(quiet, Ordering::Relaxed);
 }
 
-/// A line on the standard error, an "error", "warning" or "note"; that it may be closed is no reason
-/// to stop.
+/// A message on standard error; the program goes on where that is closed.
 pub fn say(kind: &str, text: &str) {
-    if kind == "error" || !QUIET.load(Ordering::Relaxed) {
-        let _ = writeln!(io::stderr(), "{kind}: {text}");
+    if QUIET.load(Ordering::Relaxed) && matches!(kind, "warning" | "note") {
+        return;
     }
+    let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 
-/// Each diagnostic on a line of the standard error, most severe first.
+/// Each diagnostic on a line of standard error, most severe first.
 pub fn report(found: &Diagnostics) {
     found.iter().for_each(|found| say(&found.severity.to_string(), &found.message()));
 }
@@ -200,9 +205,9 @@ mod tests {
     }
 
     #[test]
-    fn causes_that_have_been_told_are_not_told_again() {
+    fn a_cause_that_its_error_repeats_is_not_repeated() {
         let error = anyhow::anyhow!("no rain").context("it is dry: no rain").context("scene.toml");
-        assert_eq!(told(&error), "scene.toml: it is dry: no rain");
+        assert_eq!(summary(&error), "scene.toml: it is dry: no rain");
     }
 
     #[cfg(unix)]

@@ -1,21 +1,22 @@
-//! A table, and its three forms.
+//! A table, and its three formats.
 
 use std::io::{self, Write};
 use std::rc::Rc;
 
+use asperity::shortest_digits;
 use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
-use crate::number::{exact, rounded};
+use crate::output::number::rounded;
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// Comma-separated, every digit.
+    /// Comma-separated values with all digits.
     Csv,
-    /// One object a row, every digit; null for what is missing.
+    /// One object for each row, with all digits; null for missing values.
     Json,
-    /// Aligned, six digits.
+    /// Aligned columns with six digits.
     Table,
 }
 
@@ -29,25 +30,25 @@ pub struct Table {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Cell {
-    Word(Rc<str>),
+    Text(Rc<str>),
     Number(Option<f64>),
 }
 
 impl From<&str> for Cell {
-    fn from(word: &str) -> Self {
-        Self::Word(word.into())
+    fn from(text: &str) -> Self {
+        Self::Text(text.into())
     }
 }
 
 impl Cell {
-    /// The number, where it is one and there is one.
+    /// The number, where the cell has one.
     pub fn number(&self) -> Option<f64> {
         if let Self::Number(number) = self { *number } else { None }
     }
 
     fn text(&self, number: fn(f64) -> String) -> String {
         match self {
-            Self::Word(word) => word.to_string(),
+            Self::Text(text) => text.to_string(),
             Self::Number(value) => value.map_or(String::new(), number),
         }
     }
@@ -69,7 +70,8 @@ impl Table {
     pub fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}", self.head.join(","))?;
         for row in &self.rows {
-            let fields: Vec<String> = row.iter().map(|cell| quoted(cell.text(exact))).collect();
+            let fields: Vec<String> =
+                row.iter().map(|cell| quoted(cell.text(shortest_digits))).collect();
             writeln!(out, "{}", fields.join(","))?;
         }
         Ok(())
@@ -138,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn each_form_shows_what_is_there_and_what_is_missing() {
+    fn each_format_shows_values_and_gaps() {
         let csv = "model,force_N\ngw,3.3333333333333334e-8\n\"a, \"\"b\"\"\",\n";
         assert_eq!(text(Format::Csv), csv);
         let rows: serde_json::Value = serde_json::from_str(&text(Format::Json)).unwrap();

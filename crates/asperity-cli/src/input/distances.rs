@@ -5,10 +5,10 @@ use std::str::FromStr;
 use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
-use crate::numbers::{Numbers, Span, have_units, number, of_unit};
+use crate::input::numbers::{Numbers, Span, have_units, number, of_unit};
 use crate::output::say;
 
-/// What one `--separation` says: plain numbers, in the unit that the command has for them, or metres.
+/// The values of one `--separation`: plain numbers in the unit of the command, or metres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distances {
     pub values: Vec<f64>,
@@ -94,11 +94,11 @@ fn metre(text: &str) -> Result<f64, String> {
     of_unit(text, "m")
 }
 
-/// Asks whether numbers were meant in another unit: of many, the largest tells.
+/// Warns of values that look like another unit, by the largest of them.
 pub fn ask_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
     let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
-    if let Some(told) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
-        say("warning", &format!("{told}; a length may have its unit, as 2um or 1e-6m"));
+    if let Some(message) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
+        say("warning", &format!("{message}; write lengths with their unit, for example 2um"));
     }
 }
 
@@ -119,14 +119,14 @@ mod tests {
             assert_eq!(found.unit(sigma), SeparationUnit::Metres, "{text}");
             assert!((found.values.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
         }
-        for (bad, told) in [
+        for (bad, part) in [
             ("1,2um", "1 has no unit"),
             ("1:2um:3", "1 has no unit"),
             ("1,two", "\"two\" is not a number"),
-            ("2um:1um:3", "A below B"),
+            ("2um:1um:3", "A must be below B"),
             ("1 kN", "not a number"),
         ] {
-            assert!(read(bad).unwrap_err().contains(told), "{bad}: {:?}", read(bad));
+            assert!(read(bad).unwrap_err().contains(part), "{bad}: {:?}", read(bad));
         }
         let one: Distance = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit(sigma)), (-0.5e-6, SeparationUnit::Metres));

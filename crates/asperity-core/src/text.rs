@@ -1,0 +1,66 @@
+//! Names and numbers as text.
+
+use strsim::osa_distance;
+
+/// The first of the known names with the fewest typing errors, whatever the case: at most two, and
+/// fewer in a name of less than four letters.
+///
+/// ```
+/// let known = ["gw", "zmc", "etsion"];
+/// assert_eq!(asperity_core::nearest_name("zcm", known), Some("zmc"));
+/// assert_eq!(asperity_core::nearest_name("x", known), None);
+/// ```
+pub fn nearest_name<'a>(
+    mistyped: &str,
+    known: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let mistyped = mistyped.trim().to_lowercase();
+    let allowed = (mistyped.chars().count() / 2).min(2);
+    let errors = |name: &'a str| (osa_distance(&mistyped, &name.to_lowercase()), name);
+    let nearest = known.into_iter().map(errors).min_by_key(|(errors, _)| *errors);
+    nearest.filter(|(errors, _)| *errors <= allowed).map(|(_, name)| name)
+}
+
+/// The shortest digits that give the same number back in any tool: `289.29`, `1.427e-7`, `-inf`.
+///
+/// ```
+/// assert_eq!([4.0, -0.0, 1e-7].map(asperity_core::shortest_digits), ["4", "0", "1e-7"]);
+/// ```
+#[must_use]
+pub fn shortest_digits(x: f64) -> String {
+    // Debug switches to exponents below 1e-5 and from 1e16, where plain digits run long.
+    let text = format!("{x:?}");
+    let short = text.strip_suffix(".0").unwrap_or(&text);
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_names_are_found_and_far_ones_are_not() {
+        let known = ["plane", "quadratic", "none", "SH"];
+        for (mistyped, wanted) in [
+            ("plain", Some("plane")),
+            ("QUADRATIC", Some("quadratic")),
+            ("sh", Some("SH")),
+            ("noen", Some("none")),
+            ("x", None),
+            ("parabola", None),
+            ("", None),
+        ] {
+            assert_eq!(nearest_name(mistyped, known), wanted, "{mistyped}");
+        }
+        assert_eq!(nearest_name("x", []), None);
+    }
+
+    #[test]
+    fn shortest_digits_read_back() {
+        for x in [0.0, 1.0, -0.1, 1e-7, 1.0 / 3.0, 5e-324, f64::MAX, 1e16, 289.290_001, -2e-5] {
+            assert!(shortest_digits(x).parse::<f64>().unwrap().total_cmp(&x).is_eq(), "{x}");
+        }
+        let texts = [0.01, 4.0, -0.0, 1e-7, 1e300, f64::NEG_INFINITY].map(shortest_digits);
+        assert_eq!(texts, ["0.01", "4", "0", "1e-7", "1e300", "-inf"]);
+    }
+}
