@@ -37,12 +37,6 @@ pub(crate) fn check<'py>(
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
 }
 
-/// A number in an SI unit of a text that may say another: "2 kN".
-#[pyfunction]
-pub(crate) fn quantity(text: &str, si: &str) -> PyResult<f64> {
-    asperity_scene::quantity(text, si).map_err(value_error)
-}
-
 /// The greatest tension that a model's surfaces hold [N], and the separation where they do.
 #[pyfunction]
 pub(crate) fn pull_off(

@@ -11,7 +11,7 @@ use pyo3::types::{PyFloat, PyTuple};
 use crate::answer::{Aspect, Question, Source};
 use crate::engine::{Engine, quantities_of, tolerance};
 use crate::error::{value_error, warn};
-use crate::numbers::{floats, in_si, scalar};
+use crate::numbers::{floats, scalar, texts_in_si};
 use crate::places::Axis;
 use crate::rows::View;
 use crate::scene::SceneFile;
@@ -25,7 +25,7 @@ pub(crate) struct Contact {
     model: Py<Engine>,
     /// The scene.
     #[pyo3(get)]
-    scene: Py<PyAny>,
+    scene: Py<SceneFile>,
     /// The relative tolerance.
     #[pyo3(get)]
     rtol: f64,
@@ -45,17 +45,16 @@ impl Contact {
     fn new(
         py: Python<'_>,
         model: Py<Engine>,
-        scene: Bound<'_, PyAny>,
+        scene: Py<SceneFile>,
         quantities: Vec<String>,
         rtol: f64,
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
+        let file = scene.get().0.clone();
         let request = Request::new(quantities_of(&quantities)?).within(tolerance(rtol)?);
         let request = request.at_loads([1.0]);
         let compiled = Mutex::new(compile(py, model.get(), &file, &request)?);
         let (axis, separation_unit) = (separation_unit.extract()?, separation_unit.extract()?);
-        let scene = scene.unbind();
         Ok(Self { model, scene, rtol, separation_unit, axis, file, request, compiled })
     }
 
@@ -173,9 +172,9 @@ impl Contact {
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
-        let told = in_si(numbers, axis.si())?;
-        let (numbers, axis) = match &told {
-            Some(told) => (told, axis.in_si()),
+        let read = texts_in_si(numbers, axis.si())?;
+        let (numbers, axis) = match &read {
+            Some(read) => (read, axis.in_si()),
             None => (numbers, axis),
         };
         if let Some(number) = scalar(numbers) {

@@ -26,7 +26,7 @@ pub(crate) struct JointTable {
     model: Py<Engine>,
     /// The scene.
     #[pyo3(get)]
-    scene: Py<PyAny>,
+    scene: Py<SceneFile>,
     /// How the asperities come back: "hertz", "brake" or "etsion".
     #[pyo3(get)]
     law: String,
@@ -52,13 +52,13 @@ impl JointTable {
     fn new(
         py: Python<'_>,
         model: Py<Engine>,
-        scene: Bound<'_, PyAny>,
+        scene: Py<SceneFile>,
         ends: (f64, f64),
         law: &str,
         tolerance: f64,
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
+        let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
         let unit: Axis = separation_unit.extract()?;
         let raise = |error| model.get().raise(py, error);
@@ -78,7 +78,7 @@ impl JointTable {
                 .table(range, tolerance)
         });
         let (table, law) = (table.map_err(raise)?, law.to_string());
-        let (scene, separation_unit) = (scene.unbind(), separation_unit.extract()?);
+        let separation_unit = separation_unit.extract()?;
         Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
     }
 

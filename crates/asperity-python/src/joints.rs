@@ -11,7 +11,7 @@ use pyo3::types::{PyFloat, PyTuple};
 use crate::engine::{Engine, tolerance};
 use crate::error::{value_error, warn};
 use crate::long::{pool, stretches};
-use crate::numbers::{floats, in_si, scalar};
+use crate::numbers::{floats, scalar, texts_in_si};
 use crate::places::Axis;
 use crate::scene::SceneFile;
 
@@ -30,7 +30,7 @@ pub(crate) struct Unloading {
     model: Py<Engine>,
     /// The scene.
     #[pyo3(get)]
-    scene: Py<PyAny>,
+    scene: Py<SceneFile>,
     /// What was given: an axis and a number on it.
     place: (String, f64),
     /// The relative tolerance.
@@ -54,13 +54,13 @@ impl Unloading {
     fn new(
         py: Python<'_>,
         model: Py<Engine>,
-        scene: Bound<'_, PyAny>,
+        scene: Py<SceneFile>,
         place: (Bound<'_, PyAny>, f64),
         law: &str,
         rtol: f64,
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
+        let file = scene.get().0.clone();
         let law = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
         let slip = axis.slip("separation", place.1, file.scene.surface.asperity_height_std);
@@ -75,7 +75,6 @@ impl Unloading {
         let closest = unit.of(joint.closest(), file.separation_from, &file.scene);
         let closest = closest.map_err(|error| model.get().raise(py, error))?;
         let (place, separation_unit) = ((place.0.extract()?, place.1), separation_unit.extract()?);
-        let scene = scene.unbind();
         Ok(Self { model, scene, place, rtol, separation_unit, closest, unit, whole, joint })
     }
 
@@ -166,9 +165,9 @@ impl Unloading {
         one: impl Fn(&joints::Unloading, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let sigma = self.joint.scene().surface.asperity_height_std;
-        let told = in_si(retreat, "m")?;
-        let (retreat, unit, metres) = match &told {
-            Some(told) => (told, SIGMAS.in_si(), 1.0),
+        let read = texts_in_si(retreat, "m")?;
+        let (retreat, unit, metres) = match &read {
+            Some(read) => (read, SIGMAS.in_si(), 1.0),
             None => (retreat, self.unit, self.metres()),
         };
         let slipped = |value: f64| unit.slip("retreat", value, sigma);
@@ -215,7 +214,8 @@ impl PartialSlip {
         amplitude: &Bound<'py, PyAny>,
         forth: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let amplitude: f64 = in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
+        let amplitude: f64 =
+            texts_in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
         self.over(shift, "shift", |slip, u| slip.loop_force(u, amplitude, forth))
     }
 
@@ -262,8 +262,8 @@ impl PartialSlip {
         one: impl Fn(&joints::PartialSlip, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let one = |u: f64| one(&self.slip, u);
-        let told = in_si(numbers, "m")?;
-        let numbers = told.as_ref().unwrap_or(numbers);
+        let read = texts_in_si(numbers, "m")?;
+        let numbers = read.as_ref().unwrap_or(numbers);
         over(numbers, name, |_| None, one, |error| self.raise(numbers.py(), error))
     }
 }

@@ -5,9 +5,9 @@
 //! whichever thread builds its rules.
 //!
 //! ```text
-//! fields → scene → rows → answer ┐
-//!          python_model → engine ┴→ contact → ask, advice
-//!                         engine → joints, joint_table
+//! records → scene → rows → answer ┐
+//!           python_model → engine ┴→ contact → ask, advice
+//!                          engine → joints, joint_table
 //! scene, topography → bem
 //! ```
 
@@ -20,7 +20,7 @@ mod conductance;
 mod contact;
 mod engine;
 mod error;
-mod fields;
+mod inputs;
 mod joint_table;
 mod joints;
 mod long;
@@ -29,6 +29,7 @@ mod objects;
 mod picture;
 mod places;
 mod python_model;
+mod records;
 mod rows;
 mod scene;
 mod table;
@@ -44,7 +45,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::bem::{bem, truth};
     #[pymodule_export]
-    use crate::check::{check, findings, pull_off, quantity};
+    use crate::check::{check, findings, pull_off};
     #[pymodule_export]
     use crate::conductance::{correlated, gap_conductance};
     #[pymodule_export]
@@ -54,20 +55,19 @@ mod _asperity {
     #[pymodule_export]
     use crate::error::{ContactWarning, NotConverged};
     #[pymodule_export]
-    use crate::fields::{
-        checked_body, checked_interface, checked_surface, critical_of, interface_of, roughness_of,
-        surface_from_moments, surface_from_plasticity_index, surface_from_std,
-    };
+    use crate::inputs::inputs_in_si;
     #[pymodule_export]
     use crate::joint_table::JointTable;
     #[pymodule_export]
     use crate::joints::{PartialSlip, Unloading};
     #[pymodule_export]
-    use crate::numbers::floats;
+    use crate::numbers::{floats, in_si};
     #[pymodule_export]
     use crate::picture::svg;
     #[pymodule_export]
-    use crate::scene::{SceneFile, check_inputs, template};
+    use crate::records::{Asperity, Body, Interface, Surface};
+    #[pymodule_export]
+    use crate::scene::{SceneFile, template};
     #[pymodule_export]
     use crate::table::contact_table;
     #[pymodule_export]

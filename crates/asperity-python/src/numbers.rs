@@ -1,4 +1,4 @@
-//! Numbers as NumPy has them.
+//! Numbers of Python: floats, texts with a unit, and arrays.
 
 use numpy::{PyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyTypeError;
@@ -19,19 +19,76 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
     None
 }
 
-/// Texts with a unit, as "100 nm" or a list of them, as numbers in an SI unit; none of numbers.
-pub(crate) fn in_si<'py>(
+/// The number of an argument `name` of `owner`, in SI units; or a text with a unit that suits the key
+/// of this name in scene files.
+pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let unit = asperity_scene::unit_of(name);
+    let text = given.cast::<PyString>().ok().zip(unit);
+    if let Some((text, unit)) = text {
+        return with_unit(text.to_str()?, unit).map_err(|error| {
+            PyTypeError::new_err(format!("{owner}: {name}: {}", error.value(given.py())))
+        });
+    }
+    scalar(given).ok_or_else(|| {
+        let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
+        no_number(owner, name, &shown)
+    })
+}
+
+/// That an argument is no number, and what to give.
+pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
+    let needed = asperity_scene::unit_of(name).map_or(String::new(), |unit| {
+        format!(" in {unit}, or a text with a unit")
+    });
+    PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
+}
+
+/// A text with a unit, as "2 kN", as a number in an SI unit.
+fn with_unit(text: &str, si: &str) -> PyResult<f64> {
+    if text.trim().parse::<f64>().is_ok() {
+        // A text without a unit is one by mistake only.
+        let advice = "give a number, or a text with its unit";
+        return Err(PyTypeError::new_err(format!("{text:?} has no unit: {advice}")));
+    }
+    asperity_scene::quantity(text, si).map_err(PyTypeError::new_err)
+}
+
+/// Texts with a unit, as "100 nm" or a sequence of them, as numbers in an SI unit; none of numbers.
+pub(crate) fn texts_in_si<'py>(
     numbers: &Bound<'py, PyAny>,
     si: &str,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let may_be = numbers.is_instance_of::<PyString>()
-        || numbers.is_instance_of::<PyList>()
-        || numbers.is_instance_of::<PyTuple>();
-    if !may_be {
+    let py = numbers.py();
+    if let Ok(text) = numbers.cast::<PyString>() {
+        return Ok(Some(PyFloat::new(py, with_unit(text.to_str()?, si)?).into_any()));
+    }
+    let is_tuple = numbers.is_instance_of::<PyTuple>();
+    if !is_tuple && !numbers.is_instance_of::<PyList>() {
         return Ok(None);
     }
-    let read = numbers.py().import("asperity._arguments")?.call_method1("in_si", (numbers, si))?;
-    Ok((!read.is(numbers)).then_some(read))
+    let items = numbers.try_iter()?.collect::<PyResult<Vec<_>>>()?;
+    if !items.iter().any(|item| item.is_instance_of::<PyString>()) {
+        return Ok(None);
+    }
+    let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
+        Ok(text) => with_unit(text.to_str()?, si),
+        Err(_) => {
+            let shown = item.repr()?;
+            let advice = "give every value a unit, or none";
+            Err(PyTypeError::new_err(format!("{shown} has no unit: {advice}")))
+        }
+    };
+    let read = items.iter().map(each).collect::<PyResult<Vec<f64>>>()?;
+    Ok(Some(match is_tuple {
+        true => PyTuple::new(py, read)?.into_any(),
+        false => PyList::new(py, read)?.into_any(),
+    }))
+}
+
+/// Texts with a unit as numbers in an SI unit; numbers as they are.
+#[pyfunction]
+pub(crate) fn in_si<'py>(numbers: Bound<'py, PyAny>, si: &str) -> PyResult<Bound<'py, PyAny>> {
+    Ok(texts_in_si(&numbers, si)?.unwrap_or(numbers))
 }
 
 /// A contiguous array of doubles. Masks, which would be lost, complex numbers, and truths and

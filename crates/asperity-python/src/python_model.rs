@@ -12,7 +12,7 @@ use asperity_quadrature::{QuadratureError, Sampler};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::fields::Asperity;
+use crate::records::Asperity;
 
 /// Where a user's model is from is the user's to say: nothing of this is shown.
 const SOURCE: Citation = Citation {
@@ -82,7 +82,7 @@ impl PythonModel {
         asperity: &asperity::Asperity,
         quantity: Quantity,
     ) -> PyResult<Law> {
-        let arguments = (Asperity::from(*asperity), quantity.to_string());
+        let arguments = (Asperity(*asperity), quantity.to_string());
         let (function, kinks, regimes): (Py<PyAny>, Vec<f64>, Vec<String>) =
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);

@@ -7,8 +7,9 @@ use asperity::{At, Case, ContactError, Datum, Finding};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
+use crate::inputs::{Input, inputs, with_numbers};
 use crate::places::Axis;
-use crate::scene::{Input, SceneFile, inputs, with_numbers};
+use crate::scene::SceneFile;
 
 /// The `Rows` of the package.
 #[derive(FromPyObject)]

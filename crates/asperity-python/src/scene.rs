@@ -1,45 +1,85 @@
-//! `SceneFile`: what is in contact, as a scene file says it; the package's `Scene` is made of one.
+//! `Scene`: what is in contact, as a scene file has it.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{
-    ContactError, Datum, HeightDistribution, SeparationUnit, TabulatedHeights, WeibullHeights,
-};
+use asperity::{Datum, HeightDistribution, SeparationUnit, TabulatedHeights, WeibullHeights};
+use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use serde::Serialize;
 use serde_json::Value;
 
 use crate::error::{refused, value_error, warn};
-use crate::fields::Asperity;
-use crate::fields::{Interface, Surface};
+use crate::inputs::{inputs, with_numbers};
+use crate::numbers::number;
+use crate::objects::object;
+use crate::records::{Asperity, Interface, Surface, instance};
 
-/// A scene with the options of its models and the plane of its separations.
-#[pyclass(frozen, module = "asperity._asperity")]
+/// Two bodies, their equivalent rough surface, and the nominal area of contact.
+///
+/// Numbers are in SI units, or texts with their unit, as "100 mm2".
+///
+/// Parameters
+/// ----------
+/// interface : Interface
+///     The two bodies.
+/// surface : Surface
+///     The equivalent rough surface.
+/// nominal_area : float or str
+///     The apparent area of contact [m^2], above 0.
+/// heights : "gaussian", "exponential", {"skewness": s} or (heights, densities)
+///     The distribution of the asperity heights. A skewness from -1 to 2 stands for a Weibull
+///     density. A table has heights [m], ascending, and the density there [1/m]: linear between its
+///     points, 0 outside; heights count from the table's own mean.
+/// separation_from : "asperity-mean" or "surface-mean"
+///     The plane that separations are measured from: the mean of the asperity heights (for
+///     exponential heights: the lowest asperity), or the mean plane of the surface.
+/// mean_plane_offset : float, optional
+///     Height of the mean of the asperity heights above the mean plane [m], where it was measured;
+///     when not given, that of the table of heights, or of an isotropic Gaussian surface.
+/// options : dict, optional
+///     Options of the models, as in the section [options] of a scene file; and
+///     ``{"asperities": "random"}``: "ke" stands for "ke-random" then, whose heights and radii are
+///     spread together as on an isotropic Gaussian surface with these moments.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+/// >>> scene = asperity.Scene(interface, asperity.Surface(3.6e-4, 1.1e8, 1e-6), nominal_area=3e-5)
+/// >>> round(scene.plasticity_index, 2)
+/// 5.98
+/// >>> scene.replace(hardness="2.24 GPa").interface.hardness
+/// 2240000000.0
+#[pyclass(frozen, name = "Scene", module = "asperity")]
 pub(crate) struct SceneFile(pub(crate) Arc<asperity_scene::SceneFile>);
 
-/// The fields of the dataclass `Scene`.
-#[derive(FromPyObject, IntoPyObject)]
-pub(crate) struct Fields {
-    interface: Interface,
-    surface: Surface,
+/// The arguments that make a scene.
+#[derive(PartialEq, Serialize)]
+struct Fields<'f> {
+    interface: &'f asperity::Interface,
+    surface: &'f asperity::Surface,
     nominal_area: f64,
     heights: Heights,
-    separation_from: String,
+    separation_from: Datum,
     mean_plane_offset: Option<f64>,
-    options: BTreeMap<String, OptionValue>,
+    options: BTreeMap<String, asperity_scene::OptionValue>,
 }
 
 /// A name, a skewness, or a table of heights [m] and densities [1/m].
-#[derive(FromPyObject, IntoPyObject)]
+#[derive(FromPyObject, PartialEq, Serialize)]
+#[serde(untagged)]
 enum Heights {
     Name(String),
     Named(BTreeMap<String, f64>),
     Table(Vec<f64>, Vec<f64>),
 }
 
-/// A word, a number, or named numbers.
-#[derive(FromPyObject, IntoPyObject)]
+/// A name, a number, or named numbers.
+#[derive(FromPyObject)]
 pub(crate) enum OptionValue {
     Word(String),
     Number(f64),
@@ -56,63 +96,42 @@ impl From<OptionValue> for asperity_scene::OptionValue {
     }
 }
 
-impl From<asperity_scene::OptionValue> for OptionValue {
-    fn from(value: asperity_scene::OptionValue) -> Self {
-        match value {
-            asperity_scene::OptionValue::Word(word) => Self::Word(word),
-            asperity_scene::OptionValue::Number(number) => Self::Number(number),
-            asperity_scene::OptionValue::Numbers(numbers) => Self::Numbers(numbers),
-        }
-    }
-}
-
 #[pymethods]
 impl SceneFile {
-    /// Of the dataclass `Scene`.
     #[new]
-    fn new(fields: Fields) -> PyResult<Self> {
-        let (interface, surface) = (fields.interface.into(), fields.surface.into());
-        let scene = asperity::Scene::new(interface, surface, fields.nominal_area);
+    #[pyo3(
+        signature = (
+            interface, surface, nominal_area, heights=None, separation_from="asperity-mean",
+            mean_plane_offset=None, options=None
+        ),
+        text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None)"
+    )]
+    fn new(
+        interface: &Bound<'_, PyAny>,
+        surface: &Bound<'_, PyAny>,
+        nominal_area: &Bound<'_, PyAny>,
+        heights: Option<&Bound<'_, PyAny>>,
+        separation_from: &str,
+        mean_plane_offset: Option<&Bound<'_, PyAny>>,
+        options: Option<BTreeMap<String, OptionValue>>,
+    ) -> PyResult<Self> {
+        let interface = instance::<Interface>("interface", interface)?.get().0;
+        let surface = instance::<Surface>("surface", surface)?.get().0;
+        let scene = asperity::Scene::new(
+            interface,
+            surface,
+            number("Scene", "nominal_area", nominal_area)?,
+        );
         let mut file = asperity_scene::SceneFile::from(scene);
-        match fields.heights {
-            Heights::Name(name) if name == "gaussian" => {}
-            Heights::Name(name) if name == "exponential" => {
-                file.scene.heights = HeightDistribution::Exponential;
-            }
-            Heights::Name(name) => {
-                return Err(value_error(format!(
-                    "heights is {name:?}: \"gaussian\", \"exponential\", {{\"skewness\": value}} or a table (heights [m], densities [1/m]) was required"
-                )));
-            }
-            Heights::Named(named) => {
-                let Some(skewness) = named.get("skewness").filter(|_| named.len() == 1) else {
-                    let keys: Vec<&String> = named.keys().collect();
-                    return Err(value_error(format!(
-                        "heights has the keys {keys:?}: {{\"skewness\": value}} was required"
-                    )));
-                };
-                let heights = WeibullHeights::new(*skewness).map_err(refused)?;
-                file.scene.heights = HeightDistribution::Weibull(heights);
-            }
-            Heights::Table(z, density) if z.len() != density.len() => {
-                return Err(value_error(format!(
-                    "heights is a table of {} heights and {} densities: as many of both was required",
-                    z.len(),
-                    density.len()
-                )));
-            }
-            Heights::Table(z, density) => {
-                let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
-                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
-                file.scene.heights = HeightDistribution::other(table.clone());
-                file.table = Some(table);
-            }
+        if let Some(heights) = heights {
+            Heights::of(heights)?.put(&mut file)?;
         }
-        let from = serde_json::from_value(Value::String(fields.separation_from));
+        let from = serde_json::from_value(Value::String(separation_from.into()));
         file.separation_from =
             from.map_err(|error| value_error(format!("separation_from: {error}")))?;
-        file.scene.mean_plane_offset = fields.mean_plane_offset;
-        for (name, value) in fields.options {
+        let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
+        file.scene.mean_plane_offset = offset.transpose()?;
+        for (name, value) in options.unwrap_or_default() {
             file.options.set(&name, &value.into()).map_err(value_error)?;
         }
         let file = with_numbers(&file, []).map_err(refused)?;
@@ -125,28 +144,299 @@ impl SceneFile {
 
     /// Reads a scene file and the files it names.
     #[staticmethod]
-    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+    fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         Self::read(py, py.detach(|| asperity_scene::load(&path)))
     }
 
-    /// Reads the text of a scene file; relative paths in it begin at `directory`.
+    /// Reads a scene from the text of a scene file; relative paths in it begin at ``directory``.
     #[staticmethod]
+    #[pyo3(signature = (text, directory=PathBuf::from(".")), text_signature = "(text, directory='.')")]
     fn parse(py: Python<'_>, text: &str, directory: PathBuf) -> PyResult<Self> {
         Self::read(py, py.detach(|| asperity_scene::parse(text, &directory)))
     }
 
-    /// The same scene with other numbers.
-    fn replace(&self, numbers: BTreeMap<String, f64>) -> PyResult<Self> {
-        let inputs = inputs(numbers.keys())?;
-        let numbers = inputs.into_iter().zip(numbers.into_values());
-        let file = with_numbers(&self.0, numbers).map_err(refused)?;
+    /// The two bodies.
+    #[getter]
+    fn interface(&self) -> Interface {
+        Interface(self.0.scene.interface)
+    }
+
+    /// The equivalent rough surface.
+    #[getter]
+    fn surface(&self) -> Surface {
+        Surface(self.0.scene.surface)
+    }
+
+    /// The apparent area of contact [m^2].
+    #[getter]
+    fn nominal_area(&self) -> f64 {
+        self.0.scene.nominal_area
+    }
+
+    /// The distribution of the asperity heights: its name, its skewness, or a table.
+    #[getter]
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        match self.given_heights() {
+            Heights::Table(z, density) => {
+                (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
+            }
+            other => object(py, &other),
+        }
+    }
+
+    /// The plane that separations are measured from.
+    #[getter]
+    fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.0.separation_from)
+    }
+
+    /// Height of the mean of the asperity heights above the mean plane [m], where it was given.
+    #[getter]
+    fn mean_plane_offset(&self) -> Option<f64> {
+        // A table's own mean is not given.
+        self.0.scene.mean_plane_offset.filter(|_| self.0.table.is_none())
+    }
+
+    /// The options that differ from the defaults.
+    #[getter]
+    fn options<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.0.options.changed())
+    }
+
+    /// The same scene with other numbers, by the names of a scene file: equivalent_modulus,
+    /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor,
+    /// thermal_conductivity, electrical_resistivity, work_of_adhesion, asperity_radius,
+    /// asperity_density, asperity_height_std, nominal_area; or plasticity_index and
+    /// roughness_parameter in the place of radius and density.
+    #[pyo3(signature = (**numbers))]
+    fn replace(&self, numbers: Option<BTreeMap<String, Bound<'_, PyAny>>>) -> PyResult<Self> {
+        let numbers = numbers.unwrap_or_default();
+        let values = numbers.iter().map(|(name, given)| number("Scene", name, given));
+        let values = inputs(numbers.keys())?.into_iter().zip(values.collect::<PyResult<Vec<_>>>()?);
+        Ok(Self(Arc::new(with_numbers(&self.0, values).map_err(refused)?)))
+    }
+
+    /// Many scenes like this one: the names of ``replace``, with arrays that are broadcast.
+    #[pyo3(signature = (**columns))]
+    fn vary<'py>(
+        slf: &Bound<'py, Self>,
+        columns: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let scenes = slf.py().import("asperity._scene")?.getattr("Scenes")?;
+        scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
+    }
+
+    /// One asperity of the surface, with every input resolved.
+    #[getter]
+    fn asperity(&self) -> PyResult<Asperity> {
+        self.0.scene.asperity().map(Asperity).map_err(refused)
+    }
+
+    /// The number of asperities: density times nominal area.
+    #[getter]
+    fn asperities(&self) -> f64 {
+        self.0.scene.asperities()
+    }
+
+    /// The square root of height_std over the critical interference.
+    #[getter]
+    fn plasticity_index(&self) -> PyResult<f64> {
+        self.0.scene.plasticity_index().map_err(refused)
+    }
+
+    /// The ids of the models that this scene allows, simplest first.
+    fn models(&self) -> Vec<String> {
+        self.0.models().0.iter().map(|model| model.id().to_string()).collect()
+    }
+
+    /// The text of a scene file that reads back exactly, written to ``path`` if there is one. A table
+    /// of heights goes to a file beside it, of the same name with the end ``.csv``.
+    ///
+    /// >>> import asperity
+    /// >>> scene = asperity.Scene.parse(asperity.template())
+    /// >>> asperity.Scene.parse(scene.to_toml()) == scene
+    /// True
+    #[pyo3(signature = (path=None))]
+    fn to_toml(&self, path: Option<PathBuf>) -> PyResult<String> {
+        let Self(file) = self;
+        let table = match (&file.table, &path) {
+            (Some(_), None) => {
+                let needed =
+                    "heights is a table: a path to write to was required, beside which it goes";
+                return Err(value_error(needed));
+            }
+            (Some(table), Some(path)) => Some((path.with_extension("csv"), table)),
+            (None, _) => None,
+        };
+        let name = table.as_ref().and_then(|(path, _)| path.file_name()?.to_str());
+        let text = asperity_scene::write(&file.scene, &file.options, name, &[]);
+        // What is not among the numbers: the plane of the separations.
+        let from = match file.separation_from {
+            Datum::SurfaceMean => "separation_from = \"surface-mean\"\n",
+            _ => "",
+        };
+        let text = match text.split_once("\n[options]") {
+            Some((before, options)) => format!("{before}{from}\n[options]{options}"),
+            None => text + from,
+        };
+        if let Some((path, table)) = &table {
+            std::fs::write(path, asperity_scene::write_heights(table.points()))?;
+        }
+        path.map_or(Ok(()), |path| std::fs::write(path, &text))?;
+        Ok(text)
+    }
+
+    /// What follows from the scene, and what in it is unusual: sizes that no surface or material
+    /// has, with the unit that would explain them. At a separation, load [N] or pressure [Pa], also
+    /// how much touches, how deep contacts are pressed, and whether the model is made for that:
+    /// "ke" unless another is given, or "gw" where there is no hardness.
+    ///
+    /// >>> import asperity
+    /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
+    /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+    /// >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
+    /// error: equivalent_modulus is 116 Pa, materials have 30000 to 1.3e12 Pa: is it in GPa? 116 GPa is 1.16e11 Pa
+    #[pyo3(signature = (
+        model=None, separation=None, *, load=None, pressure=None,
+        separation_unit="asperity_height_std"
+    ))]
+    fn check<'py>(
+        slf: &Bound<'py, Self>,
+        model: Option<Bound<'py, PyAny>>,
+        separation: Option<Bound<'py, PyAny>>,
+        load: Option<Bound<'py, PyAny>>,
+        pressure: Option<Bound<'py, PyAny>>,
+        separation_unit: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let check = slf.py().import("asperity._scene")?.getattr("check")?;
+        check.call1((slf, model, separation, load, pressure, separation_unit))
+    }
+
+    /// The arguments that make this scene, as dicts, lists and numbers.
+    #[pyo3(name = "_fields")]
+    fn plain_fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.fields())
+    }
+
+    /// The id of the model that others are compared with where none is named.
+    fn _usual_reference(&self) -> &'static str {
+        asperity::usual_reference(&self.0.scene)
+    }
+
+    fn __eq__(&self, other: &Self) -> bool {
+        self.fields() == other.fields()
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let fields = self.fields();
+        let mut given = vec![
+            format!("interface={}", self.interface().into_pyobject(py)?.repr()?),
+            format!("surface={}", self.surface().into_pyobject(py)?.repr()?),
+            format!("nominal_area={}", fields.nominal_area.into_pyobject(py)?.repr()?),
+        ];
+        match fields.heights {
+            Heights::Name(name) if name == "gaussian" => {}
+            Heights::Table(z, _) => given.push(format!("heights=<table of {} points>", z.len())),
+            heights => given.push(format!("heights={}", object(py, &heights)?.repr()?)),
+        }
+        if fields.separation_from != Datum::default() {
+            given.push(format!("separation_from={}", self.separation_from(py)?.repr()?));
+        }
+        if let Some(offset) = fields.mean_plane_offset {
+            given.push(format!("mean_plane_offset={}", offset.into_pyobject(py)?.repr()?));
+        }
+        if !fields.options.is_empty() {
+            given.push(format!("options={}", self.options(py)?.repr()?));
+        }
+        Ok(format!("Scene({})", given.join(", ")))
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let (py, own) = (slf.py(), slf.get());
+        let arguments = (
+            own.interface(),
+            own.surface(),
+            own.nominal_area(),
+            own.heights(py)?,
+            own.separation_from(py)?,
+            own.mean_plane_offset(),
+            own.options(py)?,
+        );
+        Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
+    }
+}
+
+impl Heights {
+    fn of(given: &Bound<'_, PyAny>) -> PyResult<Self> {
+        given.extract().map_err(|_| {
+            let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
+            PyTypeError::new_err(format!("heights is {shown}: {HEIGHTS} was required"))
+        })
+    }
+
+    fn put(self, file: &mut asperity_scene::SceneFile) -> PyResult<()> {
+        file.scene.heights = match self {
+            Self::Name(name) if name == "gaussian" => HeightDistribution::Gaussian,
+            Self::Name(name) if name == "exponential" => HeightDistribution::Exponential,
+            Self::Name(name) => {
+                return Err(value_error(format!("heights is {name:?}: {HEIGHTS} was required")));
+            }
+            Self::Named(named) => {
+                let Some(skewness) = named.get("skewness").filter(|_| named.len() == 1) else {
+                    let keys: Vec<&String> = named.keys().collect();
+                    return Err(value_error(format!(
+                        "heights has the keys {keys:?}: {HEIGHTS} was required"
+                    )));
+                };
+                HeightDistribution::Weibull(WeibullHeights::new(*skewness).map_err(refused)?)
+            }
+            Self::Table(z, density) if z.len() != density.len() => {
+                return Err(value_error(format!(
+                    "heights is a table of {} heights and {} densities: as many of both was required",
+                    z.len(),
+                    density.len()
+                )));
+            }
+            Self::Table(z, density) => {
+                let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
+                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
+                file.table = Some(table.clone());
+                HeightDistribution::other(table)
+            }
+        };
+        Ok(())
+    }
+}
+
+const HEIGHTS: &str = "\"gaussian\", \"exponential\", {\"skewness\": value} or a table (heights [m], densities [1/m])";
+
+impl SceneFile {
+    fn read(
+        py: Python<'_>,
+        read: Result<asperity_scene::SceneFile, asperity_scene::SceneError>,
+    ) -> PyResult<Self> {
+        let file = read.map_err(value_error)?;
+        file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))
     }
 
-    /// What it was made of, or would be.
-    fn fields(&self) -> PyResult<Fields> {
-        let Self(file) = self;
-        let heights = match (&file.table, &file.scene.heights) {
+    fn fields(&self) -> Fields<'_> {
+        let scene = &self.0.scene;
+        Fields {
+            interface: &scene.interface,
+            surface: &scene.surface,
+            nominal_area: scene.nominal_area,
+            heights: self.given_heights(),
+            separation_from: self.0.separation_from,
+            mean_plane_offset: self.mean_plane_offset(),
+            options: self.0.options.changed(),
+        }
+    }
+
+    fn given_heights(&self) -> Heights {
+        match (&self.0.table, &self.0.scene.heights) {
             (None, HeightDistribution::Weibull(heights)) => {
                 Heights::Named([("skewness".into(), heights.skewness())].into())
             }
@@ -155,168 +445,8 @@ impl SceneFile {
                 let (z, density) = table.points().iter().copied().unzip();
                 Heights::Table(z, density)
             }
-        };
-        let from = serde_json::to_value(file.separation_from).map_err(value_error)?;
-        let options = file.options.changed().into_iter();
-        Ok(Fields {
-            interface: file.scene.interface.into(),
-            surface: file.scene.surface.into(),
-            nominal_area: file.scene.nominal_area,
-            heights,
-            separation_from: from.as_str().unwrap_or_default().into(),
-            // A table's own mean is not given.
-            mean_plane_offset: file.scene.mean_plane_offset.filter(|_| file.table.is_none()),
-            options: options.map(|(name, value)| (name, value.into())).collect(),
-        })
-    }
-
-    /// One asperity of the surface.
-    fn asperity(&self) -> PyResult<Asperity> {
-        self.0.scene.asperity().map(Into::into).map_err(refused)
-    }
-
-    /// The number of asperities.
-    fn asperities(&self) -> f64 {
-        self.0.scene.asperities()
-    }
-
-    /// The square root of height_std over the critical interference.
-    fn plasticity_index(&self) -> PyResult<f64> {
-        self.0.scene.plasticity_index().map_err(refused)
-    }
-
-    /// The text of a scene file that reads back exactly; a table of heights stands in a file of its
-    /// own.
-    #[pyo3(signature = (heights_file, comments))]
-    fn to_toml(&self, heights_file: Option<&str>, comments: Vec<String>) -> PyResult<String> {
-        let Self(file) = self;
-        if file.table.is_some() && heights_file.is_none() {
-            let needed =
-                "heights is a table: a path to write to was required, beside which it goes";
-            return Err(value_error(needed));
-        }
-        let comments: Vec<&str> = comments.iter().map(String::as_str).collect();
-        let text = asperity_scene::write(&file.scene, &file.options, heights_file, &comments);
-        // What is not among the numbers: the plane of the separations.
-        let from = match file.separation_from {
-            Datum::SurfaceMean => "separation_from = \"surface-mean\"\n",
-            _ => "",
-        };
-        Ok(match text.split_once("\n[options]") {
-            Some((before, options)) => format!("{before}{from}\n[options]{options}"),
-            None => text + from,
-        })
-    }
-
-    /// The id of the model that others are held against where none is named.
-    fn usual_reference(&self) -> &'static str {
-        asperity::usual_reference(&self.0.scene)
-    }
-
-    /// The ids of the models that this scene allows, simplest first.
-    fn models(&self) -> Vec<String> {
-        self.0.models().0.iter().map(|model| model.id().to_string()).collect()
-    }
-}
-
-impl SceneFile {
-    fn read(
-        py: Python<'_>,
-        read: Result<asperity_scene::SceneFile, asperity_scene::SceneError>,
-    ) -> PyResult<Self> {
-        let file = read.map_err(value_error)?;
-        file.warnings.iter().try_for_each(|warning| warn(py, warning, 1))?;
-        Ok(Self(Arc::new(file)))
-    }
-}
-
-/// A number of a scene that can be another.
-#[derive(Clone, Copy)]
-pub(crate) enum Input {
-    /// One that is a field.
-    Field(fn(&mut asperity::Scene, f64)),
-    /// One of the two that radius and density follow from.
-    PlasticityIndex,
-    RoughnessParameter,
-}
-
-/// By the names of a scene file.
-const INPUTS: [(&str, Input); 15] = [
-    ("equivalent_modulus", Input::Field(|s, v| s.interface.equivalent_modulus = v)),
-    (
-        "equivalent_shear_modulus",
-        Input::Field(|s, v| s.interface.equivalent_shear_modulus = Some(v)),
-    ),
-    ("poissons_ratio", Input::Field(|s, v| s.interface.poissons_ratio = v)),
-    ("hardness", Input::Field(|s, v| s.interface.hardness = Some(v))),
-    ("yield_strength", Input::Field(|s, v| s.interface.yield_strength = Some(v))),
-    ("pressure_factor", Input::Field(|s, v| s.interface.pressure_factor = Some(v))),
-    ("thermal_conductivity", Input::Field(|s, v| s.interface.thermal_conductivity = Some(v))),
-    ("electrical_resistivity", Input::Field(|s, v| s.interface.electrical_resistivity = Some(v))),
-    ("work_of_adhesion", Input::Field(|s, v| s.interface.work_of_adhesion = Some(v))),
-    ("asperity_radius", Input::Field(|s, v| s.surface.asperity_radius = v)),
-    ("asperity_density", Input::Field(|s, v| s.surface.asperity_density = v)),
-    ("asperity_height_std", Input::Field(|s, v| s.surface.asperity_height_std = v)),
-    ("nominal_area", Input::Field(|s, v| s.nominal_area = v)),
-    ("plasticity_index", Input::PlasticityIndex),
-    ("roughness_parameter", Input::RoughnessParameter),
-];
-
-/// Refuses names that there are not, and those that say the same thing twice.
-#[pyfunction]
-pub(crate) fn check_inputs(names: Vec<String>) -> PyResult<()> {
-    inputs(names.iter()).map(drop)
-}
-
-/// The inputs of these names.
-pub(crate) fn inputs<'n>(names: impl Iterator<Item = &'n String> + Clone) -> PyResult<Vec<Input>> {
-    let given = |wanted: &&str| names.clone().any(|name| name == wanted);
-    let roughness = ["plasticity_index", "roughness_parameter"];
-    if let (true, Some(follows)) = (
-        roughness.iter().any(given),
-        ["asperity_radius", "asperity_density"].iter().find(|name| given(name)),
-    ) {
-        return Err(value_error(format!(
-            "{follows} is given beside {}: the one follows from the others, leave it out",
-            roughness.join(" or ")
-        )));
-    }
-    let input = |name: &String| {
-        let found = INPUTS.iter().find(|(known, _)| known == name);
-        found.map(|(_, input)| *input).ok_or_else(|| {
-            let known = INPUTS.map(|(name, _)| name).join(", ");
-            value_error(format!("{name} is not an input of a scene: one of {known} was required"))
-        })
-    };
-    names.clone().map(input).collect()
-}
-
-/// A scene with other numbers.
-pub(crate) fn with_numbers(
-    file: &asperity_scene::SceneFile,
-    numbers: impl IntoIterator<Item = (Input, f64)>,
-) -> Result<asperity_scene::SceneFile, ContactError> {
-    let mut scene = file.scene.clone();
-    let (mut index, mut parameter) = (None, None);
-    for (input, value) in numbers {
-        match input {
-            Input::Field(set) => set(&mut scene, value),
-            Input::PlasticityIndex => index = Some(value),
-            Input::RoughnessParameter => parameter = Some(value),
         }
     }
-    if index.is_some() || parameter.is_some() {
-        let index = index.map_or_else(|| file.scene.plasticity_index(), Ok)?;
-        let parameter = parameter.unwrap_or_else(|| file.scene.surface.roughness_parameter());
-        let height_std = scene.surface.asperity_height_std;
-        scene.surface = asperity::Surface::from_plasticity_index(
-            index,
-            parameter,
-            height_std,
-            &scene.interface,
-        )?;
-    }
-    file.with_numbers(scene.interface, scene.surface, scene.nominal_area)
 }
 
 /// A commented scene file with every key there is.

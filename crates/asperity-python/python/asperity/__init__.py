@@ -22,11 +22,17 @@ from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import (
+    Asperity,
+    Body,
     Contact,
     ContactWarning,
+    Interface,
     JointTable,
     NotConverged,
     PartialSlip,
+    Scene,
+    Surface,
+    Topography,
     Unloading,
     template,
 )
@@ -37,8 +43,8 @@ from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
-from asperity._scene import Asperity, Body, Interface, Scene, Scenes, Surface
-from asperity._surfaces import Topography, read, topography
+from asperity._scene import Scenes
+from asperity._surfaces import read, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")

@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import Rows, place, quantity_names
+from asperity._asperity import Scene
 from asperity._model import Model
-from asperity._scene import Scene
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ def recommend(
     'gw'
     """
     rows = Rows(scene, *place(separation, load, pressure, separation_unit))
-    against = _model(reference or scene._file.usual_reference())
+    against = _model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
     text, simplest, evidence, places, found = _asperity.recommend(
         against, rows, quantity_names(quantities), within, rtol, ids

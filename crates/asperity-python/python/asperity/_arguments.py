@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import Engine, NotConverged, SceneFile, floats
-from asperity._scene import Floats, Scene, Scenes
+from asperity._asperity import Engine, NotConverged, Scene, floats, in_si
+from asperity._scene import Floats, Scenes
 
 #: One scene, or many in any shape.
 SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
@@ -52,42 +52,14 @@ def place(
 ) -> tuple[str, Any]:
     """What was given of the three, and what its numbers stand for."""
     unit = checked_unit(separation_unit)
-    if _has_text(separation):
-        separation, unit = in_si(separation, "m"), "m"
+    in_metres = in_si(separation, "m")
+    if in_metres is not separation:
+        separation, unit = in_metres, "m"
     given = {unit: separation, "load": in_si(load, "N"), "pressure": in_si(pressure, "Pa")}
     found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
     if len(found) != 1:
         raise TypeError(f"exactly one of {name}, load and pressure was required")
     return found[0]
-
-
-def _has_text(numbers: Any) -> bool:
-    return isinstance(numbers, str) or (
-        isinstance(numbers, list | tuple) and any(isinstance(number, str) for number in numbers)
-    )
-
-
-def in_si(numbers: Any, si: str) -> Any:
-    """Texts with a unit, as "2 kN" or ["1 um", "2 um"], as numbers in SI; numbers as they are."""
-    if not _has_text(numbers):
-        return numbers
-    if not isinstance(numbers, str):
-        return [_with_unit(number, si) for number in numbers]
-    return _with_unit(numbers, si)
-
-
-def _with_unit(text: Any, si: str) -> float:
-    if not isinstance(text, str):
-        raise TypeError(f"{text!r} has no unit and others have: one for each was required")
-    try:
-        float(text)
-    except ValueError:
-        try:
-            return _asperity.quantity(text, si)
-        except ValueError as error:
-            raise TypeError(str(error)) from None
-    # A text without a unit is one by mistake only.
-    raise TypeError(f"{text!r} has no unit: a number, or a text with its unit, was required")
 
 
 def checked_errors(errors: str) -> str:
@@ -145,11 +117,11 @@ class Rows:
         return self.scenes if isinstance(self.scenes, Scene) else None
 
     @property
-    def files(self) -> list[SceneFile]:
+    def files(self) -> list[Scene]:
         """The scenes for the engine; the one that the others are like, where there are columns."""
         if isinstance(self.scenes, Scenes):
-            return [self.scenes._base._file]
-        return [scene._file for scene in np.asarray(self.scenes, dtype=object).ravel()]
+            return [self.scenes._base]
+        return list(np.asarray(self.scenes, dtype=object).ravel())
 
     @property
     def columns(self) -> dict[str, Floats]:

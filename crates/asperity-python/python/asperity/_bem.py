@@ -12,8 +12,8 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import checked_errors
-from asperity._scene import Floats, Interface, Scene
-from asperity._surfaces import Topography
+from asperity._asperity import Interface, Scene, Topography
+from asperity._scene import Floats
 
 Boundary = Literal["periodic", "free"]
 
@@ -132,19 +132,10 @@ def bem(
     if len(named) != 1:
         raise TypeError(f"{len(named)} of pressure, load and gap were given: one was required")
     ((name, value),) = named
-    scan: object
-    if isinstance(surface, Scene):
-        if interface is not None:
-            raise TypeError("interface was given beside a scene, which has its own")
-        scan = surface._file
-    elif interface is None:
-        raise TypeError("interface is missing: a Topography has none, pass an asperity.Interface")
-    else:
-        scan = surface, interface, level
     values = _asperity.floats(value, name)
     mask = checked_errors(errors) == "mask"
     numbers, kept, (rows, columns), failures = _asperity.bem(
-        scan, name, values.ravel().tolist(), elastic, boundary, (maps, mask)
+        (surface, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
     )
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
@@ -194,7 +185,7 @@ def truth(
     ids = None if models is None else list(models)
     mask = checked_errors(errors) == "mask"
     found, told, refused, failures = _asperity.truth(
-        scene._file, pressures.tolist(), elastic, boundary, ids, (refine, mask)
+        scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
     rows = TruthRows(
         TruthRow(

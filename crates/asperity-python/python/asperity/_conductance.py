@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import in_si, place
-from asperity._asperity import ContactWarning, floats
-from asperity._scene import Floats, Scene
+from asperity._arguments import place
+from asperity._asperity import ContactWarning, Scene, floats, in_si
+from asperity._scene import Floats
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ def correlated_conductance(
     numbers = floats(given, axis)
     pressures = numbers / scene.nominal_area if axis == "load" else numbers
     columns, (first, last), foreign = _asperity.correlated(
-        correlation, scene._file, pressures.ravel()
+        correlation, scene, pressures.ravel()
     )
     conductance, relative, holds = (np.array(c).reshape(numbers.shape) for c in columns)
     if foreign is not None and holds.size:

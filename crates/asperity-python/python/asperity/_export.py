@@ -10,8 +10,9 @@ import numpy as np
 from asperity import _asperity
 from asperity._advice import _model
 from asperity._arguments import checked_unit
+from asperity._asperity import Scene
 from asperity._model import Model
-from asperity._scene import Floats, Scene
+from asperity._scene import Floats
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ def export(
     ends = axis, float(first), float(last)
     spacing, form = (count, max_error, rtol), (format, units)
     beside = conductance, None if friction is None else float(friction)
-    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, form, beside)
+    found = _asperity.contact_table(_model(model), scene, ends, spacing, form, beside)
     clearance, pressures, tangent, pressure_error, tangent_error, text = found
     columns = np.array(clearance), np.array(pressures), np.array(tangent)
     return ContactTable(*columns, pressure_error, tangent_error, text)

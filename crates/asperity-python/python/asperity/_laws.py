@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from asperity._scene import Asperity, Floats
+from asperity._asperity import Asperity
+from asperity._scene import Floats
 
 
 class AsperityLaws(Protocol):
@@ -55,9 +55,9 @@ class Laws:
         self.own_stiffness = hasattr(made_for, "stiffness")
         self.force_monotone = bool(getattr(made_for, "force_monotone", False))
 
-    def __call__(self, one: Mapping[str, Any], quantity: str) -> tuple[Law, list[float], list[str]]:
+    def __call__(self, one: Asperity, quantity: str) -> tuple[Law, list[float], list[str]]:
         """The law of an asperity, its kinks [m], ascending, and names of the ranges they bound."""
-        laws = self.made_for(Asperity(**one))
+        laws = self.made_for(one)
         kinks: Any = getattr(laws, "kinks", None)
         kinks = kinks() if callable(kinks) else kinks
         kinks = kinks.get(quantity) if isinstance(kinks, Mapping) else kinks
@@ -76,7 +76,7 @@ class Laws:
         found = []
         for quantity in ("force", "area", "stiffness")[: 2 + self.own_stiffness]:
             try:
-                law, _, _ = self(asdict(one), quantity)
+                law, _, _ = self(one, quantity)
                 law(one.radius * np.array([1e-6, 1e-4, 1e-2]))
             except Exception as error:
                 words = f"{type(error).__name__}: {error}"

@@ -18,10 +18,18 @@ from asperity._arguments import (
     place,
     quantity_names,
 )
-from asperity._asperity import Contact, ContactWarning, Engine, JointTable, Unloading, floats
+from asperity._asperity import (
+    Contact,
+    ContactWarning,
+    Engine,
+    JointTable,
+    Scene,
+    Unloading,
+    floats,
+)
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
-from asperity._scene import Floats, Options, Scene
+from asperity._scene import Floats, Options
 
 
 class Model(Engine):
@@ -257,7 +265,7 @@ class Model(Engine):
         >>> f"{force:.3f} N at {separation:.3f} asperity_height_std"
         '-0.956 N at 0.408 asperity_height_std'
         """
-        return _asperity.pull_off(self, scene._file, rtol, checked_unit(separation_unit))
+        return _asperity.pull_off(self, scene, rtol, checked_unit(separation_unit))
 
     def joint_table(
         self,
@@ -293,12 +301,12 @@ class Model(Engine):
     ) -> Floats:
         """The law of one asperity of a scene at interferences [m]: N, m^2 or N/m."""
         w = floats(interference, "interference")
-        return self._law(scene._file, quantity, w.ravel(), rtol).reshape(w.shape)
+        return self._law(scene, quantity, w.ravel(), rtol).reshape(w.shape)
 
     def check(self, scene: Scene) -> list[str]:
         """What is wrong with the laws on one asperity of a scene: for models of your own."""
         laws = None if isinstance(self._what, str) else Laws(self._what)
-        return (laws and laws.findings(scene.asperity)) or self._check(scene._file)
+        return (laws and laws.findings(scene.asperity)) or self._check(scene)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):

@@ -54,7 +54,7 @@ class Progress:
             done = self._before + run.rows
             left = (self._rows - done) / run.rows_per_second
             print(
-                f"\rsweep: {done} of {self._rows} rows ({done / self._rows:.0%}), "
+                f"\rsweep: {done} of {self._rows} rows ({100 * done / self._rows:.0f} %), "
                 f"{run.rows_per_second:.3g} rows/s, {left:.0f} s left ",
                 end="",
                 file=sys.stderr,

@@ -7,9 +7,9 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import Rows, place
-from asperity._asperity import check_inputs
-from asperity._scene import Floats, Scene
+from asperity._arguments import LOADS, Rows, place
+from asperity._asperity import Scene, inputs_in_si
+from asperity._scene import Floats
 
 
 @runtime_checkable
@@ -72,13 +72,15 @@ class Space:
     ) -> None:
         if not isinstance(scene, Scene):
             raise TypeError(f"scene is {scene!r}: a Scene was required")
-        check_inputs(list(inputs))
-        axis, where = place(separation, load, pressure, "m")
-        #: What is not given by an input.
+        inputs = inputs_in_si(inputs)
+        axis, where = place(separation, load, pressure, "asperity_height_std")
+        #: The scene whose other numbers are kept.
         self.scene = scene
-        #: What is drawn beside the scenes: "separation", "load" or "pressure".
-        self.axis = "separation" if axis == "m" else axis
-        #: What was given, this first.
+        #: The axis of the numbers beside the scenes: "separation", "load" or "pressure".
+        self.axis = axis if axis in LOADS else "separation"
+        # Texts with a unit are in metres, whatever the unit of the sweep.
+        self._in_metres = axis == "m"
+        #: The inputs as they were given, the axis first.
         self.inputs: dict[str, Input] = {self.axis: where, **inputs}
         for name, given in self.inputs.items():
             _check(name, given)
@@ -99,17 +101,19 @@ class Space:
         """The rows of such columns."""
         given: dict[str, Any] = {**self.inputs, **columns}
         where = given.pop(self.axis)
-        axis = separation_unit if self.axis == "separation" else self.axis
+        unit = "m" if self._in_metres else separation_unit
+        axis = unit if self.axis == "separation" else self.axis
         return Rows(self.scene.vary(**given), axis, where)
 
     def identity(self) -> dict[str, Any]:
         """What makes it this space and no other, for JSON."""
         inputs: dict[str, Any] = {}
         for name, given in self.inputs.items():
-            inputs[name] = {"is": _words(given)}
+            unit = " m" if self._in_metres and name == self.axis else ""
+            inputs[name] = {"is": _words(given) + unit}
             if not _is_number(given):
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
-        return {**self.scene._file.fields(), "inputs": inputs}
+        return {**self.scene._fields(), "inputs": inputs}
 
     def __repr__(self) -> str:
         inputs = ", ".join(f"{name}={_words(given)}" for name, given in self.inputs.items())
