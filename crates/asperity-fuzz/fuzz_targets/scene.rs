@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity_scene::{ModelOptions, parse, write};
+use asperity_scene::{ModelOptions, parse};
 
 libfuzzer_sys::fuzz_target!(|text: &str| {
     match parse(text, Path::new("/nowhere")) {
@@ -11,7 +11,7 @@ libfuzzer_sys::fuzz_target!(|text: &str| {
             assert!(error.contains("line ") && error.len() < 2000 && !error.contains('\n'), "{error}");
         }
         Ok(file) => {
-            let written = write(&file.scene, &file.options, None, &[text]);
+            let written = file.to_toml(&[text]).expect("what was read");
             let again = parse(&written, Path::new("/nowhere")).expect("what was written");
             assert_eq!(again.scene.surface, file.scene.surface);
             assert_eq!(again.options.changed(), file.options.changed());

@@ -5,10 +5,8 @@ use std::str::FromStr;
 
 use asperity_core::{
     At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
-    Tolerance, positive,
+    Tolerance, nearest_name, positive,
 };
-
-use strsim::osa_distance;
 
 use crate::Joint;
 use crate::one::Asked;
@@ -50,8 +48,8 @@ impl FromStr for UnloadingLaw {
         let wanted = name.trim().to_lowercase();
         let found = Self::ALL.into_iter().find(|law| law.to_string() == wanted);
         let known = Self::ALL.map(|law| law.to_string()).join(", ");
-        let mut near = Self::ALL.map(|law| law.to_string()).into_iter();
-        let near = near.find(|law| osa_distance(law, &wanted) <= 2);
+        let names = Self::ALL.map(|law| law.to_string());
+        let near = nearest_name(&wanted, names.iter().map(String::as_str));
         let near = near.map_or(String::new(), |near| format!(" (did you mean {near:?}?)"));
         found.ok_or_else(|| format!("{name:?} is none of {known}{near}"))
     }

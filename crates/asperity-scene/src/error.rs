@@ -49,6 +49,14 @@ pub enum SceneError {
         /// The system's own words.
         reason: String,
     },
+    /// A file could not be written, or no file can hold this value.
+    #[error("{at} cannot be written: {reason}")]
+    Unwritable {
+        /// The file, or the field.
+        at: Box<Place>,
+        /// The reason, from the system for files.
+        reason: String,
+    },
     /// The text is not TOML, or not CSV.
     #[error("{at}: {reason}")]
     Syntax {

@@ -1,8 +1,9 @@
 //! `heights`: how the asperities are spread, and the CSV file of a measured density.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, TabulatedHeights};
+use asperity::{ContactError, Datum, TabulatedHeights};
+use serde::Deserialize;
 
 use crate::document::{Document, shortened, text_of};
 use crate::{Place, SceneError};
@@ -15,11 +16,93 @@ const MOST_POINTS: usize = 10_000;
 /// A table whose standard deviation is this much off deserves a word; the bins of a histogram alone add some per cent.
 const DIFFERENT: f64 = 0.05;
 
-/// Reads the table of `heights = { file = "pdf.csv" }`.
-pub(crate) fn read_heights(
+/// The keys of `[surface]` for the heights, and for what separations are measured from.
+#[derive(Debug, Deserialize)]
+#[serde(expecting = "a table, [surface],")]
+pub(crate) struct HeightKeys {
+    #[serde(default)]
+    pub(crate) heights: HeightsKey,
+    #[serde(default)]
+    pub(crate) separation_from: Datum,
+    pub(crate) mean_plane_offset: Option<f64>,
+}
+
+/// `heights`.
+#[derive(Debug, Default, Deserialize)]
+#[serde(
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"gaussian\" or \"exponential\" or \"measured\" or { skewness = -0.5 } or { height_m = [-1e-6, 0, 2e-6], density_per_m = [0, 6e5, 0] } or { file = \"pdf.csv\" }"
+)]
+pub(crate) enum HeightsKey {
+    #[default]
+    Gaussian,
+    Exponential,
+    Measured,
+    #[serde(untagged)]
+    Skewed {
+        skewness: f64,
+    },
+    #[serde(untagged)]
+    Points {
+        height_m: Vec<f64>,
+        density_per_m: Vec<f64>,
+    },
+    #[serde(untagged)]
+    Table {
+        file: PathBuf,
+    },
+}
+
+impl HeightsKey {
+    /// The table of a file, or of the points.
+    pub(crate) fn table(
+        &self,
+        document: &Document<'_>,
+    ) -> Result<Option<TabulatedHeights>, SceneError> {
+        match self {
+            Self::Table { file } => read_heights(document, file).map(Some),
+            Self::Points { height_m, density_per_m } => {
+                given_heights(document, height_m, density_per_m).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+}
+
+/// The table of `heights = { height_m = [...], density_per_m = [...] }`.
+fn given_heights(
     document: &Document<'_>,
-    file: &Path,
+    heights: &[f64],
+    densities: &[f64],
 ) -> Result<TabulatedHeights, SceneError> {
+    let at = "surface.heights";
+    let refused = |found: String, needed: &str| {
+        let needed = needed.into();
+        SceneError::Value { at: document.place(at), found, near: None, needed }
+    };
+    if heights.len() != densities.len() {
+        let found =
+            format!("a table of {} heights and {} densities", heights.len(), densities.len());
+        return Err(refused(found, "one density for each height"));
+    }
+    if heights.len() > MOST_POINTS {
+        let found = format!("a table of {} points", heights.len());
+        return Err(refused(found, &format!("at most {MOST_POINTS}")));
+    }
+    let points: Vec<(f64, f64)> = heights.iter().copied().zip(densities.iter().copied()).collect();
+    TabulatedHeights::new("table", &points).map_err(|source| match source {
+        ContactError::InTable { row, field, value, required } => {
+            let place = document.place(&format!("{at}.{field}"));
+            let place = Place { field: format!("{}[{row}]", place.field), ..*place };
+            SceneError::value(place.into(), value, required)
+        }
+        other => document.refused(at)(other),
+    })
+}
+
+/// Reads the table of `heights = { file = "pdf.csv" }`.
+fn read_heights(document: &Document<'_>, file: &Path) -> Result<TabulatedHeights, SceneError> {
     let path = document.path(file);
     let text = text_of(&path, || {
         let at = document.place("surface.heights.file");

@@ -1,17 +1,27 @@
 //! `[interface]`, or the bodies it follows from.
 
-use asperity::Interface;
+use asperity::{Body, Interface};
+use serde::Deserialize;
 
 use crate::SceneError;
 use crate::document::Document;
-use crate::keys::SceneKeys;
+
+/// The keys of the bodies in contact.
+#[derive(Deserialize)]
+pub(crate) struct InterfaceKeys {
+    rigid_counterface: Option<bool>,
+    work_of_adhesion: Option<f64>,
+    interface: Option<Interface>,
+    #[serde(default)]
+    pub(crate) body: Vec<Body>,
+}
 
 const EITHER: &str = "either [interface] with the equivalent properties, or the two bodies as [[body]] (one with rigid_counterface = true)";
 
 /// The interface of a scene, and the section it stands in.
 pub(crate) fn interface(
     document: &Document<'_>,
-    keys: &SceneKeys,
+    keys: &InterfaceKeys,
 ) -> Result<(Interface, &'static str), SceneError> {
     let (mut found, section) = of_bodies(document, keys)?;
     if keys.work_of_adhesion.is_some() {
@@ -28,7 +38,7 @@ pub(crate) fn interface(
 
 fn of_bodies(
     document: &Document<'_>,
-    keys: &SceneKeys,
+    keys: &InterfaceKeys,
 ) -> Result<(Interface, &'static str), SceneError> {
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     // Each checked alone, so that the error can say which of the bodies it is.

@@ -1,17 +1,47 @@
 //! `[surface]` from measured files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::{Surface, TabulatedHeights};
 use asperity_topography::{
-    Estimator, HeightDensity, ReadOptions, Statistics, Topography, TopographyError, read,
+    Estimator, HeightDensity, LengthUnit, Level, ReadOptions, Statistics, Topography,
+    TopographyError, read,
 };
+use serde::Deserialize;
 
 use crate::document::Document;
-use crate::keys::{HeightsKey, PixelSize, SurfaceKeys};
+use crate::heights::HeightsKey;
 use crate::scan::open_seam;
 use crate::{Measured, SceneError};
+
+/// The keys of `[surface]` for measured files.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct MeasuredKeys {
+    file: Option<PathBuf>,
+    files: Option<Vec<PathBuf>>,
+    unit: Option<LengthUnit>,
+    pixel_size: Option<PixelSize>,
+    estimator: Estimator,
+    level: Option<Level>,
+    filter: Option<f64>,
+    smooth: Option<f64>,
+    periodic: bool,
+    max_missing: Option<f64>,
+    fill_missing: bool,
+}
+
+/// `pixel_size`: of square pixels, or along a row and along a column.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a length in the unit of the heights, or a list of two, along a row and a column,"
+)]
+enum PixelSize {
+    Square(f64),
+    Rectangle([f64; 2]),
+}
 
 /// The surface of a scene.
 #[derive(Debug, Clone)]
@@ -30,8 +60,10 @@ pub(crate) struct Described {
 /// The surface of one measured file, or of two pressed together.
 pub(crate) fn measured(
     document: &Document<'_>,
-    keys: &SurfaceKeys,
+    heights: &HeightsKey,
 ) -> Result<Described, SceneError> {
+    let keys: MeasuredKeys = document.surface()?;
+    let measured_heights = matches!(heights, HeightsKey::Measured);
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
         let needed = "a smooth below filter: what it leaves is all taken away,";
@@ -39,12 +71,11 @@ pub(crate) fn measured(
     }
     let one = |at: &str, path: &Path| {
         let path = document.path(path);
-        let found = read(&path, &read_options(keys)).and_then(|read| {
+        let found = read(&path, &read_options(&keys)).and_then(|read| {
             let [dx, dy] = read.pixel_size();
-            let topography = prepared(read, keys)?;
+            let topography = prepared(read, &keys)?;
             let statistics = topography.statistics(keys.estimator)?;
-            let asked = matches!(keys.heights, HeightsKey::Measured);
-            let density = asked.then(|| density(&topography)).transpose()?;
+            let density = measured_heights.then(|| density(&topography)).transpose()?;
             Ok((Measured { statistics, pixel_size: dx.max(dy) }, density, topography))
         });
         found.map_err(|error| match unnamed(error) {
@@ -70,7 +101,7 @@ pub(crate) fn measured(
             let needed = "estimator = \"moments\" for two surfaces: their moments add, their summits do not,";
             return conflict("surface.estimator", "surface.files", needed);
         }
-        (_, Some(_)) if matches!(keys.heights, HeightsKey::Measured) => {
+        (_, Some(_)) if measured_heights => {
             let needed = "one file: the heights of two surfaces do not add,";
             return conflict("surface.heights", "surface.files", needed);
         }
@@ -124,7 +155,7 @@ fn unnamed(error: TopographyError) -> TopographyError {
     }
 }
 
-fn read_options(keys: &SurfaceKeys) -> ReadOptions {
+fn read_options(keys: &MeasuredKeys) -> ReadOptions {
     let pixel_size = keys.pixel_size.map(|size| match size {
         PixelSize::Square(side) => [side; 2],
         PixelSize::Rectangle(sides) => sides,
@@ -142,7 +173,7 @@ fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> 
 }
 
 /// Levelled, filled and filtered.
-fn prepared(read: Topography, keys: &SurfaceKeys) -> Result<Topography, TopographyError> {
+fn prepared(read: Topography, keys: &MeasuredKeys) -> Result<Topography, TopographyError> {
     let mut topography = read.with_periodic(keys.periodic).levelled(keys.level)?;
     if keys.fill_missing {
         topography = topography.fill()?;
@@ -180,7 +211,7 @@ mod tests {
 
     fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
         let level = Some(level);
-        let keys = SurfaceKeys { level, filter, estimator, ..SurfaceKeys::default() };
+        let keys = MeasuredKeys { level, filter, estimator, ..MeasuredKeys::default() };
         prepared(topography(192), &keys).unwrap().statistics(estimator).unwrap()
     }
 

@@ -155,7 +155,8 @@ impl ModelOptions {
         values.insert(name.into(), value.clone());
         let line = |(name, value): (String, _)| format!("{} = {value}\n", Value::from(name));
         let text: String = values.into_iter().map(line).collect();
-        let (document, options) = Document::read::<Self>(None, None, &text)?;
+        let document = Document::new(None, None, &text)?;
+        let options: Self = document.keys()?;
         options.check(&document, "")?;
         *self = options;
         Ok(())

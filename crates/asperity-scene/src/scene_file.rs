@@ -9,13 +9,15 @@ use asperity::{
 };
 use asperity_bem::Boundary;
 use asperity_topography::Topography;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
 
 use crate::document::{Document, text_of};
-use crate::heights::{compared, read_heights};
-use crate::interface::interface;
-use crate::keys::{HeightsKey, SceneKeys};
+use crate::heights::{HeightKeys, HeightsKey, compared};
+use crate::interface::{InterfaceKeys, interface};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
+use crate::write::Read;
 use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
 
 /// All that a scene file says.
@@ -40,7 +42,9 @@ pub struct SceneFile {
     pub scan: Option<Arc<Topography>>,
     /// The keys of `[surface]` that the asperities follow from, where they are not given themselves.
     pub(crate) follows_from: &'static [&'static str],
-    /// Its spectrum, once it was asked for.
+    /// What was read, for writing it again.
+    pub(crate) read: Option<Arc<Read>>,
+    /// The spectrum of the scan, once it is needed.
     pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
 }
 
@@ -62,7 +66,7 @@ pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
     let read = || {
         let text = text_of(path, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        scene_file(Document::read(Some(path), Some(folder), &text)?)
+        scene_file(&Document::new(Some(path), Some(folder), &text)?)
     };
     read().map_err(|error| no_scene(path, error))
 }
@@ -109,53 +113,54 @@ fn no_scene(path: &Path, error: SceneError) -> SceneError {
 /// # Errors
 /// Those of [`load`], without a file's name.
 pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
-    scene_file(Document::read(None, Some(directory), text)?)
+    scene_file(&Document::new(None, Some(directory), text)?)
 }
 
-fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFile, SceneError> {
-    keys.options.check(document, "options.")?;
-    let (interface, of_interface) = interface(document, &keys)?;
-    let SceneKeys { mut options, surface: keys, nominal_area, body: bodies, .. } = keys;
-    if let Some(asperities) = keys.asperities {
+/// The keys of the file as a whole; what else it has is left to its readers.
+#[derive(Deserialize)]
+struct FileKeys {
+    nominal_area: f64,
+    /// That there is one.
+    #[serde(rename = "surface")]
+    _surface: IgnoredAny,
+    #[serde(default)]
+    options: ModelOptions,
+}
+
+/// The option that may stand in `[surface]`.
+#[derive(Deserialize)]
+struct AsperitiesKey {
+    asperities: Option<Asperities>,
+}
+
+fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
+    let table = document.table()?;
+    let FileKeys { nominal_area, mut options, .. } = document.keys()?;
+    options.check(document, "options.")?;
+    let bodies: InterfaceKeys = document.keys()?;
+    let (interface, interface_section) = interface(document, &bodies)?;
+    let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
+    let AsperitiesKey { asperities } = document.surface()?;
+    if let Some(asperities) = asperities {
         if document.has("options.asperities") {
-            let needed = "the asperities of the surface, once,";
+            let needed = "one of the two";
             return Err(document.conflict("surface.asperities", "options.asperities", needed));
         }
         options.asperities = asperities;
     }
     asperity::positive("nominal_area", nominal_area).map_err(document.refused(""))?;
 
-    let table = match &keys.heights {
-        HeightsKey::Table { file } => Some(read_heights(document, file)?),
-        _ => None,
-    };
-    let own_std = table.as_ref().map(TabulatedHeights::standard_deviation);
-    let described = surface(document, &keys, &interface, own_std)?;
+    let given = heights.table(document)?;
+    let own_std = given.as_ref().map(TabulatedHeights::standard_deviation);
+    let described = surface(document, &heights, &interface, own_std)?;
     let (surface, mut warnings) = (described.surface, described.notes);
-    let std = surface.asperity_height_std;
-    if let Some(table) = &table {
-        warnings.extend(compared(document, table, std)?);
+    if let Some(table) = &given {
+        warnings.extend(compared(document, table, surface.asperity_height_std)?);
     }
-    let table = table.or(described.heights);
-    let from = keys.separation_from;
-    let impossible = match (&keys.heights, &table) {
-        _ if from == Datum::AsperityMean => None,
-        (HeightsKey::Exponential, _) => Some(
-            "separation_from = \"asperity-mean\" (exponential heights begin at the lowest asperity, and no mean plane belongs to them)",
-        ),
-        (HeightsKey::Skewed { .. }, _) => Some(
-            "separation_from = \"asperity-mean\" (how far the mean of skewed asperities lies above that of their surface is not known)",
-        ),
-        (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
-            "a table whose heights are measured from the mean plane of the surface (this one's mean is 0, as if from its own mean)",
-        ),
-        _ => None,
-    };
-    if let Some(needed) = impossible {
-        return Err(document.conflict("surface.separation_from", "surface.heights", needed));
-    }
+    let heights_table = given.or(described.heights);
+    let measured = described.measured;
     let mut scene = Scene::new(interface, surface, nominal_area);
-    scene.heights = match (&keys.heights, &table) {
+    scene.heights = match (&heights, &heights_table) {
         (HeightsKey::Exponential, _) => HeightDistribution::Exponential,
         (HeightsKey::Skewed { skewness }, _) => {
             let heights =
@@ -165,31 +170,61 @@ fn scene_file((ref document, keys): (Document<'_>, SceneKeys)) -> Result<SceneFi
         (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };
-    scene.asperity().map_err(document.refused(of_interface))?;
-    let measured = described.measured;
     let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
-    scene.mean_plane_offset = table.as_ref().map(TabulatedHeights::mean).or(offset);
-    let (scan, separation_from) = (described.scan, from);
-    let follows_from = described.follows_from;
+    let offset = heights_table.as_ref().map(TabulatedHeights::mean).or(offset);
+    if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
+        let known = if heights_table.is_some() { "surface.heights" } else { "surface.file" };
+        let needed = "one of the two: the offset follows from measured heights";
+        return Err(document.conflict("surface.mean_plane_offset", known, needed));
+    }
+    scene.mean_plane_offset = mean_plane_offset.or(offset);
+    scene.asperity().map_err(|error| {
+        let of_plane = scene.mean_plane_offset.is_some_and(|offset| !offset.is_finite());
+        document.refused(if of_plane { "surface" } else { interface_section })(error)
+    })?;
+    if separation_from != Datum::AsperityMean
+        && let Some(needed) = no_mean_plane(&scene, heights_table.as_ref())
+    {
+        return Err(document.conflict("surface.separation_from", "surface.heights", needed));
+    }
+    let scan = described.scan;
     if options.hurst_exponent.is_some() && scan.as_deref().is_some_and(|s| height_map(s).is_ok()) {
         let at = document.place("options.hurst_exponent");
         warnings.push(format!(
-            "{at}: with it persson and persson-fudge take gaps and stiffnesses from a power law, and not from the spectrum of the scan: leave it out for the scan's own"
+            "{at}: persson and persson-fudge use the power law with this exponent instead of the spectrum of the scan; leave hurst_exponent out to use the spectrum"
         ));
     }
-    let spectrum = Arc::default();
+    let read = Read::new(document, table, interface, surface, heights_table.as_ref());
     Ok(SceneFile {
         scene,
         options,
         separation_from,
-        table,
-        bodies,
+        table: heights_table,
+        bodies: bodies.body,
         measured,
         warnings,
         scan,
-        follows_from,
-        spectrum,
+        follows_from: described.follows_from,
+        read: Some(Arc::new(read)),
+        spectrum: Arc::default(),
     })
+}
+
+/// What a scene needs before separations can be measured from the mean plane of its surface.
+fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'static str> {
+    match (&scene.heights, table) {
+        (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
+            "a table whose heights are measured from the mean plane of the surface (the mean of this table is 0: its heights are measured from their own mean)",
+        ),
+        _ if scene.mean_plane_offset.is_some() => None,
+        (HeightDistribution::Exponential, _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (exponential heights begin at the lowest asperity; their mean plane is unknown)",
+        ),
+        (HeightDistribution::Weibull(_), _) => Some(
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed asperities is unknown)",
+        ),
+        _ => None,
+    }
 }
 
 impl From<Scene> for SceneFile {
@@ -206,6 +241,7 @@ impl From<Scene> for SceneFile {
             warnings: vec![],
             scan: None,
             follows_from: &[],
+            read: None,
             spectrum: Arc::default(),
         }
     }

@@ -1,13 +1,15 @@
-//! `[surface]`: exactly one of five ways to say what the asperities are.
+//! `[surface]`: the asperities, in exactly one of five ways.
 
 use asperity::{Interface, ProfileMoments, Surface};
+use serde::Deserialize;
 
 use crate::SceneError;
 use crate::document::Document;
-use crate::keys::{HeightsKey, SurfaceKeys};
+use crate::heights::HeightsKey;
 use crate::measured::{Described, measured};
+use crate::template::measured_keys;
 
-/// The five ways; the keys but `asperity_height_std` tell them from each other.
+/// The five ways; `asperity_height_std` belongs to two of them.
 const WAYS: [&[&str]; 5] = [
     &["asperity_radius", "asperity_density", STD],
     &["plasticity_index", "roughness_parameter", STD],
@@ -21,40 +23,46 @@ const STD: &str = "asperity_height_std";
 /// What may stand in its place, beside radius and density.
 const OF_SURFACE: &str = "surface_height_std";
 
-/// Keys that only measured files have.
-const OF_FILES: [&str; 9] = [
-    "unit",
-    "pixel_size",
-    "estimator",
-    "level",
-    "filter",
-    "smooth",
-    "periodic",
-    "max_missing",
-    "fill_missing",
-];
+/// The numbers among the keys of `[surface]`.
+#[derive(Deserialize)]
+#[serde(expecting = "a table, [surface],")]
+struct NumberKeys {
+    asperity_radius: Option<f64>,
+    asperity_density: Option<f64>,
+    asperity_height_std: Option<f64>,
+    surface_height_std: Option<f64>,
+    plasticity_index: Option<f64>,
+    roughness_parameter: Option<f64>,
+    m0: Option<f64>,
+    m2: Option<f64>,
+    m4: Option<f64>,
+    sq: Option<f64>,
+    spd: Option<f64>,
+    spc: Option<f64>,
+}
 
 /// `measured_std` is the standard deviation of a table of heights, where there is one: it may
 /// stand in for an `asperity_height_std` that was not given.
 pub(crate) fn surface(
     document: &Document<'_>,
-    keys: &SurfaceKeys,
+    heights: &HeightsKey,
     interface: &Interface,
     measured_std: Option<f64>,
 ) -> Result<Described, SceneError> {
+    let keys: NumberKeys = document.surface()?;
     let at = |key: &str| format!("surface.{key}");
     let has = |key: &&&str| document.has(&at(key));
     let conflict =
         |one: &str, other: &str, needed: &str| Err(document.conflict(&at(one), &at(other), needed));
     let ways = WAYS.map(|keys| keys.join(", ")).join("; or ");
     let one_way = format!("exactly one way to describe the surface: {ways}");
-    let telling = |way: &&'static [&str]| way.iter().find(|key| **key != STD && has(key)).copied();
-    let mut given = WAYS.iter().zip(0..).filter_map(|(way, k)| Some((k, telling(way)?)));
+    let own = |way: &&'static [&str]| way.iter().find(|key| **key != STD && has(key)).copied();
+    let mut given = WAYS.iter().zip(0..).filter_map(|(way, k)| Some((k, own(way)?)));
     let Some((way, key)) = given.next() else { return Err(document.missing("surface", one_way)) };
     if let Some((_, other)) = given.next() {
         return conflict(key, other, &one_way);
     }
-    if let Some(of_files) = OF_FILES.iter().find(has).filter(|_| way != MEASURED) {
+    if let Some(of_files) = measured_keys().find(|key| has(&key)).filter(|_| way != MEASURED) {
         return conflict(of_files, key, "a measured file");
     }
     if has(&&OF_SURFACE) && way > 0 {
@@ -63,7 +71,7 @@ pub(crate) fn surface(
     if has(&&OF_SURFACE) && has(&&STD) {
         return conflict(OF_SURFACE, STD, "one of the two: the one follows from the other");
     }
-    if matches!(keys.heights, HeightsKey::Measured) && way != MEASURED {
+    if matches!(heights, HeightsKey::Measured) && way != MEASURED {
         return conflict("heights", key, "a measured file, whose heights they are");
     }
     let together = WAYS[way].join(", ");
@@ -100,7 +108,7 @@ pub(crate) fn surface(
             let spc = needed("spc", keys.spc)?;
             Surface::from_iso25178(sq, spd, spc).map_err(&refused)?
         }
-        _ => return measured(document, keys),
+        _ => return measured(document, heights),
     };
     surface.check().map_err(&refused)?;
     let follows_from = match way {

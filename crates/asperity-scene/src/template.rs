@@ -1,4 +1,5 @@
-//! The template: the one list of the sections, their keys, and what these mean.
+//! The template: the one list of the sections, their keys, and what these mean. Names that are
+//! accepted, units, hints and the order of written scenes follow from it.
 
 use asperity::Surface;
 use toml::Value;
@@ -41,31 +42,56 @@ pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
     template().lines().map(line).collect()
 }
 
-/// What the template says of a key, or of a section.
+/// A key, or a section, as the template declares it.
+#[derive(Clone, Copy)]
 pub(crate) struct Key {
     pub(crate) name: &'static str,
     /// Header of the section that it stands in, as `[surface]`; empty for the top of the file.
     pub(crate) section: &'static str,
     /// Its unit and meaning; empty where these go without saying.
     pub(crate) meaning: &'static str,
+    /// Whether it stands among the keys of a measured surface.
+    measured: bool,
 }
+
+/// The head of those keys in the template; an empty line ends them.
+const MEASURED: &str = "5. a measurement";
 
 /// The keys of the template, in its order.
 pub(crate) fn keys() -> impl Iterator<Item = Key> {
-    let mut inside = "";
+    let (mut inside, mut measured) = ("", false);
     template().lines().filter_map(move |line| {
         let line = line.trim_start_matches("# ");
+        measured = line.starts_with(MEASURED) || measured && !line.is_empty();
         let (code, meaning) = line.split_once('#').unwrap_or((line, ""));
         let (code, meaning) = (code.trim_end(), meaning.trim());
         match code.split_once(" = ") {
-            Some((name, _)) => Some(Key { name, section: inside, meaning }),
-            None if code.starts_with('[') => {
-                inside = code;
-                Some(Key { name: code.trim_matches(['[', ']']), section: "", meaning })
+            Some((name, _)) if name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') => {
+                Some(Key { name, section: inside, meaning, measured })
             }
-            None => None,
+            _ if code.starts_with('[') => {
+                inside = code;
+                Some(Key { name: code.trim_matches(['[', ']']), section: "", meaning, measured })
+            }
+            _ => None,
         }
     })
+}
+
+/// The names of a section, each once, in the order of the template.
+pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
+    let mut names = vec![];
+    for key in keys().filter(|key| key.section.trim_matches(['[', ']']) == section) {
+        if !names.contains(&key.name) {
+            names.push(key.name);
+        }
+    }
+    names
+}
+
+/// The keys of `[surface]` that only measured surfaces have.
+pub(crate) fn measured_keys() -> impl Iterator<Item = &'static str> {
+    keys().filter(|key| key.measured).map(|key| key.name)
 }
 
 /// The key of this name in a section, or else the first of this name.

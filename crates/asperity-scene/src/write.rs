@@ -1,56 +1,282 @@
-//! Scenes written down.
+//! Scenes as text that reads back bit for bit.
 
-use asperity::{HeightDistribution, Scene};
+use std::fs;
+use std::path::Path;
+
+use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
-use crate::ModelOptions;
-use crate::template::key;
+use crate::document::Document;
+use crate::template::{key, keys_of};
+use crate::{Place, SceneError, SceneFile, parse, write_heights};
 
-/// A scene file of this scene, which reads back exactly; `comments` go to its head, one a line.
-///
-/// Heights that are neither Gaussian nor exponential nor skewed stand in a file of their own: `heights_file`
-/// names it, as a path relative to the scene file.
-#[must_use]
-pub fn write(
-    scene: &Scene,
-    options: &ModelOptions,
-    heights_file: Option<&str>,
-    comments: &[&str],
-) -> String {
-    let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
-    let mut text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
-    // Structs of numbers: each of them is a table.
-    let [interface, mut surface] =
-        [Table::try_from(scene.interface), Table::try_from(scene.surface)]
-            .map(Result::unwrap_or_default);
-    let heights = match (heights_file, &scene.heights) {
-        (Some(file), _) => Some(Value::from(Table::from_iter([("file".into(), file.into())]))),
-        (None, HeightDistribution::Exponential) => Some("exponential".into()),
-        (None, HeightDistribution::Weibull(heights)) => {
-            Some(Value::from(Table::from_iter([("skewness".into(), heights.skewness().into())])))
+/// A scene file as it was read: the keys that are still true of a scene are written again.
+#[derive(Debug)]
+pub(crate) struct Read {
+    /// In SI units, with the whole paths of scans.
+    table: Table,
+    interface: Interface,
+    surface: Surface,
+    /// The heights of a scan's summits.
+    summits: Option<TabulatedHeights>,
+}
+
+impl Read {
+    pub(crate) fn new(
+        document: &Document<'_>,
+        mut table: Table,
+        interface: Interface,
+        surface: Surface,
+        heights: Option<&TabulatedHeights>,
+    ) -> Self {
+        let whole = |path: &mut Value| {
+            if let Value::String(text) = path {
+                let path = document.path(Path::new(text));
+                *text = std::path::absolute(&path).unwrap_or(path).to_string_lossy().into_owned();
+            }
+        };
+        let mut summits = None;
+        if let Some(keys) = table.get_mut("surface").and_then(Value::as_table_mut) {
+            keys.get_mut("file").into_iter().for_each(whole);
+            let files = keys.get_mut("files").and_then(Value::as_array_mut);
+            files.into_iter().flatten().for_each(whole);
+            let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
+            summits = heights.filter(|_| measured).cloned();
+            // Fields of the scene, which may change.
+            for own in ["heights", "asperities", "separation_from", "mean_plane_offset"] {
+                keys.remove(own);
+            }
         }
-        (None, _) => None,
-    };
-    surface.extend(heights.map(|heights| ("heights".into(), heights)));
-    let options = Table::try_from(options.changed()).unwrap_or_default();
-    let top = Table::from_iter([("nominal_area".into(), scene.nominal_area.into())]);
-    for (header, table) in
-        [("", top), ("[interface]", interface), ("[surface]", surface), ("[options]", options)]
-    {
-        if !header.is_empty() && !table.is_empty() {
-            text += &format!("\n{header}\n");
-        }
-        for (name, value) in table {
-            let (value, meaning) = match value {
-                Value::Float(number) => {
-                    let key = key(header.trim_matches(['[', ']']), &name);
-                    (format!("{number:e}"), key.map_or("", |key| key.meaning))
-                }
-                other => (other.to_string(), ""),
-            };
-            let gap = if meaning.is_empty() { "" } else { "  # " };
-            text += &format!("{name} = {value}{gap}{meaning}\n");
-        }
+        table.remove("options");
+        Self { table, interface, surface, summits }
     }
-    text
+}
+
+/// Where a table of heights is written.
+#[derive(Clone, Copy)]
+enum HeightsIn<'a> {
+    Text,
+    File(&'a str),
+}
+
+impl SceneFile {
+    /// The text of a scene file that [`parse`] reads back bit for bit; `comments` stand at its
+    /// head, one a line. A table of heights stands in the text, scans are named by their whole
+    /// paths. Numbers that were changed since reading are written as they are now: bodies as their
+    /// interface, other descriptions of the surface as its asperities.
+    ///
+    /// ```
+    /// use asperity_scene::{parse, template};
+    /// use std::path::Path;
+    ///
+    /// let mut file = parse(template(), Path::new("."))?;
+    /// file.scene.nominal_area = 2e-4;
+    /// let again = parse(&file.to_toml(&["twice the area"])?, Path::new("."))?;
+    /// assert_eq!(again.scene.nominal_area.to_bits(), 2e-4f64.to_bits());
+    /// assert_eq!(again.scene.interface, file.scene.interface);
+    /// # Ok::<(), asperity_scene::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`parse`] where a number of the scene is out of its range, and
+    /// [`SceneError::Unwritable`] for heights that no file can hold.
+    pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
+        let text = self.text(HeightsIn::Text, comments)?;
+        // Scans are not read again.
+        if self.names_no_scan() {
+            let again = parse(&text, Path::new(""))?;
+            if let Some(field) = self.differs_in(&again) {
+                let reason = "no scene file has this value beside the others";
+                return Err(unwritable(Place::field(field), reason));
+            }
+        }
+        Ok(text)
+    }
+
+    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights goes to
+    /// a CSV file beside it: `scene.csv` for `scene.toml`.
+    ///
+    /// # Errors
+    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's reason.
+    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
+        let mut text = self.to_toml(comments)?;
+        let written = |path: &Path, text: &str| {
+            let at = || Place { file: Some(path.into()), ..Place::field("the scene file") };
+            fs::write(path, text).map_err(|error| unwritable(at(), &error.to_string()))
+        };
+        if let Some(table) = self.table.as_ref().filter(|_| !self.has_heights_of_scan()) {
+            let beside = path.with_extension("csv");
+            let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
+            let name = name.ok_or_else(|| {
+                let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
+                unwritable(at, "its name must be text and must not end in .csv")
+            })?;
+            text = self.text(HeightsIn::File(name), comments)?;
+            written(&beside, &write_heights(table.points()))?;
+        }
+        written(path, &text)?;
+        Ok(text)
+    }
+
+    fn text(&self, heights: HeightsIn<'_>, comments: &[&str]) -> Result<String, SceneError> {
+        let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
+        let mut text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+        let mut top = self.interface_keys();
+        top.insert("nominal_area".into(), self.scene.nominal_area.into());
+        top.insert("surface".into(), self.surface_keys(heights)?.into());
+        let options = Table::try_from(self.options.changed()).unwrap_or_default();
+        if !options.is_empty() {
+            top.insert("options".into(), options.into());
+        }
+        let mut sections = vec![];
+        for name in ["body", "interface", "surface", "options"] {
+            match top.remove(name) {
+                Some(Value::Array(bodies)) => {
+                    sections.extend(bodies.into_iter().map(|body| (name, "[[body]]".into(), body)));
+                }
+                Some(section) => sections.push((name, format!("[{name}]"), section)),
+                None => {}
+            }
+        }
+        text += &lines("", &top);
+        for (name, header, section) in sections {
+            if let Value::Table(section) = section {
+                text += &format!("\n{header}\n{}", lines(name, &section));
+            }
+        }
+        Ok(text)
+    }
+
+    /// The bodies as they were read, or else the interface.
+    fn interface_keys(&self) -> Table {
+        let interface = self.scene.interface;
+        if let Some(read) = self.read.as_ref().filter(|read| read.interface == interface) {
+            let names = ["rigid_counterface", "work_of_adhesion", "interface", "body"];
+            let kept = read.table.iter().filter(|(name, _)| names.contains(&name.as_str()));
+            return kept.map(|(name, value)| (name.clone(), value.clone())).collect();
+        }
+        let interface = Table::try_from(interface).unwrap_or_default();
+        Table::from_iter([("interface".into(), interface.into())])
+    }
+
+    /// The keys of `[surface]` as they were read, where they still describe this surface.
+    fn kept_surface(&self) -> Option<&Table> {
+        let read = self.read.as_ref().filter(|read| read.surface == self.scene.surface)?;
+        let keys = read.table.get("surface")?.as_table()?;
+        let same_interface = read.interface == self.scene.interface;
+        // What follows from the index depends on the interface, too.
+        (same_interface || !keys.contains_key("plasticity_index")).then_some(keys)
+    }
+
+    fn names_no_scan(&self) -> bool {
+        let names = |key| self.kept_surface().is_some_and(|keys| keys.contains_key(key));
+        !names("file") && !names("files")
+    }
+
+    /// Whether the heights are those of the summits of the scan that is named.
+    fn has_heights_of_scan(&self) -> bool {
+        let summits = self.read.as_ref().and_then(|read| read.summits.as_ref());
+        let points = |table: &TabulatedHeights| bits(table.points());
+        summits.is_some()
+            && self.kept_surface().is_some()
+            && summits.map(points) == self.table.as_ref().map(points)
+    }
+
+    fn surface_keys(&self, heights_in: HeightsIn<'_>) -> Result<Table, SceneError> {
+        let scene = &self.scene;
+        let mut keys = match self.kept_surface() {
+            Some(keys) => keys.clone(),
+            None => Table::try_from(scene.surface).unwrap_or_default(),
+        };
+        let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
+        let heights: Option<Value> = match (&scene.heights, &self.table, heights_in) {
+            (HeightDistribution::Gaussian, ..) => None,
+            (HeightDistribution::Exponential, ..) => Some("exponential".into()),
+            (HeightDistribution::Weibull(heights), ..) => {
+                Some(named("skewness", heights.skewness().into()))
+            }
+            (_, Some(_), _) if self.has_heights_of_scan() => Some("measured".into()),
+            (_, Some(_), HeightsIn::File(file)) => Some(named("file", file.into())),
+            (_, Some(table), HeightsIn::Text) => {
+                let (heights, densities): (Vec<f64>, Vec<f64>) =
+                    table.points().iter().copied().unzip();
+                let columns = [("height_m", heights), ("density_per_m", densities)];
+                let column = |(name, column): (&str, Vec<f64>)| (name.into(), Value::from(column));
+                Some(Table::from_iter(columns.map(column)).into())
+            }
+            _ => {
+                let reason = format!("{}: a density that is not a table", scene.heights.name());
+                return Err(unwritable(Place::field("surface.heights"), &reason));
+            }
+        };
+        keys.extend(heights.map(|heights| ("heights".into(), heights)));
+        if self.separation_from == Datum::SurfaceMean {
+            keys.insert("separation_from".into(), "surface-mean".into());
+        }
+        let measured = self.measured.as_ref().filter(|_| !self.names_no_scan());
+        let measured = measured.map(|measured| measured.statistics.mean_plane_offset);
+        let known = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
+        let offset = scene.mean_plane_offset;
+        if known.is_none() {
+            keys.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+        } else if known.map(f64::to_bits) != offset.map(f64::to_bits) {
+            let reason = "it follows from the measured heights, and differs";
+            return Err(unwritable(Place::field("surface.mean_plane_offset"), reason));
+        }
+        Ok(keys)
+    }
+
+    /// The first field that is not the same, bit for bit.
+    fn differs_in(&self, other: &Self) -> Option<&'static str> {
+        let offset = |file: &Self| file.scene.mean_plane_offset.map(f64::to_bits);
+        let table = |file: &Self| file.table.as_ref().map(|table| bits(table.points()));
+        let same = [
+            ("interface", self.scene.interface == other.scene.interface),
+            ("surface", self.scene.surface == other.scene.surface),
+            ("surface.mean_plane_offset", offset(self) == offset(other)),
+            ("surface.heights", table(self) == table(other)),
+            ("options", self.options == other.options),
+        ];
+        same.into_iter().find(|(_, same)| !same).map(|(field, _)| field)
+    }
+}
+
+fn bits(points: &[(f64, f64)]) -> Vec<[u64; 2]> {
+    points.iter().map(|(height, density)| [height.to_bits(), density.to_bits()]).collect()
+}
+
+fn unwritable(at: Place, reason: &str) -> SceneError {
+    SceneError::Unwritable { at: at.into(), reason: reason.into() }
+}
+
+/// The keys of a section, one a line, in the order of the template; numbers have their unit beside
+/// them.
+fn lines(section: &str, table: &Table) -> String {
+    let names = keys_of(section).into_iter();
+    let beside = table.keys().map(String::as_str).filter(|name| !names.clone().any(|n| n == *name));
+    let line = |name: &str| {
+        let value = table.get(name)?;
+        let meaning = match value {
+            Value::Float(_) | Value::Integer(_) => key(section, name).map_or("", |key| key.meaning),
+            _ => "",
+        };
+        let gap = if meaning.is_empty() { "" } else { "  # " };
+        Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
+    };
+    names.clone().chain(beside).filter_map(line).collect()
+}
+
+/// A value on one line: numbers with the shortest digits that read back.
+fn inline(value: &Value) -> String {
+    let joined = |parts: Vec<String>| parts.join(", ");
+    match value {
+        Value::Float(number) if number.is_nan() => "nan".into(),
+        Value::Float(number) => format!("{number:e}"),
+        Value::Array(items) => format!("[{}]", joined(items.iter().map(inline).collect())),
+        Value::Table(table) => {
+            let pair = |(name, value): (&String, &Value)| format!("{name} = {}", inline(value));
+            format!("{{ {} }}", joined(table.iter().map(pair).collect()))
+        }
+        other => other.to_string(),
+    }
 }

@@ -8,14 +8,13 @@ use std::sync::Arc;
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use strsim::osa_distance;
 
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin, Gao,
     GeometricHardness, GreenwoodWilliamson, JacksonGreen, JkrBranch, JohnsonKendallRoberts,
     KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene, Validity, Warning,
-    ZhaoMaiettaChang,
+    ZhaoMaiettaChang, nearest_name,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -273,11 +272,9 @@ impl FromStr for Model {
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
         }
-        let distance = |m: &Self| osa_distance(&wanted, m.id());
-        let near = models.iter().min_by_key(|m| distance(m)).filter(|m| distance(m) <= 2);
         Err(ContactError::UnknownModel {
             name: name.into(),
-            near: near.map(|m| m.id().into()),
+            near: nearest_name(&wanted, models.iter().map(|m| m.id())).map(Into::into),
             known: models.iter().map(|m| m.id()).collect::<Vec<_>>().join(", "),
         })
     }

@@ -4,9 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
-use strsim::osa_distance;
 
-use crate::{ContactError, Regime};
+use crate::{ContactError, Regime, nearest_name};
 
 /// A quantity of the whole contact, by the name users ask for it.
 ///
@@ -186,23 +185,23 @@ impl FromStr for Quantity {
     /// Reads the names that [`Display`](fmt::Display) writes, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
         let wanted = name.trim().to_lowercase().replace('_', "-");
-        let distance = |quantity: &Self| osa_distance(&wanted, &quantity.to_string());
-        let near = Self::ALL.into_iter().map(|q| (distance(&q), q)).min();
-        match near {
-            Some((0, quantity)) => Ok(quantity),
-            _ => {
-                let separation = ["separation", "gap", "mean-gap", "distance"];
-                let beside = match separation.iter().any(|word| wanted.starts_with(word)) {
-                    true => " (separations come with every answer, unasked)",
-                    false => "",
-                };
-                Err(ContactError::UnknownQuantity {
-                    name: name.into(),
-                    near: near.filter(|(far, _)| *far <= 2).map(|(_, q)| q),
-                    known: Self::ALL.map(|q| q.to_string()).join(", ") + beside,
-                })
-            }
+        let names = Self::ALL.map(|quantity| quantity.to_string());
+        let named =
+            |name: &str| Self::ALL.into_iter().zip(&names).find(|(_, known)| *known == name);
+        if let Some((quantity, _)) = named(&wanted) {
+            return Ok(quantity);
         }
+        let separation = ["separation", "gap", "mean-gap", "distance"];
+        let beside = match separation.iter().any(|word| wanted.starts_with(word)) {
+            true => " (separations come with every answer, unasked)",
+            false => "",
+        };
+        let near = nearest_name(&wanted, names.iter().map(String::as_str)).and_then(named);
+        Err(ContactError::UnknownQuantity {
+            name: name.into(),
+            near: near.map(|(quantity, _)| quantity),
+            known: names.join(", ") + beside,
+        })
     }
 }
 

@@ -40,7 +40,7 @@ fn a_table_of_heights_is_found_beside_the_scene_and_keeps_its_metres() {
     std::fs::write(directory.join("pdf.csv"), "height_m,density_per_m\n-2e-6,0\n0,1\n2e-6,0\n")
         .unwrap();
     let centred = read("separation_from = \"surface-mean\"").unwrap_err().to_string();
-    assert!(centred.contains("this one's mean is 0"), "{centred}");
+    assert!(centred.contains("the mean of this table is 0"), "{centred}");
     let normalised = read("").unwrap().warnings;
     assert!(normalised[0].contains("the table's integral is 2.0000e-6, not 1"), "{normalised:?}");
     let unit = read("asperity_height_std = 1").unwrap_err().to_string();

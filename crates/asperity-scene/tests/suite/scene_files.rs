@@ -305,7 +305,7 @@ fn every_error_names_line_and_field_and_what_is_needed() {
         ),
         (
             text("", INTERFACE, &with("[options]\nforce = 3")),
-            &["options.force is 3: a word in quotes"],
+            &["options.force is 3: a name in quotes"],
         ),
         (text("", INTERFACE, &with("[options]\nat_readin = 3")), &["did you mean \"at_reading\"?"]),
         (

@@ -1,0 +1,134 @@
+//! What a refused key or value should have been.
+
+use asperity::nearest_name;
+use toml::de::Error;
+
+use crate::SceneError;
+use crate::document::{Document, joined, shortened};
+use crate::template::key;
+
+impl Document<'_> {
+    /// An error of serde: where it is, what was found there, and what was near.
+    pub(crate) fn explained(&self, error: &Error) -> SceneError {
+        let message = error.message();
+        let span = error.span().unwrap_or(0..self.text.len());
+        // What is inside comes first; the least of what is around is the key itself.
+        let around =
+            self.keys.iter().filter(|(_, key)| key.start <= span.start && span.end <= key.end);
+        let path = around.min_by_key(|(_, range)| range.len()).map_or("", |(path, _)| path);
+        let missing = message.strip_prefix("missing field `");
+        let path = joined(path, missing.map_or("", |name| name.trim_end_matches('`')));
+        let (section, name) = section_and_name(&path);
+        let meaning = key(section, name).map_or("", |key| key.meaning);
+        if missing.is_some() {
+            return self.missing(&path, meaning);
+        }
+        let needed = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
+        if message.starts_with("unknown field `") {
+            let known: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
+            return self.unknown(&path, &known);
+        }
+        let needed = match needed {
+            "f64" => format!("a number in SI units, without quotes ({meaning}),"),
+            "a boolean" => "true or false".into(),
+            "a sequence" => format!("a list ({meaning})"),
+            "path string" => format!("the path of a file, in quotes ({meaning}),"),
+            other if other.starts_with("wanted ") => "a name in quotes".into(),
+            "floating-point number overflowed" => "a number of at most 1.8e308".into(),
+            names => names.replace('`', "\""),
+        };
+        let found =
+            shortened(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
+        let near = nearest_name(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
+        let near = near.map(Into::into).or_else(|| near_table(&found, &needed));
+        SceneError::Value { at: self.place(&path), found, near, needed }
+    }
+
+    /// A key that is not among the known ones of its section.
+    pub(crate) fn unknown(&self, path: &str, known: &[&str]) -> SceneError {
+        let (section, name) = section_and_name(path);
+        let mut allowed = format!("the keys here are {}", known.join(", "));
+        let mut elsewhere = key(section, name);
+        let mut near = match elsewhere {
+            None => nearest_name(name, known.iter().copied()),
+            Some(_) => None,
+        };
+        if let Some((other, difference)) = synonym(name).filter(|_| near.is_none()) {
+            near = Some(other);
+            // Bodies have no adhesion of their own.
+            elsewhere = key("", other).filter(|_| !known.contains(&other));
+            allowed = format!("{difference}{allowed}");
+        }
+        if let Some(key) = elsewhere {
+            let top = "the top of the file, above every [section]";
+            let home = if key.section.is_empty() { top } else { key.section };
+            allowed = format!("it belongs to {home}; {allowed}");
+        }
+        SceneError::UnknownKey { at: self.place(path), near: near.map(Into::into), allowed }
+    }
+}
+
+/// The section of a path and its last key, without numbers of bodies.
+fn section_and_name(path: &str) -> (&str, &str) {
+    let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
+    let bare = |name: &'_ str| name.find('[').unwrap_or(name.len());
+    (&section[..bare(section)], &name[..bare(name)])
+}
+
+/// The key that another name of the field stands for, and how it differs.
+fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
+    let inverse = "it is 1/conductivity, in ohm m; ";
+    Some(match name.to_lowercase().as_str() {
+        "electrical_conductivity" | "electric_conductivity" => ("electrical_resistivity", inverse),
+        "resistivity" | "electric_resistivity" => ("electrical_resistivity", ""),
+        "conductivity" | "heat_conductivity" => ("thermal_conductivity", ""),
+        "adhesion" | "adhesion_energy" | "surface_energy" | "energy_of_adhesion" | "gamma" => {
+            ("work_of_adhesion", "it is gamma1 + gamma2 - gamma12 of the pair, in J/m^2; ")
+        }
+        _ => return None,
+    })
+}
+
+/// Of tables that are allowed, as `{ skewness = -0.5 }`, the first key that begins as that of the
+/// one found, or is near to it.
+fn near_table(found: &str, needed: &str) -> Option<String> {
+    let key = |text: &str| Some(text.split_once('=')?.0.trim().to_string());
+    let given = key(found.trim_start().strip_prefix('{')?)?;
+    let known: Vec<String> = needed.split('{').skip(1).filter_map(key).collect();
+    let begun = known.iter().find(|known| given.len() > 2 && known.starts_with(&given));
+    let near = || nearest_name(&given, known.iter().map(String::as_str));
+    let near = begun.map(String::as_str).or_else(near);
+    near.filter(|near| *near != given).map(Into::into)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_of_tables_are_found_by_their_beginning_or_nearly() {
+        let needed = "\"gaussian\" or { skewness = -0.5 } or { file = \"pdf.csv\" }";
+        for (found, wanted) in [
+            ("{ skew = -0.6 }", Some("skewness")),
+            ("{ skewnes = -0.6 }", Some("skewness")),
+            ("{ flie = \"a\" }", Some("file")),
+            ("{ skewness = \"a\" }", None),
+            ("{ kurtosis = 3 }", None),
+            ("{}", None),
+        ] {
+            assert_eq!(near_table(found, needed).as_deref(), wanted, "{found}");
+        }
+    }
+
+    #[test]
+    fn a_path_has_a_section_and_a_name() {
+        for (path, wanted) in [
+            ("body[2].hardness", ("body", "hardness")),
+            ("body[2]", ("", "body")),
+            ("surface.m0", ("surface", "m0")),
+            ("", ("", "")),
+        ] {
+            assert_eq!(section_and_name(path), wanted);
+        }
+    }
+}
