@@ -13,9 +13,9 @@ use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{refused, value_error, warn};
-use crate::long::pool;
-use crate::records::{Interface, instance};
+use crate::ask::long::pool;
+use crate::convert::error::{refused, value_error, warn};
+use crate::records::{Interface, instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
 
@@ -42,13 +42,17 @@ impl<'a> Scan<'a> {
                 )),
             };
         }
-        let topography = instance::<Topography>("surface", surface)?.get();
+        let Ok(topography) = surface.cast::<Topography>() else {
+            let found = with_article(surface);
+            let reason = format!("surface must be a Topography or a Scene, not {found}");
+            return Err(PyTypeError::new_err(reason));
+        };
         let Some(interface) = interface else {
             let needed = "a Topography has none, pass an asperity.Interface";
             return Err(PyTypeError::new_err(format!("interface is missing: {needed}")));
         };
         let interface = instance::<Interface>("interface", interface)?.get().0;
-        Ok(Self::Topography(topography, interface, level))
+        Ok(Self::Topography(topography.get(), interface, level))
     }
 
     fn bem(

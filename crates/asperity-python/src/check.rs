@@ -3,11 +3,11 @@
 use asperity::{Check, ContactModel, Finding, Quantity, Request, Severity};
 use pyo3::prelude::*;
 
-use crate::engine::{Engine, tolerance};
-use crate::error::{refused, value_error};
-use crate::objects::object;
-use crate::places::Axis;
-use crate::rows::{Rows, View};
+use crate::ask::rows::{Rows, View};
+use crate::convert::axis::Axis;
+use crate::convert::error::{refused, value_error};
+use crate::convert::objects::object;
+use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
 /// Numbers with unit and meaning, and findings, of a scene and, if a number is given, of the answer

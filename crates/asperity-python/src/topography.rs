@@ -7,8 +7,8 @@ use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::error::{value_error, warn};
-use crate::objects::object;
+use crate::convert::error::{value_error, warn};
+use crate::convert::objects::object;
 use crate::records::Surface;
 
 /// A measured surface: heights on a regular grid.

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use super::{Checked, Field, Record, Setter, checked, instance, record, shown};
-use crate::error::{refused, warn};
+use crate::convert::error::{refused, warn};
 
 record! {
     /// One elastic-plastic body.

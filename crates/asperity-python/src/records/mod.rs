@@ -11,8 +11,8 @@ use pyo3::types::PyDict;
 
 use asperity::ContactError;
 
-use crate::error::refused;
-use crate::numbers::{no_number, number};
+use crate::convert::error::refused;
+use crate::convert::numbers::{no_number, number};
 pub(crate) use bodies::{Body, Interface};
 pub(crate) use surface::{Asperity, Surface};
 
@@ -152,17 +152,24 @@ pub(crate) fn instance<'a, 'py, T: PyClass<Frozen = True> + Sync>(
     given: &'a Bound<'py, PyAny>,
 ) -> PyResult<&'a Bound<'py, T>> {
     given.cast().map_err(|_| {
-        let found = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
-        let advice = match (T::NAME, &found[..]) {
-            ("Interface", "Body") => ": Interface.between(one, other) makes one of two bodies",
+        let advice = match T::NAME {
+            "Interface" if given.is_instance_of::<Body>() => {
+                ": Interface.between(one, other) makes one of two bodies"
+            }
             _ => "",
         };
-        let (wanted, found) = (with_article(T::NAME), with_article(&found));
-        PyTypeError::new_err(format!("{name} must be {wanted}, not {found}{advice}"))
+        let (wanted, found) = (article(T::NAME), with_article(given));
+        PyTypeError::new_err(format!("{name} must be {wanted} {}, not {found}{advice}", T::NAME))
     })
 }
 
-fn with_article(noun: &str) -> String {
+/// The name of an object's type, with its article.
+pub(crate) fn with_article(given: &Bound<'_, PyAny>) -> String {
+    let name = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
+    format!("{} {name}", article(&name))
+}
+
+fn article(noun: &str) -> &'static str {
     let vowel = noun.to_ascii_lowercase().starts_with(['a', 'e', 'i', 'o', 'u']);
-    format!("{} {noun}", if vowel { "an" } else { "a" })
+    if vowel { "an" } else { "a" }
 }

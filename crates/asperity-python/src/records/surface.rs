@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use super::{Checked, Field, Interface, Record, Setter, checked, instance, record, shown};
-use crate::error::refused;
-use crate::numbers::number;
+use crate::convert::error::refused;
+use crate::convert::numbers::number;
 
 record! {
     /// Asperities of one radius on a nominally flat surface.

@@ -240,8 +240,10 @@ def read_sweep(folder: str | os.PathLike[str]) -> SweepResult:
     there = Folder(folder)
     missing = there.missing()
     if missing:
+        first = there.part(missing[0])
+        state = "incomplete" if first.is_file() else "missing"
         raise ValueError(
-            f"{there.path} has {there.parts - len(missing)} of {there.parts} parts: all were "
-            "required, call sweep with the same arguments to go on"
+            f"{there.path} has {there.parts - len(missing)} of {there.parts} parts, {first.name} is "
+            f"{state}: call sweep with the same arguments to make the others"
         )
     return SweepResult(there.identity, there, Run())

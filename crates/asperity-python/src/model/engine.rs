@@ -10,9 +10,9 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{refused, value_error};
-use crate::objects::object;
-use crate::python_model::{PythonModel, Raised};
+use crate::convert::error::{refused, value_error};
+use crate::convert::objects::object;
+use crate::model::python_model::{PythonModel, Raised};
 use crate::scene::{self, OptionValue};
 
 /// One model: what a `Model` of the package is.

@@ -5,7 +5,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
 /// A number, also one of NumPy's; no array.
 pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
@@ -37,9 +37,8 @@ pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyRes
 
 /// That an argument is no number, and what to give.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
-    let needed = asperity_scene::unit_of(name).map_or(String::new(), |unit| {
-        format!(" in {unit}, or a text with a unit")
-    });
+    let needed = asperity_scene::unit_of(name)
+        .map_or(String::new(), |unit| format!(" in {unit}, or a text with a unit"));
     PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
 }
 

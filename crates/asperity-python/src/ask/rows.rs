@@ -7,9 +7,9 @@ use asperity::{At, Case, ContactError, Datum, Finding};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
-use crate::inputs::{Input, inputs, with_numbers};
-use crate::places::Axis;
+use crate::convert::axis::Axis;
 use crate::scene::SceneFile;
+use crate::scene::inputs::{Input, inputs, with_numbers};
 
 /// The `Rows` of the package.
 #[derive(FromPyObject)]

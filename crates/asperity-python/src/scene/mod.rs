@@ -1,22 +1,26 @@
 //! `Scene`: what is in contact, as a scene file has it.
 
+mod heights;
+pub(crate) mod inputs;
+
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{Datum, HeightDistribution, SeparationUnit, TabulatedHeights, WeibullHeights};
+use asperity::{Datum, SeparationUnit};
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::error::{refused, value_error, warn};
-use crate::inputs::{inputs, with_numbers};
-use crate::numbers::number;
-use crate::objects::object;
+use crate::convert::error::{refused, value_error, warn};
+use crate::convert::numbers::number;
+use crate::convert::objects::object;
 use crate::records::{Asperity, Interface, Surface, instance};
+use heights::Heights;
+pub(crate) use heights::OptionValue;
+use inputs::{inputs, with_numbers};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -67,33 +71,6 @@ struct Fields<'f> {
     separation_from: Datum,
     mean_plane_offset: Option<f64>,
     options: BTreeMap<String, asperity_scene::OptionValue>,
-}
-
-/// A name, a skewness, or a table of heights [m] and densities [1/m].
-#[derive(FromPyObject, PartialEq, Serialize)]
-#[serde(untagged)]
-enum Heights {
-    Name(String),
-    Named(BTreeMap<String, f64>),
-    Table(Vec<f64>, Vec<f64>),
-}
-
-/// A name, a number, or named numbers.
-#[derive(FromPyObject)]
-pub(crate) enum OptionValue {
-    Word(String),
-    Number(f64),
-    Numbers(BTreeMap<String, f64>),
-}
-
-impl From<OptionValue> for asperity_scene::OptionValue {
-    fn from(value: OptionValue) -> Self {
-        match value {
-            OptionValue::Word(word) => Self::Word(word),
-            OptionValue::Number(number) => Self::Number(number),
-            OptionValue::Numbers(numbers) => Self::Numbers(numbers),
-        }
-    }
 }
 
 #[pymethods]
@@ -176,7 +153,7 @@ impl SceneFile {
     /// The distribution of the asperity heights: its name, its skewness, or a table.
     #[getter]
     fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        match self.given_heights() {
+        match Heights::in_file(&self.0) {
             Heights::Table(z, density) => {
                 (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
             }
@@ -249,8 +226,8 @@ impl SceneFile {
         self.0.models().0.iter().map(|model| model.id().to_string()).collect()
     }
 
-    /// The text of a scene file that reads back exactly, written to ``path`` if there is one. A table
-    /// of heights goes to a file beside it, of the same name with the end ``.csv``.
+    /// The text of a scene file that reads back exactly, written to ``path`` if there is one; a table
+    /// of heights goes to a CSV file of the same name beside it then.
     ///
     /// >>> import asperity
     /// >>> scene = asperity.Scene.parse(asperity.template())
@@ -258,32 +235,11 @@ impl SceneFile {
     /// True
     #[pyo3(signature = (path=None))]
     fn to_toml(&self, path: Option<PathBuf>) -> PyResult<String> {
-        let Self(file) = self;
-        let table = match (&file.table, &path) {
-            (Some(_), None) => {
-                let needed =
-                    "heights is a table: a path to write to was required, beside which it goes";
-                return Err(value_error(needed));
-            }
-            (Some(table), Some(path)) => Some((path.with_extension("csv"), table)),
-            (None, _) => None,
+        let text = match path {
+            None => self.0.to_toml(&[]),
+            Some(path) => self.0.save(&path, &[]),
         };
-        let name = table.as_ref().and_then(|(path, _)| path.file_name()?.to_str());
-        let text = asperity_scene::write(&file.scene, &file.options, name, &[]);
-        // What is not among the numbers: the plane of the separations.
-        let from = match file.separation_from {
-            Datum::SurfaceMean => "separation_from = \"surface-mean\"\n",
-            _ => "",
-        };
-        let text = match text.split_once("\n[options]") {
-            Some((before, options)) => format!("{before}{from}\n[options]{options}"),
-            None => text + from,
-        };
-        if let Some((path, table)) = &table {
-            std::fs::write(path, asperity_scene::write_heights(table.points()))?;
-        }
-        path.map_or(Ok(()), |path| std::fs::write(path, &text))?;
-        Ok(text)
+        text.map_err(value_error)
     }
 
     /// What follows from the scene, and what in it is unusual: sizes that no surface or material
@@ -368,50 +324,6 @@ impl SceneFile {
     }
 }
 
-impl Heights {
-    fn of(given: &Bound<'_, PyAny>) -> PyResult<Self> {
-        given.extract().map_err(|_| {
-            let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
-            PyTypeError::new_err(format!("heights is {shown}: {HEIGHTS} was required"))
-        })
-    }
-
-    fn put(self, file: &mut asperity_scene::SceneFile) -> PyResult<()> {
-        file.scene.heights = match self {
-            Self::Name(name) if name == "gaussian" => HeightDistribution::Gaussian,
-            Self::Name(name) if name == "exponential" => HeightDistribution::Exponential,
-            Self::Name(name) => {
-                return Err(value_error(format!("heights is {name:?}: {HEIGHTS} was required")));
-            }
-            Self::Named(named) => {
-                let Some(skewness) = named.get("skewness").filter(|_| named.len() == 1) else {
-                    let keys: Vec<&String> = named.keys().collect();
-                    return Err(value_error(format!(
-                        "heights has the keys {keys:?}: {HEIGHTS} was required"
-                    )));
-                };
-                HeightDistribution::Weibull(WeibullHeights::new(*skewness).map_err(refused)?)
-            }
-            Self::Table(z, density) if z.len() != density.len() => {
-                return Err(value_error(format!(
-                    "heights is a table of {} heights and {} densities: as many of both was required",
-                    z.len(),
-                    density.len()
-                )));
-            }
-            Self::Table(z, density) => {
-                let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
-                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
-                file.table = Some(table.clone());
-                HeightDistribution::other(table)
-            }
-        };
-        Ok(())
-    }
-}
-
-const HEIGHTS: &str = "\"gaussian\", \"exponential\", {\"skewness\": value} or a table (heights [m], densities [1/m])";
-
 impl SceneFile {
     fn read(
         py: Python<'_>,
@@ -428,23 +340,10 @@ impl SceneFile {
             interface: &scene.interface,
             surface: &scene.surface,
             nominal_area: scene.nominal_area,
-            heights: self.given_heights(),
+            heights: Heights::in_file(&self.0),
             separation_from: self.0.separation_from,
             mean_plane_offset: self.mean_plane_offset(),
             options: self.0.options.changed(),
-        }
-    }
-
-    fn given_heights(&self) -> Heights {
-        match (&self.0.table, &self.0.scene.heights) {
-            (None, HeightDistribution::Weibull(heights)) => {
-                Heights::Named([("skewness".into(), heights.skewness())].into())
-            }
-            (None, heights) => Heights::Name(heights.name().into()),
-            (Some(table), _) => {
-                let (z, density) = table.points().iter().copied().unzip();
-                Heights::Table(z, density)
-            }
         }
     }
 }

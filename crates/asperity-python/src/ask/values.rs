@@ -8,12 +8,12 @@ use asperity::{
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::answer::{Aspect, Question, Source, TOGETHER, walked};
-use crate::engine::{Engine, quantities_of, tolerance};
-use crate::error::value_error;
-use crate::long::{pool, stretches};
-use crate::places::Axis;
-use crate::rows::{Rows, View};
+use crate::ask::answer::{Aspect, Question, Source, TOGETHER, walked};
+use crate::ask::long::{pool, stretches};
+use crate::ask::rows::{Rows, View};
+use crate::convert::axis::Axis;
+use crate::convert::error::value_error;
+use crate::model::engine::{Engine, quantities_of, tolerance};
 
 type Column<'py, T> = Bound<'py, PyArray1<T>>;
 /// Rows that failed, with their exceptions, ascending.

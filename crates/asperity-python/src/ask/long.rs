@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
 /// Between two looks at signals as much is done as takes about this long.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);

@@ -10,9 +10,9 @@ use asperity::{
 };
 use pyo3::prelude::*;
 
-use crate::error::value_error;
-use crate::long::{pool, stretches};
-use crate::rows::View;
+use crate::ask::long::{pool, stretches};
+use crate::ask::rows::View;
+use crate::convert::error::value_error;
 
 /// Rows that a thread walks through at a time: what their laws have in common is found among
 /// neighbours, and Ctrl-C waits for them.

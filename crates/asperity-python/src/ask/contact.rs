@@ -8,12 +8,12 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
 
-use crate::answer::{Aspect, Question, Source};
-use crate::engine::{Engine, quantities_of, tolerance};
-use crate::error::{value_error, warn};
-use crate::numbers::{floats, scalar, texts_in_si};
-use crate::places::Axis;
-use crate::rows::View;
+use crate::ask::answer::{Aspect, Question, Source};
+use crate::ask::rows::View;
+use crate::convert::axis::Axis;
+use crate::convert::error::{value_error, warn};
+use crate::convert::numbers::{floats, scalar, texts_in_si};
+use crate::model::engine::{Engine, quantities_of, tolerance};
 use crate::scene::SceneFile;
 
 /// One model on one scene, prepared for many evaluations: for codes that step in time.

@@ -3,7 +3,7 @@
 use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
 /// What a plain number stands for.
 #[derive(Clone, Copy, PartialEq, Eq)]

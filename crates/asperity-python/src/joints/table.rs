@@ -6,11 +6,11 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::engine::Engine;
-use crate::error::{value_error, warn};
+use crate::convert::axis::Axis;
+use crate::convert::error::{value_error, warn};
+use crate::convert::numbers::floats;
 use crate::joints::SIGMAS;
-use crate::numbers::floats;
-use crate::places::Axis;
+use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
 /// Numbers in the shape of others.

@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
 /// Anything serialisable; what is no number is None.
 pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {

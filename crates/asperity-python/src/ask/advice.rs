@@ -6,10 +6,10 @@ use asperity::{Comparison, ContactError, ContactModel, Nearest, Quantity, Reques
 use asperity_scene::LeftOut;
 use pyo3::prelude::*;
 
-use crate::engine::{Engine, quantities_of, tolerance};
-use crate::error::value_error;
-use crate::objects::object;
-use crate::rows::{Rows, View};
+use crate::ask::rows::{Rows, View};
+use crate::convert::error::value_error;
+use crate::convert::objects::object;
+use crate::model::engine::{Engine, quantities_of, tolerance};
 
 /// One scene, and a request of what rows on it ask.
 fn asked<'r>(rows: &'r View<'_>, names: &[String], rtol: f64) -> PyResult<(&'r Scene, Request)> {

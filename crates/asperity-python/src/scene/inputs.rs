@@ -7,8 +7,8 @@ use asperity_scene::SceneFile;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::value_error;
-use crate::numbers::texts_in_si;
+use crate::convert::error::value_error;
+use crate::convert::numbers::texts_in_si;
 use crate::records::{Interface, Record, Setter, Surface};
 
 /// A number of a scene that can be another.
