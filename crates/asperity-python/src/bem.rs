@@ -285,14 +285,14 @@ fn say_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {
 }
 
 /// Works on the threads of this process and looks at signals meanwhile, which this thread alone
-/// gets: `work` is told when to stop.
+/// gets; the flag of `work` stops it.
 fn interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
     let (stop, threads) = (AtomicBool::new(false), pool(None)?);
     let run = |done: Sender<T>| {
-        // Somebody waits for it.
+        // The receiver waits until the work ends.
         let _ = done.send(threads.install(|| work(&stop)));
     };
     let wait = |answer: Receiver<T>| {
@@ -320,7 +320,7 @@ fn interruptible<T: Send>(
     })
 }
 
-/// Goes on until it is told to stop.
+/// Continues until the flag is set.
 fn unless(stop: &AtomicBool) -> ControlFlow<()> {
     if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

@@ -50,7 +50,7 @@ impl Topography {
     #[new]
     #[pyo3(signature = (heights, dx, unit, periodic=false))]
     fn new(heights: &Bound<'_, PyAny>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
-        // A masked point is a missing one.
+        // A masked point is missing.
         let masked = heights.py().import("numpy.ma")?.getattr("asarray")?;
         let heights = masked.call1((heights, "float64"))?.call_method1("filled", (f64::NAN,))?;
         let heights: PyArrayLikeDyn<'_, f64> = heights.extract()?;
@@ -192,10 +192,10 @@ impl Topography {
     fn __repr__(&self) -> String {
         let [dx, dy] = self.0.pixel_size();
         format!(
-            "<asperity.Topography of {} x {} points, {dx:e} x {dy:e} m apart, {:.3} % missing>",
+            "<asperity.Topography of {} x {} points, {dx:e} x {dy:e} m apart, {} % missing>",
             self.0.rows(),
             self.0.columns(),
-            100.0 * self.0.missing_share()
+            (1e5 * self.0.missing_share()).round() / 1e3
         )
     }
 }

@@ -86,6 +86,8 @@ def test_scenes_are_written_with_plane_and_options(scene: asperity.Scene) -> Non
 
 def test_tables_for_solvers_are_those_of_the_library(scene: asperity.Scene) -> None:
     table = asperity.export("ke", scene, load=(1.0, 1e3), max_error=1e-4)
+    again = asperity.export("ke", scene, load=("1 N", "1 kN"), max_error=1e-4)
+    assert again.text == table.text
     assert table.pressure_error <= 1e-4 and (np.diff(table.clearance) > 0).all()
     curve = asperity.model("ke").solve(
         scene, table.clearance, ["pressure", "tangent"], separation_unit="m"

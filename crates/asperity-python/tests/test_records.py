@@ -13,6 +13,11 @@ import pytest
 STEEL = asperity.Body(210e9, 0.3, hardness=2e9)
 
 
+def wrong(argument: object) -> Any:
+    """An argument of a type that is not allowed."""
+    return argument
+
+
 def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
     aluminium = asperity.Body(
         "69 GPa",
@@ -67,18 +72,18 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
         (lambda: asperity.Body("210", 0.3), TypeError, "Body: youngs_modulus: \"210\" has no unit"),
         (lambda: asperity.Body("210 mm", 0.3), TypeError, "Body: youngs_modulus: \"210 mm\" is no"),
         (lambda: asperity.Body("69 Gpa", 0.3), TypeError, 'did you mean "69GPa"'),
-        (lambda: asperity.Body(1e9, "0.3"), TypeError, "Body: poissons_ratio is '0.3': give a number"),
+        (lambda: asperity.Body(1e9, wrong("0.3")), TypeError, "Body: poissons_ratio is '0.3': give a number"),
         (lambda: asperity.Body(True, 0.3), TypeError, "youngs_modulus is True: give a number in Pa"),
         (lambda: asperity.Body("-2 GPa", 0.3), ValueError, "youngs_modulus is -2000000000.0: "),
         (lambda: asperity.Surface.from_iso25178(1e-6, 2e8, "-5 1/mm"), ValueError, "spc is -5000.0: "),
-        (lambda: asperity.Interface.between(STEEL, None), TypeError, "second must be a Body, not a None"),
+        (lambda: asperity.Interface.between(STEEL, wrong(None)), TypeError, "second must be a Body, not a NoneType"),
         (
-            lambda: asperity.Scene(STEEL, asperity.Surface(1e-4, 1e8, 1e-6), 1e-4),
+            lambda: asperity.Scene(wrong(STEEL), asperity.Surface(1e-4, 1e8, 1e-6), 1e-4),
             TypeError,
             "interface must be an Interface, not a Body: Interface.between",
         ),
         (
-            lambda: asperity.Surface.from_plasticity_index(2.0, 0.04, 1e-6, 1e9),
+            lambda: asperity.Surface.from_plasticity_index(2.0, 0.04, 1e-6, wrong(1e9)),
             TypeError,
             "interface must be an Interface, not a float",
         ),
@@ -87,7 +92,7 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
                 asperity.Interface.between(STEEL, STEEL),
                 asperity.Surface(1e-4, 1e8, 1e-6),
                 1e-4,
-                heights=7,
+                heights=wrong(7),
             ),
             TypeError,
             "heights is 7: ",

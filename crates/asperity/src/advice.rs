@@ -103,10 +103,7 @@ impl fmt::Display for Recommendation {
         match &self.simplest {
             Some(simplest) => {
                 let simplest = simplest.name();
-                writeln!(
-                    f,
-                    "{simplest} is the simplest model within {within} % of {reference}"
-                )?;
+                writeln!(f, "{simplest} is the simplest model within {within} % of {reference}")?;
             }
             None => writeln!(f, "no model that holds is within {within} % of {reference}")?,
         }

@@ -1,8 +1,8 @@
 """Rough surfaces in contact: force, real area and stiffness by published models.
 
-A scene is what is in contact, a model says how one asperity answers, and a curve is what comes
-back. Units are SI; separations are multiples of the standard deviation of the asperity heights,
-unless ``separation_unit="m"``; loads go wherever they go.
+A scene describes two bodies in contact, a model has the law of one asperity, and a curve holds the
+results. Units are SI, or those of texts as "2 kN"; separations are multiples of the standard deviation
+of the asperity heights, unless ``separation_unit="m"``. A load may stand in the place of a separation.
 
 >>> import asperity
 >>> steel = asperity.Body(210e9, 0.3, hardness=2e9)

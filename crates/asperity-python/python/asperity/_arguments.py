@@ -18,7 +18,7 @@ SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]
 Aspect: TypeAlias = Literal["value", "ln", "error"]
 Failures: TypeAlias = list[tuple[int, BaseException]]
 
-#: What numbers can stand for, with the head of their column.
+#: Meanings of numbers, with the head of their column.
 AXES = {
     "asperity_height_std": "separation",
     "m": "separation_m",
@@ -50,7 +50,7 @@ def checked_unit(separation_unit: str) -> str:
 def place(
     separation: Any, load: Any, pressure: Any, separation_unit: str, name: str = "separation"
 ) -> tuple[str, Any]:
-    """What was given of the three, and what its numbers stand for."""
+    """The one of the three that was given, and the meaning of its numbers."""
     unit = checked_unit(separation_unit)
     in_metres = in_si(separation, "m")
     if in_metres is not separation:
@@ -63,21 +63,21 @@ def place(
 
 
 def checked_errors(errors: str) -> str:
-    """What is done about rows that fail."""
+    """The treatment of rows that fail: "raise" or "mask"."""
     if errors not in ERRORS:
         raise ValueError(f"errors is {errors!r}: 'raise' or 'mask' was required")
     return errors
 
 
-def placed(words: str, error: BaseException) -> BaseException:
-    """A refusal that says where; an exception of the user's own as it is."""
+def placed(where: str, error: BaseException) -> BaseException:
+    """A refusal with its place; an exception of the user's own as it is."""
     if type(error) in (ValueError, NotConverged):
-        return type(error)(f"{words}{error}")
+        return type(error)(f"{where}{error}")
     return error
 
 
 def reason(error: BaseException) -> str:
-    """The words of a refusal; of an exception of the user's own, also its kind."""
+    """The message of a refusal; for an exception of the user's own, also its type."""
     if isinstance(error, ValueError | NotConverged):
         return str(error)
     return f"{type(error).__name__}: {error}"
@@ -90,7 +90,7 @@ class Rows:
     """
 
     def __init__(self, scenes: SceneLike, axis: str, numbers: npt.ArrayLike) -> None:
-        #: What the numbers stand for.
+        #: The meaning of the numbers.
         self.axis = axis
         name = axis if axis in LOADS else "separation"
         #: The numbers, in their own shape.
@@ -169,8 +169,8 @@ class Rows:
         """Why rows failed, by their place in the order of memory; or the first of it, raised."""
         for row, error in failures:
             if errors == "raise" or not isinstance(error, Exception):
-                words = "" if self.one is not None else f"scene {self.index[row]}: "
-                raise placed(words, error)
+                where = "" if self.one is not None else f"scene {self.index[row]}: "
+                raise placed(where, error)
         places = range(len(self.numbers)) if self._kept is None else np.flatnonzero(self._kept)
         return {int(places[row]): reason(error) for row, error in failures}
 

@@ -13,7 +13,7 @@ from asperity._scene import Floats
 
 
 class AsperityLaws(Protocol):
-    """What a model written in Python must offer: the laws of one asperity.
+    """The laws of one asperity: the protocol of a model written in Python.
 
     The class is called with an ``Asperity``. ``w`` is an array of interferences in metres, all
     above 0; forces come back in N, areas in m^2, one for each.
@@ -24,10 +24,10 @@ class AsperityLaws(Protocol):
     class ``name``, and ``force_monotone = True`` where the force never falls as ``w`` grows, which
     makes ``separation_at`` quicker.
 
-    Say every kink that you know. Where one is not said, values mostly keep the tolerance and only
-    cost more time; but the points at which a law is sampled may hide a jump, a kink or a cusp from
-    the bounds of ``Curve.error``, which are then too small, and the error may exceed the tolerance.
-    ``Model.check`` finds most of those that were forgotten.
+    Declare every kink. Values with an undeclared kink mostly keep the tolerance and only take more
+    time; but a jump, kink or cusp between the sampled interferences escapes the bounds of
+    ``Curve.error``, which are then too small, and the error may exceed the tolerance.
+    ``Model.check`` finds most undeclared kinks.
     """
 
     def force(self, w: Floats, /) -> npt.ArrayLike:
@@ -71,16 +71,15 @@ class Laws:
         return self._checked(getattr(laws, quantity), quantity), within, regimes
 
     def findings(self, one: Asperity) -> list[str]:
-        """What laws say to more than one interference at a time, where they refuse: the engine asks
-        no other way."""
+        """Exceptions of the laws for an array of interferences: the engine passes arrays only."""
         found = []
         for quantity in ("force", "area", "stiffness")[: 2 + self.own_stiffness]:
             try:
                 law, _, _ = self(one, quantity)
                 law(one.radius * np.array([1e-6, 1e-4, 1e-2]))
             except Exception as error:
-                words = f"{type(error).__name__}: {error}"
-                found.append(f"{quantity}: {words}; a law is called with an array of interferences")
+                raised = f"{type(error).__name__}: {error}"
+                found.append(f"{quantity}: {raised}; a law is called with an array of interferences")
         return found
 
     def _checked(self, law: Callable[[Floats], npt.ArrayLike], quantity: str) -> Law:

@@ -1,4 +1,4 @@
-"""Many scenes at once, and what a look at a scene shows."""
+"""Many scenes at once, and the check of one."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def check(
 class Scenes:
     """Many scenes that differ from one in some of its numbers; made by ``Scene.vary``.
 
-    Wherever a scene is taken, so are many; they are broadcast against separations and loads.
+    They are allowed wherever a scene is, and are broadcast against separations and loads.
 
     Examples
     --------
@@ -65,7 +65,7 @@ class Scenes:
         self.shape: tuple[int, ...] = arrays[0].shape if arrays else ()
 
     def reshape(self, *shape: int) -> Scenes:
-        """The same scenes in another shape; -1 stands for what is left."""
+        """The same scenes in another shape; -1 stands for the remaining length."""
         columns = {name: values.reshape(shape) for name, values in self._columns.items()}
         return Scenes(self._base, columns)
 

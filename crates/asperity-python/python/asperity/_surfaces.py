@@ -17,8 +17,8 @@ def read(
 ) -> Topography:
     """A scan from a file: ASCII matrix, XYZ points, CSV profile, NumPy .npy or .npz, X3P or SUR.
 
-    What the file does not say of its unit and pixels must be said here, nothing is guessed;
-    ``pixel_size`` is in that unit. A scan of which more than ``max_missing`` is missing is refused;
+    ``unit`` and ``pixel_size``, in that unit, are required where the file has none; nothing is
+    guessed. A scan of which more than ``max_missing`` is missing is refused;
     with ``fill_missing`` missing points, up to 5 % of all, get the heights of ``Topography.fill``.
     """
     found = Topography.read(path, unit, pixel_size, max_missing)
@@ -28,8 +28,8 @@ def read(
 def topography(surface: Any, unit: str | None = None) -> Topography:
     """A measured surface from an object of SurfaceTopography or surfalize.
 
-    The objects know their pixel size and, mostly, their unit; where one does not, ``unit`` says it.
-    Neither package is needed for anything else, and neither is imported here.
+    The objects have a pixel size and, mostly, a unit; ``unit`` is that of objects without one.
+    Neither package is imported here.
     """
     home = type(surface).__module__.partition(".")[0]
     if home == "SurfaceTopography":
@@ -37,8 +37,8 @@ def topography(surface: Any, unit: str | None = None) -> Topography:
     if home == "surfalize":
         return _from_surfalize(surface, unit)
     raise TypeError(
-        f"{type(surface).__name__} is no surface that is known: one of SurfaceTopography or "
-        "surfalize was required; heights in an array go to asperity.Topography(heights, dx, unit)"
+        f"{type(surface).__name__} is no surface of SurfaceTopography or surfalize: make heights in an "
+        "array a surface with asperity.Topography(heights, dx, unit)"
     )
 
 

@@ -133,13 +133,13 @@ impl Contact {
         self.request.quantities.iter().map(ToString::to_string).collect()
     }
 
-    /// What is to be used now.
+    /// The contact in use.
     fn now(&self) -> Arc<dyn asperity::Contact> {
         self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The exception of a refusal. What a user's law raised may not be raised next time, as an interrupt is not: its rules are
-    /// built anew then.
+    /// The exception of a refusal. A user's law may raise once only, as at an interrupt: its rules are
+    /// built anew.
     fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let model = self.model.get();
         if model.is_written()
@@ -160,7 +160,7 @@ impl Contact {
         Ok(self.over([quantity], axis, numbers, one)?.remove(0))
     }
 
-    /// Quantities at a number, where `one` tells them, or at every number of an array.
+    /// Quantities at a number, by `one`, or at every number of an array.
     fn over<'py, const N: usize>(
         &self,
         quantities: [Quantity; N],

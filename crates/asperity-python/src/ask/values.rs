@@ -1,4 +1,4 @@
-//! What the package asks: values of rows, the separations of loads, and shares.
+//! Values of rows, the separations of loads, and shares.
 
 use std::ops::Range;
 
@@ -50,8 +50,7 @@ pub(crate) fn answer<'py>(
 }
 
 /// The separations that carry the load or pressure of every row, in a unit and from the scene's
-/// plane: the largest, or `all`, ascending. They follow each other, so many of every row; none of a
-/// row that fails.
+/// plane: the largest, or `all`, ascending; `counts[i]` of them belong to row i, none where it fails.
 #[pyfunction]
 pub(crate) fn separations<'py>(
     py: Python<'py>,

@@ -11,8 +11,9 @@ use crate::convert::numbers::texts_in_si;
 
 /// A joint that is sheared at a constant separation, from virgin or in cycles.
 ///
-/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or with their unit, as "100 nm"; a
-/// float gives floats, an array gives arrays of its shape. The asperities answer as elastically as in the unloading.
+/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or texts with a unit, as "100 nm";
+/// a float gives floats, an array gives arrays of its shape. The asperities deform as elastically as
+/// in the unloading.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct PartialSlip {
     /// The joint that is sheared.
@@ -52,19 +53,19 @@ impl PartialSlip {
         self.over(shift, "shift", |slip, u| slip.loop_force(u, amplitude, forth))
     }
 
-    /// Energy [J] that a cycle between -amplitude and +amplitude loses.
+    /// Energy [J] dissipated per cycle between -amplitude and +amplitude.
     fn loss<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(amplitude, "amplitude", |slip, u| Ok(slip.loss(u)?.value()))
     }
 
-    /// Loss factor of a cycle between -amplitude and +amplitude: its loss over 2 pi times half of force
-    /// times amplitude, 4/pi where all slides.
+    /// Loss factor of a cycle between -amplitude and +amplitude: the dissipated energy over pi times
+    /// force times amplitude; 4/pi in full sliding.
     fn loss_factor<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(amplitude, "amplitude", joints::PartialSlip::loss_factor)
     }
 
     /// Shift [m] at which the tangential force reaches this share of its limit, friction times the
-    /// normal force: everything all but slides at 0.99.
+    /// normal force.
     #[pyo3(signature = (share=0.99))]
     fn shift_at(&self, py: Python<'_>, share: f64) -> PyResult<f64> {
         py.detach(|| self.slip.shift_at(share)).map_err(|error| self.raise(py, error))

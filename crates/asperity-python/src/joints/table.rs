@@ -19,8 +19,8 @@ type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// Force and stiffness of a joint step by step: closing for the first time, opening, and closing
 /// again on the same way, in some tens of nanoseconds.
 ///
-/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane. All
-/// that a joint remembers is its closest approach: infinity for one that is new.
+/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane. The
+/// state of a joint is its closest approach: infinity for a new one.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct JointTable {
     model: Py<Engine>,
@@ -30,7 +30,7 @@ pub(crate) struct JointTable {
     /// How the asperities come back: "hertz", "brake" or "etsion".
     #[pyo3(get)]
     law: String,
-    /// The closest approaches that are tabulated: the smallest, and the largest that yielding matters for.
+    /// The tabulated range of closest approaches; beyond the larger, loading is elastic.
     #[pyo3(get)]
     ends: (f64, f64),
     /// Largest error of a force on a way back, over the force at its closest approach.

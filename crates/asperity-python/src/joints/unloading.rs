@@ -101,7 +101,7 @@ impl Unloading {
         Ok(found.map_err(|error| self.model.get().raise(py, error))? / self.metres())
     }
 
-    /// Loss factor of closing and opening: what is dissipated over 2 pi times the work of closing.
+    /// Loss factor of closing and opening: the dissipated energy over 2 pi times the work of closing.
     fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
         let work = || self.whole.work(self.joint.closest().into())?.loss_factor();
         let found = py.detach(work);

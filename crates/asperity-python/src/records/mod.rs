@@ -137,7 +137,7 @@ fn checked<R: Checked>(record: R) -> PyResult<R> {
     Ok(record)
 }
 
-/// A record as the call that makes it; what is None was not given.
+/// A record as the call that makes it, without the fields that are None.
 fn shown(name: &str, fields: &Bound<'_, PyDict>) -> PyResult<String> {
     let given = fields.iter().filter(|(_, value)| !value.is_none());
     let each = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {

@@ -21,7 +21,7 @@ pub(crate) enum Heights {
 /// A name, a number, or named numbers.
 #[derive(FromPyObject)]
 pub(crate) enum OptionValue {
-    Word(String),
+    Name(String),
     Number(f64),
     Numbers(BTreeMap<String, f64>),
 }
@@ -29,7 +29,7 @@ pub(crate) enum OptionValue {
 impl From<OptionValue> for asperity_scene::OptionValue {
     fn from(value: OptionValue) -> Self {
         match value {
-            OptionValue::Word(word) => Self::Word(word),
+            OptionValue::Name(name) => Self::Word(name),
             OptionValue::Number(number) => Self::Number(number),
             OptionValue::Numbers(numbers) => Self::Numbers(numbers),
         }

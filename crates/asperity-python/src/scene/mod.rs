@@ -1,4 +1,4 @@
-//! `Scene`: what is in contact, as a scene file has it.
+//! `Scene`: two bodies in contact, as a scene file describes them.
 
 mod heights;
 pub(crate) mod inputs;
@@ -112,7 +112,7 @@ impl SceneFile {
             file.options.set(&name, &value.into()).map_err(value_error)?;
         }
         let file = with_numbers(&file, []).map_err(refused)?;
-        // That there is a mean plane.
+        // Refuses separations from a mean plane that the heights do not have.
         file.separation(0.0, SeparationUnit::Metres)
             .measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)
             .map_err(refused)?;

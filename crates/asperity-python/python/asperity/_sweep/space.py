@@ -30,8 +30,10 @@ class HasIcdf(Protocol):
 
 #: A distribution; (low, high) for a uniform one; or one number, which does not vary.
 Input: TypeAlias = HasPpf | HasIcdf | tuple[float, float] | float
+#: The same, with a unit.
+Given: TypeAlias = Input | tuple[str, str] | str
 
-# Probabilities at which a distribution is written down, to tell it from another.
+# Probabilities whose quantiles identify a distribution.
 PROBES = np.array([0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999])
 
 
@@ -41,17 +43,17 @@ class Space:
     Parameters
     ----------
     scene : Scene
-        Says everything that is not given here.
+        The scene whose other numbers are kept.
     separation, load or pressure : distribution, (low, high) or float
-        Where it is evaluated: at a separation in the ``separation_unit`` of the sweep, under a load
-        [N], or under a mean pressure on the nominal area [Pa]. One of the three.
+        One of the three: a separation in the ``separation_unit`` of the sweep, a load [N], or a mean
+        pressure on the nominal area [Pa].
     **inputs : distribution, (low, high) or float
         By the names of ``Scene.replace``, in SI units; or ``plasticity_index`` and
         ``roughness_parameter`` in the place of ``asperity_radius`` and ``asperity_density``
         (where one of the two is missing, it is that of the scene).
 
     A distribution is a frozen one of ``scipy.stats``, or anything with a ``ppf``; (low, high) is
-    uniform. Inputs are independent of each other.
+    uniform. Numbers may be texts with a unit, as "2 kN". Inputs are independent of each other.
 
     Examples
     --------
@@ -64,15 +66,15 @@ class Space:
     def __init__(
         self,
         scene: Scene,
-        separation: Input | None = None,
+        separation: Given | None = None,
         *,
-        load: Input | None = None,
-        pressure: Input | None = None,
-        **inputs: Input,
+        load: Given | None = None,
+        pressure: Given | None = None,
+        **inputs: Given,
     ) -> None:
         if not isinstance(scene, Scene):
             raise TypeError(f"scene is {scene!r}: a Scene was required")
-        inputs = inputs_in_si(inputs)
+        numbers: dict[str, Input] = inputs_in_si(inputs)
         axis, where = place(separation, load, pressure, "asperity_height_std")
         #: The scene whose other numbers are kept.
         self.scene = scene
@@ -81,7 +83,7 @@ class Space:
         # Texts with a unit are in metres, whatever the unit of the sweep.
         self._in_metres = axis == "m"
         #: The inputs as they were given, the axis first.
-        self.inputs: dict[str, Input] = {self.axis: where, **inputs}
+        self.inputs: dict[str, Input] = {self.axis: where, **numbers}
         for name, given in self.inputs.items():
             _check(name, given)
         if not self.names:
@@ -110,13 +112,13 @@ class Space:
         inputs: dict[str, Any] = {}
         for name, given in self.inputs.items():
             unit = " m" if self._in_metres and name == self.axis else ""
-            inputs[name] = {"is": _words(given) + unit}
+            inputs[name] = {"is": _description(given) + unit}
             if not _is_number(given):
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
         return {**self.scene._fields(), "inputs": inputs}
 
     def __repr__(self) -> str:
-        inputs = ", ".join(f"{name}={_words(given)}" for name, given in self.inputs.items())
+        inputs = ", ".join(f"{name}={_description(given)}" for name, given in self.inputs.items())
         return f"<asperity.Space: {inputs}>"
 
 
@@ -150,11 +152,11 @@ def _quantiles(name: str, given: Input, u: Floats) -> Floats:
     return values
 
 
-def _words(given: Any) -> str:
+def _description(given: Any) -> str:
     frozen = getattr(given, "dist", None)
     if frozen is not None and hasattr(given, "args") and hasattr(given, "kwds"):
         arguments = [repr(float(argument)) for argument in given.args]
         arguments += [f"{name}={float(value)!r}" for name, value in given.kwds.items()]
         return f"{frozen.name}({', '.join(arguments)})"
-    words = repr(given)
-    return type(given).__name__ if " object at 0x" in words else words
+    text = repr(given)
+    return type(given).__name__ if " object at 0x" in text else text
