@@ -41,6 +41,7 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
     scene = asperity.Scene(pair, surface, "100 mm2")
     assert scene.nominal_area == 1e-4
     assert scene.replace(hardness="3 GPa").interface.hardness == 3e9
+    assert scene.check(load="2 kN").numbers == scene.check(load=2000.0).numbers
     scenes = scene.vary(hardness=["1 GPa", "2 GPa"], nominal_area="1 cm2")
     assert [scenes[k].interface.hardness for k in range(2)] == [1e9, 2e9]
     text = """

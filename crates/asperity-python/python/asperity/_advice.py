@@ -1,4 +1,4 @@
-"""The plan of a request, and a comparison of models."""
+"""The check of a scene, the plan of a request, and a comparison of models."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import Rows, place, quantity_names
-from asperity._asperity import Scene
+from asperity._asperity import Engine, Scene
+from asperity._check import Check
 from asperity._model import Model
 
 
@@ -154,3 +155,22 @@ def recommend(
         off={model: off for model, _, _, off in found if off is not None},
         text=text.rstrip("\n"),
     )
+
+
+def check(
+    scene: Scene,
+    model: str | Engine | None,
+    separation: float | str | None,
+    load: float | str | None,
+    pressure: float | str | None,
+    separation_unit: str,
+) -> Check:
+    """The result of ``Scene.check``."""
+    given = [number for number in (separation, load, pressure) if number is not None]
+    if len(given) > 1:
+        raise TypeError("at most one of separation, load and pressure was expected")
+    if not given:
+        return Check._of(*_asperity.check(scene))
+    axis, number = place(separation, load, pressure, separation_unit)
+    engine = model if isinstance(model, Engine) else Engine(model or scene._usual_reference(), {})
+    return Check._of(*_asperity.check(scene, (engine, axis, number)))

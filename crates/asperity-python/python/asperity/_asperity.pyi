@@ -251,10 +251,10 @@ class Scene:
     def check(
         self,
         model: str | Engine | None = None,
-        separation: float | None = None,
+        separation: float | str | None = None,
         *,
-        load: float | None = None,
-        pressure: float | None = None,
+        load: float | str | None = None,
+        pressure: float | str | None = None,
         separation_unit: str = "asperity_height_std",
     ) -> Check: ...
     def _fields(self) -> _Fields: ...

@@ -1,4 +1,4 @@
-"""Many scenes at once, and the check of one."""
+"""Many scenes at once."""
 
 from __future__ import annotations
 
@@ -9,32 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import Engine, Scene, floats
-from asperity._check import Check
+from asperity._asperity import Scene, floats
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
-
-
-def check(
-    scene: Scene,
-    model: str | Engine | None,
-    separation: float | None,
-    load: float | None,
-    pressure: float | None,
-    separation_unit: str,
-) -> Check:
-    """What ``Scene.check`` returns."""
-    given = {"separation": separation, "load": load, "pressure": pressure}
-    places = [(name, number) for name, number in given.items() if number is not None]
-    if len(places) > 1:
-        raise TypeError("at most one of separation, load and pressure was expected")
-    if not places:
-        return Check._of(*_asperity.check(scene))
-    (axis, number), default = places[0], scene._usual_reference()
-    engine = model if isinstance(model, Engine) else Engine(model or default, {})
-    axis = separation_unit if axis == "separation" else axis
-    return Check._of(*_asperity.check(scene, (engine, axis, number)))
 
 
 class Scenes:

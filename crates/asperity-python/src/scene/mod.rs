@@ -264,7 +264,7 @@ impl SceneFile {
         pressure: Option<Bound<'py, PyAny>>,
         separation_unit: &str,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let check = slf.py().import("asperity._scene")?.getattr("check")?;
+        let check = slf.py().import("asperity._advice")?.getattr("check")?;
         check.call1((slf, model, separation, load, pressure, separation_unit))
     }
 
