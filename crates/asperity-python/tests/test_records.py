@@ -113,7 +113,7 @@ def test_records_are_frozen_equal_hashable_and_copied() -> None:
     for record in (STEEL, interface, surface, asperity_of):
         again = pickle.loads(pickle.dumps(record))
         assert again == copy.deepcopy(record) == record and hash(again) == hash(record)
-        assert again.replace() == record and record != 1.0
+        assert again.replace() == record and record != wrong(1.0)
         assert eval(repr(asperity_of.replace()), vars(asperity)) == asperity_of
     assert STEEL.replace(hardness="3 GPa", yield_strength=1e9) != STEEL
     assert STEEL.replace(hardness=None).hardness is None

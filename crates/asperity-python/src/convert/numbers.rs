@@ -35,6 +35,18 @@ pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyRes
     })
 }
 
+/// The same of several arguments.
+pub(crate) fn numbers<const N: usize>(
+    owner: &str,
+    given: [(&str, &Bound<'_, PyAny>); N],
+) -> PyResult<[f64; N]> {
+    let mut found = [0.0; N];
+    for (found, (name, given)) in found.iter_mut().zip(given) {
+        *found = number(owner, name, given)?;
+    }
+    Ok(found)
+}
+
 /// That an argument is no number, and what to give.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
     let needed = asperity_scene::unit_of(name)

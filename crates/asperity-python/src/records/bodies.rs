@@ -4,7 +4,7 @@ use asperity::ContactError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Checked, Field, Record, Setter, checked, instance, record, shown};
+use super::{Arg, Field, Record, Setter, instance, record, shown};
 use crate::convert::error::{refused, warn};
 
 record! {
@@ -38,7 +38,7 @@ record! {
     Body (
         youngs_modulus, poissons_ratio, hardness=None, yield_strength=None,
         thermal_conductivity=None, electrical_resistivity=None
-    ) from asperity::Body::elastic(0.0, 0.0);
+    ) from asperity::Body::elastic(0.0, 0.0), |one| asperity::Interface::against_rigid(one).map(drop);
     /// Young's modulus [Pa].
     youngs_modulus: f64,
     /// Poisson's ratio.
@@ -52,12 +52,6 @@ record! {
     /// Electrical resistivity [ohm m], where it was given.
     electrical_resistivity: Option<f64>,
     {}
-}
-
-impl Checked for Body {
-    fn check(&self) -> Result<(), ContactError> {
-        asperity::Interface::against_rigid(&self.0).map(drop)
-    }
 }
 
 record! {
@@ -99,7 +93,7 @@ record! {
         equivalent_modulus, poissons_ratio, hardness=None, yield_strength=None,
         equivalent_shear_modulus=None, pressure_factor=None, thermal_conductivity=None,
         electrical_resistivity=None, work_of_adhesion=None
-    ) from asperity::Interface::elastic(0.0, 0.0);
+    ) from asperity::Interface::elastic(0.0, 0.0), |one| one.check().map(drop);
     /// Equivalent modulus E [Pa].
     equivalent_modulus: f64,
     /// Poisson's ratio of the softer body.
@@ -122,32 +116,20 @@ record! {
         /// Two deformable bodies; hardness and Poisson's ratio are those of the softer one.
         #[staticmethod]
         #[pyo3(signature = (first, second, *, work_of_adhesion=None))]
-        fn between(
-            first: &Bound<'_, PyAny>,
-            second: &Bound<'_, PyAny>,
-            work_of_adhesion: Option<&Bound<'_, PyAny>>,
-        ) -> PyResult<Self> {
-            let py = first.py();
-            let bodies = [instance::<Body>("first", first)?.get().0, instance::<Body>("second", second)?.get().0];
-            Self::of(py, &bodies, asperity::Interface::between(&bodies[0], &bodies[1]), work_of_adhesion)
+        fn between(first: &Arg<'_>, second: &Arg<'_>, work_of_adhesion: Option<&Arg<'_>>) -> PyResult<Self> {
+            let (py, second) = (first.py(), instance::<Body>("second", second)?.get().0);
+            let first = instance::<Body>("first", first)?.get().0;
+            let found = asperity::Interface::between(&first, &second);
+            Self::of(py, &[first, second], found, work_of_adhesion)
         }
 
         /// A deformable body on a rigid one.
         #[staticmethod]
         #[pyo3(signature = (body, *, work_of_adhesion=None))]
-        fn against_rigid(
-            body: &Bound<'_, PyAny>,
-            work_of_adhesion: Option<&Bound<'_, PyAny>>,
-        ) -> PyResult<Self> {
+        fn against_rigid(body: &Arg<'_>, work_of_adhesion: Option<&Arg<'_>>) -> PyResult<Self> {
             let one = instance::<Body>("body", body)?.get().0;
             Self::of(body.py(), &[one], asperity::Interface::against_rigid(&one), work_of_adhesion)
         }
-    }
-}
-
-impl Checked for Interface {
-    fn check(&self) -> Result<(), ContactError> {
-        self.0.check().map(drop)
     }
 }
 
@@ -157,7 +139,7 @@ impl Interface {
         py: Python<'_>,
         bodies: &[asperity::Body],
         made: Result<asperity::Interface, ContactError>,
-        work_of_adhesion: Option<&Bound<'_, PyAny>>,
+        work_of_adhesion: Option<&Arg<'_>>,
     ) -> PyResult<Self> {
         let mut found = made.map_err(refused)?;
         // Findings of the interface itself appear where it is used.
@@ -166,6 +148,6 @@ impl Interface {
             odd.try_for_each(|finding| warn(py, &finding.message, 0))?;
         }
         found.work_of_adhesion = Field::read("Interface", "work_of_adhesion", work_of_adhesion)?;
-        checked(Self(found))
+        Self::checked(found)
     }
 }

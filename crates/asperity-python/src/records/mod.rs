@@ -9,26 +9,26 @@ use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
 use pyo3::types::PyDict;
 
-use asperity::ContactError;
-
-use crate::convert::error::refused;
 use crate::convert::numbers::{no_number, number};
 pub(crate) use bodies::{Body, Interface};
 pub(crate) use surface::{Asperity, Surface};
 
+/// An argument.
+type Arg<'py> = Bound<'py, PyAny>;
+
 /// A field of a record: a number, or one that may be missing.
 trait Field: Sized {
-    fn read(record: &str, name: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Self>;
+    fn read(record: &str, name: &str, given: Option<&Arg<'_>>) -> PyResult<Self>;
 }
 
 impl Field for f64 {
-    fn read(record: &str, name: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+    fn read(record: &str, name: &str, given: Option<&Arg<'_>>) -> PyResult<Self> {
         number(record, name, given.ok_or_else(|| no_number(record, name, "None"))?)
     }
 }
 
 impl Field for Option<f64> {
-    fn read(record: &str, name: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
+    fn read(record: &str, name: &str, given: Option<&Arg<'_>>) -> PyResult<Self> {
         given.map(|given| number(record, name, given)).transpose()
     }
 }
@@ -36,12 +36,12 @@ impl Field for Option<f64> {
 /// A function that sets one field of a struct.
 pub(crate) type Setter<T> = fn(&mut T, f64);
 
-/// A frozen class around a struct of the library: its doc, its signature in Python, a struct to fill,
-/// its fields with their docs, and its other methods.
+/// A frozen class around a struct of the library: its doc, its signature in Python, a struct to fill
+/// and its check, its fields with their docs, and its other methods.
 macro_rules! record {
     (
         $(#[$about:meta])*
-        $name:ident $signature:tt from $empty:expr;
+        $name:ident $signature:tt from $empty:expr, $check:expr;
         $($(#[$meaning:meta])* $field:ident: $type:ty,)+
         { $($methods:tt)* }
     ) => {
@@ -56,10 +56,10 @@ macro_rules! record {
             #[pyo3(signature = $signature)]
             #[expect(clippy::allow_attributes, reason = "some records have few fields")]
             #[allow(clippy::too_many_arguments, reason = "the fields, by their names in Python")]
-            fn new($($field: Option<&Bound<'_, PyAny>>),+) -> PyResult<Self> {
+            fn new($($field: Option<&Arg<'_>>),+) -> PyResult<Self> {
                 let mut found = $empty;
                 $(found.$field = Field::read(stringify!($name), stringify!($field), $field)?;)+
-                checked(Self(found))
+                Self::checked(found)
             }
 
             $($(#[$meaning])*
@@ -106,6 +106,12 @@ macro_rules! record {
             const SETTERS: &'static [(&'static str, Setter<asperity::$name>)] =
                 &[$((stringify!($field), |found, value| found.$field = value.into())),+];
 
+            fn checked(found: asperity::$name) -> PyResult<Self> {
+                let check: fn(&asperity::$name) -> Result<(), ContactError> = $check;
+                check(&found).map_err(refused)?;
+                Ok(Self(found))
+            }
+
             fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
                 let fields = PyDict::new(py);
                 $(fields.set_item(stringify!($field), self.0.$field)?;)+
@@ -118,27 +124,20 @@ macro_rules! record {
 use record;
 
 /// A class around a struct of the library.
-pub(crate) trait Record {
+pub(crate) trait Record: Sized {
     type Struct: 'static;
     /// The name of every field, with a function that sets it.
     const SETTERS: &'static [(&'static str, Setter<Self::Struct>)];
+
+    /// The record of a struct whose numbers are in their ranges.
+    fn checked(found: Self::Struct) -> PyResult<Self>;
 
     /// Every field by its name, in the order of the signature.
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>>;
 }
 
-/// A record whose numbers have ranges.
-trait Checked: Sized {
-    fn check(&self) -> Result<(), ContactError>;
-}
-
-fn checked<R: Checked>(record: R) -> PyResult<R> {
-    record.check().map_err(refused)?;
-    Ok(record)
-}
-
 /// A record as the call that makes it, without the fields that are None.
-fn shown(name: &str, fields: &Bound<'_, PyDict>) -> PyResult<String> {
+pub(crate) fn shown(name: &str, fields: &Bound<'_, PyDict>) -> PyResult<String> {
     let given = fields.iter().filter(|(_, value)| !value.is_none());
     let each = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         Ok(format!("{name}={}", value.repr()?))

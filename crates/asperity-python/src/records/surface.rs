@@ -4,9 +4,9 @@ use asperity::{ContactError, ProfileMoments};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Checked, Field, Interface, Record, Setter, checked, instance, record, shown};
+use super::{Arg, Field, Interface, Record, Setter, instance, record, shown};
 use crate::convert::error::refused;
-use crate::convert::numbers::number;
+use crate::convert::numbers::numbers;
 
 record! {
     /// Asperities of one radius on a nominally flat surface.
@@ -31,7 +31,7 @@ record! {
     /// >>> asperity.Surface("0.2 mm", "200 1/mm2", "1 um") == surface
     /// True
     Surface (asperity_radius, asperity_density, asperity_height_std)
-        from asperity::Surface::new(0.0, 0.0, 0.0);
+        from asperity::Surface::new(0.0, 0.0, 0.0), asperity::Surface::check;
     /// Radius of the asperities [m].
     asperity_radius: f64,
     /// Asperities per area [1/m^2].
@@ -43,14 +43,14 @@ record! {
         /// height_std), the standard deviation of the asperity heights [m] and the interface.
         #[staticmethod]
         fn from_plasticity_index(
-            plasticity_index: &Bound<'_, PyAny>,
-            roughness_parameter: &Bound<'_, PyAny>,
-            asperity_height_std: &Bound<'_, PyAny>,
-            interface: &Bound<'_, PyAny>,
+            plasticity_index: &Arg<'_>, roughness_parameter: &Arg<'_>,
+            asperity_height_std: &Arg<'_>, interface: &Arg<'_>,
         ) -> PyResult<Self> {
-            let index = number("Surface", "plasticity_index", plasticity_index)?;
-            let parameter = number("Surface", "roughness_parameter", roughness_parameter)?;
-            let std = number("Surface", "asperity_height_std", asperity_height_std)?;
+            let [index, parameter, std] = numbers("Surface", [
+                ("plasticity_index", plasticity_index),
+                ("roughness_parameter", roughness_parameter),
+                ("asperity_height_std", asperity_height_std),
+            ])?;
             let interface = instance::<Interface>("interface", interface)?.get().0;
             Self::of(asperity::Surface::from_plasticity_index(index, parameter, std, &interface))
         }
@@ -58,14 +58,9 @@ record! {
         /// From the spectral moments of profiles of an isotropic Gaussian surface: averages of z^2
         /// [m^2], z'^2 and z''^2 [1/m^2].
         #[staticmethod]
-        fn from_moments(
-            m0: &Bound<'_, PyAny>,
-            m2: &Bound<'_, PyAny>,
-            m4: &Bound<'_, PyAny>,
-        ) -> PyResult<Self> {
-            let (m0, m2) = (number("Surface", "m0", m0)?, number("Surface", "m2", m2)?);
-            let moments = ProfileMoments { m0, m2, m4: number("Surface", "m4", m4)? };
-            Self::of(asperity::Surface::from_moments(&moments))
+        fn from_moments(m0: &Arg<'_>, m2: &Arg<'_>, m4: &Arg<'_>) -> PyResult<Self> {
+            let [m0, m2, m4] = numbers("Surface", [("m0", m0), ("m2", m2), ("m4", m4)])?;
+            Self::of(asperity::Surface::from_moments(&ProfileMoments { m0, m2, m4 }))
         }
 
         /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
@@ -77,25 +72,21 @@ record! {
         /// >>> surface.asperity_radius, surface.asperity_density
         /// (0.0002, 200000000.0)
         #[staticmethod]
-        fn from_iso25178(
-            sq: &Bound<'_, PyAny>,
-            spd: &Bound<'_, PyAny>,
-            spc: &Bound<'_, PyAny>,
-        ) -> PyResult<Self> {
-            let (sq, spd) = (number("Surface", "sq", sq)?, number("Surface", "spd", spd)?);
-            Self::of(asperity::Surface::from_iso25178(sq, spd, number("Surface", "spc", spc)?))
+        fn from_iso25178(sq: &Arg<'_>, spd: &Arg<'_>, spc: &Arg<'_>) -> PyResult<Self> {
+            let [sq, spd, spc] = numbers("Surface", [("sq", sq), ("spd", spd), ("spc", spc)])?;
+            Self::of(asperity::Surface::from_iso25178(sq, spd, spc))
         }
 
         /// From radius [m], density [1/m^2] and the standard deviation of the surface heights [m].
         #[staticmethod]
         fn from_surface_std(
-            asperity_radius: &Bound<'_, PyAny>,
-            asperity_density: &Bound<'_, PyAny>,
-            surface_height_std: &Bound<'_, PyAny>,
+            asperity_radius: &Arg<'_>, asperity_density: &Arg<'_>, surface_height_std: &Arg<'_>,
         ) -> PyResult<Self> {
-            let radius = number("Surface", "asperity_radius", asperity_radius)?;
-            let density = number("Surface", "asperity_density", asperity_density)?;
-            let std = number("Surface", "surface_height_std", surface_height_std)?;
+            let [radius, density, std] = numbers("Surface", [
+                ("asperity_radius", asperity_radius),
+                ("asperity_density", asperity_density),
+                ("surface_height_std", surface_height_std),
+            ])?;
             Self::of(asperity::Surface::from_surface_std(radius, density, std))
         }
 
@@ -114,15 +105,9 @@ record! {
     }
 }
 
-impl Checked for Surface {
-    fn check(&self) -> Result<(), ContactError> {
-        self.0.check()
-    }
-}
-
 impl Surface {
     pub(crate) fn of(made: Result<asperity::Surface, ContactError>) -> PyResult<Self> {
-        checked(Self(made.map_err(refused)?))
+        Self::checked(made.map_err(refused)?)
     }
 }
 
@@ -142,7 +127,7 @@ record! {
         pressure_factor: 0.0,
         work_of_adhesion: None,
         radius: 0.0,
-    };
+    }, |_| Ok(());
     /// Equivalent modulus E [Pa].
     equivalent_modulus: f64,
     /// Equivalent shear modulus G [Pa], where it was given.
@@ -172,11 +157,5 @@ record! {
         fn critical_force(&self) -> PyResult<f64> {
             self.0.critical_force().map_err(refused)
         }
-    }
-}
-
-impl Checked for Asperity {
-    fn check(&self) -> Result<(), ContactError> {
-        Ok(())
     }
 }

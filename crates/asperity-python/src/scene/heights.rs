@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::convert::error::{refused, value_error};
 
 /// A name, a skewness, or a table of heights [m] and densities [1/m].
-#[derive(FromPyObject, PartialEq, Serialize)]
+#[derive(FromPyObject, Serialize)]
 #[serde(untagged)]
 pub(crate) enum Heights {
     Name(String),

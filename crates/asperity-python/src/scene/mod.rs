@@ -8,16 +8,16 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{Datum, SeparationUnit};
+use asperity_scene::ModelOptions;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use serde::Serialize;
 use serde_json::Value;
 
 use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
 use crate::convert::objects::object;
-use crate::records::{Asperity, Interface, Surface, instance};
+use crate::records::{Asperity, Interface, Record, Surface, instance, shown};
 use heights::Heights;
 pub(crate) use heights::OptionValue;
 use inputs::{inputs, with_numbers};
@@ -60,18 +60,6 @@ use inputs::{inputs, with_numbers};
 /// 2240000000.0
 #[pyclass(frozen, name = "Scene", module = "asperity")]
 pub(crate) struct SceneFile(pub(crate) Arc<asperity_scene::SceneFile>);
-
-/// The arguments that make a scene.
-#[derive(PartialEq, Serialize)]
-struct Fields<'f> {
-    interface: &'f asperity::Interface,
-    surface: &'f asperity::Surface,
-    nominal_area: f64,
-    heights: Heights,
-    separation_from: Datum,
-    mean_plane_offset: Option<f64>,
-    options: BTreeMap<String, asperity_scene::OptionValue>,
-}
 
 #[pymethods]
 impl SceneFile {
@@ -268,10 +256,12 @@ impl SceneFile {
         check.call1((slf, model, separation, load, pressure, separation_unit))
     }
 
-    /// The arguments that make this scene, as dicts, lists and numbers.
-    #[pyo3(name = "_fields")]
-    fn plain_fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        object(py, &self.fields())
+    /// The arguments that make this scene, with dicts of numbers for the interface and the surface.
+    fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let fields = self.arguments(py)?;
+        fields.set_item("interface", self.interface().fields(py)?)?;
+        fields.set_item("surface", self.surface().fields(py)?)?;
+        Ok(fields)
     }
 
     /// The id of the model that others are compared with where none is named.
@@ -279,48 +269,35 @@ impl SceneFile {
         asperity::usual_reference(&self.0.scene)
     }
 
-    fn __eq__(&self, other: &Self) -> bool {
-        self.fields() == other.fields()
+    fn __eq__(&self, other: &Self, py: Python<'_>) -> PyResult<bool> {
+        self.arguments(py)?.eq(other.arguments(py)?)
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let fields = self.fields();
-        let mut given = vec![
-            format!("interface={}", self.interface().into_pyobject(py)?.repr()?),
-            format!("surface={}", self.surface().into_pyobject(py)?.repr()?),
-            format!("nominal_area={}", fields.nominal_area.into_pyobject(py)?.repr()?),
-        ];
-        match fields.heights {
-            Heights::Name(name) if name == "gaussian" => {}
-            Heights::Table(z, _) => given.push(format!("heights=<table of {} points>", z.len())),
-            heights => given.push(format!("heights={}", object(py, &heights)?.repr()?)),
+        let given = self.arguments(py)?;
+        for (name, usual) in [("heights", "gaussian"), ("separation_from", "asperity-mean")] {
+            if given.get_item(name)?.is_some_and(|value| value.eq(usual).unwrap_or(false)) {
+                given.del_item(name)?;
+            }
         }
-        if fields.separation_from != Datum::default() {
-            given.push(format!("separation_from={}", self.separation_from(py)?.repr()?));
+        if self.0.options == ModelOptions::default() {
+            given.del_item("options")?;
         }
-        if let Some(offset) = fields.mean_plane_offset {
-            given.push(format!("mean_plane_offset={}", offset.into_pyobject(py)?.repr()?));
-        }
-        if !fields.options.is_empty() {
-            given.push(format!("options={}", self.options(py)?.repr()?));
-        }
-        Ok(format!("Scene({})", given.join(", ")))
+        let text = shown("Scene", &given)?;
+        Ok(match &self.0.table {
+            None => text,
+            Some(table) => {
+                let points = format!("<table of {} points>", table.points().len());
+                text.replace(&self.heights(py)?.repr()?.to_string(), &points)
+            }
+        })
     }
 
     fn __reduce__<'py>(
         slf: &Bound<'py, Self>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let (py, own) = (slf.py(), slf.get());
-        let arguments = (
-            own.interface(),
-            own.surface(),
-            own.nominal_area(),
-            own.heights(py)?,
-            own.separation_from(py)?,
-            own.mean_plane_offset(),
-            own.options(py)?,
-        );
-        Ok((slf.get_type().into_any(), arguments.into_pyobject(py)?))
+        let arguments = PyTuple::new(slf.py(), slf.get().arguments(slf.py())?.values())?;
+        Ok((slf.get_type().into_any(), arguments))
     }
 }
 
@@ -334,17 +311,17 @@ impl SceneFile {
         Ok(Self(Arc::new(file)))
     }
 
-    fn fields(&self) -> Fields<'_> {
-        let scene = &self.0.scene;
-        Fields {
-            interface: &scene.interface,
-            surface: &scene.surface,
-            nominal_area: scene.nominal_area,
-            heights: Heights::in_file(&self.0),
-            separation_from: self.0.separation_from,
-            mean_plane_offset: self.mean_plane_offset(),
-            options: self.0.options.changed(),
-        }
+    /// The arguments that make this scene, in the order of the signature.
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arguments = PyDict::new(py);
+        arguments.set_item("interface", self.interface())?;
+        arguments.set_item("surface", self.surface())?;
+        arguments.set_item("nominal_area", self.nominal_area())?;
+        arguments.set_item("heights", self.heights(py)?)?;
+        arguments.set_item("separation_from", self.separation_from(py)?)?;
+        arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
+        arguments.set_item("options", self.options(py)?)?;
+        Ok(arguments)
     }
 }
 
