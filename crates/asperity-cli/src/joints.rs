@@ -29,7 +29,7 @@ pub fn warn_energy_gain(joint: &Joint, closest: At, work: &Work) -> Result<(), C
 /// A row again, of those that get a marker in the picture.
 pub fn marked(row: &[Cell]) -> Vec<Cell> {
     let mut row = row.to_vec();
-    if let Cell::Word(law) = &row[1] {
+    if let Cell::Text(law) = &row[1] {
         row[1] = Cell::from(&*marked_key(law));
     }
     row

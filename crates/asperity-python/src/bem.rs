@@ -9,27 +9,52 @@ use std::time::Duration;
 use asperity::bem::{Bem, BemError, Boundary, Given, Solution};
 use asperity::{ContactState, Described, Diagnostics, Model, Truth};
 use numpy::{PyArray1, PyArrayMethods};
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{refused, value_error, warn};
-use crate::fields::Interface;
-use crate::long::pool;
+use crate::ask::long::pool;
+use crate::convert::error::{refused, value_error, warn};
+use crate::records::{Interface, instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
 
 /// Between two looks at signals.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
-/// A scan: of a scene, or on its own with what is pressed on it and how it is levelled.
-#[derive(FromPyObject)]
-pub(crate) enum Scan<'py> {
-    Scene(PyRef<'py, SceneFile>),
-    Topography(PyRef<'py, Topography>, Interface, Option<String>),
+/// A scan of a scene, or one on its own, with the two bodies and the form that is taken away.
+enum Scan<'a> {
+    Scene(&'a asperity_scene::SceneFile),
+    Topography(&'a Topography, asperity::Interface, Option<&'a str>),
 }
 
-impl Scan<'_> {
+impl<'a> Scan<'a> {
+    fn new(
+        surface: &'a Bound<'_, PyAny>,
+        interface: Option<&Bound<'_, PyAny>>,
+        level: Option<&'a str>,
+    ) -> PyResult<Self> {
+        if let Ok(scene) = surface.cast::<SceneFile>() {
+            return match interface {
+                None => Ok(Self::Scene(&scene.get().0)),
+                Some(_) => Err(PyTypeError::new_err(
+                    "interface was given beside a scene, which has its own",
+                )),
+            };
+        }
+        let Ok(topography) = surface.cast::<Topography>() else {
+            let found = with_article(surface);
+            let reason = format!("surface must be a Topography or a Scene, not {found}");
+            return Err(PyTypeError::new_err(reason));
+        };
+        let Some(interface) = interface else {
+            let needed = "a Topography has none, pass an asperity.Interface";
+            return Err(PyTypeError::new_err(format!("interface is missing: {needed}")));
+        };
+        let interface = instance::<Interface>("interface", interface)?.get().0;
+        Ok(Self::Topography(topography.get(), interface, level))
+    }
+
     fn bem(
         &self,
         py: Python<'_>,
@@ -47,11 +72,11 @@ impl Scan<'_> {
         };
         match self {
             Self::Scene(file) => {
-                let bem = file.0.bem(boundary, elastic).map_err(value_error)?;
-                Ok((bem, file.0.scene.interface))
+                let bem = file.bem(boundary, elastic).map_err(value_error)?;
+                Ok((bem, file.scene.interface))
             }
             Self::Topography(topography, interface, level) => {
-                let level = topography.level(py, level.as_deref())?;
+                let level = topography.form(py, *level)?;
                 let levelled = topography.0.clone().levelled(level).map_err(value_error)?;
                 let map = asperity_scene::height_map(&levelled).map_err(|error| {
                     match levelled.missing_share() > 0.0 {
@@ -59,7 +84,7 @@ impl Scan<'_> {
                         false => value_error(error),
                     }
                 })?;
-                Ok((Bem::new(map, boundary, elastic), (*interface).into()))
+                Ok((Bem::new(map, boundary, elastic), *interface))
             }
         }
     }
@@ -67,7 +92,7 @@ impl Scan<'_> {
     /// Loads are on the nominal area of the scene, or on the scan.
     fn area(&self, bem: &Bem) -> f64 {
         match self {
-            Self::Scene(file) => file.0.scene.nominal_area,
+            Self::Scene(file) => file.scene.nominal_area,
             Self::Topography(..) => bem.map().area(),
         }
     }
@@ -85,15 +110,15 @@ type Contacts<'py> = (
 /// Solves contacts at mean pressures, loads or mean gaps.
 #[pyfunction]
 pub(crate) fn bem<'py>(
-    py: Python<'py>,
-    scan: Scan<'py>,
+    scan: (Bound<'py, PyAny>, Option<Bound<'py, PyAny>>, Option<String>),
     given: &str,
     values: Vec<f64>,
     elastic: bool,
     boundary: &str,
     maps_and_mask: (bool, bool),
 ) -> PyResult<Contacts<'py>> {
-    let (maps, mask) = maps_and_mask;
+    let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
+    let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
     let (bem, interface) = scan.bem(py, boundary, elastic)?;
     say_seam(py, &bem)?;
     let elements = bem.elements(&interface).map_err(refused)?;
@@ -178,7 +203,7 @@ type Truths = (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usiz
 #[pyfunction]
 pub(crate) fn truth(
     py: Python<'_>,
-    file: PyRef<'_, SceneFile>,
+    scene: &SceneFile,
     pressures: Vec<f64>,
     elastic: bool,
     boundary: &str,
@@ -186,8 +211,8 @@ pub(crate) fn truth(
     refine_and_mask: (bool, bool),
 ) -> PyResult<Truths> {
     let (refine, mask) = refine_and_mask;
-    let scene = file.0.clone();
-    let (bem, _) = Scan::Scene(file).bem(py, boundary, elastic)?;
+    let scene = &*scene.0;
+    let (bem, _) = Scan::Scene(scene).bem(py, boundary, elastic)?;
     say_seam(py, &bem)?;
     let (models, left_out) = match models {
         None => scene.models_beside_bem(),
@@ -259,14 +284,14 @@ fn say_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {
 }
 
 /// Works on the threads of this process and looks at signals meanwhile, which this thread alone
-/// gets: `work` is told when to stop.
+/// gets; the flag of `work` stops it.
 fn interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
     let (stop, threads) = (AtomicBool::new(false), pool(None)?);
     let run = |done: Sender<T>| {
-        // Somebody waits for it.
+        // The receiver waits until the work ends.
         let _ = done.send(threads.install(|| work(&stop)));
     };
     let wait = |answer: Receiver<T>| {
@@ -294,7 +319,7 @@ fn interruptible<T: Send>(
     })
 }
 
-/// Goes on until it is told to stop.
+/// Continues until the flag is set.
 fn unless(stop: &AtomicBool) -> ControlFlow<()> {
     if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

@@ -5,11 +5,11 @@ use asperity::{
 };
 use pyo3::prelude::*;
 
-use crate::engine::{Engine, tolerance};
-use crate::error::{refused, value_error};
-use crate::objects::object;
-use crate::places::Axis;
-use crate::rows::{Rows, View};
+use crate::ask::rows::{Rows, View};
+use crate::convert::axis::Axis;
+use crate::convert::error::{refused, value_error};
+use crate::convert::objects::object;
+use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
 /// Numbers with unit and meaning, and findings, of a scene and, if a number is given, of the answer
@@ -48,12 +48,6 @@ fn explained(file: &asperity_scene::SceneFile, error: &ContactError) -> Option<C
     let refused = Diagnostic::error("no-answer", "answer", f64::NAN);
     looked.extend([refused.fact("the model has no answer").advice(error.to_string())]);
     Some(looked)
-}
-
-/// A number in an SI unit of a text that may say another: "2 kN".
-#[pyfunction]
-pub(crate) fn quantity(text: &str, si: &str) -> PyResult<f64> {
-    asperity_scene::quantity(text, si).map_err(value_error)
 }
 
 /// The greatest tension that a model's surfaces hold [N], and the separation where they do.

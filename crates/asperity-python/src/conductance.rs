@@ -3,7 +3,7 @@
 use asperity::joints::conductance;
 use pyo3::prelude::*;
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 use crate::scene::SceneFile;
 
 /// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds there.

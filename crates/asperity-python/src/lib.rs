@@ -5,71 +5,57 @@
 //! whichever thread builds its rules.
 //!
 //! ```text
-//! fields → scene → rows → answer ┐
-//!          python_model → engine ┴→ contact → ask, advice
-//!                         engine → joints, joint_table
+//! convert → records → scene → ask, joints, contact_table, check
+//!                     model ↗
 //! scene, topography → bem
 //! ```
 
-mod advice;
-mod answer;
 mod ask;
 mod bem;
 mod check;
 mod conductance;
-mod contact;
-mod engine;
-mod error;
-mod fields;
-mod joint_table;
+mod contact_table;
+mod convert;
 mod joints;
-mod long;
-mod numbers;
-mod objects;
+mod model;
 mod picture;
-mod places;
-mod python_model;
-mod rows;
+mod records;
 mod scene;
-mod table;
 mod topography;
 
 /// The compiled part of the package `asperity`.
 #[pyo3::pymodule]
 mod _asperity {
     #[pymodule_export]
-    use crate::advice::{plan, recommend};
+    use crate::ask::advice::{plan, recommend};
     #[pymodule_export]
-    use crate::ask::{answer, separations, shares};
+    use crate::ask::contact::Contact;
+    #[pymodule_export]
+    use crate::ask::values::{answer, separations, shares};
     #[pymodule_export]
     use crate::bem::{bem, truth};
     #[pymodule_export]
-    use crate::check::{check, findings, pull_off, quantity};
+    use crate::check::{check, findings, pull_off};
     #[pymodule_export]
     use crate::conductance::{correlated, gap_conductance};
     #[pymodule_export]
-    use crate::contact::Contact;
+    use crate::contact_table::contact_table;
     #[pymodule_export]
-    use crate::engine::{Engine, model_ids, quantities};
+    use crate::convert::error::{ContactWarning, NotConverged};
     #[pymodule_export]
-    use crate::error::{ContactWarning, NotConverged};
+    use crate::convert::numbers::{floats, in_si};
     #[pymodule_export]
-    use crate::fields::{
-        checked_body, checked_interface, checked_surface, critical_of, interface_of, roughness_of,
-        surface_from_moments, surface_from_plasticity_index, surface_from_std,
-    };
+    use crate::joints::{JointTable, PartialSlip, Unloading};
     #[pymodule_export]
-    use crate::joint_table::JointTable;
-    #[pymodule_export]
-    use crate::joints::{PartialSlip, Unloading};
-    #[pymodule_export]
-    use crate::numbers::floats;
+    use crate::model::engine::{Engine, model_ids, quantities};
     #[pymodule_export]
     use crate::picture::svg;
     #[pymodule_export]
-    use crate::scene::{SceneFile, check_inputs, template};
+    use crate::records::{Asperity, Body, Interface, Surface};
     #[pymodule_export]
-    use crate::table::contact_table;
+    use crate::scene::inputs::inputs_in_si;
+    #[pymodule_export]
+    use crate::scene::{SceneFile, template};
     #[pymodule_export]
     use crate::topography::Topography;
 }

@@ -5,25 +5,25 @@ use std::path::PathBuf;
 use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, Statistics, TopographyError};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyType;
+use pyo3::types::PyTuple;
 
-use crate::error::{value_error, warn};
-use crate::fields::Surface;
-use crate::objects::object;
+use crate::convert::error::{value_error, warn};
+use crate::convert::objects::object;
+use crate::records::Surface;
 
 /// A measured surface: heights on a regular grid.
 ///
 /// Parameters
 /// ----------
 /// heights : array_like
-///     One or two dimensions, row by row; NaN where a point is missing.
+///     One or two dimensions, row by row; NaN, or masked, where a point is missing.
 /// dx : float or (float, float)
 ///     Distance of neighbouring points along a row, and along a column.
 /// unit : str
-///     Unit of both, heights and dx: "m", "mm", "um", "nm", "angstrom", "pm".
+///     Unit of both, heights and dx: "m", "cm", "mm", "um", "nm", "angstrom", "pm".
 /// periodic : bool
-///     Whether the surface goes on beyond its edges.
-#[pyclass(frozen, subclass, module = "asperity._asperity")]
+///     Whether the surface is repeated beyond its edges.
+#[pyclass(frozen, module = "asperity")]
 pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
 
 #[derive(FromPyObject)]
@@ -50,7 +50,7 @@ impl Topography {
     #[new]
     #[pyo3(signature = (heights, dx, unit, periodic=false))]
     fn new(heights: &Bound<'_, PyAny>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
-        // A masked point is a missing one.
+        // A masked point is missing.
         let masked = heights.py().import("numpy.ma")?.getattr("asarray")?;
         let heights = masked.call1((heights, "float64"))?.call_method1("filled", (f64::NAN,))?;
         let heights: PyArrayLikeDyn<'_, f64> = heights.extract()?;
@@ -69,23 +69,20 @@ impl Topography {
         Ok(Self(made.map_err(value_error)?.with_periodic(periodic)))
     }
 
-    /// A scan from a file: ASCII matrices, XYZ points, profiles, .npy, .x3p or .sur. What the file
-    /// does not say is said here: the unit of heights and pixel size, the pixel size, and the
-    /// largest share of points that may be missing.
-    #[classmethod]
+    /// A scan from a file, as ``asperity.read`` without filling.
+    #[staticmethod]
     #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1))]
-    fn read<'py>(
-        class: &Bound<'py, PyType>,
+    fn read(
+        py: Python<'_>,
         path: PathBuf,
         unit: Option<&str>,
         pixel_size: Option<Spacing>,
         max_missing: f64,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    ) -> PyResult<Self> {
         let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(Spacing::both));
         let options = ReadOptions { unit, pixel_size, max_missing };
-        let read = class.py().detach(|| asperity_topography::read(&path, &options));
-        let read = Self(read.map_err(value_error)?);
-        class.call1((read.heights(class.py())?, read.pixel_size(), "m", read.0.is_periodic()))
+        let read = py.detach(|| asperity_topography::read(&path, &options));
+        Ok(Self(read.map_err(value_error)?))
     }
 
     /// Rows and columns.
@@ -113,60 +110,62 @@ impl Topography {
         Ok(heights.reshape([self.0.rows(), self.0.columns()])?.into_any())
     }
 
-    /// The same surface without its form: "none", "mean", "plane" or "quadratic" is taken away.
-    #[pyo3(name = "_levelled")]
-    fn levelled(&self, py: Python<'_>, level: Option<&str>) -> PyResult<Self> {
-        let level = self.level(py, level)?;
-        self.changed(py, |surface| surface.levelled(level))
+    /// The same surface without its "mean", "plane" or "quadratic" form, by least squares; by default
+    /// the plane, for a periodic surface the mean.
+    #[pyo3(signature = (form=None))]
+    fn level(&self, py: Python<'_>, form: Option<&str>) -> PyResult<Self> {
+        let form = self.form(py, form)?;
+        self.changed(py, |surface| surface.levelled(form))
     }
 
-    /// The same surface with heights where points are missing.
-    #[pyo3(name = "_filled")]
-    fn filled(&self, py: Python<'_>) -> PyResult<Self> {
+    /// The same surface with heights where points are missing: harmonic ones, each the mean of its
+    /// four neighbours; at an edge the surface continues as its least-squares plane does, or beyond
+    /// the edge where it is periodic. At most 5 % of the points are filled.
+    fn fill(&self, py: Python<'_>) -> PyResult<Self> {
         self.changed(py, asperity_topography::Topography::fill)
     }
 
-    /// The same surface without waves that are longer than a cut-off [m].
-    #[pyo3(name = "_filtered")]
-    fn filtered(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
+    /// The roughness below a wavelength [m] (Gaussian filter, ISO 16610).
+    fn filter(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
         self.changed(py, |surface| surface.filter(cutoff))
     }
 
-    /// The same surface without waves that are shorter than a cut-off [m].
-    #[pyo3(name = "_smoothed")]
-    fn smoothed(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
+    /// The same surface without waves shorter than this [m], noise above all.
+    fn smooth(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
         self.changed(py, |surface| surface.smooth(cutoff))
     }
 
-    /// Whether the surface goes on beyond its edges.
+    /// Whether the surface is repeated beyond its edges.
     #[getter]
     fn periodic(&self) -> bool {
         self.0.is_periodic()
     }
 
-    /// Heights [m] above the mean of the summits and the density there [1/m].
-    #[pyo3(name = "_summit_density")]
-    fn summit_density(&self, py: Python<'_>) -> PyResult<(Vec<f64>, Vec<f64>)> {
+    /// The density of the summit heights: heights [m] from their mean, and the density there [1/m],
+    /// as ``Scene`` takes them for its ``heights``.
+    fn summit_density<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyTuple>)> {
         let found = py.detach(|| self.0.height_density()).map_err(value_error)?;
-        Ok((found.heights_m, found.density_per_m))
+        Ok((PyTuple::new(py, found.heights_m)?, PyTuple::new(py, found.density_per_m)?))
     }
 
-    /// The fields of the equivalent rough surface of this one and another, as they are.
-    #[pyo3(name = "_against")]
+    /// The equivalent rough surface of this one and another pressed together, both as they are: their
+    /// moments add.
     fn against(&self, py: Python<'_>, other: &Self) -> PyResult<Surface> {
         let both = py.detach(|| {
             let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
             Statistics::combined(&one?, &two?)
         });
         let both = both.map_err(value_error)?;
-        both.warnings.iter().try_for_each(|warning| warn(py, warning, 1))?;
-        Ok(both.surface().into())
+        both.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
+        Surface::of(Ok(both.surface()))
     }
 
-    /// What the surface comes to, in SI units: Sq, Ssk, Sku, moments, asperities by the estimator
-    /// ("moments" or "summits"), after levelling ("none", "mean", "plane" or "quadratic";
-    /// unless given, the plane, of a periodic surface the mean) and, where a cut-off [m] is given, a
-    /// Gaussian filter.
+    /// Statistics in SI units: Sq, Ssk, Sku, moments, and asperities by the estimator ("moments" or
+    /// "summits"), after levelling ("none", "mean", "plane" or "quadratic"; by default the plane, for
+    /// a periodic surface the mean) and, where a cut-off [m] is given, a Gaussian filter.
     #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
     fn statistics<'py>(
         &self,
@@ -178,8 +177,8 @@ impl Topography {
         object(py, &self.found(py, level, estimator, cutoff)?)
     }
 
-    /// The fields of the equivalent rough surface of this one on a flat.
-    #[pyo3(name = "_surface")]
+    /// The equivalent rough surface of this one on a flat; see ``statistics``.
+    #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
     fn surface(
         &self,
         py: Python<'_>,
@@ -187,26 +186,26 @@ impl Topography {
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Surface> {
-        Ok(self.found(py, level, estimator, cutoff)?.surface().into())
+        Surface::of(Ok(self.found(py, level, estimator, cutoff)?.surface()))
     }
 
     fn __repr__(&self) -> String {
         let [dx, dy] = self.0.pixel_size();
         format!(
-            "<asperity.Topography of {} x {} points, {dx:e} x {dy:e} m apart, {:.1} % missing>",
+            "<asperity.Topography of {} x {} points, {dx:e} x {dy:e} m apart, {} % missing>",
             self.0.rows(),
             self.0.columns(),
-            100.0 * self.0.missing_share()
+            (1e5 * self.0.missing_share()).round() / 1e3
         )
     }
 }
 
 impl Topography {
-    /// What is to be taken away; that a periodic surface is tilted by it is said.
-    pub(crate) fn level(&self, py: Python<'_>, name: Option<&str>) -> PyResult<Option<Level>> {
+    /// The form that is taken away, with a warning where that tilts a periodic surface.
+    pub(crate) fn form(&self, py: Python<'_>, name: Option<&str>) -> PyResult<Option<Level>> {
         let level: Option<Level> = name.map(str::parse).transpose().map_err(value_error)?;
         let tilted = level.and_then(|level| level.tilts(self.0.is_periodic()));
-        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, 1))?;
+        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, 0))?;
         Ok(level)
     }
 
@@ -228,7 +227,7 @@ impl Topography {
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Statistics> {
-        let level = self.level(py, level)?;
+        let level = self.form(py, level)?;
         let statistics = || {
             let estimator = estimator.parse()?;
             let levelled = self.0.clone().levelled(level)?;

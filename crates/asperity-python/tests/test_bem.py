@@ -157,8 +157,16 @@ def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
         asperity.bem(scene, pressure=1e7, load=1.0)
     with pytest.raises(TypeError, match="interface is missing"):
         asperity.bem(scan(), pressure=1e7)
+    steel = asperity.Body(210e9, 0.3, hardness=2e9)
+    with pytest.raises(TypeError, match="^interface must be an Interface, not a Body"):
+        asperity.bem(scan(), interface=steel, pressure=1e7)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="^surface must be a Topography or a Scene, not a list"):
+        asperity.bem([[0.0]], interface=steel, pressure=1e7)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="interface was given beside a scene"):
         asperity.bem(scene, interface=STEEL, pressure=1e7)
+    texts = asperity.bem(scan(), interface=STEEL, pressure="10 MPa", maps=False)
+    plain = asperity.bem(scan(), interface=STEEL, pressure=1e7, maps=False)
+    assert texts.area_fraction == plain.area_fraction
     with pytest.raises(TypeError, match="pressure or load was required"):
         asperity.truth(scene)
     with pytest.raises(ValueError, match="less than the hardness, 2e9 Pa, was required"):

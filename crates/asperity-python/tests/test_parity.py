@@ -62,8 +62,8 @@ def test_two_surfaces_and_measured_heights_make_scenes(tmp_path: Path) -> None:
     measured.to_toml(path)
     again = asperity.Scene.from_toml(path)
     assert again == measured and (tmp_path / "measured.csv").exists()
-    with pytest.raises(ValueError, match="a path to write to was required"):
-        measured.to_toml()
+    # Without a path the table stands in the text.
+    assert asperity.Scene.parse(measured.to_toml()) == measured
 
 
 def test_scenes_are_written_with_plane_and_options(scene: asperity.Scene) -> None:
@@ -72,14 +72,22 @@ def test_scenes_are_written_with_plane_and_options(scene: asperity.Scene) -> Non
         scene.surface,
         scene.nominal_area,
         separation_from="surface-mean",
+        mean_plane_offset=2.5e-7,
         options={"at_reading": "additive"},
     )
-    assert asperity.Scene.parse(other.to_toml()) == other
+    again = asperity.Scene.parse(other.to_toml())
+    assert again == other and again.mean_plane_offset == 2.5e-7
+    ke = asperity.model("ke")
+    from_asperities = ke.solve(scene, 1.75e-6, separation_unit="m").force
+    from_surface = ke.solve(again, 2e-6, separation_unit="m").force
+    np.testing.assert_allclose(from_surface, from_asperities, rtol=1e-12)
     assert asperity.Scene.parse(scene.to_toml()) == scene
 
 
 def test_tables_for_solvers_are_those_of_the_library(scene: asperity.Scene) -> None:
     table = asperity.export("ke", scene, load=(1.0, 1e3), max_error=1e-4)
+    again = asperity.export("ke", scene, load=("1 N", "1 kN"), max_error=1e-4)
+    assert again.text == table.text
     assert table.pressure_error <= 1e-4 and (np.diff(table.clearance) > 0).all()
     curve = asperity.model("ke").solve(
         scene, table.clearance, ["pressure", "tangent"], separation_unit="m"

@@ -105,7 +105,7 @@ def test_what_is_no_surface_is_refused() -> None:
         asperity.Topography(HEIGHTS, 0.0, "um")
     with pytest.raises(ValueError, match="level is .cubic."):
         asperity.Topography(HEIGHTS, 1.0, "um").statistics(level="cubic")
-    with pytest.raises(TypeError, match="ndarray is no surface that is known"):
+    with pytest.raises(TypeError, match="ndarray is no surface of SurfaceTopography or surfalize: make"):
         asperity.topography(HEIGHTS)
 
 

@@ -252,7 +252,7 @@ def test_a_model_written_in_python(scene: asperity.Scene) -> None:
         ({"separation": (2.0, np.inf)}, "two finite numbers"),
         ({"separation": 1.0}, "no input has a distribution"),
         ({"separation": (0, 1), "asperity_radiu": 1.0}, "asperity_radiu is not an input"),
-        ({"separation": "1.0"}, "a text with its unit, was required"),
+        ({"separation": "1.0"}, "give a number, or a text with its unit"),
         ({"separation": [1.0, 2.0]}, "a distribution with a ppf"),
     ],
 )

@@ -98,6 +98,24 @@ def test_parts_that_are_gone_are_made_anew(
     whole(tmp_path, in_memory)
 
 
+@pytest.mark.parametrize("size", [0, 3, 1000, -100])
+def test_truncated_parts_are_named_and_made_anew(
+    size: int, scene: asperity.Scene, in_memory: asperity.SweepResult, tmp_path: Path
+) -> None:
+    result = swept(scene, tmp_path)
+    part = tmp_path / "part-00003.parquet"
+    whole_part = part.read_bytes()
+    part.write_bytes(whole_part[:size])
+    with pytest.raises(ValueError, match=r"23 of 24 parts, part-00003\.parquet is incomplete: call"):
+        asperity.read_sweep(tmp_path)
+    # The result of the sweep reads its parts when they are asked for.
+    with pytest.raises(ValueError, match=r"part-00003\.parquet is no whole part of a sweep: call"):
+        result.mean("force")
+    assert swept(scene, tmp_path).run.rows == PART
+    assert part.read_bytes() == whole_part
+    whole(tmp_path, in_memory)
+
+
 def test_folders_of_another_sweep_are_refused(scene: asperity.Scene, tmp_path: Path) -> None:
     swept(scene, tmp_path / "a")
     with pytest.raises(ValueError, match="holds another sweep: seed is 7 there and 8 here"):

@@ -24,7 +24,7 @@ pub use error::{Place, SceneError};
 pub use heights::write_heights;
 pub use mistaken::mistaken_unit;
 pub use options::{Asperities, ModelOptions, OptionValue};
-pub use quantity::quantity;
+pub use quantity::{quantity, unit_of};
 pub use scan::{height_map, open_seam};
 pub use scene_file::{LeftOut, SceneFile, load, parse};
 pub use template::{template, template_on};

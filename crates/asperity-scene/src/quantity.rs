@@ -129,6 +129,17 @@ fn units_of(section: &str, name: &str) -> Option<Units> {
     UNITS.into_iter().find(|(known, ..)| si(known))
 }
 
+/// The SI unit of a key of scene files, as [`quantity`] takes it; `None` for keys without a unit.
+///
+/// ```
+/// assert_eq!(asperity_scene::unit_of("youngs_modulus"), Some("Pa"));
+/// assert_eq!(asperity_scene::unit_of("poissons_ratio"), None);
+/// ```
+#[must_use]
+pub fn unit_of(key: &str) -> Option<&'static str> {
+    units_of("", key).map(|(si, ..)| si)
+}
+
 /// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m, 1/m^2, W/(m K) or ohm m), plain or with
 /// another unit of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
 ///

@@ -103,11 +103,10 @@ pub(crate) fn surface(
             let (m2, m4) = (needed("m2", keys.m2)?, needed("m4", keys.m4)?);
             Surface::from_moments(&ProfileMoments { m0, m2, m4 }).map_err(&refused)?
         }
-        // The peaks of ISO 25178 are the asperities: Spd is η, 1/Spc is R.
         3 => {
             let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
-            let spc = asperity::positive("spc", needed("spc", keys.spc)?).map_err(&refused)?;
-            Surface::from_surface_std(1.0 / spc, spd, sq).map_err(&refused)?
+            let spc = needed("spc", keys.spc)?;
+            Surface::from_iso25178(sq, spd, spc).map_err(&refused)?
         }
         _ => return measured(document, heights),
     };

@@ -63,6 +63,11 @@ impl Recommendation {
     }
 }
 
+/// A share in per cent, to three decimals.
+fn percent(share: f64) -> f64 {
+    (1e5 * share).round() / 1e3
+}
+
 /// The separation or load to four digits.
 fn short(at: At) -> At {
     let four = |x: f64| format!("{x:.3e}").parse().unwrap_or(x);
@@ -93,16 +98,13 @@ fn alike(
 
 impl fmt::Display for Recommendation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (within, reference) = (100.0 * self.within, self.reference.name());
+        let (within, reference) = (percent(self.within), self.reference.name());
         match &self.simplest {
             Some(simplest) => {
                 let simplest = simplest.name();
-                writeln!(
-                    f,
-                    "{simplest} is the simplest model within {within:.3} % of {reference}"
-                )?;
+                writeln!(f, "{simplest} is the simplest model within {within} % of {reference}")?;
             }
-            None => writeln!(f, "no model that holds is within {within:.3} % of {reference}")?,
+            None => writeln!(f, "no model that holds is within {within} % of {reference}")?,
         }
         self.summary().iter().try_for_each(|line| writeln!(f, "{line}"))?;
         let width =
@@ -112,7 +114,7 @@ impl fmt::Display for Recommendation {
             match deviations {
                 Ok(all) => {
                     for (quantity, deviation) in all {
-                        write!(f, " {quantity} {:.3} %", 100.0 * deviation)?;
+                        write!(f, " {quantity} {} %", percent(*deviation))?;
                     }
                     if let Some((area, spread)) = off.and_then(|o| o.area.zip(o.area_spread)) {
                         let [area, spread] = [area, spread].map(|x| 100.0 * x);

@@ -18,7 +18,7 @@ fn a_plan_says_what_is_integrated() {
 #[test]
 fn separations_that_look_like_metres_are_warned_of_and_skewness_is_reported() {
     let bench = Bench::new();
-    let question =
+    let warning =
         "is 1e-6 asperity_height_std: 1e-6 looks like metres; 1e-6 m is 1 asperity_height_std";
     for words in [
         "curve scene.toml --model ke --separation 1e-6",

@@ -131,6 +131,18 @@ impl Surface {
         Ok(Self { asperity_radius, asperity_density, asperity_height_std })
     }
 
+    /// From the parameters of ISO 25178 that instruments report: the standard deviation of the surface
+    /// heights Sq \[m\], the density of peaks Spd \[1/m²\] and their mean curvature Spc \[1/m\]. The peaks
+    /// are taken for the asperities: η = Spd, R = 1/Spc.
+    ///
+    /// # Errors
+    /// [`ContactError`] when an input is not positive; those of
+    /// [`from_surface_std`](Self::from_surface_std).
+    pub fn from_iso25178(sq: f64, spd: f64, spc: f64) -> Result<Self, ContactError> {
+        let (sq, spd) = (positive("sq", sq)?, positive("spd", spd)?);
+        Self::from_surface_std(1.0 / positive("spc", spc)?, spd, sq)
+    }
+
     /// The moments of the profiles of an isotropic Gaussian surface with these asperities: what
     /// [`from_moments`](Self::from_moments) inverts.
     #[must_use]

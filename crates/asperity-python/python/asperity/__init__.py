@@ -1,8 +1,8 @@
 """Rough surfaces in contact: force, real area and stiffness by published models.
 
-A scene is what is in contact, a model says how one asperity answers, and a curve is what comes
-back. Units are SI; separations are multiples of the standard deviation of the asperity heights,
-unless ``separation_unit="m"``; loads go wherever they go.
+A scene describes two bodies in contact, a model has the law of one asperity, and a curve holds the
+results. Units are SI, or those of texts as "2 kN"; separations are multiples of the standard deviation
+of the asperity heights, unless ``separation_unit="m"``. A load may stand in the place of a separation.
 
 >>> import asperity
 >>> steel = asperity.Body(210e9, 0.3, hardness=2e9)
@@ -22,11 +22,17 @@ from importlib.metadata import version as _version
 
 from asperity._advice import Plan, PlanStep, Recommendation, plan, recommend
 from asperity._asperity import (
+    Asperity,
+    Body,
     Contact,
     ContactWarning,
+    Interface,
     JointTable,
     NotConverged,
     PartialSlip,
+    Scene,
+    Surface,
+    Topography,
     Unloading,
     template,
 )
@@ -37,8 +43,8 @@ from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
-from asperity._scene import Asperity, Body, Interface, Scene, Scenes, Surface
-from asperity._surfaces import Topography, read, topography
+from asperity._scene import Scenes
+from asperity._surfaces import read, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")

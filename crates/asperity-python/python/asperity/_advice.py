@@ -1,4 +1,4 @@
-"""What a model does for a scene, and which model a scene needs."""
+"""The check of a scene, the plan of a request, and a comparison of models."""
 
 from __future__ import annotations
 
@@ -9,23 +9,24 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import Rows, place, quantity_names
+from asperity._asperity import Engine, Scene
+from asperity._check import Check
 from asperity._model import Model
-from asperity._scene import Scene
 
 
 @dataclass(frozen=True)
 class PlanStep:
     """One integral of a plan."""
 
-    #: Whose law is integrated: the force's for the tangent.
+    #: The integrated law: the force's for the tangent.
     law: str
-    #: The quantities that come of it.
+    #: The quantities it yields.
     quantities: tuple[str, ...]
-    #: How.
+    #: The method of integration.
     method: str
-    #: Terms of a value, the fewest and the most, where values are sums.
+    #: The fewest and the most terms of a value, where values are sums.
     terms: tuple[int, int] | None
-    #: How often the law was sampled for them.
+    #: Samples of the law.
     samples: int
 
 
@@ -44,7 +45,7 @@ class Plan:
 class Recommendation:
     """All models against a reference; ``print`` it."""
 
-    #: Id of the simplest model that is near enough and made for the scene there; None where none is.
+    #: Id of the simplest valid model within the deviation; None if there is none.
     simplest: str | None
     #: Id of the model that the others are compared with.
     reference: str
@@ -54,14 +55,13 @@ class Recommendation:
     deviations: dict[str, dict[str, float]]
     #: Why a model could not answer, by model.
     refused: dict[str, str]
-    #: What boundary elements on surfaces like this one say, or that there is no evidence here: a line
-    #: for each case that places are near to.
+    #: Evidence from boundary elements on surfaces like this one, or that there is none: a line for each
+    #: solved case near the places.
     evidence: str
-    #: Place by place, as ``off``; or why there is no evidence there.
+    #: The same as ``off`` place by place; or the reason why there is no evidence.
     evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]
-    #: How far models were from boundary elements there, relatively, and by how much one surface
-    #: differs from the next: area, area_spread, stiffness, stiffness_spread, by model; the farthest of
-    #: the places that have evidence.
+    #: Relative deviations of models from boundary elements, and the scatter between surfaces: area,
+    #: area_spread, stiffness, stiffness_spread, by model; the largest of all places with evidence.
     off: dict[str, dict[str, float | None]]
     text: str = field(repr=False)
 
@@ -84,7 +84,7 @@ def plan(
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
 ) -> Plan:
-    """What is integrated for a request, with how many terms, and what is left out.
+    """The integrals of a request, their terms and samples, and the regimes left out.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -125,11 +125,11 @@ def recommend(
     pressure: npt.ArrayLike | None = None,
     models: Sequence[str] | None = None,
 ) -> Recommendation:
-    """Models beside a reference, the simplest that stays within a relative deviation of it, and how far
-    each was from boundary elements on surfaces like this one.
+    """Deviations of models from a reference, the simplest model within a relative deviation, and the
+    deviations from boundary elements on surfaces like this one.
 
     The reference is ke, or gw where there is no hardness, unless one is named; ``within`` is a share,
-    0.05 for 5 %; ``models`` are those that are compared, all of them by default.
+    0.05 for 5 %; ``models`` are the ids to compare, by default all.
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
@@ -139,7 +139,7 @@ def recommend(
     'gw'
     """
     rows = Rows(scene, *place(separation, load, pressure, separation_unit))
-    against = _model(reference or scene._file.usual_reference())
+    against = _model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
     text, simplest, evidence, places, found = _asperity.recommend(
         against, rows, quantity_names(quantities), within, rtol, ids
@@ -155,3 +155,22 @@ def recommend(
         off={model: off for model, _, _, off in found if off is not None},
         text=text.rstrip("\n"),
     )
+
+
+def check(
+    scene: Scene,
+    model: str | Engine | None,
+    separation: float | str | None,
+    load: float | str | None,
+    pressure: float | str | None,
+    separation_unit: str,
+) -> Check:
+    """The result of ``Scene.check``."""
+    given = [number for number in (separation, load, pressure) if number is not None]
+    if len(given) > 1:
+        raise TypeError("at most one of separation, load and pressure was expected")
+    if not given:
+        return Check._of(*_asperity.check(scene))
+    axis, number = place(separation, load, pressure, separation_unit)
+    engine = model if isinstance(model, Engine) else Engine(model or scene._usual_reference(), {})
+    return Check._of(*_asperity.check(scene, (engine, axis, number)))

@@ -10,15 +10,15 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._asperity import Engine, NotConverged, SceneFile, floats
-from asperity._scene import Floats, Scene, Scenes
+from asperity._asperity import Engine, NotConverged, Scene, floats, in_si
+from asperity._scene import Floats, Scenes
 
 #: One scene, or many in any shape.
 SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]] | npt.NDArray[Any]
 Aspect: TypeAlias = Literal["value", "ln", "error"]
 Failures: TypeAlias = list[tuple[int, BaseException]]
 
-#: What numbers can stand for, with the head of their column.
+#: Meanings of numbers, with the head of their column.
 AXES = {
     "asperity_height_std": "separation",
     "m": "separation_m",
@@ -50,10 +50,11 @@ def checked_unit(separation_unit: str) -> str:
 def place(
     separation: Any, load: Any, pressure: Any, separation_unit: str, name: str = "separation"
 ) -> tuple[str, Any]:
-    """What was given of the three, and what its numbers stand for."""
+    """The one of the three that was given, and the meaning of its numbers."""
     unit = checked_unit(separation_unit)
-    if _has_text(separation):
-        separation, unit = in_si(separation, "m"), "m"
+    in_metres = in_si(separation, "m")
+    if in_metres is not separation:
+        separation, unit = in_metres, "m"
     given = {unit: separation, "load": in_si(load, "N"), "pressure": in_si(pressure, "Pa")}
     found = [(axis, numbers) for axis, numbers in given.items() if numbers is not None]
     if len(found) != 1:
@@ -61,51 +62,22 @@ def place(
     return found[0]
 
 
-def _has_text(numbers: Any) -> bool:
-    return isinstance(numbers, str) or (
-        isinstance(numbers, list | tuple) and any(isinstance(number, str) for number in numbers)
-    )
-
-
-def in_si(numbers: Any, si: str) -> Any:
-    """Texts with a unit, as "2 kN" or ["1 um", "2 um"], as numbers in SI; numbers as they are."""
-    if not _has_text(numbers):
-        return numbers
-    if not isinstance(numbers, str):
-        return [_with_unit(number, si) for number in numbers]
-    return _with_unit(numbers, si)
-
-
-def _with_unit(text: Any, si: str) -> float:
-    if not isinstance(text, str):
-        raise TypeError(f"{text!r} has no unit and others have: one for each was required")
-    try:
-        float(text)
-    except ValueError:
-        try:
-            return _asperity.quantity(text, si)
-        except ValueError as error:
-            raise TypeError(str(error)) from None
-    # A text without a unit is one by mistake only.
-    raise TypeError(f"{text!r} has no unit: a number, or a text with its unit, was required")
-
-
 def checked_errors(errors: str) -> str:
-    """What is done about rows that fail."""
+    """The treatment of rows that fail: "raise" or "mask"."""
     if errors not in ERRORS:
         raise ValueError(f"errors is {errors!r}: 'raise' or 'mask' was required")
     return errors
 
 
-def placed(words: str, error: BaseException) -> BaseException:
-    """A refusal that says where; an exception of the user's own as it is."""
+def placed(where: str, error: BaseException) -> BaseException:
+    """A refusal with its place; an exception of the user's own as it is."""
     if type(error) in (ValueError, NotConverged):
-        return type(error)(f"{words}{error}")
+        return type(error)(f"{where}{error}")
     return error
 
 
 def reason(error: BaseException) -> str:
-    """The words of a refusal; of an exception of the user's own, also its kind."""
+    """The message of a refusal; for an exception of the user's own, also its type."""
     if isinstance(error, ValueError | NotConverged):
         return str(error)
     return f"{type(error).__name__}: {error}"
@@ -118,7 +90,7 @@ class Rows:
     """
 
     def __init__(self, scenes: SceneLike, axis: str, numbers: npt.ArrayLike) -> None:
-        #: What the numbers stand for.
+        #: The meaning of the numbers.
         self.axis = axis
         name = axis if axis in LOADS else "separation"
         #: The numbers, in their own shape.
@@ -145,11 +117,11 @@ class Rows:
         return self.scenes if isinstance(self.scenes, Scene) else None
 
     @property
-    def files(self) -> list[SceneFile]:
+    def files(self) -> list[Scene]:
         """The scenes for the engine; the one that the others are like, where there are columns."""
         if isinstance(self.scenes, Scenes):
-            return [self.scenes._base._file]
-        return [scene._file for scene in np.asarray(self.scenes, dtype=object).ravel()]
+            return [self.scenes._base]
+        return list(np.asarray(self.scenes, dtype=object).ravel())
 
     @property
     def columns(self) -> dict[str, Floats]:
@@ -197,8 +169,8 @@ class Rows:
         """Why rows failed, by their place in the order of memory; or the first of it, raised."""
         for row, error in failures:
             if errors == "raise" or not isinstance(error, Exception):
-                words = "" if self.one is not None else f"scene {self.index[row]}: "
-                raise placed(words, error)
+                where = "" if self.one is not None else f"scene {self.index[row]}: "
+                raise placed(where, error)
         places = range(len(self.numbers)) if self._kept is None else np.flatnonzero(self._kept)
         return {int(places[row]): reason(error) for row, error in failures}
 

@@ -1,49 +1,57 @@
-"""The compiled part: what the package is made of."""
+"""The compiled part of the package. Its attributes are read-only: Final."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike
-from typing import Any, Literal, SupportsFloat, SupportsIndex, TypeAlias, final, overload
+from typing import (
+    Any,
+    ClassVar,
+    Final,
+    Literal,
+    SupportsFloat,
+    SupportsIndex,
+    TypeAlias,
+    final,
+    overload,
+)
 
 import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
+from asperity._check import Check
+from asperity._scene import Scenes
+
 __all__ = [
+    "Asperity",
+    "Body",
     "Contact",
     "ContactWarning",
     "Engine",
+    "Interface",
     "JointTable",
     "NotConverged",
     "PartialSlip",
-    "SceneFile",
+    "Scene",
+    "Surface",
     "Topography",
     "Unloading",
     "answer",
     "bem",
     "check",
-    "check_inputs",
-    "checked_body",
-    "checked_interface",
-    "checked_surface",
     "contact_table",
     "correlated",
-    "critical_of",
     "findings",
     "floats",
     "gap_conductance",
-    "interface_of",
+    "in_si",
+    "inputs_in_si",
     "model_ids",
     "plan",
     "pull_off",
     "quantities",
-    "quantity",
     "recommend",
-    "roughness_of",
     "separations",
     "shares",
-    "surface_from_moments",
-    "surface_from_plasticity_index",
-    "surface_from_std",
     "svg",
     "template",
     "truth",
@@ -52,8 +60,7 @@ __all__ = [
 _Floats: TypeAlias = npt.NDArray[np.float64]
 _Float: TypeAlias = SupportsFloat | SupportsIndex
 _Spacing: TypeAlias = _Float | tuple[_Float, _Float]
-# A dataclass of the package, and its fields by their names.
-_Data: TypeAlias = Any
+# Fields by their names.
 _Fields: TypeAlias = dict[str, Any]
 # What a Rows of the package has.
 _Rows: TypeAlias = Any
@@ -63,44 +70,167 @@ _Failures: TypeAlias = list[tuple[int, BaseException]]
 class NotConverged(RuntimeError): ...
 class ContactWarning(UserWarning): ...
 
-def checked_body(body: _Data) -> _Fields: ...
-def checked_interface(interface: _Data) -> _Fields: ...
-def checked_surface(surface: _Data) -> _Fields: ...
-def interface_of(first: _Data, second: _Data | None) -> _Fields: ...
-def surface_from_plasticity_index(
-    index: _Float, parameter: _Float, height_std: _Float, interface: _Data
-) -> _Fields: ...
-def surface_from_moments(m0: _Float, m2: _Float, m4: _Float) -> _Fields: ...
-def surface_from_std(radius: _Float, density: _Float, std: _Float) -> _Fields: ...
-def roughness_of(surface: _Data) -> tuple[float, float]: ...
-def critical_of(one: _Data) -> tuple[float, float]: ...
+_Number: TypeAlias = _Float | str
+_Heights: TypeAlias = str | Mapping[str, float] | tuple[npt.ArrayLike, npt.ArrayLike]
+_Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
 
 @final
-class SceneFile:
-    def __new__(cls, fields: _Data) -> SceneFile: ...
+class Body:
+    def __new__(
+        cls,
+        youngs_modulus: _Number,
+        poissons_ratio: _Float,
+        hardness: _Number | None = None,
+        yield_strength: _Number | None = None,
+        thermal_conductivity: _Number | None = None,
+        electrical_resistivity: _Number | None = None,
+    ) -> Body: ...
+    youngs_modulus: Final[float]
+    poissons_ratio: Final[float]
+    hardness: Final[float | None]
+    yield_strength: Final[float | None]
+    thermal_conductivity: Final[float | None]
+    electrical_resistivity: Final[float | None]
+    def replace(self, **numbers: _Number | None) -> Body: ...
+
+@final
+class Interface:
+    def __new__(
+        cls,
+        equivalent_modulus: _Number,
+        poissons_ratio: _Float,
+        hardness: _Number | None = None,
+        yield_strength: _Number | None = None,
+        equivalent_shear_modulus: _Number | None = None,
+        pressure_factor: _Float | None = None,
+        thermal_conductivity: _Number | None = None,
+        electrical_resistivity: _Number | None = None,
+        work_of_adhesion: _Number | None = None,
+    ) -> Interface: ...
     @staticmethod
-    def load(path: str | PathLike[str]) -> SceneFile: ...
+    def between(
+        first: Body, second: Body, *, work_of_adhesion: _Number | None = None
+    ) -> Interface: ...
     @staticmethod
-    def parse(text: str, directory: str | PathLike[str]) -> SceneFile: ...
-    def replace(self, numbers: Mapping[str, _Float]) -> SceneFile: ...
-    def fields(self) -> _Fields: ...
-    def asperity(self) -> _Fields: ...
-    def asperities(self) -> float: ...
-    def plasticity_index(self) -> float: ...
-    def usual_reference(self) -> str: ...
+    def against_rigid(body: Body, *, work_of_adhesion: _Number | None = None) -> Interface: ...
+    equivalent_modulus: Final[float]
+    poissons_ratio: Final[float]
+    hardness: Final[float | None]
+    yield_strength: Final[float | None]
+    equivalent_shear_modulus: Final[float | None]
+    pressure_factor: Final[float | None]
+    thermal_conductivity: Final[float | None]
+    electrical_resistivity: Final[float | None]
+    work_of_adhesion: Final[float | None]
+    def replace(self, **numbers: _Number | None) -> Interface: ...
+
+@final
+class Surface:
+    def __new__(
+        cls, asperity_radius: _Number, asperity_density: _Number, asperity_height_std: _Number
+    ) -> Surface: ...
+    @staticmethod
+    def from_plasticity_index(
+        plasticity_index: _Float,
+        roughness_parameter: _Float,
+        asperity_height_std: _Number,
+        interface: Interface,
+    ) -> Surface: ...
+    @staticmethod
+    def from_moments(m0: _Number, m2: _Float, m4: _Number) -> Surface: ...
+    @staticmethod
+    def from_iso25178(sq: _Number, spd: _Number, spc: _Number) -> Surface: ...
+    @staticmethod
+    def from_surface_std(
+        asperity_radius: _Number, asperity_density: _Number, surface_height_std: _Number
+    ) -> Surface: ...
+    asperity_radius: Final[float]
+    asperity_density: Final[float]
+    asperity_height_std: Final[float]
+    roughness_parameter: Final[float]
+    mean_plane_offset: Final[float]
+    def replace(self, **numbers: _Number) -> Surface: ...
+
+@final
+class Asperity:
+    def __new__(
+        cls,
+        equivalent_modulus: _Number,
+        equivalent_shear_modulus: _Number | None,
+        poissons_ratio: _Float,
+        hardness: _Number | None,
+        yield_strength: _Number | None,
+        pressure_factor: _Float,
+        radius: _Float,
+        work_of_adhesion: _Number | None = None,
+    ) -> Asperity: ...
+    equivalent_modulus: Final[float]
+    equivalent_shear_modulus: Final[float | None]
+    poissons_ratio: Final[float]
+    hardness: Final[float | None]
+    yield_strength: Final[float | None]
+    pressure_factor: Final[float]
+    radius: Final[float]
+    work_of_adhesion: Final[float | None]
+    critical_interference: Final[float]
+    critical_force: Final[float]
+    def replace(self, **numbers: _Number | None) -> Asperity: ...
+
+@final
+class Scene:
+    def __new__(
+        cls,
+        interface: Interface,
+        surface: Surface,
+        nominal_area: _Number,
+        heights: _Heights = "gaussian",
+        separation_from: Literal["asperity-mean", "surface-mean"] = "asperity-mean",
+        mean_plane_offset: _Number | None = None,
+        options: _Options | None = None,
+    ) -> Scene: ...
+    @staticmethod
+    def from_toml(path: str | PathLike[str]) -> Scene: ...
+    @staticmethod
+    def parse(text: str, directory: str | PathLike[str] = ".") -> Scene: ...
+    interface: Final[Interface]
+    surface: Final[Surface]
+    nominal_area: Final[float]
+    heights: Final[_Heights]
+    separation_from: Final[Literal["asperity-mean", "surface-mean"]]
+    mean_plane_offset: Final[float | None]
+    options: Final[dict[str, str | float | dict[str, float]]]
+    def replace(self, **numbers: _Number) -> Scene: ...
+    def vary(self, **columns: npt.ArrayLike) -> Scenes: ...
+    asperity: Final[Asperity]
+    asperities: Final[float]
+    plasticity_index: Final[float]
     def models(self) -> list[str]: ...
-    def to_toml(self, heights_file: str | None, comments: Sequence[str]) -> str: ...
+    def to_toml(self, path: str | PathLike[str] | None = None) -> str: ...
+    def check(
+        self,
+        model: str | Engine | None = None,
+        separation: float | str | None = None,
+        *,
+        load: float | str | None = None,
+        pressure: float | str | None = None,
+        separation_unit: str = "asperity_height_std",
+    ) -> Check: ...
+    def _fields(self) -> _Fields: ...
+    def _usual_reference(self) -> str: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def check(
-    scene: SceneFile, asked: tuple[Engine, str, _Float] | None = None
+    scene: Scene, asked: tuple[Engine, str, _Float] | None = None
 ) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
 def findings(engine: Engine, rows: _Rows) -> list[str]: ...
 def pull_off(
-    engine: Engine, scene: SceneFile, rtol: _Float, unit: str
+    engine: Engine, scene: Scene, rtol: _Float, unit: str
 ) -> tuple[float, float] | None: ...
-def quantity(text: str, si: str) -> float: ...
+def in_si(numbers: Any, si: str) -> Any: ...
+def inputs_in_si(given: dict[str, Any]) -> dict[str, Any]: ...
 def correlated(
-    name: str, scene: SceneFile, pressures: _Floats
+    name: str, scene: Scene, pressures: _Floats
 ) -> tuple[tuple[list[float], list[float], list[bool]], list[float], float | None]: ...
 def gap_conductance(conductivity: _Float, gap: _Float, gas_parameter: _Float) -> float: ...
 def svg(
@@ -108,62 +238,58 @@ def svg(
 ) -> str: ...
 def contact_table(
     engine: Engine,
-    scene: SceneFile,
+    scene: Scene,
     ends: tuple[str, _Float, _Float],
     spacing: tuple[int, _Float | None, _Float],
     form: tuple[str, str],
     beside: tuple[str | None, _Float | None],
 ) -> tuple[list[float], list[float], list[float], float, float, str]: ...
 
-@disjoint_base
+@final
 class Topography:
     def __new__(
         cls, heights: npt.ArrayLike, dx: _Spacing, unit: str, periodic: bool = False
     ) -> Topography: ...
-    @classmethod
+    @staticmethod
     def read(
-        cls,
         path: str | PathLike[str],
         unit: str | None = None,
         pixel_size: _Spacing | None = None,
         max_missing: _Float = 0.1,
-    ) -> Any: ...
-    @property
-    def shape(self) -> tuple[int, int]: ...
-    @property
-    def pixel_size(self) -> tuple[float, float]: ...
-    @property
-    def missing_share(self) -> float: ...
-    @property
-    def heights(self) -> _Floats: ...
+    ) -> Topography: ...
+    shape: Final[tuple[int, int]]
+    pixel_size: Final[tuple[float, float]]
+    missing_share: Final[float]
+    heights: Final[_Floats]
+    periodic: Final[bool]
     def statistics(
         self, level: str | None = None, estimator: str = "moments", cutoff: _Float | None = None
     ) -> dict[str, float]: ...
-    @property
-    def periodic(self) -> bool: ...
-    def _filled(self) -> Topography: ...
-    def _levelled(self, level: str | None) -> Topography: ...
-    def _filtered(self, cutoff: _Float) -> Topography: ...
-    def _smoothed(self, cutoff: _Float) -> Topography: ...
-    def _summit_density(self) -> tuple[list[float], list[float]]: ...
-    def _against(self, other: Topography) -> _Fields: ...
-    def _surface(self, level: str | None, estimator: str, cutoff: _Float | None) -> _Fields: ...
+    def surface(
+        self, level: str | None = None, estimator: str = "moments", cutoff: _Float | None = None
+    ) -> Surface: ...
+    def against(self, other: Topography) -> Surface: ...
+    def level(self, form: str | None = None) -> Topography: ...
+    def fill(self) -> Topography: ...
+    def filter(self, cutoff: _Float) -> Topography: ...
+    def smooth(self, cutoff: _Float) -> Topography: ...
+    def summit_density(self) -> tuple[tuple[float, ...], tuple[float, ...]]: ...
 
 @disjoint_base
 class Engine:
     def __new__(cls, model: str | Callable[..., Any], options: Mapping[str, Any]) -> Self: ...
-    def _source(self, scene: SceneFile | None = None) -> tuple[str, str, _Fields, list[str]]: ...
+    def _source(self, scene: Scene | None = None) -> tuple[str, str, _Fields, list[str]]: ...
     def _law(
-        self, scene: SceneFile, quantity: str, interferences: _Floats, rtol: _Float
+        self, scene: Scene, quantity: str, interferences: _Floats, rtol: _Float
     ) -> _Floats: ...
-    def _check(self, scene: SceneFile) -> list[str]: ...
+    def _check(self, scene: Scene) -> list[str]: ...
 
 @final
 class Contact:
     def __new__(
         cls,
         model: Engine,
-        scene: _Data,
+        scene: Scene,
         quantities: Sequence[str],
         rtol: _Float,
         separation_unit: str,
@@ -184,24 +310,18 @@ class Contact:
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
     ) -> Any: ...
-    @property
-    def model(self) -> str: ...
-    @property
-    def scene(self) -> Any: ...
-    @property
-    def quantities(self) -> tuple[str, ...]: ...
-    @property
-    def rtol(self) -> float: ...
-    @property
-    def separation_unit(self) -> str: ...
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    model: Final[str]
+    scene: Final[Scene]
+    quantities: Final[tuple[str, ...]]
+    rtol: Final[float]
+    separation_unit: Final[str]
 
 @final
 class Unloading:
     def __new__(
         cls,
         model: Engine,
-        scene: _Data,
+        scene: Scene,
         place: tuple[str, _Float],
         law: str,
         rtol: _Float,
@@ -231,24 +351,18 @@ class Unloading:
     def loss_factor(self) -> float: ...
     def dissipated(self) -> float: ...
     def slip(self, friction: _Float) -> PartialSlip: ...
-    @property
-    def closest(self) -> float: ...
-    @property
-    def law(self) -> str: ...
-    @property
-    def scene(self) -> Any: ...
-    @property
-    def rtol(self) -> float: ...
-    @property
-    def separation_unit(self) -> str: ...
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    closest: Final[float]
+    law: Final[str]
+    scene: Final[Scene]
+    rtol: Final[float]
+    separation_unit: Final[str]
 
 @final
 class JointTable:
     def __new__(
         cls,
         model: Engine,
-        scene: _Data,
+        scene: Scene,
         ends: tuple[_Float, _Float],
         law: str,
         tolerance: _Float,
@@ -256,17 +370,11 @@ class JointTable:
     ) -> JointTable: ...
     def step(self, separation: _Float, closest: _Float = ...) -> tuple[float, float, float]: ...
     def history(self, separation: npt.ArrayLike) -> tuple[_Floats, _Floats]: ...
-    @property
-    def ends(self) -> tuple[float, float]: ...
-    @property
-    def law(self) -> str: ...
-    @property
-    def scene(self) -> Any: ...
-    @property
-    def tolerance(self) -> float: ...
-    @property
-    def separation_unit(self) -> str: ...
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    ends: Final[tuple[float, float]]
+    law: Final[str]
+    scene: Final[Scene]
+    tolerance: Final[float]
+    separation_unit: Final[str]
 
 @final
 class PartialSlip:
@@ -292,11 +400,8 @@ class PartialSlip:
     @overload
     def loss_factor(self, amplitude: npt.ArrayLike) -> _Floats: ...
     def shift_at(self, share: _Float = 0.99) -> float: ...
-    @property
-    def unloading(self) -> Unloading: ...
-    @property
-    def friction(self) -> float: ...
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    unloading: Final[Unloading]
+    friction: Final[float]
 
 def answer(
     engine: Engine,
@@ -332,7 +437,7 @@ def recommend(
     list[tuple[str, list[tuple[str, float]], str | None, dict[str, float | None] | None]],
 ]: ...
 def bem(
-    scan: object,
+    scan: tuple[Topography | Scene, Interface | None, str | None],
     given: str,
     values: Sequence[_Float],
     elastic: bool,
@@ -342,7 +447,7 @@ def bem(
     dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str]
 ]: ...
 def truth(
-    file: SceneFile,
+    scene: Scene,
     pressures: Sequence[_Float],
     elastic: bool,
     boundary: str,
@@ -352,7 +457,6 @@ def truth(
     list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str]
 ]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
-def check_inputs(names: Sequence[str]) -> None: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...

@@ -1,4 +1,4 @@
-"""Boundary elements on a scan: pixel by pixel, and the models beside them."""
+"""Boundary elements on a scan, and models compared with them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import checked_errors
-from asperity._scene import Floats, Interface, Scene
-from asperity._surfaces import Topography
+from asperity._arguments import checked_errors, place
+from asperity._asperity import Interface, Scene, Topography, in_si
+from asperity._scene import Floats
 
 Boundary = Literal["periodic", "free"]
 
@@ -41,7 +41,7 @@ class BemContacts:
     patches: npt.NDArray[np.int64]
     #: Iterations.
     iterations: npt.NDArray[np.int64]
-    #: What is left of the complementarity, relative.
+    #: Relative residual of the complementarity.
     residual: Floats
     #: Pressures of the pixels [Pa]; None where they were not kept.
     pressures: Floats | None
@@ -55,7 +55,7 @@ class BemContacts:
 
 
 class TruthRow(TypedDict):
-    """One model at one pressure, beside boundary elements."""
+    """One model at one pressure, compared with boundary elements."""
 
     pressure: float
     model: str
@@ -70,9 +70,9 @@ class TruthRow(TypedDict):
 class TruthRows(list[TruthRow]):
     """Rows of ``truth``."""
 
-    #: Which models were nearest to boundary elements, in a sentence; None where none was asked.
+    #: The models nearest to boundary elements, in a sentence; None if none was compared.
     nearest: str | None = None
-    #: What a model lacks that has no row, or blanks in it, by model.
+    #: Why a model has no row, or blanks in it, by model.
     refused: Mapping[str, str] = MappingProxyType({})
     #: Why pressures have no rows, where ``errors="mask"``: by their place.
     failures: Mapping[int, str] = MappingProxyType({})
@@ -96,26 +96,25 @@ def bem(
     Parameters
     ----------
     surface : Topography or Scene
-        A scan; or a scene, read from a file that names one ([surface] file = ...), levelled and
-        filtered as it says.
+        A scan; or a scene whose file names a scan ([surface] file = ...), levelled and filtered as
+        the file requires.
     pressure, load, gap : array_like
         One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or on the
         scan, or mean gaps [m].
     interface : Interface
         The two bodies; for a Topography, which has none.
     level : "plane", "quadratic", "mean" or "none"
-        What is taken from a Topography before; unless given the plane, of a periodic one the mean.
+        The form taken from a Topography first; by default the plane, for a periodic one the mean.
     elastic : bool
-        No hardness: pressures may grow without end.
+        No hardness: pressures are unlimited.
     boundary : "periodic" or "free"
-        What lies beyond the edges: the scan again, whose seam is taken out (with a warning) where
-        edges do not meet; or nothing.
+        Whether the scan is repeated beyond its edges, or ends there. Where the edges of a repeated
+        scan do not match, its periodic component is used, with a warning.
     maps : bool
-        Whether the maps of pressures and gaps are kept, 16 bytes a pixel and contact.
+        Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"
-        What happens when a contact cannot be, as at a pressure above the hardness: the first is
-        raised, and the others with it; or they are solved, its own numbers are masked, and
-        ``BemContacts.failures`` has the reasons.
+        Whether a contact without a solution, as at a pressure above the hardness, raises; or its
+        numbers are masked, the others are solved, and ``BemContacts.failures`` has the reasons.
 
     Examples
     --------
@@ -127,24 +126,15 @@ def bem(
     >>> contacts.pressures.shape, contacts.area_fraction.round(3), contacts.patches
     ((2, 192, 192), array([0.021, 0.126]), array([72, 72]))
     """
-    given = {"pressure": pressure, "load": load, "gap": gap}
+    given = {"pressure": in_si(pressure, "Pa"), "load": in_si(load, "N"), "gap": in_si(gap, "m")}
     named = [(name, value) for name, value in given.items() if value is not None]
     if len(named) != 1:
         raise TypeError(f"{len(named)} of pressure, load and gap were given: one was required")
     ((name, value),) = named
-    scan: object
-    if isinstance(surface, Scene):
-        if interface is not None:
-            raise TypeError("interface was given beside a scene, which has its own")
-        scan = surface._file
-    elif interface is None:
-        raise TypeError("interface is missing: a Topography has none, pass an asperity.Interface")
-    else:
-        scan = surface, interface, level
     values = _asperity.floats(value, name)
     mask = checked_errors(errors) == "mask"
     numbers, kept, (rows, columns), failures = _asperity.bem(
-        scan, name, values.ravel().tolist(), elastic, boundary, (maps, mask)
+        (surface, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
     )
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
@@ -153,7 +143,7 @@ def bem(
 
     contacts: dict[str, Any] = {name: shaped(array) for name, array in numbers.items()}
     for count in ("patches", "iterations"):
-        # What is masked is no number, and no whole one.
+        # NaN is no integer.
         counts = np.nan_to_num(numbers[count].reshape(values.shape)).astype(np.int64)
         missing = np.ma.getmask(contacts[count])
         contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
@@ -172,29 +162,28 @@ def truth(
     refine: bool = False,
     errors: str = "raise",
 ) -> TruthRows:
-    """Which model holds on this scan: each beside boundary elements on it.
+    """Models compared with boundary elements on a scan.
 
-    The scene is read from a file that names a scan ([surface] file = ...). For every pressure
-    there is a row of "bem" and one of every model: all that the scene allows, or those that are
-    named. Deviations are relative to bem; of the mean gap, over the rms height of the scan. What a
-    model cannot give is None, with a warning, and so are all numbers of one that would need more
-    area than there is, or more pressure on it than 1.5 times the hardness. ``rows.refused`` says
-    why, also of models that the scene does not allow. ``pandas.DataFrame(rows)`` makes a table of
-    it, ``print(rows.nearest)`` says which models were nearest, and with ``refine`` the rows
-    "bem-half-grid" say how far the answer depends on the grid. A pressure that cannot be solved is
-    raised, or, with ``errors="mask"``, has no rows but a reason in ``rows.failures``.
+    The file of the scene names a scan ([surface] file = ...). Every pressure has a row for "bem" and
+    one for every model: all that the scene allows, or the named ones. Deviations are relative to
+    bem; that of the mean gap is over the rms height of the scan. A quantity that a model lacks is
+    None, with a warning, and so are all numbers of a model that needs more than the nominal area, or
+    a pressure above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that
+    the scene does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the
+    nearest models, and with ``refine`` the rows "bem-half-grid" show the effect of the grid. A
+    pressure without a solution raises or, with ``errors="mask"``, has no rows and a reason in
+    ``rows.failures``.
     """
     if (pressure is None) == (load is None):
         raise TypeError("pressure or load was required, and not both")
-    name, value = ("load", load) if pressure is None else ("pressure", pressure)
-    assert value is not None
+    name, value = place(None, load, pressure, "m")
     pressures = _asperity.floats(value, name).ravel()
     if name == "load":
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
     mask = checked_errors(errors) == "mask"
-    found, told, refused, failures = _asperity.truth(
-        scene._file, pressures.tolist(), elastic, boundary, ids, (refine, mask)
+    found, nearest, refused, failures = _asperity.truth(
+        scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
     rows = TruthRows(
         TruthRow(
@@ -209,5 +198,5 @@ def truth(
         )
         for at, model, state, deviation in found
     )
-    rows.nearest, rows.refused, rows.failures = told, refused, failures
+    rows.nearest, rows.refused, rows.failures = nearest, refused, failures
     return rows

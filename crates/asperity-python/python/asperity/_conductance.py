@@ -1,4 +1,4 @@
-"""The correlations of thermal contact conductance that people know."""
+"""Correlations of thermal contact conductance, and the conductance of a gas."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import in_si, place
-from asperity._asperity import ContactWarning, floats
-from asperity._scene import Floats, Scene
+from asperity._arguments import place
+from asperity._asperity import ContactWarning, Scene, floats, in_si
+from asperity._scene import Floats
 
 
 @dataclass(frozen=True)
 class Correlated:
-    """What a correlation says, in the shape of the pressures."""
+    """Values of a correlation, in the shape of the pressures."""
 
     #: Thermal conductance over the nominal area [W/(m^2 K)].
     conductance: Floats
-    #: p/H ("cmy"), or sqrt(2) p/(E m) ("mikic"): what it is a power of.
+    #: p/H ("cmy"), or sqrt(2) p/(E m) ("mikic"): the argument of the power law.
     relative_pressure: Floats
     #: Whether the power is within 2.1 % of the theory that it was fitted to.
     holds: npt.NDArray[np.bool_]
@@ -39,7 +39,7 @@ def correlated_conductance(
     "cmy" is Cooper, Mikic & Yovanovich 1969, for contacts that yield; "mikic" Mikic 1974, for
     elastic ones. Both are of nominally flat rough surfaces in vacuum, and take heights and slopes of
     the scan or, without one, of a Gaussian surface with the scene's asperities. The interface needs
-    a ``thermal_conductivity``; a warning says where the correlation does not hold.
+    a ``thermal_conductivity``; a warning names pressures where the correlation does not hold.
 
     >>> import asperity
     >>> steel = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
@@ -52,19 +52,19 @@ def correlated_conductance(
     numbers = floats(given, axis)
     pressures = numbers / scene.nominal_area if axis == "load" else numbers
     columns, (first, last), foreign = _asperity.correlated(
-        correlation, scene._file, pressures.ravel()
+        correlation, scene, pressures.ravel()
     )
     conductance, relative, holds = (np.array(c).reshape(numbers.shape) for c in columns)
     if foreign is not None and holds.size:
         side = "1 and more" if correlation == "cmy" else "less than 1"
-        words = f"{correlation}: plasticity_index is {foreign:.3g}: it is for contacts of {side}"
-        warnings.warn(words, ContactWarning, stacklevel=2)
+        message = f"{correlation}: plasticity_index is {foreign:.3g}: it is for contacts of {side}"
+        warnings.warn(message, ContactWarning, stacklevel=2)
     elif not holds.all():
         worst = relative[~holds].ravel()[0]
-        words = (
+        message = (
             f"{correlation}: relative pressure is {worst:.4g}: it holds from {first:g} to {last:g}"
         )
-        warnings.warn(words, ContactWarning, stacklevel=2)
+        warnings.warn(message, ContactWarning, stacklevel=2)
     return Correlated(conductance, relative, holds)
 
 
@@ -72,9 +72,10 @@ def gap_conductance(
     conductivity: float, gap: float | str, gas_parameter: float | str = 0.0
 ) -> float:
     """Conductance over the nominal area [W/(m^2 K)] of a gas beside the contacts: its conductivity
-    [W/(m K)] over the mean gap and its gas parameter [m], the jump of temperature at the walls.
+    [W/(m K)] over the sum of the mean gap and the gas parameter [m], its temperature-jump distance
+    (about 0.37 um for air at 1 bar).
 
-    The mean gap is the separation from the mean plane of the surface; lengths may say their unit.
+    The mean gap is the separation from the mean plane of the surface; lengths may be texts with a unit.
 
     >>> import asperity
     >>> round(asperity.gap_conductance(0.026, "3 um", "0.37 um"), 1)

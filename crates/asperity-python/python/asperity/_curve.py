@@ -1,4 +1,4 @@
-"""What comes back from a model."""
+"""Results of a model."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class Curve:
 
     @property
     def quantities(self) -> tuple[str, ...]:
-        """What was asked for."""
+        """The requested quantities."""
         return tuple(self._columns)
 
     @property
@@ -78,8 +78,8 @@ class Curve:
 
     @property
     def separation(self) -> Floats:
-        """The separations as they were asked for; under loads, those that carry them, in the shape
-        of the curve, the largest where there are several."""
+        """The separations as they were given; under loads, those that carry them, in the shape of the
+        curve, the largest where there are several."""
         rows = self._rows
         if rows.axis == self.separation_unit:
             return rows.given

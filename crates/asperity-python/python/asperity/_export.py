@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from asperity import _asperity
 from asperity._advice import _model
-from asperity._arguments import checked_unit
+from asperity._arguments import place
+from asperity._asperity import Scene
 from asperity._model import Model
-from asperity._scene import Floats, Scene
+from asperity._scene import Floats
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class ContactTable:
     #: Largest relative errors between the nodes.
     pressure_error: float
     tangent_error: float
-    #: In the words of the code.
+    #: The input of the code.
     text: str = field(repr=False)
 
     def __str__(self) -> str:
@@ -39,9 +39,9 @@ def export(
     scene: Scene,
     format: str = "csv",
     *,
-    separation: tuple[float, float] | None = None,
-    load: tuple[float, float] | None = None,
-    pressure: tuple[float, float] | None = None,
+    separation: tuple[float, float] | tuple[str, str] | None = None,
+    load: tuple[float, float] | tuple[str, str] | None = None,
+    pressure: tuple[float, float] | tuple[str, str] | None = None,
     nodes: int | None = None,
     max_error: float | None = None,
     separation_unit: str = "asperity_height_std",
@@ -69,21 +69,14 @@ def export(
     >>> table.text.splitlines()[-2:]
     ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
     """
-    places: Mapping[str, tuple[float, float] | None] = {
-        checked_unit(separation_unit): separation,
-        "load": load,
-        "pressure": pressure,
-    }
-    given = [(axis, ends) for axis, ends in places.items() if ends is not None]
-    if len(given) != 1:
-        raise TypeError("exactly one of separation, load and pressure was required")
+    axis, (first, last) = place(separation, load, pressure, separation_unit)
     if nodes is None and max_error is None:
         raise TypeError("nodes or max_error was required")
-    (axis, (first, last)), count = given[0], 2 if nodes is None else nodes
+    count = 2 if nodes is None else nodes
     ends = axis, float(first), float(last)
     spacing, form = (count, max_error, rtol), (format, units)
     beside = conductance, None if friction is None else float(friction)
-    found = _asperity.contact_table(_model(model), scene._file, ends, spacing, form, beside)
+    found = _asperity.contact_table(_model(model), scene, ends, spacing, form, beside)
     clearance, pressures, tangent, pressure_error, tangent_error, text = found
     columns = np.array(clearance), np.array(pressures), np.array(tangent)
     return ContactTable(*columns, pressure_error, tangent_error, text)

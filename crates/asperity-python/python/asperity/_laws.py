@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from asperity._scene import Asperity, Floats
+from asperity._asperity import Asperity
+from asperity._scene import Floats
 
 
 class AsperityLaws(Protocol):
-    """What a model written in Python must offer: the laws of one asperity.
+    """The laws of one asperity: the protocol of a model written in Python.
 
     The class is called with an ``Asperity``. ``w`` is an array of interferences in metres, all
     above 0; forces come back in N, areas in m^2, one for each.
@@ -24,10 +24,10 @@ class AsperityLaws(Protocol):
     class ``name``, and ``force_monotone = False`` where the force may fall as ``w`` grows:
     ``Model.check`` reports a force that falls otherwise.
 
-    Say every kink that you know. Where one is not said, values mostly keep the tolerance and only
-    cost more time; but the points at which a law is sampled may hide a jump, a kink or a cusp from
-    the bounds of ``Curve.error``, which are then too small, and the error may exceed the tolerance.
-    ``Model.check`` finds most of those that were forgotten.
+    Declare every kink. Values with an undeclared kink mostly keep the tolerance and only take more
+    time; but a jump, kink or cusp between the sampled interferences escapes the bounds of
+    ``Curve.error``, which are then too small, and the error may exceed the tolerance.
+    ``Model.check`` finds most undeclared kinks.
     """
 
     def force(self, w: Floats, /) -> npt.ArrayLike:
@@ -55,9 +55,9 @@ class Laws:
         self.own_stiffness = hasattr(made_for, "stiffness")
         self.force_monotone = bool(getattr(made_for, "force_monotone", True))
 
-    def __call__(self, one: Mapping[str, Any], quantity: str) -> tuple[Law, list[float], list[str]]:
+    def __call__(self, one: Asperity, quantity: str) -> tuple[Law, list[float], list[str]]:
         """The law of an asperity, its kinks [m], ascending, and names of the ranges they bound."""
-        laws = self.made_for(Asperity(**one))
+        laws = self.made_for(one)
         kinks: Any = getattr(laws, "kinks", None)
         kinks = kinks() if callable(kinks) else kinks
         kinks = kinks.get(quantity) if isinstance(kinks, Mapping) else kinks
@@ -71,16 +71,15 @@ class Laws:
         return self._checked(getattr(laws, quantity), quantity), within, regimes
 
     def findings(self, one: Asperity) -> list[str]:
-        """What laws say to more than one interference at a time, where they refuse: the engine asks
-        no other way."""
+        """Exceptions of the laws for an array of interferences: the engine passes arrays only."""
         found = []
         for quantity in ("force", "area", "stiffness")[: 2 + self.own_stiffness]:
             try:
-                law, _, _ = self(asdict(one), quantity)
+                law, _, _ = self(one, quantity)
                 law(one.radius * np.array([1e-6, 1e-4, 1e-2]))
             except Exception as error:
-                words = f"{type(error).__name__}: {error}"
-                found.append(f"{quantity}: {words}; a law is called with an array of interferences")
+                raised = f"{type(error).__name__}: {error}"
+                found.append(f"{quantity}: {raised}; a law is called with an array of interferences")
         return found
 
     def _checked(self, law: Callable[[Floats], npt.ArrayLike], quantity: str) -> Law:

@@ -18,10 +18,18 @@ from asperity._arguments import (
     place,
     quantity_names,
 )
-from asperity._asperity import Contact, ContactWarning, Engine, JointTable, Unloading, floats
+from asperity._asperity import (
+    Contact,
+    ContactWarning,
+    Engine,
+    JointTable,
+    Scene,
+    Unloading,
+    floats,
+)
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
-from asperity._scene import Floats, Options, Scene
+from asperity._scene import Floats, Options
 
 
 class Model(Engine):
@@ -53,7 +61,8 @@ class Model(Engine):
 
     @property
     def source(self) -> str:
-        """Authors, year and title of the paper, and how well its text is known."""
+        """Authors, year and title of the paper, and its provenance: seen (the paper was read), derived,
+        or recalled (from memory, or through another paper)."""
         source = self._origin
         if not source["authors"]:
             return f"{self.name}, written in Python"
@@ -62,7 +71,7 @@ class Model(Engine):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a user of these options should know, whatever the scene."""
+        """Notes on these options for every scene."""
         return tuple(self._notes)
 
     @property
@@ -87,9 +96,9 @@ class Model(Engine):
         Parameters
         ----------
         scene : Scene, Scenes or sequence of Scene
-            What is in contact. Many scenes are broadcast against separations or loads.
+            The scene; many scenes are broadcast against separations or loads.
         separation : array_like
-            From the plane that the scene chose, in ``separation_unit``, or texts with their unit, as
+            From the scene's plane, in ``separation_unit``, or texts with their unit, as
             "1 um" (loads and pressures likewise, "2 kN"). Masked values stay masked.
         quantities : str or sequence of str
             Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m], "pressure" [Pa],
@@ -107,8 +116,8 @@ class Model(Engine):
         pressure : array_like, optional
             Mean pressures on the nominal area [Pa], in the place of separations.
         errors : "raise" or "mask"
-            What happens when a row is refused, as for a load that no separation carries: the first
-            is raised, or the values of such rows are masked and ``Curve.failures`` has the reasons.
+            Whether a refused row, as for a load that no separation carries, raises; or its values
+            are masked, and ``Curve.failures`` has the reasons.
 
         Examples
         --------
@@ -197,19 +206,19 @@ class Model(Engine):
         load: float | str | None = None,
         pressure: float | str | None = None,
     ) -> Unloading:
-        """A joint that was closed for the first time, and opens again or is sheared.
+        """The unloading and shear of a joint after its first closing.
 
         Models of equal, upright asperities with circular contacts only.
 
         Parameters
         ----------
         scene : Scene
-            What is in contact.
+            The scene.
         closest : float
-            The closest approach, from the plane that the scene chose, in ``separation_unit``, which
-            is the unit of retreats, too.
+            The closest approach, from the scene's plane, in ``separation_unit``, which is also the
+            unit of retreats.
         law : "hertz", "brake" or "etsion"
-            How the asperities come back: as a Hertzian contact of the force and area at the closest
+            The unloading law of an asperity: a Hertzian contact with the force and area at the closest
             approach; Brake 2015, whose area jumps at the start; Etsion, Kligerman & Kadin 2005,
             without an area.
         rtol : float
@@ -243,8 +252,8 @@ class Model(Engine):
     def pull_off(
         self, scene: Scene, rtol: float = 1e-10, separation_unit: str = "asperity_height_std"
     ) -> tuple[float, float] | None:
-        """The greatest tension that surfaces hold which stick, as a force [N] below 0, and the
-        separation where they do; ``None`` where nothing is held.
+        """The pull-off force of a model with adhesion [N], below 0, and its separation; ``None`` if there
+        is no tensile force.
 
         For "dmt", and "jkr-separation": contacts of "jkr", on approach, begin no sooner than they touch.
 
@@ -255,7 +264,7 @@ class Model(Engine):
         >>> f"{force:.3f} N at {separation:.3f} asperity_height_std"
         '-0.956 N at 0.408 asperity_height_std'
         """
-        return _asperity.pull_off(self, scene._file, rtol, checked_unit(separation_unit))
+        return _asperity.pull_off(self, scene, rtol, checked_unit(separation_unit))
 
     def joint_table(
         self,
@@ -266,10 +275,11 @@ class Model(Engine):
         tolerance: float = 1e-6,
         separation_unit: str = "asperity_height_std",
     ) -> JointTable:
-        """Closing, opening and closing again, for codes that step in time: tabulated for closest
-        approaches from ``deepest`` to ``open``, beyond which nothing is taken to have yielded.
+        """Loading, unloading and reloading for codes that step in time: a table of closest approaches
+        from ``deepest`` to ``open``; beyond ``open`` loading is elastic.
 
-        Forces on the way back are within ``tolerance`` of the force at the closest approach.
+        The error of an unloading force is at most ``tolerance`` times the force at the closest
+        approach.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -291,12 +301,12 @@ class Model(Engine):
     ) -> Floats:
         """The law of one asperity of a scene at interferences [m]: N, m^2 or N/m."""
         w = floats(interference, "interference")
-        return self._law(scene._file, quantity, w.ravel(), rtol).reshape(w.shape)
+        return self._law(scene, quantity, w.ravel(), rtol).reshape(w.shape)
 
     def check(self, scene: Scene) -> list[str]:
-        """What is wrong with the laws on one asperity of a scene: for models of your own."""
+        """Faults of the laws on one asperity of a scene, for models written in Python."""
         laws = None if isinstance(self._what, str) else Laws(self._what)
-        return (laws and laws.findings(scene.asperity)) or self._check(scene._file)
+        return (laws and laws.findings(scene.asperity)) or self._check(scene)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):

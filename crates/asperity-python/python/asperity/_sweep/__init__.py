@@ -1,4 +1,4 @@
-"""Sweeps: many scenes drawn from distributions, their answers and what can be said about them."""
+"""Sweeps: scenes drawn from distributions, their answers and statistics."""
 
 from asperity._sweep.result import Sensitivity, SweepResult, read_sweep
 from asperity._sweep.run import sweep

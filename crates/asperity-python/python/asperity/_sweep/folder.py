@@ -1,4 +1,4 @@
-"""The folder of a sweep: a manifest, and parts that are whole or not there."""
+"""The folder of a sweep: a manifest, and its parts, each a whole file."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from pathlib import Path
 from typing import Any
 
 from asperity._sweep.job import fingerprint
-from asperity._sweep.part import FINGERPRINT
+from asperity._sweep.part import fingerprint_of
 
 MANIFEST = "manifest.json"
 
 
 class Folder:
-    """Where the parts of one sweep are; made by ``Folder.of`` for a sweep that is to run."""
+    """The folder of one sweep; made by ``Folder.of`` before a sweep runs."""
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path).absolute()
         manifest = self.path / MANIFEST
         if not manifest.is_file():
             raise ValueError(f"{self.path} has no {MANIFEST}: the folder of a sweep was required")
-        #: Everything that the digits depend on.
+        #: Every input that the digits depend on.
         self.identity: dict[str, Any] = json.loads(manifest.read_text(encoding="utf-8"))
 
     @staticmethod
@@ -47,7 +47,7 @@ class Folder:
         return found
 
     def clean(self) -> None:
-        """Removes what writers that were killed have left."""
+        """Removes the temporary files of interrupted writers."""
         for left_over in self.path.glob(".part-*.parquet.*.tmp"):
             left_over.unlink(missing_ok=True)
 
@@ -68,12 +68,12 @@ class Folder:
 
     @property
     def fingerprint(self) -> str:
-        """What the parts of this sweep are marked with."""
+        """The mark of the parts of this sweep."""
         return fingerprint(self.identity)
 
     @property
     def parts(self) -> int:
-        """How many parts there are to be."""
+        """The number of parts."""
         return int(self.identity["parts"])
 
     def part(self, number: int) -> Path:
@@ -81,20 +81,15 @@ class Folder:
         return self.path / f"part-{number:05}.parquet"
 
     def missing(self) -> list[int]:
-        """The parts that are still to be made. Parts of another sweep are refused."""
-        import pyarrow.parquet as pq
-
+        """The parts that are not there, or not whole. Parts of another sweep are refused."""
         missing = []
         for number in range(self.parts):
             path = self.part(number)
-            if not path.is_file():
+            found = fingerprint_of(path)
+            if found is None:
                 missing.append(number)
-            elif (pq.read_schema(path).metadata or {}).get(FINGERPRINT) != self._mark:
+            elif found != self.fingerprint:
                 raise ValueError(
-                    f"{path} is not of the sweep of {MANIFEST}: remove it, it is made anew"
+                    f"{path} is not of the sweep of {MANIFEST}: remove the file, and sweep makes it anew"
                 )
         return missing
-
-    @property
-    def _mark(self) -> bytes:
-        return self.fingerprint.encode()

@@ -1,4 +1,4 @@
-"""What is to be done, as it is sent to workers."""
+"""The work of a sweep, as it is sent to workers."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ class Job:
         first = self.design.first_row(number)
         for k, error in failures:
             if stop or not isinstance(error, Exception):
-                words = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
-                raise placed(f"row {first + k} ({words}): ", error)
+                drawn = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
+                raise placed(f"row {first + k} ({drawn}): ", error)
         errors = {k: reason(error) for k, error in failures}
         return Part(first, inputs, dict(zip(self.quantities, values, strict=True)), errors), said
 
@@ -58,7 +58,7 @@ class Job:
         return {
             "asperity": self.version,
             "scipy": scipy.__version__,
-            "model": _model_words(self.model),
+            "model": _model_identity(self.model),
             "quantities": list(self.quantities),
             "design": design.kind,
             "n": design.n,
@@ -77,7 +77,7 @@ def fingerprint(identity: dict[str, Any]) -> str:
     return hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()
 
 
-def _model_words(model: Model) -> dict[str, Any]:
+def _model_identity(model: Model) -> dict[str, Any]:
     what = model._what
     if isinstance(what, str):
         return {"id": what, "options": model.options}

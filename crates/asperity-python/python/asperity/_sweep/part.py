@@ -16,14 +16,30 @@ from asperity._scene import Floats
 FINGERPRINT = b"asperity.sweep"
 
 
+def fingerprint_of(path: Path) -> str | None:
+    """The fingerprint of the sweep of a part; None where there is no whole Parquet file."""
+    import pyarrow.parquet as pq
+
+    if not path.is_file():
+        return None
+    try:
+        metadata = pq.read_schema(path).metadata or {}
+    except (ValueError, OSError) as error:
+        # Arrow refuses a truncated file so; the system's own errors have a number.
+        if getattr(error, "errno", None) is not None:
+            raise
+        return None
+    return str(metadata.get(FINGERPRINT, b""), "utf-8")
+
+
 @dataclass(frozen=True)
 class Part:
-    """Rows of a sweep that follow each other."""
+    """Consecutive rows of a sweep."""
 
     first_row: int
     #: The inputs that vary, in SI units.
     inputs: dict[str, Floats]
-    #: The quantities; what stands at rows that failed means nothing.
+    #: The quantities; values of failed rows are undefined.
     values: dict[str, Floats]
     #: Why rows failed, by their place in this part.
     errors: dict[int, str]
@@ -42,7 +58,7 @@ class Part:
         return answered
 
     def write(self, path: Path, fingerprint: str) -> None:
-        """Writes a Parquet file that is there as a whole or not at all."""
+        """Writes a Parquet file; an interrupted write leaves none."""
         import pyarrow as pa
         import pyarrow.parquet as pq
 
@@ -73,7 +89,13 @@ class Part:
         import pyarrow.parquet as pq
 
         names = ["row", *inputs, *(column_name(q) for q in quantities), "error"]
-        table = pq.read_table(path, columns=names)
+        try:
+            table = pq.read_table(path, columns=names)
+        except (ValueError, OSError) as error:
+            raise ValueError(
+                f"{path} is no whole part of a sweep: call sweep with the same arguments to make it "
+                f"anew ({error})"
+            ) from error
         reasons = table["error"]
         errors: dict[int, str] = {}
         if reasons.null_count < len(reasons):

@@ -1,4 +1,4 @@
-"""How far a sweep has come, and what it took."""
+"""Progress of a sweep, its time and memory."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from types import TracebackType
 
 @dataclass
 class Run:
-    """What one call of ``sweep`` did; parts that were there before are not in it."""
+    """Rows, time and memory of one call of ``sweep``, without parts of earlier calls."""
 
     #: Rows that were evaluated.
     rows: int = 0
     #: Wall-clock time [s].
     seconds: float = 0.0
-    #: The most memory that each worker ever held [bytes], where the system tells.
+    #: The peak memory of each worker [bytes], where the system reports it.
     peak_memory: dict[str, int] = field(default_factory=dict)
 
     @property
@@ -54,7 +54,7 @@ class Progress:
             done = self._before + run.rows
             left = (self._rows - done) / run.rows_per_second
             print(
-                f"\rsweep: {done} of {self._rows} rows ({done / self._rows:.0%}), "
+                f"\rsweep: {done} of {self._rows} rows ({100 * done / self._rows:.0f} %), "
                 f"{run.rows_per_second:.3g} rows/s, {left:.0f} s left ",
                 end="",
                 file=sys.stderr,
@@ -72,7 +72,7 @@ class Progress:
 
 
 def peak_memory() -> int | None:
-    """The most memory that this process ever held [bytes]; none where the system does not tell."""
+    """The peak memory of this process [bytes]; None where the system does not report it."""
     try:
         with open("/proc/self/status", encoding="ascii") as status:
             for line in status:

@@ -1,4 +1,4 @@
-"""What comes back from a sweep."""
+"""Results of a sweep."""
 
 from __future__ import annotations
 
@@ -61,12 +61,12 @@ class SweepResult:
 
     def __init__(self, identity: dict[str, Any], parts: list[Part] | Folder, run: Run) -> None:
         self._identity, self._parts = identity, parts
-        #: What the call of ``sweep`` did that made this: rows, seconds, memory of each worker.
+        #: Rows, seconds and memory of each worker in the call of ``sweep``.
         self.run = run
         inputs = identity["space"]["inputs"]
         #: The inputs that vary.
         self.inputs: tuple[str, ...] = tuple(n for n, i in inputs.items() if "quantiles" in i)
-        #: What was asked for.
+        #: The requested quantities.
         self.quantities: tuple[str, ...] = tuple(identity["quantities"])
         #: How many rows there are, with those that failed.
         self.rows: int = identity["rows"]
@@ -217,7 +217,7 @@ class SweepResult:
             columns: dict[str, Any] = dict(part.inputs)
             for quantity, values in part.values.items():
                 column = values.copy()
-                column[list(part.errors)] = np.nan  # pandas' word for nothing there
+                column[list(part.errors)] = np.nan
                 columns[column_name(quantity)] = column
             table = pd.DataFrame(columns)
             if part.errors:
@@ -240,8 +240,10 @@ def read_sweep(folder: str | os.PathLike[str]) -> SweepResult:
     there = Folder(folder)
     missing = there.missing()
     if missing:
+        first = there.part(missing[0])
+        state = "incomplete" if first.is_file() else "missing"
         raise ValueError(
-            f"{there.path} has {there.parts - len(missing)} of {there.parts} parts: all were "
-            "required, call sweep with the same arguments to go on"
+            f"{there.path} has {there.parts - len(missing)} of {there.parts} parts, {first.name} is "
+            f"{state}: call sweep with the same arguments to make the others"
         )
     return SweepResult(there.identity, there, Run())

@@ -64,20 +64,20 @@ def sweep(
     separation_unit : "asperity_height_std" or "m"
         Unit of the separations of the space.
     errors : "raise" or "mask"
-        What happens when a row is refused, say a negative hardness: the sweep ends with the row's
-        number, inputs and reason; or it goes on, and the row's values are masked and its reason is
-        in ``SweepResult.failures`` and in the column ``error``.
+        Whether a refused row, as with a negative hardness, ends the sweep with its number, inputs
+        and reason; or the row's values are masked, and its reason is in ``SweepResult.failures`` and
+        in the column ``error``.
     folder : path, optional
-        Where parts are written as Parquet files. A sweep that was interrupted goes on from the
-        parts that are there when it is called again with the same arguments; a folder of another
-        sweep is refused. Without one the rows stay in memory. One run at a time.
+        Where parts are written as Parquet files. Called again with the same arguments, an interrupted
+        sweep computes the parts that are missing or incomplete; a folder of another sweep is
+        refused. Without a folder the rows stay in memory. One run at a time.
     client : distributed.Client, optional
         A Dask cluster, whose workers evaluate the parts, each thread of a worker one at a time.
         They must see the folder under its path.
     part_size : int
         Most rows of a part: what a worker has in memory at once, some 1 kB for each.
     progress : bool, optional
-        Whether a line on stderr says how far it is; by default on a terminal.
+        Whether a line on stderr shows the progress; by default on a terminal.
 
     Examples
     --------

@@ -7,9 +7,9 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 import numpy.typing as npt
 
-from asperity._arguments import Rows, place
-from asperity._asperity import check_inputs
-from asperity._scene import Floats, Scene
+from asperity._arguments import LOADS, Rows, place
+from asperity._asperity import Scene, inputs_in_si
+from asperity._scene import Floats
 
 
 @runtime_checkable
@@ -30,8 +30,10 @@ class HasIcdf(Protocol):
 
 #: A distribution; (low, high) for a uniform one; or one number, which does not vary.
 Input: TypeAlias = HasPpf | HasIcdf | tuple[float, float] | float
+#: The same, with a unit.
+Given: TypeAlias = Input | tuple[str, str] | str
 
-# Probabilities at which a distribution is written down, to tell it from another.
+# Probabilities whose quantiles identify a distribution.
 PROBES = np.array([0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999])
 
 
@@ -41,17 +43,17 @@ class Space:
     Parameters
     ----------
     scene : Scene
-        Says everything that is not given here.
+        The scene whose other numbers are kept.
     separation, load or pressure : distribution, (low, high) or float
-        Where it is evaluated: at a separation in the ``separation_unit`` of the sweep, under a load
-        [N], or under a mean pressure on the nominal area [Pa]. One of the three.
+        One of the three: a separation in the ``separation_unit`` of the sweep, a load [N], or a mean
+        pressure on the nominal area [Pa].
     **inputs : distribution, (low, high) or float
         By the names of ``Scene.replace``, in SI units; or ``plasticity_index`` and
         ``roughness_parameter`` in the place of ``asperity_radius`` and ``asperity_density``
         (where one of the two is missing, it is that of the scene).
 
     A distribution is a frozen one of ``scipy.stats``, or anything with a ``ppf``; (low, high) is
-    uniform. Inputs are independent of each other.
+    uniform. Numbers may be texts with a unit, as "2 kN". Inputs are independent of each other.
 
     Examples
     --------
@@ -64,22 +66,24 @@ class Space:
     def __init__(
         self,
         scene: Scene,
-        separation: Input | None = None,
+        separation: Given | None = None,
         *,
-        load: Input | None = None,
-        pressure: Input | None = None,
-        **inputs: Input,
+        load: Given | None = None,
+        pressure: Given | None = None,
+        **inputs: Given,
     ) -> None:
         if not isinstance(scene, Scene):
             raise TypeError(f"scene is {scene!r}: a Scene was required")
-        check_inputs(list(inputs))
-        axis, where = place(separation, load, pressure, "m")
-        #: What is not given by an input.
+        numbers: dict[str, Input] = inputs_in_si(inputs)
+        axis, where = place(separation, load, pressure, "asperity_height_std")
+        #: The scene whose other numbers are kept.
         self.scene = scene
-        #: What is drawn beside the scenes: "separation", "load" or "pressure".
-        self.axis = "separation" if axis == "m" else axis
-        #: What was given, this first.
-        self.inputs: dict[str, Input] = {self.axis: where, **inputs}
+        #: The axis of the numbers beside the scenes: "separation", "load" or "pressure".
+        self.axis = axis if axis in LOADS else "separation"
+        # Texts with a unit are in metres, whatever the unit of the sweep.
+        self._in_metres = axis == "m"
+        #: The inputs as they were given, the axis first.
+        self.inputs: dict[str, Input] = {self.axis: where, **numbers}
         for name, given in self.inputs.items():
             _check(name, given)
         if not self.names:
@@ -99,20 +103,22 @@ class Space:
         """The rows of such columns."""
         given: dict[str, Any] = {**self.inputs, **columns}
         where = given.pop(self.axis)
-        axis = separation_unit if self.axis == "separation" else self.axis
+        unit = "m" if self._in_metres else separation_unit
+        axis = unit if self.axis == "separation" else self.axis
         return Rows(self.scene.vary(**given), axis, where)
 
     def identity(self) -> dict[str, Any]:
         """What makes it this space and no other, for JSON."""
         inputs: dict[str, Any] = {}
         for name, given in self.inputs.items():
-            inputs[name] = {"is": _words(given)}
+            unit = " m" if self._in_metres and name == self.axis else ""
+            inputs[name] = {"is": _description(given) + unit}
             if not _is_number(given):
                 inputs[name]["quantiles"] = _quantiles(name, given, PROBES).tolist()
-        return {**self.scene._file.fields(), "inputs": inputs}
+        return {**self.scene._fields(), "inputs": inputs}
 
     def __repr__(self) -> str:
-        inputs = ", ".join(f"{name}={_words(given)}" for name, given in self.inputs.items())
+        inputs = ", ".join(f"{name}={_description(given)}" for name, given in self.inputs.items())
         return f"<asperity.Space: {inputs}>"
 
 
@@ -146,11 +152,11 @@ def _quantiles(name: str, given: Input, u: Floats) -> Floats:
     return values
 
 
-def _words(given: Any) -> str:
+def _description(given: Any) -> str:
     frozen = getattr(given, "dist", None)
     if frozen is not None and hasattr(given, "args") and hasattr(given, "kwds"):
         arguments = [repr(float(argument)) for argument in given.args]
         arguments += [f"{name}={float(value)!r}" for name, value in given.kwds.items()]
         return f"{frozen.name}({', '.join(arguments)})"
-    words = repr(given)
-    return type(given).__name__ if " object at 0x" in words else words
+    text = repr(given)
+    return type(given).__name__ if " object at 0x" in text else text

@@ -10,16 +10,16 @@ create_exception!(
     asperity,
     NotConverged,
     PyRuntimeError,
-    "An integral did not reach the tolerance that was asked for; the message says how far it came."
+    "An integral did not reach the requested tolerance; the message has the error it reached."
 );
 create_exception!(
     asperity,
     ContactWarning,
     PyUserWarning,
-    "An answer stands, and deserves a word: a negative total, more area than there is."
+    "A warning about a scene or an answer: a number outside its usual range, a negative force, an area above the nominal one."
 );
 
-/// Any refusal of the library, in its own words.
+/// Any refusal of the library, with its message.
 pub(crate) fn value_error(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }

@@ -7,13 +7,14 @@ use asperity::{At, Case, ContactError, Datum, Diagnostics, Severity};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
-use crate::places::Axis;
-use crate::scene::{Input, SceneFile, inputs, with_numbers};
+use crate::convert::axis::Axis;
+use crate::scene::SceneFile;
+use crate::scene::inputs::{Input, inputs, with_numbers};
 
 /// The `Rows` of the package.
 #[derive(FromPyObject)]
 pub(crate) struct Rows<'py> {
-    /// The scenes; one, if columns of numbers tell how the others differ from it.
+    /// The scenes; one, if columns of numbers make the others from it.
     files: Vec<Py<SceneFile>>,
     columns: BTreeMap<String, PyReadonlyArray1<'py, f64>>,
     /// Which scene each row is on.
@@ -76,7 +77,7 @@ impl<'r> View<'r> {
         self.columns.first().map_or(self.files.len(), |(_, column)| column.len())
     }
 
-    /// What is unusual about the scene of this number; nothing where it is refused.
+    /// Findings of the scene of this index; none where it is refused.
     pub(crate) fn findings(&self, scene: usize) -> Diagnostics {
         if self.columns.is_empty() {
             return self.files[scene].findings();
@@ -97,7 +98,7 @@ impl<'r> View<'r> {
         [finite().min_by(by), finite().max_by(by)].into_iter().flatten()
     }
 
-    /// The only scene there is, with all that is said of it.
+    /// The only scene there is, with its options.
     pub(crate) fn one_file(&self) -> Option<&asperity_scene::SceneFile> {
         self.one_scene().map(|_| &*self.files[0])
     }

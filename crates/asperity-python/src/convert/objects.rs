@@ -1,4 +1,4 @@
-//! What the library can serialise, as Python's own dicts, lists and numbers.
+//! Serialisable values of the library as Python's dicts, lists and numbers.
 
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -6,9 +6,9 @@ use pyo3::types::PyDict;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
-/// Anything serialisable; what is no number is None.
+/// Anything serialisable; NaN is None.
 pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
     converted(py, &serde_json::to_value(of).map_err(value_error)?)
 }

@@ -10,12 +10,12 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{refused, value_error};
-use crate::objects::object;
-use crate::python_model::{PythonModel, Raised};
+use crate::convert::error::{refused, value_error};
+use crate::convert::objects::object;
+use crate::model::python_model::{PythonModel, Raised};
 use crate::scene::{self, OptionValue};
 
-/// One model: what a `Model` of the package is.
+/// One model: the base of the package's `Model`.
 #[pyclass(frozen, subclass, module = "asperity._asperity")]
 pub(crate) struct Engine(Kind);
 
@@ -38,7 +38,7 @@ impl Engine {
         };
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
         let engine = Self(Kind::Named { id, given });
-        // A mistyped id or option is refused here, not when a scene comes.
+        // A mistyped id or option is refused at once.
         match engine.is_bem() {
             true => drop(engine.options(ModelOptions::default())?),
             false => drop(engine.with(ModelOptions::default(), None)?),
@@ -86,7 +86,7 @@ impl Engine {
         Ok(PyArray1::from_vec(py, values))
     }
 
-    /// What is wrong with the laws on one asperity of a scene; nothing, for good laws.
+    /// Faults of the laws on one asperity of a scene; none for good laws.
     #[pyo3(name = "_check")]
     fn check(&self, py: Python<'_>, scene: &scene::SceneFile) -> PyResult<Vec<String>> {
         let model = self.on(&scene.0)?;
@@ -97,7 +97,7 @@ impl Engine {
 }
 
 impl Engine {
-    /// What a scene's options are with those that were given in their place.
+    /// The options of a scene, replaced by those of this model where there are any.
     fn options(&self, mut options: ModelOptions) -> PyResult<ModelOptions> {
         if let Kind::Named { given, .. } = &self.0 {
             given.iter().try_for_each(|(k, v)| options.set(k, v)).map_err(value_error)?;
@@ -121,33 +121,32 @@ impl Engine {
         }
     }
 
-    /// The model that this is on a scene: the scene's options count where none were given.
+    /// The model on a scene; the scene's options apply where the model has none.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         self.with(file.options, Some(file))
     }
 
-    /// The one model that this is on all scenes.
+    /// The model on all scenes.
     pub(crate) fn on_all(&self, files: &[Arc<SceneFile>]) -> PyResult<Model> {
         if let [file] = files {
             return self.on(file);
         }
         if self.is_bem() {
-            let text =
-                format!("{} scenes were given: bem needs one, whose scan it is on", files.len());
+            let text = format!("{} scenes were given: bem needs one, with a scan", files.len());
             return Err(value_error(text));
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
         for (k, file) in files.iter().enumerate() {
             if file.options != first && self.options(file.options)? != self.options(first)? {
                 return Err(value_error(format!(
-                    "scene {k} has other options than scene 0: one model for all was required, give the options to asperity.model"
+                    "scene {k} has other options than scene 0: give the options to asperity.model"
                 )));
             }
         }
         self.with(first, None)
     }
 
-    /// Whether an exception of a user's code may be behind a refusal, and not be raised again.
+    /// Whether the model is written in Python, so that a refusal may be an exception of the user's.
     pub(crate) fn is_written(&self) -> bool {
         matches!(self.0, Kind::Python { .. })
     }

@@ -6,11 +6,11 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::engine::Engine;
-use crate::error::{value_error, warn};
+use crate::convert::axis::Axis;
+use crate::convert::error::{value_error, warn};
+use crate::convert::numbers::floats;
 use crate::joints::SIGMAS;
-use crate::numbers::floats;
-use crate::places::Axis;
+use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
 /// Numbers in the shape of others.
@@ -19,18 +19,18 @@ type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// Force and stiffness of a joint step by step: closing for the first time, opening, and closing
 /// again on the same way, in some tens of nanoseconds.
 ///
-/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane. All
-/// that a joint remembers is its closest approach: infinity for one that is new.
+/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane. The
+/// state of a joint is its closest approach: infinity for a new one.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct JointTable {
     model: Py<Engine>,
     /// The scene.
     #[pyo3(get)]
-    scene: Py<PyAny>,
+    scene: Py<SceneFile>,
     /// How the asperities come back: "hertz", "brake" or "etsion".
     #[pyo3(get)]
     law: String,
-    /// The closest approaches that are tabulated: the smallest, and the largest that yielding matters for.
+    /// The tabulated range of closest approaches; beyond the larger, loading is elastic.
     #[pyo3(get)]
     ends: (f64, f64),
     /// Largest error of a force on a way back, over the force at its closest approach.
@@ -52,13 +52,13 @@ impl JointTable {
     fn new(
         py: Python<'_>,
         model: Py<Engine>,
-        scene: Bound<'_, PyAny>,
+        scene: Py<SceneFile>,
         ends: (f64, f64),
         law: &str,
         tolerance: f64,
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
+        let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
         let unit: Axis = separation_unit.extract()?;
         let raise = |error| model.get().raise(py, error);
@@ -78,7 +78,7 @@ impl JointTable {
                 .table(range, tolerance)
         });
         let (table, law) = (table.map_err(raise)?, law.to_string());
-        let (scene, separation_unit) = (scene.unbind(), separation_unit.extract()?);
+        let separation_unit = separation_unit.extract()?;
         Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
     }
 

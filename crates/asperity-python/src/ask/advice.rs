@@ -1,4 +1,4 @@
-//! What is done for a request, and which model a scene needs.
+//! The plan of a request, and a comparison of models.
 
 use std::collections::BTreeMap;
 
@@ -6,10 +6,10 @@ use asperity::{Comparison, ContactError, ContactModel, Nearest, Quantity, Reques
 use asperity_scene::LeftOut;
 use pyo3::prelude::*;
 
-use crate::engine::{Engine, quantities_of, tolerance};
-use crate::error::value_error;
-use crate::objects::object;
-use crate::rows::{Rows, View};
+use crate::ask::rows::{Rows, View};
+use crate::convert::error::value_error;
+use crate::convert::objects::object;
+use crate::model::engine::{Engine, quantities_of, tolerance};
 
 /// One scene, and a request of what rows on it ask.
 fn asked<'r>(rows: &'r View<'_>, names: &[String], rtol: f64) -> PyResult<(&'r Scene, Request)> {
@@ -20,7 +20,7 @@ fn asked<'r>(rows: &'r View<'_>, names: &[String], rtol: f64) -> PyResult<(&'r S
     }
 }
 
-/// What is done for rows on one scene: a text, and what it is of.
+/// The plan of rows on one scene: its text and its steps.
 #[pyfunction]
 pub(crate) fn plan<'py>(
     py: Python<'py>,
@@ -40,10 +40,10 @@ pub(crate) fn plan<'py>(
 /// it was from boundary elements.
 type Row<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
 
-/// What is known at a place: by models how far they were off, or why nothing is.
+/// The evidence at a place: deviations by model, or the reason why there is none.
 type Place<'py> = (BTreeMap<String, Bound<'py, PyAny>>, Option<String>);
-/// A text, the simplest model's id, what the evidence says and place by place, and every model against
-/// the reference.
+/// A text, the simplest model's id, the evidence in sentences and place by place, and every model
+/// against the reference.
 type Advice<'py> = (String, Option<String>, String, Vec<Place<'py>>, Vec<Row<'py>>);
 
 /// The models of a scene, or those named, against the reference.

@@ -1,4 +1,4 @@
-//! What the package asks: values of rows, the separations of loads, and shares.
+//! Values of rows, the separations of loads, and shares.
 
 use std::ops::Range;
 
@@ -9,13 +9,13 @@ use asperity::{
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::answer::{Aspect, Question, Source, TOGETHER, walked};
+use crate::ask::answer::{Aspect, Question, Source, TOGETHER, walked};
+use crate::ask::long::{pool, stretches};
+use crate::ask::rows::{Rows, View};
 use crate::check::of_rows;
-use crate::engine::{Engine, quantities_of, tolerance};
-use crate::error::value_error;
-use crate::long::{pool, stretches};
-use crate::places::Axis;
-use crate::rows::{Rows, View};
+use crate::convert::axis::Axis;
+use crate::convert::error::value_error;
+use crate::model::engine::{Engine, quantities_of, tolerance};
 
 type Column<'py, T> = Bound<'py, PyArray1<T>>;
 /// Rows that failed, with their exceptions, ascending.
@@ -58,8 +58,7 @@ pub(crate) fn answer<'py>(
 }
 
 /// The separations that carry the load or pressure of every row, in a unit and from the scene's
-/// plane: the largest, or `all`, ascending. They follow each other, so many of every row; none of a
-/// row that fails.
+/// plane: the largest, or `all`, ascending; `counts[i]` of them belong to row i, none where it fails.
 #[pyfunction]
 pub(crate) fn separations<'py>(
     py: Python<'py>,

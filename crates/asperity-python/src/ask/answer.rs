@@ -10,9 +10,9 @@ use asperity::{
 };
 use pyo3::prelude::*;
 
-use crate::error::value_error;
-use crate::long::{pool, stretches};
-use crate::rows::View;
+use crate::ask::long::{pool, stretches};
+use crate::ask::rows::View;
+use crate::convert::error::value_error;
 
 /// Rows that a thread walks through at a time: what their laws have in common is found among
 /// neighbours, and Ctrl-C waits for them.
@@ -22,7 +22,7 @@ const ON_ONE: usize = 256;
 /// Fewer values are as quick one by one.
 const FEW: usize = 16;
 
-/// What is asked of every value.
+/// The number that is read from every evaluation.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Aspect {
     Value,
@@ -59,7 +59,7 @@ pub(crate) enum Source<'m> {
     Model(&'m Model),
 }
 
-/// What is asked, whom, and about which rows.
+/// Rows, the model or contact that answers, and the request.
 pub(crate) struct Question<'q> {
     pub(crate) rows: &'q View<'q>,
     pub(crate) source: Source<'q>,
@@ -176,7 +176,7 @@ impl Question<'_> {
         if let Some(values) = self.plain(contact, range.clone()) {
             return Found { values, ..Found::default() };
         }
-        // Value by value: a response holds much that nobody asks for.
+        // Value by value: a response holds more than is needed.
         let mut found = Found::default();
         let mut check = RowCheck::new(contact.is_adhesive());
         for row in range {

@@ -12,9 +12,9 @@ use asperity_quadrature::{QuadratureError, Sampler};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::fields::Asperity;
+use crate::records::Asperity;
 
-/// Where a user's model is from is the user's to say: nothing of this is shown.
+/// Of a user's model; none of this is shown.
 const SOURCE: Citation = Citation {
     id: "python",
     name: "Python",
@@ -24,17 +24,17 @@ const SOURCE: Citation = Citation {
     provenance: Provenance::Derived,
 };
 
-/// What a user's code raised last, and the words that the engine carries for it.
+/// The last exception of a user's code, and its message, which the engine carries.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Raised(Arc<Mutex<Option<(String, PyErr)>>>);
 
 impl Raised {
-    /// Keeps an exception; returns its words.
+    /// Keeps an exception; returns its message.
     fn keep(&self, py: Python<'_>, error: PyErr) -> String {
-        let words = error.to_string();
-        let kept = (words.clone(), error.clone_ref(py));
+        let message = error.to_string();
+        let kept = (message.clone(), error.clone_ref(py));
         *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(kept);
-        words
+        message
     }
 
     /// The exception behind a refusal, if it is the one that was raised last.
@@ -45,8 +45,8 @@ impl Raised {
             return None;
         };
         let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let (words, error) = kept.as_ref()?;
-        (words == reason).then(|| error.clone_ref(py))
+        let (message, error) = kept.as_ref()?;
+        (message == reason).then(|| error.clone_ref(py))
     }
 }
 
@@ -57,7 +57,7 @@ pub(crate) struct PythonModel {
     name: String,
     own_stiffness: bool,
     monotone: bool,
-    /// Tells this model from every other, so that a sweep integrates a law that recurs once.
+    /// Distinguishes this model from every other: a sweep integrates a recurring law once.
     number: u64,
     raised: Raised,
 }
@@ -82,7 +82,7 @@ impl PythonModel {
         asperity: &asperity::Asperity,
         quantity: Quantity,
     ) -> PyResult<Law> {
-        let arguments = (Asperity::from(*asperity), quantity.to_string());
+        let arguments = (Asperity(*asperity), quantity.to_string());
         let (function, kinks, regimes): (Py<PyAny>, Vec<f64>, Vec<String>) =
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);

@@ -8,12 +8,12 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyTuple};
 
-use crate::answer::{Aspect, Question, Source};
-use crate::engine::{Engine, quantities_of, tolerance};
-use crate::error::{value_error, warn};
-use crate::numbers::{floats, in_si, scalar};
-use crate::places::Axis;
-use crate::rows::View;
+use crate::ask::answer::{Aspect, Question, Source};
+use crate::ask::rows::View;
+use crate::convert::axis::Axis;
+use crate::convert::error::{value_error, warn};
+use crate::convert::numbers::{floats, scalar, texts_in_si};
+use crate::model::engine::{Engine, quantities_of, tolerance};
 use crate::scene::SceneFile;
 
 /// One model on one scene, prepared for many evaluations: for codes that step in time.
@@ -25,7 +25,7 @@ pub(crate) struct Contact {
     model: Py<Engine>,
     /// The scene.
     #[pyo3(get)]
-    scene: Py<PyAny>,
+    scene: Py<SceneFile>,
     /// The relative tolerance.
     #[pyo3(get)]
     rtol: f64,
@@ -45,17 +45,16 @@ impl Contact {
     fn new(
         py: Python<'_>,
         model: Py<Engine>,
-        scene: Bound<'_, PyAny>,
+        scene: Py<SceneFile>,
         quantities: Vec<String>,
         rtol: f64,
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let file = scene.getattr("_file")?.cast::<SceneFile>()?.get().0.clone();
+        let file = scene.get().0.clone();
         let request = Request::new(quantities_of(&quantities)?).within(tolerance(rtol)?);
         let request = request.at_loads([1.0]);
         let compiled = Mutex::new(compile(py, model.get(), &file, &request)?);
         let (axis, separation_unit) = (separation_unit.extract()?, separation_unit.extract()?);
-        let scene = scene.unbind();
         Ok(Self { model, scene, rtol, separation_unit, axis, file, request, compiled })
     }
 
@@ -134,13 +133,13 @@ impl Contact {
         self.request.quantities.iter().map(ToString::to_string).collect()
     }
 
-    /// What is to be used now.
+    /// The contact in use.
     fn now(&self) -> Arc<dyn asperity::Contact> {
         self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The exception of a refusal. What a user's law raised may not be raised next time, as an interrupt is not: its rules are
-    /// built anew then.
+    /// The exception of a refusal. A user's law may raise once only, as at an interrupt: its rules are
+    /// built anew.
     fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let model = self.model.get();
         if model.is_written()
@@ -161,7 +160,7 @@ impl Contact {
         Ok(self.over([quantity], axis, numbers, one)?.remove(0))
     }
 
-    /// Quantities at a number, where `one` tells them, or at every number of an array.
+    /// Quantities at a number, by `one`, or at every number of an array.
     fn over<'py, const N: usize>(
         &self,
         quantities: [Quantity; N],
@@ -173,9 +172,9 @@ impl Contact {
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
-        let told = in_si(numbers, axis.si())?;
-        let (numbers, axis) = match &told {
-            Some(told) => (told, axis.in_si()),
+        let read = texts_in_si(numbers, axis.si())?;
+        let (numbers, axis) = match &read {
+            Some(read) => (read, axis.in_si()),
             None => (numbers, axis),
         };
         if let Some(number) = scalar(numbers) {

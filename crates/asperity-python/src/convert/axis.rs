@@ -1,11 +1,11 @@
-//! Where a contact is asked about: separations in their unit, from a scene's plane, or loads.
+//! The axis of a request: separations in their unit, from a scene's plane, loads or pressures.
 
 use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
-/// What a plain number stands for.
+/// The meaning of a plain number.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Axis {
     Separation(SeparationUnit),
@@ -30,7 +30,7 @@ impl<'py> FromPyObject<'_, 'py> for Axis {
 }
 
 impl Axis {
-    /// The SI unit of its numbers, as texts say it.
+    /// The SI unit of its numbers in texts.
     pub(crate) fn si(self) -> &'static str {
         match self {
             Self::Separation(_) => "m",

@@ -8,11 +8,11 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::error::value_error;
+use crate::convert::error::value_error;
 
 /// Between two looks at signals as much is done as takes about this long.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
-/// However quick it is: what is in memory between two looks.
+/// The most rows in memory between two looks.
 const MOST: usize = 1 << 16;
 
 /// Runs `work` on ranges that cover 0..len, without the interpreter, until it answers false; looks
@@ -64,7 +64,7 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
         Some((owner, pool)) if *owner == process => Ok(pool.clone()),
         _ => {
             let pool = build(0)?;
-            // The threads of the one before are in another process: nobody to be told to end.
+            // The threads of the previous pool belong to another process: dropping it would wait for them.
             std::mem::forget(held.replace((process, pool.clone())));
             Ok(pool)
         }

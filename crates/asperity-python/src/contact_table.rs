@@ -5,9 +5,9 @@ use asperity::{
 };
 use pyo3::prelude::*;
 
-use crate::engine::Engine;
-use crate::error::{refused, value_error};
-use crate::places::Axis;
+use crate::convert::axis::Axis;
+use crate::convert::error::{refused, value_error};
+use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
 /// Clearances [m], pressures [Pa], tangents [Pa/m], relative errors of the last two between the

@@ -1,0 +1,128 @@
+//! Numbers of Python: floats, texts with a unit, and arrays.
+
+use numpy::{PyArrayDyn, PyUntypedArray};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
+
+use crate::convert::error::value_error;
+
+/// A number, also one of NumPy's; no array.
+pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
+    // True is no length.
+    if number.is_instance_of::<PyBool>() {
+        return None;
+    }
+    if number.is_exact_instance_of::<PyFloat>() || number.cast::<PyUntypedArray>().is_err() {
+        return number.extract().ok();
+    }
+    None
+}
+
+/// The number of an argument `name` of `owner`, in SI units; or a text with a unit that suits the key
+/// of this name in scene files.
+pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let unit = asperity_scene::unit_of(name);
+    let text = given.cast::<PyString>().ok().zip(unit);
+    if let Some((text, unit)) = text {
+        return with_unit(text.to_str()?, unit).map_err(|error| {
+            PyTypeError::new_err(format!("{owner}: {name}: {}", error.value(given.py())))
+        });
+    }
+    scalar(given).ok_or_else(|| {
+        let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
+        no_number(owner, name, &shown)
+    })
+}
+
+/// The same of several arguments.
+pub(crate) fn numbers<const N: usize>(
+    owner: &str,
+    given: [(&str, &Bound<'_, PyAny>); N],
+) -> PyResult<[f64; N]> {
+    let mut found = [0.0; N];
+    for (found, (name, given)) in found.iter_mut().zip(given) {
+        *found = number(owner, name, given)?;
+    }
+    Ok(found)
+}
+
+/// That an argument is no number, and what to give.
+pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
+    let needed = asperity_scene::unit_of(name)
+        .map_or(String::new(), |unit| format!(" in {unit}, or a text with a unit"));
+    PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
+}
+
+/// A text with a unit, as "2 kN", as a number in an SI unit.
+fn with_unit(text: &str, si: &str) -> PyResult<f64> {
+    if text.trim().parse::<f64>().is_ok() {
+        // A text without a unit is one by mistake only.
+        let advice = "give a number, or a text with its unit";
+        return Err(PyTypeError::new_err(format!("{text:?} has no unit: {advice}")));
+    }
+    asperity_scene::quantity(text, si).map_err(PyTypeError::new_err)
+}
+
+/// Texts with a unit, as "100 nm" or a sequence of them, as numbers in an SI unit; none of numbers.
+pub(crate) fn texts_in_si<'py>(
+    numbers: &Bound<'py, PyAny>,
+    si: &str,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    let py = numbers.py();
+    if let Ok(text) = numbers.cast::<PyString>() {
+        return Ok(Some(PyFloat::new(py, with_unit(text.to_str()?, si)?).into_any()));
+    }
+    let is_tuple = numbers.is_instance_of::<PyTuple>();
+    if !is_tuple && !numbers.is_instance_of::<PyList>() {
+        return Ok(None);
+    }
+    let items = numbers.try_iter()?.collect::<PyResult<Vec<_>>>()?;
+    if !items.iter().any(|item| item.is_instance_of::<PyString>()) {
+        return Ok(None);
+    }
+    let each = |item: &Bound<'_, PyAny>| match item.cast::<PyString>() {
+        Ok(text) => with_unit(text.to_str()?, si),
+        Err(_) => {
+            let shown = item.repr()?;
+            let advice = "give every value a unit, or none";
+            Err(PyTypeError::new_err(format!("{shown} has no unit: {advice}")))
+        }
+    };
+    let read = items.iter().map(each).collect::<PyResult<Vec<f64>>>()?;
+    Ok(Some(match is_tuple {
+        true => PyTuple::new(py, read)?.into_any(),
+        false => PyList::new(py, read)?.into_any(),
+    }))
+}
+
+/// Texts with a unit as numbers in an SI unit; numbers as they are.
+#[pyfunction]
+pub(crate) fn in_si<'py>(numbers: Bound<'py, PyAny>, si: &str) -> PyResult<Bound<'py, PyAny>> {
+    Ok(texts_in_si(&numbers, si)?.unwrap_or(numbers))
+}
+
+/// A contiguous array of doubles. Masks, which would be lost, complex numbers, and truths and
+/// texts, which NumPy would read as numbers, are refused.
+#[pyfunction]
+pub(crate) fn floats<'py>(
+    values: &Bound<'py, PyAny>,
+    name: &str,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let numpy = values.py().import("numpy")?;
+    if numpy.getattr("ma")?.call_method1("isMaskedArray", (values,))?.extract()? {
+        return Err(value_error(format!(
+            "{name} is a masked array: one without a mask was required, as of its filled() or compressed()"
+        )));
+    }
+    let array = numpy.call_method1("asarray", (values,))?;
+    let kind = array.getattr("dtype")?;
+    if !matches!(kind.getattr("kind")?.extract()?, "f" | "i" | "u") {
+        return Err(PyTypeError::new_err(format!(
+            "{name} has numbers of type {kind}: real ones were required"
+        )));
+    }
+    // ascontiguousarray makes one dimension of none.
+    let made = numpy.call_method1("ascontiguousarray", (&array, "float64"))?;
+    Ok(made.call_method1("reshape", (array.getattr("shape")?,))?.extract()?)
+}

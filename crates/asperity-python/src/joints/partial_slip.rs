@@ -1,0 +1,103 @@
+//! `PartialSlip`: a closed joint that is sheared.
+
+use asperity::ContactError;
+use asperity::joints;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+use super::{Unloading, over};
+use crate::convert::error::value_error;
+use crate::convert::numbers::texts_in_si;
+
+/// A joint that is sheared at a constant separation, from virgin or in cycles.
+///
+/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or texts with a unit, as "100 nm";
+/// a float gives floats, an array gives arrays of its shape. The asperities deform as elastically as
+/// in the unloading.
+#[pyclass(frozen, module = "asperity")]
+pub(crate) struct PartialSlip {
+    /// The joint that is sheared.
+    #[pyo3(get)]
+    unloading: Py<Unloading>,
+    /// The coefficient of friction.
+    #[pyo3(get)]
+    friction: f64,
+    slip: joints::PartialSlip,
+}
+
+#[pymethods]
+impl PartialSlip {
+    /// Of an `Unloading`.
+    #[new]
+    pub(super) fn new(unloading: Py<Unloading>, friction: f64) -> PyResult<Self> {
+        let slip = joints::PartialSlip::new(&unloading.get().joint, friction);
+        Ok(Self { slip: slip.map_err(value_error)?, unloading, friction })
+    }
+
+    /// Tangential force [N] at first shifts.
+    fn force<'py>(&self, shift: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.over(shift, "shift", |slip, u| Ok(slip.force(u)?.value()))
+    }
+
+    /// Tangential force [N] at shifts in a steady cycle: on the way back from +amplitude, or forth
+    /// from -amplitude.
+    #[pyo3(signature = (shift, amplitude, *, forth=false))]
+    fn loop_force<'py>(
+        &self,
+        shift: &Bound<'py, PyAny>,
+        amplitude: &Bound<'py, PyAny>,
+        forth: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let amplitude: f64 =
+            texts_in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
+        self.over(shift, "shift", |slip, u| slip.loop_force(u, amplitude, forth))
+    }
+
+    /// Energy [J] dissipated per cycle between -amplitude and +amplitude.
+    fn loss<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.over(amplitude, "amplitude", |slip, u| Ok(slip.loss(u)?.value()))
+    }
+
+    /// Loss factor of a cycle between -amplitude and +amplitude: the dissipated energy over pi times
+    /// force times amplitude; 4/pi in full sliding.
+    fn loss_factor<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.over(amplitude, "amplitude", joints::PartialSlip::loss_factor)
+    }
+
+    /// Shift [m] at which the tangential force reaches this share of its limit, friction times the
+    /// normal force.
+    #[pyo3(signature = (share=0.99))]
+    fn shift_at(&self, py: Python<'_>, share: f64) -> PyResult<f64> {
+        py.detach(|| self.slip.shift_at(share)).map_err(|error| self.raise(py, error))
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let arguments = (&slf.get().unloading, slf.get().friction);
+        Ok((slf.get_type().into_any(), arguments.into_pyobject(slf.py())?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let unloading = self.unloading.bind(py).repr()?;
+        Ok(format!("<asperity.PartialSlip with friction {}; {unloading}>", self.friction))
+    }
+}
+
+impl PartialSlip {
+    fn raise(&self, py: Python<'_>, error: ContactError) -> PyErr {
+        self.unloading.get().model.get().raise(py, error)
+    }
+
+    fn over<'py>(
+        &self,
+        numbers: &Bound<'py, PyAny>,
+        name: &str,
+        one: impl Fn(&joints::PartialSlip, f64) -> Result<f64, ContactError> + Sync,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let one = |u: f64| one(&self.slip, u);
+        let read = texts_in_si(numbers, "m")?;
+        let numbers = read.as_ref().unwrap_or(numbers);
+        over(numbers, name, |_| None, one, |error| self.raise(numbers.py(), error))
+    }
+}

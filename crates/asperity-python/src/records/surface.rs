@@ -1,0 +1,161 @@
+//! `Surface`, and `Asperity`, one of them.
+
+use asperity::{ContactError, ProfileMoments};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use super::{Arg, Field, Interface, Record, Setter, instance, record, shown};
+use crate::convert::error::refused;
+use crate::convert::numbers::numbers;
+
+record! {
+    /// Asperities of one radius on a nominally flat surface.
+    ///
+    /// Numbers are in SI units, or texts with their unit, as "0.2 mm" or "200 1/mm2".
+    ///
+    /// Parameters
+    /// ----------
+    /// asperity_radius : float or str
+    ///     R [m], above 0.
+    /// asperity_density : float or str
+    ///     Asperities per area [1/m^2], above 0.
+    /// asperity_height_std : float or str
+    ///     Standard deviation of the asperity heights [m], above 0; not that of the surface heights.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import asperity
+    /// >>> surface = asperity.Surface(2e-4, 2e8, 1e-6)
+    /// >>> round(surface.roughness_parameter, 6)
+    /// 0.04
+    /// >>> asperity.Surface("0.2 mm", "200 1/mm2", "1 um") == surface
+    /// True
+    Surface (asperity_radius, asperity_density, asperity_height_std)
+        from asperity::Surface::new(0.0, 0.0, 0.0), asperity::Surface::check;
+    /// Radius of the asperities [m].
+    asperity_radius: f64,
+    /// Asperities per area [1/m^2].
+    asperity_density: f64,
+    /// Standard deviation of the asperity heights [m].
+    asperity_height_std: f64,
+    {
+        /// From the plasticity index, the roughness parameter (density times radius times
+        /// height_std), the standard deviation of the asperity heights [m] and the interface.
+        #[staticmethod]
+        fn from_plasticity_index(
+            plasticity_index: &Arg<'_>, roughness_parameter: &Arg<'_>,
+            asperity_height_std: &Arg<'_>, interface: &Arg<'_>,
+        ) -> PyResult<Self> {
+            let [index, parameter, std] = numbers("Surface", [
+                ("plasticity_index", plasticity_index),
+                ("roughness_parameter", roughness_parameter),
+                ("asperity_height_std", asperity_height_std),
+            ])?;
+            let interface = instance::<Interface>("interface", interface)?.get().0;
+            Self::of(asperity::Surface::from_plasticity_index(index, parameter, std, &interface))
+        }
+
+        /// From the spectral moments of profiles of an isotropic Gaussian surface: averages of z^2
+        /// [m^2], z'^2 and z''^2 [1/m^2].
+        #[staticmethod]
+        fn from_moments(m0: &Arg<'_>, m2: &Arg<'_>, m4: &Arg<'_>) -> PyResult<Self> {
+            let [m0, m2, m4] = numbers("Surface", [("m0", m0), ("m2", m2), ("m4", m4)])?;
+            Self::of(asperity::Surface::from_moments(&ProfileMoments { m0, m2, m4 }))
+        }
+
+        /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
+        /// surface heights Sq [m], the density of peaks Spd [1/m^2] and their mean curvature Spc
+        /// [1/m]. The peaks are taken for the asperities.
+        ///
+        /// >>> import asperity
+        /// >>> surface = asperity.Surface.from_iso25178(sq="1.1 um", spd="200 1/mm2", spc="5 1/mm")
+        /// >>> surface.asperity_radius, surface.asperity_density
+        /// (0.0002, 200000000.0)
+        #[staticmethod]
+        fn from_iso25178(sq: &Arg<'_>, spd: &Arg<'_>, spc: &Arg<'_>) -> PyResult<Self> {
+            let [sq, spd, spc] = numbers("Surface", [("sq", sq), ("spd", spd), ("spc", spc)])?;
+            Self::of(asperity::Surface::from_iso25178(sq, spd, spc))
+        }
+
+        /// From radius [m], density [1/m^2] and the standard deviation of the surface heights [m].
+        #[staticmethod]
+        fn from_surface_std(
+            asperity_radius: &Arg<'_>, asperity_density: &Arg<'_>, surface_height_std: &Arg<'_>,
+        ) -> PyResult<Self> {
+            let [radius, density, std] = numbers("Surface", [
+                ("asperity_radius", asperity_radius),
+                ("asperity_density", asperity_density),
+                ("surface_height_std", surface_height_std),
+            ])?;
+            Self::of(asperity::Surface::from_surface_std(radius, density, std))
+        }
+
+        /// Density times radius times height_std.
+        #[getter]
+        fn roughness_parameter(&self) -> f64 {
+            self.0.roughness_parameter()
+        }
+
+        /// Height of the mean of the asperity heights above the mean plane of an isotropic Gaussian
+        /// surface [m].
+        #[getter]
+        fn mean_plane_offset(&self) -> f64 {
+            self.0.mean_plane_offset()
+        }
+    }
+}
+
+impl Surface {
+    pub(crate) fn of(made: Result<asperity::Surface, ContactError>) -> PyResult<Self> {
+        Self::checked(made.map_err(refused)?)
+    }
+}
+
+record! {
+    /// One asperity, with every input resolved: what a law written in Python is made for.
+    ///
+    /// Made by the engine, and by ``Scene.asperity``.
+    Asperity (
+        equivalent_modulus, equivalent_shear_modulus, poissons_ratio, hardness, yield_strength,
+        pressure_factor, radius, work_of_adhesion=None
+    ) from asperity::Asperity {
+        equivalent_modulus: 0.0,
+        equivalent_shear_modulus: None,
+        poissons_ratio: 0.0,
+        hardness: None,
+        yield_strength: None,
+        pressure_factor: 0.0,
+        work_of_adhesion: None,
+        radius: 0.0,
+    }, |_| Ok(());
+    /// Equivalent modulus E [Pa].
+    equivalent_modulus: f64,
+    /// Equivalent shear modulus G [Pa], where it was given.
+    equivalent_shear_modulus: Option<f64>,
+    /// Poisson's ratio of the softer body.
+    poissons_ratio: f64,
+    /// Hardness of the softer body [Pa], unless it never yields.
+    hardness: Option<f64>,
+    /// Yield strength of the softer body [Pa], unless it never yields.
+    yield_strength: Option<f64>,
+    /// Maximum contact pressure factor.
+    pressure_factor: f64,
+    /// Radius [m].
+    radius: f64,
+    /// Work of adhesion [J/m^2], where it was given.
+    work_of_adhesion: Option<f64>,
+    {
+        /// The interference at the onset of yielding [m]; ValueError where it would exceed the
+        /// radius, or there is no hardness.
+        #[getter]
+        fn critical_interference(&self) -> PyResult<f64> {
+            self.0.critical_interference().map_err(refused)
+        }
+
+        /// The force at the critical interference [N]; ValueError where there is none.
+        #[getter]
+        fn critical_force(&self) -> PyResult<f64> {
+            self.0.critical_force().map_err(refused)
+        }
+    }
+}

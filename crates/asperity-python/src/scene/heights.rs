@@ -1,0 +1,95 @@
+//! Heights and options of a scene, as Python gives them.
+
+use std::collections::BTreeMap;
+
+use asperity::{HeightDistribution, TabulatedHeights, WeibullHeights};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use serde::Serialize;
+
+use crate::convert::error::{refused, value_error};
+
+/// A name, a skewness, or a table of heights [m] and densities [1/m].
+#[derive(FromPyObject, Serialize)]
+#[serde(untagged)]
+pub(crate) enum Heights {
+    Name(String),
+    Named(BTreeMap<String, f64>),
+    Table(Vec<f64>, Vec<f64>),
+}
+
+/// A name, a number, or named numbers.
+#[derive(FromPyObject)]
+pub(crate) enum OptionValue {
+    Name(String),
+    Number(f64),
+    Numbers(BTreeMap<String, f64>),
+}
+
+impl From<OptionValue> for asperity_scene::OptionValue {
+    fn from(value: OptionValue) -> Self {
+        match value {
+            OptionValue::Name(name) => Self::Word(name),
+            OptionValue::Number(number) => Self::Number(number),
+            OptionValue::Numbers(numbers) => Self::Numbers(numbers),
+        }
+    }
+}
+
+impl Heights {
+    /// Those of a scene.
+    pub(crate) fn in_file(file: &asperity_scene::SceneFile) -> Self {
+        match (&file.table, &file.scene.heights) {
+            (None, HeightDistribution::Weibull(heights)) => {
+                Self::Named([("skewness".into(), heights.skewness())].into())
+            }
+            (None, heights) => Self::Name(heights.name().into()),
+            (Some(table), _) => {
+                let (z, density) = table.points().iter().copied().unzip();
+                Self::Table(z, density)
+            }
+        }
+    }
+
+    pub(crate) fn of(given: &Bound<'_, PyAny>) -> PyResult<Self> {
+        given.extract().map_err(|_| {
+            let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
+            PyTypeError::new_err(format!("heights is {shown}: {HEIGHTS} was required"))
+        })
+    }
+
+    pub(crate) fn put(self, file: &mut asperity_scene::SceneFile) -> PyResult<()> {
+        file.scene.heights = match self {
+            Self::Name(name) if name == "gaussian" => HeightDistribution::Gaussian,
+            Self::Name(name) if name == "exponential" => HeightDistribution::Exponential,
+            Self::Name(name) => {
+                return Err(value_error(format!("heights is {name:?}: {HEIGHTS} was required")));
+            }
+            Self::Named(named) => {
+                let Some(skewness) = named.get("skewness").filter(|_| named.len() == 1) else {
+                    let keys: Vec<&String> = named.keys().collect();
+                    return Err(value_error(format!(
+                        "heights has the keys {keys:?}: {HEIGHTS} was required"
+                    )));
+                };
+                HeightDistribution::Weibull(WeibullHeights::new(*skewness).map_err(refused)?)
+            }
+            Self::Table(z, density) if z.len() != density.len() => {
+                return Err(value_error(format!(
+                    "heights is a table of {} heights and {} densities: as many of both was required",
+                    z.len(),
+                    density.len()
+                )));
+            }
+            Self::Table(z, density) => {
+                let points: Vec<(f64, f64)> = z.into_iter().zip(density).collect();
+                let table = TabulatedHeights::new("table", &points).map_err(refused)?;
+                file.table = Some(table.clone());
+                HeightDistribution::other(table)
+            }
+        };
+        Ok(())
+    }
+}
+
+const HEIGHTS: &str = "\"gaussian\", \"exponential\", {\"skewness\": value} or a table (heights [m], densities [1/m])";

@@ -1,0 +1,332 @@
+//! `Scene`: two bodies in contact, as a scene file describes them.
+
+mod heights;
+pub(crate) mod inputs;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use asperity::{Datum, SeparationUnit};
+use asperity_scene::ModelOptions;
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use serde_json::Value;
+
+use crate::convert::error::{refused, value_error, warn};
+use crate::convert::numbers::number;
+use crate::convert::objects::object;
+use crate::records::{Asperity, Interface, Record, Surface, instance, shown};
+use heights::Heights;
+pub(crate) use heights::OptionValue;
+use inputs::{inputs, with_numbers};
+
+/// Two bodies, their equivalent rough surface, and the nominal area of contact.
+///
+/// Numbers are in SI units, or texts with their unit, as "100 mm2".
+///
+/// Parameters
+/// ----------
+/// interface : Interface
+///     The two bodies.
+/// surface : Surface
+///     The equivalent rough surface.
+/// nominal_area : float or str
+///     The apparent area of contact [m^2], above 0.
+/// heights : "gaussian", "exponential", {"skewness": s} or (heights, densities)
+///     The distribution of the asperity heights. A skewness from -1 to 2 stands for a Weibull
+///     density. A table has heights [m], ascending, and the density there [1/m]: linear between its
+///     points, 0 outside; heights count from the table's own mean.
+/// separation_from : "asperity-mean" or "surface-mean"
+///     The plane that separations are measured from: the mean of the asperity heights (for
+///     exponential heights: the lowest asperity), or the mean plane of the surface.
+/// mean_plane_offset : float, optional
+///     Height of the mean of the asperity heights above the mean plane [m], where it was measured;
+///     when not given, that of the table of heights, or of an isotropic Gaussian surface.
+/// options : dict, optional
+///     Options of the models, as in the section [options] of a scene file; and
+///     ``{"asperities": "random"}``: "ke" stands for "ke-random" then, whose heights and radii are
+///     spread together as on an isotropic Gaussian surface with these moments.
+///
+/// Examples
+/// --------
+/// >>> import asperity
+/// >>> interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+/// >>> scene = asperity.Scene(interface, asperity.Surface(3.6e-4, 1.1e8, 1e-6), nominal_area=3e-5)
+/// >>> round(scene.plasticity_index, 2)
+/// 5.98
+/// >>> scene.replace(hardness="2.24 GPa").interface.hardness
+/// 2240000000.0
+#[pyclass(frozen, name = "Scene", module = "asperity")]
+pub(crate) struct SceneFile(pub(crate) Arc<asperity_scene::SceneFile>);
+
+#[pymethods]
+impl SceneFile {
+    #[new]
+    #[pyo3(
+        signature = (
+            interface, surface, nominal_area, heights=None, separation_from="asperity-mean",
+            mean_plane_offset=None, options=None
+        ),
+        text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None)"
+    )]
+    fn new(
+        interface: &Bound<'_, PyAny>,
+        surface: &Bound<'_, PyAny>,
+        nominal_area: &Bound<'_, PyAny>,
+        heights: Option<&Bound<'_, PyAny>>,
+        separation_from: &str,
+        mean_plane_offset: Option<&Bound<'_, PyAny>>,
+        options: Option<BTreeMap<String, OptionValue>>,
+    ) -> PyResult<Self> {
+        let interface = instance::<Interface>("interface", interface)?.get().0;
+        let surface = instance::<Surface>("surface", surface)?.get().0;
+        let scene = asperity::Scene::new(
+            interface,
+            surface,
+            number("Scene", "nominal_area", nominal_area)?,
+        );
+        let mut file = asperity_scene::SceneFile::from(scene);
+        if let Some(heights) = heights {
+            Heights::of(heights)?.put(&mut file)?;
+        }
+        let from = serde_json::from_value(Value::String(separation_from.into()));
+        file.separation_from =
+            from.map_err(|error| value_error(format!("separation_from: {error}")))?;
+        let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
+        file.scene.mean_plane_offset = offset.transpose()?;
+        for (name, value) in options.unwrap_or_default() {
+            file.options.set(&name, &value.into()).map_err(value_error)?;
+        }
+        let file = with_numbers(&file, []).map_err(refused)?;
+        // Refuses separations from a mean plane that the heights do not have.
+        file.separation(0.0, SeparationUnit::Metres)
+            .measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)
+            .map_err(refused)?;
+        Ok(Self(Arc::new(file)))
+    }
+
+    /// Reads a scene file and the files it names.
+    #[staticmethod]
+    fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Self::read(py, py.detach(|| asperity_scene::load(&path)))
+    }
+
+    /// Reads a scene from the text of a scene file; relative paths in it begin at ``directory``.
+    #[staticmethod]
+    #[pyo3(signature = (text, directory=PathBuf::from(".")), text_signature = "(text, directory='.')")]
+    fn parse(py: Python<'_>, text: &str, directory: PathBuf) -> PyResult<Self> {
+        Self::read(py, py.detach(|| asperity_scene::parse(text, &directory)))
+    }
+
+    /// The two bodies.
+    #[getter]
+    fn interface(&self) -> Interface {
+        Interface(self.0.scene.interface)
+    }
+
+    /// The equivalent rough surface.
+    #[getter]
+    fn surface(&self) -> Surface {
+        Surface(self.0.scene.surface)
+    }
+
+    /// The apparent area of contact [m^2].
+    #[getter]
+    fn nominal_area(&self) -> f64 {
+        self.0.scene.nominal_area
+    }
+
+    /// The distribution of the asperity heights: its name, its skewness, or a table.
+    #[getter]
+    fn heights<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        match Heights::in_file(&self.0) {
+            Heights::Table(z, density) => {
+                (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
+            }
+            other => object(py, &other),
+        }
+    }
+
+    /// The plane that separations are measured from.
+    #[getter]
+    fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.0.separation_from)
+    }
+
+    /// Height of the mean of the asperity heights above the mean plane [m], where it was given.
+    #[getter]
+    fn mean_plane_offset(&self) -> Option<f64> {
+        // A table's own mean is not given.
+        self.0.scene.mean_plane_offset.filter(|_| self.0.table.is_none())
+    }
+
+    /// The options that differ from the defaults.
+    #[getter]
+    fn options<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        object(py, &self.0.options.changed())
+    }
+
+    /// The same scene with other numbers, by the names of a scene file: equivalent_modulus,
+    /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor,
+    /// thermal_conductivity, electrical_resistivity, work_of_adhesion, asperity_radius,
+    /// asperity_density, asperity_height_std, nominal_area; or plasticity_index and
+    /// roughness_parameter in the place of radius and density.
+    #[pyo3(signature = (**numbers))]
+    fn replace(&self, numbers: Option<BTreeMap<String, Bound<'_, PyAny>>>) -> PyResult<Self> {
+        let numbers = numbers.unwrap_or_default();
+        let values = numbers.iter().map(|(name, given)| number("Scene", name, given));
+        let values = inputs(numbers.keys())?.into_iter().zip(values.collect::<PyResult<Vec<_>>>()?);
+        Ok(Self(Arc::new(with_numbers(&self.0, values).map_err(refused)?)))
+    }
+
+    /// Many scenes like this one: the names of ``replace``, with arrays that are broadcast.
+    #[pyo3(signature = (**columns))]
+    fn vary<'py>(
+        slf: &Bound<'py, Self>,
+        columns: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let scenes = slf.py().import("asperity._scene")?.getattr("Scenes")?;
+        scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
+    }
+
+    /// One asperity of the surface, with every input resolved.
+    #[getter]
+    fn asperity(&self) -> PyResult<Asperity> {
+        self.0.scene.asperity().map(Asperity).map_err(refused)
+    }
+
+    /// The number of asperities: density times nominal area.
+    #[getter]
+    fn asperities(&self) -> f64 {
+        self.0.scene.asperities()
+    }
+
+    /// The square root of height_std over the critical interference.
+    #[getter]
+    fn plasticity_index(&self) -> PyResult<f64> {
+        self.0.scene.plasticity_index().map_err(refused)
+    }
+
+    /// The ids of the models that this scene allows, simplest first.
+    fn models(&self) -> Vec<String> {
+        self.0.models().0.iter().map(|model| model.id().to_string()).collect()
+    }
+
+    /// The text of a scene file that reads back exactly, written to ``path`` if there is one; a table
+    /// of heights goes to a CSV file of the same name beside it then.
+    ///
+    /// >>> import asperity
+    /// >>> scene = asperity.Scene.parse(asperity.template())
+    /// >>> asperity.Scene.parse(scene.to_toml()) == scene
+    /// True
+    #[pyo3(signature = (path=None))]
+    fn to_toml(&self, path: Option<PathBuf>) -> PyResult<String> {
+        let text = match path {
+            None => self.0.to_toml(&[]),
+            Some(path) => self.0.save(&path, &[]),
+        };
+        text.map_err(value_error)
+    }
+
+    /// What follows from the scene, and what in it is unusual: sizes that no surface or material
+    /// has, with the unit that would explain them. At a separation, load [N] or pressure [Pa], also
+    /// how much touches, how deep contacts are pressed, and whether the model is made for that:
+    /// "ke" unless another is given, or "gw" where there is no hardness.
+    ///
+    /// >>> import asperity
+    /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
+    /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
+    /// >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
+    /// error: equivalent_modulus is 116 Pa (usual: 30000 to 1.3e12): 116 looks like GPa; 116 GPa is 1.16e11 Pa
+    #[pyo3(signature = (
+        model=None, separation=None, *, load=None, pressure=None,
+        separation_unit="asperity_height_std"
+    ))]
+    fn check<'py>(
+        slf: &Bound<'py, Self>,
+        model: Option<Bound<'py, PyAny>>,
+        separation: Option<Bound<'py, PyAny>>,
+        load: Option<Bound<'py, PyAny>>,
+        pressure: Option<Bound<'py, PyAny>>,
+        separation_unit: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let check = slf.py().import("asperity._advice")?.getattr("check")?;
+        check.call1((slf, model, separation, load, pressure, separation_unit))
+    }
+
+    /// The arguments that make this scene, with dicts of numbers for the interface and the surface.
+    fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let fields = self.arguments(py)?;
+        fields.set_item("interface", self.interface().fields(py)?)?;
+        fields.set_item("surface", self.surface().fields(py)?)?;
+        Ok(fields)
+    }
+
+    /// The id of the model that others are compared with where none is named.
+    fn _usual_reference(&self) -> &'static str {
+        asperity::usual_reference(&self.0.scene)
+    }
+
+    fn __eq__(&self, other: &Self, py: Python<'_>) -> PyResult<bool> {
+        self.arguments(py)?.eq(other.arguments(py)?)
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let given = self.arguments(py)?;
+        for (name, usual) in [("heights", "gaussian"), ("separation_from", "asperity-mean")] {
+            if given.get_item(name)?.is_some_and(|value| value.eq(usual).unwrap_or(false)) {
+                given.del_item(name)?;
+            }
+        }
+        if self.0.options == ModelOptions::default() {
+            given.del_item("options")?;
+        }
+        let text = shown("Scene", &given)?;
+        Ok(match &self.0.table {
+            None => text,
+            Some(table) => {
+                let points = format!("<table of {} points>", table.points().len());
+                text.replace(&self.heights(py)?.repr()?.to_string(), &points)
+            }
+        })
+    }
+
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let arguments = PyTuple::new(slf.py(), slf.get().arguments(slf.py())?.values())?;
+        Ok((slf.get_type().into_any(), arguments))
+    }
+}
+
+impl SceneFile {
+    fn read(
+        py: Python<'_>,
+        read: Result<asperity_scene::SceneFile, asperity_scene::SceneError>,
+    ) -> PyResult<Self> {
+        let file = read.map_err(value_error)?;
+        file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
+        Ok(Self(Arc::new(file)))
+    }
+
+    /// The arguments that make this scene, in the order of the signature.
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arguments = PyDict::new(py);
+        arguments.set_item("interface", self.interface())?;
+        arguments.set_item("surface", self.surface())?;
+        arguments.set_item("nominal_area", self.nominal_area())?;
+        arguments.set_item("heights", self.heights(py)?)?;
+        arguments.set_item("separation_from", self.separation_from(py)?)?;
+        arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
+        arguments.set_item("options", self.options(py)?)?;
+        Ok(arguments)
+    }
+}
+
+/// A commented scene file with every key there is.
+#[pyfunction]
+pub(crate) fn template() -> &'static str {
+    asperity_scene::template()
+}
