@@ -57,12 +57,12 @@ impl Contact for Compiled {
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         (&self.0).check_requested(quantity)?;
-        Row::new(&mut &self.0, &[], at)?.quantity(quantity)
+        Row::<_, 0>::new(&mut &self.0, &[], at)?.unchecked(quantity)
     }
 
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let mut averages = &self.0;
-        let mut row = Row::new(&mut averages, &[Quantity::Tangent], at)?;
+        let mut row = Row::<_, 1>::new(&mut averages, &[Quantity::Tangent], at)?;
         Ok((row.unchecked(Quantity::Force)?, row.unchecked(Quantity::Tangent)?))
     }
 

@@ -74,7 +74,7 @@ fn answer<'s, A: Averages<'s>>(
 ) -> Response {
     let value = |quantity, at| {
         let mut averages = averages().ok()?;
-        let mut row = Row::new(&mut averages, &[quantity], at).ok()?;
+        let mut row = Row::<_>::new(&mut averages, &[quantity], at).ok()?;
         Some(row.unchecked(quantity).ok()?.value())
     };
     let signed = facts.laws.are_signed();
@@ -149,7 +149,7 @@ fn together(
             let (base, moments) = (made.base, made.moments[k]);
             LawIntegral { base, moments, has_slope }
         });
-        let mut row = Row::with(&mut averages, (*place, *at), has_slope, known);
+        let mut row = Row::<_>::with(&mut averages, (*place, *at), has_slope, known);
         for (column, quantity) in columns.iter_mut().zip(quantities) {
             column.push(row.quantity(*quantity).map_err(Box::new));
         }

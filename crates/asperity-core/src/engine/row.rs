@@ -20,22 +20,22 @@ pub(crate) struct LawIntegral {
     pub(crate) has_slope: bool,
 }
 
-/// The quantities at one place.
-pub(crate) struct Row<'a, 's, A> {
+/// The quantities at one place, with memory for so many integrals; a single value needs none.
+pub(crate) struct Row<'a, 's, A, const MEMORY: usize = LAWS> {
     reading: Reading<'s>,
-    integrals: AtPlace<'a, A>,
+    integrals: AtPlace<'a, A, MEMORY>,
 }
 
 /// The integrals at one place.
-struct AtPlace<'a, A> {
+struct AtPlace<'a, A, const MEMORY: usize> {
     averages: &'a mut A,
     place: (f64, At),
     /// Whether slopes are made with values.
     slopes: bool,
-    made: [Option<LawIntegral>; LAWS],
+    made: [Option<LawIntegral>; MEMORY],
 }
 
-impl<'a, 's, A: Averages<'s>> Row<'a, 's, A> {
+impl<'a, 's, A: Averages<'s>, const MEMORY: usize> Row<'a, 's, A, MEMORY> {
     /// The row for these quantities; a load is inverted.
     #[inline]
     pub(crate) fn new(
@@ -59,7 +59,8 @@ impl<'a, 's, A: Averages<'s>> Row<'a, 's, A> {
         let scene = averages.scene();
         let own_stiffness = averages.laws().own_stiffness;
         let reading = Reading { scene, own_stiffness, tolerance: averages.tolerance(), place, at };
-        let mut integrals = AtPlace { averages, place: (place.s, at), slopes, made: [None; LAWS] };
+        let mut integrals =
+            AtPlace { averages, place: (place.s, at), slopes, made: [None; MEMORY] };
         known.into_iter().for_each(|known| integrals.keep(known));
         Self { reading, integrals }
     }
@@ -85,7 +86,7 @@ pub(crate) fn cells<'s>(
     at: At,
 ) -> Vec<Cell> {
     let requested = quantities.iter().map(|q| averages.check_requested(*q)).collect::<Vec<_>>();
-    let row = Row::new(averages, quantities, at).map_err(Box::new);
+    let row = Row::<_, LAWS>::new(averages, quantities, at).map_err(Box::new);
     let refused = |requested: Result<(), ContactError>, error: &ContactError| {
         Err(Box::new(requested.err().unwrap_or_else(|| error.clone())))
     };
@@ -95,7 +96,7 @@ pub(crate) fn cells<'s>(
     }
 }
 
-impl<A> AtPlace<'_, A> {
+impl<A, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
     #[inline]
     fn keep(&mut self, integral: LawIntegral) {
         if let Some(free) = self.made.iter_mut().find(|made| made.is_none()) {
@@ -104,7 +105,7 @@ impl<A> AtPlace<'_, A> {
     }
 }
 
-impl<'s, A: Averages<'s>> AtPlace<'_, A> {
+impl<'s, A: Averages<'s>, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
     #[inline]
     fn make(&mut self, base: Quantity, slope: bool) -> Result<LawIntegral, ContactError> {
         self.averages.settle(base, self.place)?;
@@ -120,7 +121,7 @@ impl<'s, A: Averages<'s>> AtPlace<'_, A> {
     }
 }
 
-impl<'s, A: Averages<'s>> Integrals for AtPlace<'_, A> {
+impl<'s, A: Averages<'s>, const MEMORY: usize> Integrals for AtPlace<'_, A, MEMORY> {
     #[inline]
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
         let factor = self.averages.units(base)?.factor;

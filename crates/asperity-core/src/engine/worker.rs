@@ -40,7 +40,7 @@ impl<'s> Worker<'s> {
         };
         let quantities = &self.question.quantities;
         self.walk(model, cases, |integrals, at| {
-            let mut row = Row::new(integrals, quantities, at)?;
+            let mut row = Row::<_>::new(integrals, quantities, at)?;
             quantities.iter().map(|quantity| row.quantity(*quantity)).collect()
         })
     }
