@@ -145,7 +145,7 @@ impl Interface {
         // Findings of the interface itself appear where it is used.
         if found.findings().is_empty() {
             let mut odd = bodies.iter().flat_map(asperity::Body::findings);
-            odd.try_for_each(|finding| warn(py, &finding.message, 0))?;
+            odd.try_for_each(|finding| warn(py, finding, 0))?;
         }
         found.work_of_adhesion = Field::read("Interface", "work_of_adhesion", work_of_adhesion)?;
         Self::checked(found)
