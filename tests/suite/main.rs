@@ -24,5 +24,6 @@ mod rows;
 mod scenes;
 mod sweeps;
 mod tangents;
+mod tidy;
 mod truth;
 mod work;

@@ -223,3 +223,11 @@ pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
         Err(ContactError::OutOfRange { field, value, required: "a finite number above 0" })
     }
 }
+
+/// The error of an integral for `quantity` at `at`.
+pub(crate) fn integral_failed(
+    quantity: Quantity,
+    at: At,
+) -> impl Fn(QuadratureError) -> ContactError {
+    move |source| ContactError::Integral { quantity, at, source }
+}

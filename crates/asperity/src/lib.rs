@@ -1,21 +1,10 @@
 #![doc = include_str!("../README.md")]
 
-mod advice;
-mod contact_table;
-mod cubic;
-mod error_bound;
 mod evidence;
-mod evidence_csv;
-mod fe_interaction;
-mod fe_tables;
-mod fe_units;
-mod kinks;
 mod ranking;
 mod recommend;
 mod registry;
-mod table_builder;
-mod table_error;
-mod table_format;
+mod tables;
 mod truth;
 
 #[doc = include_str!("../DEFINITIONS.md")]
@@ -41,14 +30,14 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
-pub use contact_table::{ContactNode, ContactTable};
 pub use evidence::{Deviation, Evidence, EvidenceCase, EvidenceRow, Nearest};
-pub use fe_interaction::ConductanceAgainst;
-pub use fe_units::UnitSystem;
 pub use recommend::{
     Comparison, EvidenceAt, Recommendation, recommend, recommend_among, usual_reference,
 };
 pub use registry::Model;
-pub use table_error::TableError;
-pub use table_format::{Interpolation, TableFormat};
+pub use tables::contact_table::{ContactNode, ContactTable};
+pub use tables::error::TableError;
+pub use tables::format::{Interpolation, TableFormat};
+pub use tables::interaction::ConductanceAgainst;
+pub use tables::units::UnitSystem;
 pub use truth::{ContactState, Truth, compare_with_bem, summary};

@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use asperity_quadrature::{Moments, QuadratureError};
 
-use crate::engine::channel::{Units, failed};
+use crate::engine::channel::Units;
 use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{ForceCurve, Target, check_load};
 use crate::engine::laws::Laws;
+use crate::error::integral_failed;
 use crate::request::separation::{HIGHEST, LOWEST, Place};
 use crate::{At, ContactError, Quantity, Scene, Share, Tolerance};
 
@@ -169,5 +170,5 @@ pub(crate) fn all_parts(
     base: Quantity,
     at: At,
 ) -> Result<Vec<Moments>, ContactError> {
-    parts.collect::<Result<_, _>>().map_err(failed(base, at))
+    parts.collect::<Result<_, _>>().map_err(integral_failed(base, at))
 }

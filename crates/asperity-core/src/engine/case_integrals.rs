@@ -8,11 +8,12 @@ use std::sync::Arc;
 use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
-use crate::engine::channel::{Units, failed};
+use crate::engine::channel::Units;
 use crate::engine::height_integral::{HeightIntegral, with_slope_within};
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
+use crate::error::integral_failed;
 use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
 
 /// Within this distance of where an integral was made, its bound holds as well as there.
@@ -128,7 +129,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         slope: bool,
     ) -> Result<Moments, ContactError> {
         let (scene, tolerance) = (self.scene, self.tolerance);
-        self.law(base)?.at(s, slope, scene, tolerance).map_err(failed(base, at))
+        self.law(base)?.at(s, slope, scene, tolerance).map_err(integral_failed(base, at))
     }
 
     fn parts(
@@ -167,12 +168,12 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         let total = self.force.get_or_init(|| {
             HeightIntegral::new(law.density(), law, self.scene, self.tolerance.relative())
         });
-        total.guide(s).map_err(failed(Quantity::Force, s.into()))
+        total.guide(s).map_err(integral_failed(Quantity::Force, s.into()))
     }
 
     fn settle(&mut self, base: Quantity, (s, at): (f64, At)) -> Result<bool, ContactError> {
         let tolerance = self.tolerance;
-        self.law(base)?.settle(s, tolerance).map_err(failed(base, at))
+        self.law(base)?.settle(s, tolerance).map_err(integral_failed(base, at))
     }
 }
 

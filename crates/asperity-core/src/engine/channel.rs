@@ -2,12 +2,12 @@
 
 use std::sync::{Arc, OnceLock};
 
-use asperity_quadrature::{Density, QuadratureError};
+use asperity_quadrature::Density;
 
 use crate::engine::height_integral::HeightIntegral;
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::onset::Onset;
-use crate::{At, ContactError, Law, Quantity, Scene, Tolerance};
+use crate::{ContactError, Law, Quantity, Scene, Tolerance};
 
 /// Powers of scales w_c/σ_z outside overflow f64, and no surface has them.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
@@ -53,11 +53,6 @@ impl Units {
             None => Err(ContactError::Ratio { ratio: scale }),
         }
     }
-}
-
-/// The error of an integral at `at`, in the caller's units.
-pub(crate) fn failed(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral { quantity, at, source }
 }
 
 impl Channel {

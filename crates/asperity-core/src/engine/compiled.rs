@@ -8,11 +8,11 @@ use crate::engine::arrays::{self, FillReport};
 use crate::engine::averages::{
     Averages, all_places_of_load, place, place_of_load, place_of_pull_off,
 };
-use crate::engine::channel::failed;
 use crate::engine::list::{answer_prepared, shares_at};
 use crate::engine::plan::plan;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row::Row;
+use crate::error::integral_failed;
 use crate::law::contact_radii;
 use crate::response::Response;
 use crate::{
@@ -102,7 +102,8 @@ impl Contact for Compiled {
         }
         let channel = self.0.channel(quantity)?;
         let curvature = channel.total.curvature(place.s).ok_or_else(none)?;
-        let Curvature { value, size, ln_scale, error } = curvature.map_err(failed(quantity, at))?;
+        let Curvature { value, size, ln_scale, error } =
+            curvature.map_err(integral_failed(quantity, at))?;
         let integral = size;
         let height_std = self.0.scene.surface.asperity_height_std;
         // Divided twice, so that no square of a small number underflows.

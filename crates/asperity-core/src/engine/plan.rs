@@ -7,8 +7,9 @@ use asperity_quadrature::reach;
 use serde::Serialize;
 
 use crate::engine::averages::place;
-use crate::engine::channel::{Channel, failed};
+use crate::engine::channel::Channel;
 use crate::engine::prepared::Prepared;
+use crate::error::integral_failed;
 use crate::{At, ContactError, HeightDistribution, Part, Quantity, Request};
 
 /// How an integral over the heights is done.
@@ -112,7 +113,7 @@ fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, 
     let mut terms: Option<(usize, usize)> = None;
     let mut farthest: f64 = 0.0;
     for &s in places {
-        let failed = failed(law, s.into());
+        let failed = integral_failed(law, s.into());
         channel.total.value(s).map_err(&failed)?;
         if let Some(n) = channel.total.terms(s).map_err(&failed)? {
             let (least, most) = terms.unwrap_or((n, n));

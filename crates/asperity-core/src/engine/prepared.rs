@@ -6,9 +6,10 @@ use std::sync::Arc;
 use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, all_parts};
-use crate::engine::channel::{Channel, Units, failed};
+use crate::engine::channel::{Channel, Units};
 use crate::engine::inverse::force_at::Falls;
 use crate::engine::laws::{Laws, any_load};
+use crate::error::integral_failed;
 use crate::law::contact_radii;
 use crate::{
     AsperityModel, At, ContactError, Diagnostic, Law, Quantity, Request, Scene, Tolerance,
@@ -111,7 +112,7 @@ impl<'p> Averages<'p> for &'p Prepared {
     ) -> Result<Moments, ContactError> {
         let total = &self.channel(base)?.total;
         let found = if slope { total.at(s) } else { total.value(s) };
-        found.map_err(failed(base, at))
+        found.map_err(integral_failed(base, at))
     }
 
     fn parts(
@@ -131,7 +132,7 @@ impl<'p> Averages<'p> for &'p Prepared {
 
     fn guide(&self, s: f64) -> Result<Moments, ContactError> {
         let found = self.channel(Quantity::Force)?.total.guide(s);
-        found.map_err(failed(Quantity::Force, s.into()))
+        found.map_err(integral_failed(Quantity::Force, s.into()))
     }
 
     #[inline]

@@ -2,7 +2,7 @@
 
 use asperity_quadrature::Moments;
 
-use crate::engine::channel::failed;
+use crate::error::integral_failed;
 use crate::request::quantity_table::Derivation;
 use crate::request::separation::Place;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
@@ -84,7 +84,7 @@ impl Reading<'_> {
     ) -> Result<Evaluation, ContactError> {
         let (moments, factor) = integrals.moments(of, true)?;
         let within = moments.slope_within(self.place.s, self.tolerance.relative());
-        within.map_err(failed(quantity, self.at))?;
+        within.map_err(integral_failed(quantity, self.at))?;
         let height_std = self.scene.surface.asperity_height_std;
         Evaluation::of_slope(&moments, factor, height_std, self.place)
             .held(moments.sizes[1], quantity)

@@ -1,9 +1,9 @@
 //! The force of a scene to be inverted: its integral, its variation's, and where to look.
 
-use crate::engine::channel::failed;
 use crate::engine::height_integral::HeightIntegral;
 use crate::engine::inverse::interval::Sample;
 use crate::engine::inverse::variation::Variation;
+use crate::error::integral_failed;
 use crate::request::separation::LOWEST;
 use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
 use asperity_quadrature::Moments;
@@ -72,7 +72,7 @@ impl ForceAt<'_> {
     }
 
     pub(crate) fn variation(&self, s: f64) -> Result<Moments, ContactError> {
-        self.falls.variation.guide(s).map_err(failed(Quantity::Force, s.into()))
+        self.falls.variation.guide(s).map_err(integral_failed(Quantity::Force, s.into()))
     }
 
     pub(crate) fn sample(&self, s: f64) -> Result<Sample, ContactError> {

@@ -1,6 +1,6 @@
 //! Pressure against separation as a table that a finite-element code can interpolate.
 
-use crate::table_format::Interpolation;
+use crate::tables::format::Interpolation;
 
 /// One node.
 #[derive(Debug, Clone, Copy, PartialEq)]

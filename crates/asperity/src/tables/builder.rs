@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 
-use crate::contact_table::{ContactNode, ContactTable};
-use crate::cubic;
-use crate::error_bound::bounds;
-use crate::kinks::{kinks, pieces};
-use crate::table_error::TableError;
-use crate::table_format::Interpolation;
+use crate::tables::contact_table::{ContactNode, ContactTable};
+use crate::tables::cubic;
+use crate::tables::error::TableError;
+use crate::tables::error_bound::bounds;
+use crate::tables::format::Interpolation;
+use crate::tables::kinks::{kinks, pieces};
 use crate::{
     At, Contact, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit, Tolerance, linspace,
 };

@@ -4,13 +4,13 @@
 //! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and CalculiX'
 //! sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). No code was run on them here.
 
-use crate::contact_table::{ContactNode, ContactTable};
-use crate::error_bound::bounds;
-use crate::fe_tables::{Head, exact};
-use crate::fe_units::UnitSystem;
-use crate::kinks::{kinks, pieces};
-use crate::table_error::TableError;
-use crate::table_format::TableFormat;
+use crate::tables::contact_table::{ContactNode, ContactTable};
+use crate::tables::error::TableError;
+use crate::tables::error_bound::bounds;
+use crate::tables::format::TableFormat;
+use crate::tables::kinks::{kinks, pieces};
+use crate::tables::units::UnitSystem;
+use crate::tables::writers::{Head, exact};
 use crate::{At, ContactError, ContactModel, Datum, Quantity, Request, Scene, Tolerance};
 
 /// Points at which the line to the end of the conductance is compared with the model.

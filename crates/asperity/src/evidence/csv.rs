@@ -1,7 +1,7 @@
 //! Evidence as csv: a row of boundary elements, then the rows of the models for the same case.
 
 use crate::ContactError;
-use crate::evidence::{EvidenceCase, EvidenceRow};
+use crate::evidence::case::{EvidenceCase, EvidenceRow};
 
 pub(crate) const COLUMNS: [&str; 10] = [
     "alpha",

@@ -1,6 +1,8 @@
 //! Which model does a scene need? The simplest that agrees with a reference model, and how far each
 //! model is from boundary elements.
 
+mod advice;
+
 use serde::Serialize;
 
 use crate::{

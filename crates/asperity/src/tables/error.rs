@@ -1,7 +1,7 @@
 //! Why there is no table for a finite-element code.
 
 use crate::ContactError;
-use crate::table_format::TableFormat;
+use crate::tables::format::TableFormat;
 
 /// Why there is no table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -2,10 +2,10 @@
 //!
 //! Formats are those of the codes' public manuals and sources. No code was run on these files here.
 
-use crate::contact_table::ContactTable;
-use crate::fe_units::UnitSystem;
-use crate::table_error::TableError;
-use crate::table_format::TableFormat;
+use crate::tables::contact_table::ContactTable;
+use crate::tables::error::TableError;
+use crate::tables::format::TableFormat;
+use crate::tables::units::UnitSystem;
 use crate::{Datum, Scene, Separation, SeparationUnit};
 
 impl ContactTable {

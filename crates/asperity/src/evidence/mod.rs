@@ -1,11 +1,15 @@
 //! Models compared with boundary elements: the table on which advice is based.
 
+mod case;
+mod csv;
+
 use std::fmt;
 use std::sync::OnceLock;
 
 use serde::Serialize;
 
-use crate::{ContactError, HeightDistribution, Scene, evidence_csv};
+pub use crate::evidence::case::{EvidenceCase, EvidenceRow};
+use crate::{ContactError, HeightDistribution, Scene};
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
 const BEYOND: f64 = 1.5;
@@ -36,37 +40,6 @@ const ELASTIC: f64 = 1.0 / BEYOND;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evidence {
     cases: Vec<EvidenceCase>,
-}
-
-/// One surface, one material and one load.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct EvidenceCase {
-    /// m₀ m₄/m₂².
-    pub alpha: f64,
-    /// ψ = √(σ_z/w_c); 0 for elastic cases.
-    pub plasticity_index: f64,
-    /// p/(E g), with the root mean square gradient g.
-    pub load: f64,
-    /// Boundary elements: the mean of several surfaces.
-    pub bem: EvidenceRow,
-    /// Results of the models, by id.
-    #[serde(skip)]
-    pub models: Vec<(String, EvidenceRow)>,
-}
-
-/// Dimensionless results; `None` if not available.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-#[non_exhaustive]
-pub struct EvidenceRow {
-    /// Real over nominal area.
-    pub area_fraction: Option<f64>,
-    /// Smallest and largest value of the surfaces.
-    pub area_span: Option<[f64; 2]>,
-    /// -dp/d(gap) √m₀/E.
-    pub stiffness: Option<f64>,
-    /// Smallest and largest value of the surfaces.
-    pub stiffness_span: Option<[f64; 2]>,
 }
 
 /// Deviation of a model, relative to boundary elements.
@@ -141,11 +114,11 @@ impl Nearest<'_> {
 
 impl Evidence {
     /// The committed table, a csv with the columns [`COLUMNS`](Self::COLUMNS).
-    pub const CSV: &'static str = include_str!("../data/truth.csv");
+    pub const CSV: &'static str = include_str!("../../data/truth.csv");
 
     /// Columns of the table; `low` and `high` are the extremes of the surfaces, for `bem` only.
     /// Stiffnesses -dp/d(gap) are in units of E/√m₀.
-    pub const COLUMNS: [&'static str; 10] = evidence_csv::COLUMNS;
+    pub const COLUMNS: [&'static str; 10] = csv::COLUMNS;
 
     /// The committed evidence.
     ///
@@ -162,7 +135,7 @@ impl Evidence {
     /// [`ContactError::Refused`] with line, column and content of the first invalid field, or if
     /// there are no cases.
     pub fn parse(text: &str) -> Result<Self, ContactError> {
-        Ok(Self { cases: evidence_csv::cases(text)? })
+        Ok(Self { cases: csv::cases(text)? })
     }
 
     /// The solved cases in one line: `alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from 0.001
