@@ -1,5 +1,5 @@
-//! A small case of the truth report, solved again: what is committed of the large one comes of the same
-//! program.
+//! A small case of the truth report, solved again: what is committed of the large one comes of the
+//! same program.
 
 use xtask::table::agree;
 use xtask::truth::{FULL, SMALL, asked_anew, models, solve};

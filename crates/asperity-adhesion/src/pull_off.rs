@@ -12,9 +12,9 @@ pub struct PullOff {
     pub separation: Separation,
 }
 
-/// The least force of a contact that was compiled for it; `None` where the force falls all the way to
-/// 0: without adhesion, and under heights with a tail so heavy that the highest asperities are always
-/// pressed harder than the others pull (exponential heights from θ = 2√π on, by DMT).
+/// The least force of a contact that was compiled for it; `None` where the force falls all the way
+/// to 0: without adhesion, and under heights with a tail so heavy that the highest asperities are
+/// always pressed harder than the others pull (exponential heights from θ = 2√π on, by DMT).
 ///
 /// # Errors
 /// Those of [`Contact::pull_off`] and [`evaluate`](Contact::evaluate_at).

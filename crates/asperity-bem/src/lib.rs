@@ -19,20 +19,22 @@
 //! `iteration.rs`. 10 to 60 iterations of two to three transforms, on grids of any size.
 //!
 //! # Valid for
-//! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`]; [`HeightMap::half_grid`]
-//! shows how much depends on the grid. A periodic map whose edges do not meet is pressed by the
-//! steps along its seam: take them out by [`HeightMap::periodic_part`], or use [`Boundary::Free`].
+//! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`];
+//! [`HeightMap::half_grid`] shows how much depends on the grid. A periodic map whose edges do not
+//! meet is pressed by the steps along its seam: take them out by [`HeightMap::periodic_part`], or
+//! use [`Boundary::Free`].
 //!
 //! The hardness is a cap of the pressure: it is the truth for a material of constant mean
-//! pressure H, not for elastic-plastic finite elements. A sphere starts to flow at Hertz' p_max = H.
+//! pressure H, not for elastic-plastic finite elements. A sphere starts to flow at Hertz' p_max =
+//! H.
 //!
 //! Maps that are held while a contact of n x m pixels is solved, in arrays of n x m `f64`: 9 when
 //! it is periodic, 13 when it is free, and 2 in every answer. 2048 x 2048 periodic pixels take
 //! 300 MB.
 //!
 //! # Source
-//! Polonsky & Keer, Wear 231 (1999): conjugate gradients between bounds. \[recalled\] Stanley & Kato
-//! (1997): the periodic kernel \[recalled\]; as tamaas and ContactMechanics use it \[seen\].
+//! Polonsky & Keer, Wear 231 (1999): conjugate gradients between bounds. \[recalled\] Stanley &
+//! Kato (1997): the periodic kernel \[recalled\]; as tamaas and ContactMechanics use it \[seen\].
 //! Love (1929): the free kernel. \[recalled\] Almqvist and others (2007): the hardness as a cap.
 //! \[recalled\] The projection onto both bounds and the load, and what follows from it: here.
 //! \[derived\] Elastic contact pixels are those of tamaas 2.9.0 and ContactMechanics 1.8.3 at every

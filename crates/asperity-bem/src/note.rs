@@ -20,8 +20,8 @@ const SHORT_SHARE: f64 = 0.01;
 /// Classes of the frequency, from 0 to the diagonal of a pixel.
 const CLASSES: usize = 1024;
 
-/// Few pixels or patches that carry the load at this place: the area is a staircase, or one map does
-/// not represent its surface.
+/// Few pixels or patches that carry the load at this place: the area is a staircase, or one map
+/// does not represent its surface.
 pub(crate) fn of_contact(
     at: At,
     pixels: usize,

@@ -161,8 +161,8 @@ impl RandomSurface {
         HeightMap::new(heights, [n, n], [self.side / n as f64; 2])
     }
 
-    /// The moments of profiles, exact sums over the waves and averages over all directions: m2 is half of
-    /// the mean square gradient, m4 3/8 of the mean square of the Laplacian.
+    /// The moments of profiles, exact sums over the waves and averages over all directions: m2 is
+    /// half of the mean square gradient, m4 3/8 of the mean square of the Laplacian.
     #[must_use]
     pub fn moments(&self) -> ProfileMoments {
         let wave_number = TAU / self.side;

@@ -75,8 +75,8 @@ impl HeightMap {
 }
 
 impl HeightMap {
-    /// The waves of the map as it is repeated: wave numbers \[1/m\] above 0, and mean square heights
-    /// \[m²\], which add up to Sq².
+    /// The waves of the map as it is repeated: wave numbers \[1/m\] above 0, and mean square
+    /// heights \[m²\], which add up to Sq².
     #[must_use]
     pub fn waves(&self) -> Vec<(f64, f64)> {
         let ([rows, columns], pixel) = (self.shape(), self.pixel());

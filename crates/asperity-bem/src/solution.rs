@@ -36,11 +36,12 @@ pub struct Solution {
     pub patches: Vec<usize>,
     /// Pressures \[Pa\], row after row.
     pub pressures: Vec<f64>,
-    /// Gaps \[m\], row after row: 0 in contact, to within the tolerance times the scale of the residual.
+    /// Gaps \[m\], row after row: 0 in contact, to within the tolerance times the scale of the
+    /// residual.
     pub gaps: Vec<f64>,
-    /// Σ p (g - min g)/(Σ p s), with a hardness Σ (p g⁺ + (H - p) g⁻)/(Σ p s): a bound of the energy
-    /// that is missing. The scale s is Sq or, where that is less, F/(E Δ): about the deflection of one
-    /// pixel of side Δ that carries all of the load F.
+    /// Σ p (g - min g)/(Σ p s), with a hardness Σ (p g⁺ + (H - p) g⁻)/(Σ p s): a bound of the
+    /// energy that is missing. The scale s is Sq or, where that is less, F/(E Δ): about the
+    /// deflection of one pixel of side Δ that carries all of the load F.
     pub residual: f64,
     /// Iterations it took, all the trials for a mean gap included.
     pub iterations: usize,

@@ -43,8 +43,8 @@ pub struct Progress {
 
 /// A rigid rough surface above an elastic half-space: what is solved, and how well.
 ///
-/// With the feature `rayon`, runs on the threads of its current pool; the digits do not depend on their
-/// number.
+/// With the feature `rayon`, runs on the threads of its current pool; the digits do not depend on
+/// their number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryElements {
     map: HeightMap,
@@ -88,8 +88,8 @@ impl BoundaryElements {
         Ok(self)
     }
 
-    /// Largest [residual](Solution::residual), 1e-8 by default, which leaves about 1e-8 of its scale in
-    /// the gap.
+    /// Largest [residual](Solution::residual), 1e-8 by default, which leaves about 1e-8 of its
+    /// scale in the gap.
     ///
     /// # Errors
     /// [`BemError::OutOfRange`] outside 1e-13 to 0.1.
@@ -217,8 +217,8 @@ impl<'a> Run<'a> {
         let pixels = heights.len() as f64;
         let highest = map.highest();
         let problem = Problem { heights, highest, cap, load: pressure * pixels };
-        // About the deflection of one pixel that carries all of the load: the scale of gaps under light
-        // loads, and on a flat map.
+        // About the deflection of one pixel that carries all of the load: the scale of gaps under
+        // light loads, and on a flat map.
         let pressed_in = pressure * map.area() / (modulus * map.pixel()[0].min(map.pixel()[1]));
         let scale = match self.rms_height {
             rough if rough > 0.0 => rough.min(pressed_in),

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! A [`Law`] q is the response of one asperity to an interference w; [`Heights`] g describe the
-//! asperity heights; a [`Scene`] describes the surfaces in contact, a [`Request`] the quantities and
-//! the places. An [`AsperityModel`] supplies the law and nothing else. Data flows one way:
+//! asperity heights; a [`Scene`] describes the surfaces in contact, a [`Request`] the quantities
+//! and the places. An [`AsperityModel`] supplies the law and nothing else. Data flows one way:
 //!
 //! ```text
 //! scene + request → model.law(asperity, quantity) → compiled → response

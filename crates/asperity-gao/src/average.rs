@@ -43,8 +43,8 @@ pub fn angle_average(
     (with_key(formula, "angle average, tabulated", parameters), kinks)
 }
 
-/// The error of the table is up to five times its tolerance, and the quadrature rules need a quarter
-/// of the `tolerance` of the law; below 2e-13 rounding errors would be tabulated.
+/// The error of the table is up to five times its tolerance, and the quadrature rules need a
+/// quarter of the `tolerance` of the law; below 2e-13 rounding errors would be tabulated.
 fn table_tolerance(tolerance: f64) -> f64 {
     (0.15 * tolerance).max(2e-13)
 }

@@ -71,8 +71,8 @@ pub fn area_exponent(asperity: &Asperity) -> Result<f64, ContactError> {
     Ok(0.14 * (23.0 * asperity.yield_strength()? / asperity.equivalent_modulus).exp())
 }
 
-/// What the rounding of B adds to the relative error of the area, over ln(x/1.9): that of 23 S_y/E is
-/// multiplied by the exponential.
+/// What the rounding of B adds to the relative error of the area, over ln(x/1.9): that of 23 S_y/E
+/// is multiplied by the exponential.
 fn area_exponent_error(asperity: &Asperity, b: f64) -> Result<f64, ContactError> {
     let argument = 23.0 * asperity.yield_strength()? / asperity.equivalent_modulus;
     Ok(f64::EPSILON * b * (3.0 + 2.0 * argument))
@@ -81,8 +81,8 @@ fn area_exponent_error(asperity: &Asperity, b: f64) -> Result<f64, ContactError>
 /// Errors of B that powers are evaluated with in any case: of S_y/E below 0.03.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// A/A_c' beyond x = 1.9, with the error of its exponent: for yield strengths near the modulus, where
-/// that is the largest of all.
+/// A/A_c' beyond x = 1.9, with the error of its exponent: for yield strengths near the modulus,
+/// where that is the largest of all.
 struct AreaFit {
     b: f64,
     /// Of the area, over ln(x/1.9).

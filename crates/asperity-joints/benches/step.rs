@@ -1,5 +1,5 @@
-//! What a step in time costs: on the virgin curve, on the way back from a table, and on the way back
-//! integrated anew. Paired in one run; `cargo bench -p asperity-joints`.
+//! What a step in time costs: on the virgin curve, on the way back from a table, and on the way
+//! back integrated anew. Paired in one run; `cargo bench -p asperity-joints`.
 
 use std::hint::black_box;
 

@@ -7,13 +7,13 @@
 //! gas in the gap                              h = k_g/(Y + M)                        [seen]
 //! constriction factor                         ψ = (1 - √(A/A_n))^1.5                 [recalled]
 //! ```
-//! σ and m are those of the gap: the root sum squares of both surfaces' standard deviations of heights
-//! and mean absolute slopes; m = √(2 m₂/π) for Gaussian slopes of profiles. \[derived\]
+//! σ and m are those of the gap: the root sum squares of both surfaces' standard deviations of
+//! heights and mean absolute slopes; m = √(2 m₂/π) for Gaussian slopes of profiles. \[derived\]
 //!
-//! Both power laws are fits to the contact of two Gaussian surfaces (bearing area at λσ; conductance
-//! e^(-λ²/2) k (m/σ)/(2√(2π) ψ)). Computed here, the plastic one is within 1.6 % of that on
-//! p/H = 10⁻⁶ to 0.023, the elastic one within 2.1 % on √2 p/(E m) = 10⁻⁵ to 0.012 (and 5 % off at
-//! 10⁻⁶). \[derived\]
+//! Both power laws are fits to the contact of two Gaussian surfaces (bearing area at λσ;
+//! conductance e^(-λ²/2) k (m/σ)/(2√(2π) ψ)). Computed here, the plastic one is within 1.6 % of
+//! that on p/H = 10⁻⁶ to 0.023, the elastic one within 2.1 % on √2 p/(E m) = 10⁻⁵ to 0.012 (and 5 %
+//! off at 10⁻⁶). \[derived\]
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -88,8 +88,8 @@ fn correlated(
     Ok(Correlated { conductance, relative_pressure, holds })
 }
 
-/// Plastic contacts, Cooper, Mikic & Yovanovich: `conductivity` is 2k₁k₂/(k₁+k₂) \[W/(m K)\], `pressure`
-/// p and `hardness` H of the softer body (micro-hardness where it is known) \[Pa\].
+/// Plastic contacts, Cooper, Mikic & Yovanovich: `conductivity` is 2k₁k₂/(k₁+k₂) \[W/(m K)\],
+/// `pressure` p and `hardness` H of the softer body (micro-hardness where it is known) \[Pa\].
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] naming what is not above 0.
@@ -178,8 +178,8 @@ impl Correlation {
         ((index >= YIELDS) != plastic).then_some(index)
     }
 
-    /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its gap:
-    /// it does not [hold](Correlated::holds) where the scene's contacts are [of the other
+    /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its
+    /// gap: it does not [hold](Correlated::holds) where the scene's contacts are [of the other
     /// kind](Self::foreign).
     ///
     /// # Errors
@@ -207,9 +207,9 @@ impl Correlation {
     }
 }
 
-/// h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean width `gap` Y \[m\], the
-/// separation of the mean planes of the surfaces, with gas parameter M \[m\]: the jump of temperature
-/// at the walls, some free paths; 0 for liquids.
+/// h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean width `gap` Y
+/// \[m\], the separation of the mean planes of the surfaces, with gas parameter M \[m\]: the jump
+/// of temperature at the walls, some free paths; 0 for liquids.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] for a negative number, or where Y + M is 0.
@@ -228,7 +228,8 @@ pub fn gap_conductance(
     Ok(positive("thermal_conductivity", conductivity)? / width)
 }
 
-/// ψ: what sums of contacts that lie close to each other are divided by, at real over nominal area A/A_n.
+/// ψ: what sums of contacts that lie close to each other are divided by, at real over nominal area
+/// A/A_n.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] unless 0 ≤ A/A_n < 1.

@@ -19,9 +19,9 @@ const NEGLIGIBLE: f64 = 0.01;
 
 /// The finding that opening creates energy.
 ///
-/// An asperity whose loading law is steeper than Hertz' (AF above w_c), or jumps up (CEB and KE at w_c),
-/// has a residual interference w - δ below 0: by the unloading law it recovers by more than it was
-/// pressed, and returns more energy than pressing it took.
+/// An asperity whose loading law is steeper than Hertz' (AF above w_c), or jumps up (CEB and KE at
+/// w_c), has a residual interference w - δ below 0: by the unloading law it recovers by more than
+/// it was pressed, and returns more energy than pressing it took.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct EnergyGain {
@@ -29,9 +29,9 @@ pub struct EnergyGain {
     pub model: String,
     /// The unloading law.
     pub law: UnloadingLaw,
-    /// Energy created over the work of loading: 0.6 for 60 %. What the rough contact returns beyond the
-    /// work, where that is more; or else what its asperities with a residual below 0 create, to some
-    /// per cent.
+    /// Energy created over the work of loading: 0.6 for 60 %. What the rough contact returns beyond
+    /// the work, where that is more; or else what its asperities with a residual below 0 create, to
+    /// some per cent.
     pub amount: f64,
     /// Whether the rough contact returns more than the work of loading.
     pub is_net: bool,
@@ -61,8 +61,8 @@ impl fmt::Display for EnergyGain {
 }
 
 impl Joint {
-    /// Whether opening from `closest` creates energy, given the [`work`](Self::work): more than 1 % of
-    /// it, or in all, beyond the errors of both works.
+    /// Whether opening from `closest` creates energy, given the [`work`](Self::work): more than 1 %
+    /// of it, or in all, beyond the errors of both works.
     ///
     /// # Errors
     /// Those of finding a load; [`ContactError::Integral`], [`ContactError::Refused`].
@@ -80,7 +80,8 @@ impl Joint {
         Ok((is_net || amount > NEGLIGIBLE).then_some(found))
     }
 
-    /// The energy \[J\] that asperities with a residual interference below 0 create, class by class.
+    /// The energy \[J\] that asperities with a residual interference below 0 create, class by
+    /// class.
     fn created(&self, closest: At) -> Result<f64, ContactError> {
         let place = self.unloading(closest)?.place();
         let (loading, sigma) = (self.loading(), self.scene().surface.asperity_height_std);

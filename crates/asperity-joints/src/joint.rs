@@ -10,8 +10,8 @@ use asperity_core::{
 use crate::one::{Asked, Loading, Retreated};
 use crate::{Unloading, UnloadingLaw};
 
-/// Units in the last place that the place of the first contact that lasts may be off by: δ is some ten
-/// operations, as steep as a root at least. 26 were seen.
+/// Units in the last place that the place of the first contact that lasts may be off by: δ is some
+/// ten operations, as steep as a root at least. 26 were seen.
 const FIRST_ROUNDED: f64 = 40.0;
 
 /// The first closing, and the way back from any closest approach.
@@ -105,8 +105,8 @@ impl Joint {
     }
 
     /// Where a history turns, as separations \[m\] from the mean of the asperity heights for
-    /// [`path`](Self::path): loads beyond the largest so far are met on the virgin curve, smaller ones
-    /// on the way back from the closest approach.
+    /// [`path`](Self::path): loads beyond the largest so far are met on the virgin curve, smaller
+    /// ones on the way back from the closest approach.
     ///
     /// # Errors
     /// Those of finding a load; [`ContactError::OutOfRange`] for a load that is not above 0.
@@ -134,8 +134,8 @@ impl Joint {
         Ok(found)
     }
 
-    /// What is asked after a retreat \[m\] from each of these closest approaches \[σ_z from the mean of
-    /// the asperity heights\].
+    /// What is asked after a retreat \[m\] from each of these closest approaches \[σ_z from the
+    /// mean of the asperity heights\].
     pub(crate) fn retreated(
         &self,
         asked: Asked,
@@ -158,8 +158,8 @@ impl Joint {
             let missing = ContactError::NotRequested { quantity: Quantity::Force };
             let mut found =
                 rows.next().unwrap_or_else(|| Err(missing.into())).map_err(|error| *error)?;
-            // The first contact that lasts is known as well as δ is, and the tail falls as steeply as
-            // that of a Gaussian density.
+            // The first contact that lasts is known as well as δ is, and the tail falls as steeply
+            // as that of a Gaussian density.
             let first = model.first / scene.surface.asperity_height_std;
             found.error += FIRST_ROUNDED * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
             Ok(found)
@@ -168,8 +168,8 @@ impl Joint {
     }
 }
 
-/// Whether no double holds how many asperities are higher than this \[σ_z\]: so far out, places have no
-/// digits for the logarithms of Gauss' and Weibull's densities.
+/// Whether no double holds how many asperities are higher than this \[σ_z\]: so far out, places
+/// have no digits for the logarithms of Gauss' and Weibull's densities.
 fn nothing_above(scene: &Scene, place: f64) -> bool {
     const LN_NOTHING: f64 = -1e4;
     let ln = match &scene.heights {

@@ -1,7 +1,7 @@
 //! Which asperities still touch after a retreat: where the way back δ(w) is longer than it.
 //!
-//! δ grows with w in most laws, but not in all: where it turns, a contact that was pressed deeper is
-//! lost earlier.
+//! δ grows with w in most laws, but not in all: where it turns, a contact that was pressed deeper
+//! is lost earlier.
 
 use asperity_core::QuadratureError;
 use asperity_quadrature::{fallible, highest, last_place};
@@ -64,7 +64,8 @@ pub(crate) fn lasting(
     let first = lasts(begin)?;
     let mut last = lasts(end)?;
     if range[1] == f64::INFINITY && !first {
-        // Where δ grows, it does as √w at least: what needs more than this is out of anybody's reach.
+        // Where δ grows, it does as √w at least: what needs more than this is out of anybody's
+        // reach.
         let mut doublings = 0;
         while !last && doublings < 200 {
             (end, doublings) = (2.0 * end, doublings + 1);

@@ -16,8 +16,9 @@ const MET: f64 = 1e-12;
 
 /// 1 - u/δ(w) for w beyond the one with δ = u.
 ///
-/// δ/u = (w/first)^p with p next to constant: as 1 - (w/first)⁻ᵖ nothing cancels, where 1 - u/δ keeps
-/// no digit next to 0. Far in the tail of the heights that is where all of the force comes from.
+/// δ/u = (w/first)^p with p next to constant: as 1 - (w/first)⁻ᵖ nothing cancels, where 1 - u/δ
+/// keeps no digit next to 0. Far in the tail of the heights that is where all of the force comes
+/// from.
 #[derive(Debug, Clone)]
 pub(crate) struct Left {
     first: f64,
@@ -27,8 +28,8 @@ pub(crate) struct Left {
 }
 
 impl Left {
-    /// From `first`, where δ grows to u, on to `high` at most; none where δ jumps beyond u, or is no
-    /// smooth function there.
+    /// From `first`, where δ grows to u, on to `high` at most; none where δ jumps beyond u, or is
+    /// no smooth function there.
     pub(crate) fn new(
         [first, high]: [f64; 2],
         u: f64,

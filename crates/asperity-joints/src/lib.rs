@@ -1,5 +1,5 @@
-//! What a joint does after it was closed: unloading, cycles, and partial slip under a tangential force;
-//! and the correlations of its thermal conductance ([`conductance`]).
+//! What a joint does after it was closed: unloading, cycles, and partial slip under a tangential
+//! force; and the correlations of its thermal conductance ([`conductance`]).
 //!
 //! # Unloading
 //! Each asperity has been pressed to its own w, with force F, area A = π a². When the flat has gone
@@ -12,23 +12,27 @@
 //! brake     F/((4/3) E √(R w))                  1.5              π R_b δ     [seen]
 //! etsion    w [1 - (1-x^-.28)(1-x^-.69)]        1.5 x^-.0331     none        [recalled]
 //! ```
-//! x = w/w_c > 1 (Hertz otherwise), R_b = F²/[((4/3) E)² δ³]. Where the asperity is elastic, all of them
-//! are its loading curve; but Etsion's fit counts from w_c, and where a loading law stays Hertz' for
-//! longer (JG, up to 1.9 w_c) it loses up to 2 % of the work of such an asperity. Hertz' slope at u = 0 is 2 E a exactly; with Brake's the area jumps there;
-//! Etsion's own exponent of the area misses finite elements by up to 12 % and is left out. The sum
-//! over the heights at the closest approach is the usual integral, with another law of w in it.
-//! Coming closer again retraces this to the closest approach, and then follows the virgin curve;
-//! that spheres shake down within cycles is ignored.
+//! x = w/w_c > 1 (Hertz otherwise), R_b = F²/[((4/3) E)² δ³]. Where the asperity is elastic, all of
+//! them are its loading curve; but Etsion's fit counts from w_c, and where a loading law stays
+//! Hertz' for longer (JG, up to 1.9 w_c) it loses up to 2 % of the work of such an asperity. Hertz'
+//! slope at u = 0 is 2 E a exactly; with Brake's the area jumps there; Etsion's own exponent of the
+//! area misses finite elements by up to 12 % and is left out. The sum over the heights at the
+//! closest approach is the usual integral, with another law of w in it. Coming closer again
+//! retraces this to the closest approach, and then follows the virgin curve; that spheres shake
+//! down within cycles is ignored.
 //!
 //! # Cycles
 //! All that the contact remembers is its closest approach: a [`Joint`] goes through turning points
-//! ([`Joint::path`]; loads become such by [`Joint::turning_points`]), and [`Joint::table`] answers force and slope of a step in some tens of nanoseconds.
-//! The asperity gives back F δ/(n+1) of the work that pressed it to w, so that what yielding has taken
-//! for good ([`Work::lost`]) is again an integral over the heights, and a cycle between fixed
-//! separations loses it once. Where a loading law is steeper than Hertz' (AF) or jumps up (CEB, KE), the
-//! asperity recovers by more than w and creates energy: [`Joint::energy_gain`] is the finding. Loss factors are what is lost over 2π times what was put in
-//! ([`Work::loss_factor`], [`PartialSlip::loss_factor`]). Heights without an end touch at any retreat,
-//! in numbers: contact ends where fewer than one asperity is left ([`Unloading::last_contact`]). √(work back/work spent) of one asperity is its [`restitution`]. \[derived\]
+//! ([`Joint::path`]; loads become such by [`Joint::turning_points`]), and [`Joint::table`] answers
+//! force and slope of a step in some tens of nanoseconds. The asperity gives back F δ/(n+1) of the
+//! work that pressed it to w, so that what yielding has taken for good ([`Work::lost`]) is again an
+//! integral over the heights, and a cycle between fixed separations loses it once. Where a loading
+//! law is steeper than Hertz' (AF) or jumps up (CEB, KE), the asperity recovers by more than w and
+//! creates energy: [`Joint::energy_gain`] is the finding. Loss factors are what is lost over 2π
+//! times what was put in ([`Work::loss_factor`], [`PartialSlip::loss_factor`]). Heights without an
+//! end touch at any retreat, in numbers: contact ends where fewer than one asperity is left
+//! ([`Unloading::last_contact`]). √(work back/work spent) of one asperity is its [`restitution`].
+//! \[derived\]
 //!
 //! # Partial slip
 //! Asperities that answer elastically, friction μ, constant separation: Cattaneo's and Mindlin's
@@ -36,8 +40,8 @@
 //! ```text
 //! Q(u) = μ [F(0) - F(s)],     s = 4 G u/(μ E)
 //! ```
-//! and amplitudes ±D at constant separation lose W = 8 ∫₀ᴰ Q du - 4 Q(D) D a cycle (Masing). \[derived\]
-//! Varying normal loads are not covered: there, Masing's rule fails.
+//! and amplitudes ±D at constant separation lose W = 8 ∫₀ᴰ Q du - 4 Q(D) D a cycle (Masing).
+//! \[derived\] Varying normal loads are not covered: there, Masing's rule fails.
 //!
 //! # Source
 //! Hertz' unloading as code that cites Jackson 2010 has it; Brake 2015 in two public codes; Etsion,

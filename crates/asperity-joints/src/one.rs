@@ -171,8 +171,8 @@ impl Loading {
         breaks
     }
 
-    /// The interference \[m\] below which an asperity comes back as it went: the end of the first range
-    /// of the law, if it is Hertz' there.
+    /// The interference \[m\] below which an asperity comes back as it went: the end of the first
+    /// range of the law, if it is Hertz' there.
     pub(crate) fn elastic_limit(&self) -> f64 {
         let end = self.breaks()[1];
         if !self.critical.is_finite() || end == f64::INFINITY {
@@ -220,13 +220,13 @@ fn loss(y: f64, n: f64) -> f64 {
     sum
 }
 
-/// Quasi-static restitution of one asperity: the speed with which a mass leaves it over the one with
-/// which it came, √(work that unloading gives back/work of loading), pressed to `interference` \[m\].
-/// Waves and rates are left out.
+/// Quasi-static restitution of one asperity: the speed with which a mass leaves it over the one
+/// with which it came, √(work that unloading gives back/work of loading), pressed to `interference`
+/// \[m\]. Waves and rates are left out.
 ///
 /// # Errors
-/// Those of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an interference that is
-/// not above 0.
+/// Those of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an interference
+/// that is not above 0.
 pub fn restitution(
     model: &(impl ContactModel + ?Sized),
     asperity: &Asperity,
@@ -245,8 +245,8 @@ pub fn restitution(
     Ok((returned / spent).sqrt())
 }
 
-/// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no place
-/// of the rough surface.
+/// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no
+/// place of the rough surface.
 fn refused(model: &str, place: &str, length: f64, source: &QuadratureError) -> ContactError {
     let reason = format!("one asperity, {place} {length:e} m: {source}");
     ContactError::Refused { model: model.into(), reason }

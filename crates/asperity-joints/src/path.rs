@@ -34,8 +34,8 @@ pub struct Path {
 }
 
 impl Joint {
-    /// The path through turning points: separations \[m\] from the mean of the asperity heights, with
-    /// `steps` points on each way, at least one. The contact is new at the first of them.
+    /// The path through turning points: separations \[m\] from the mean of the asperity heights,
+    /// with `steps` points on each way, at least one. The contact is new at the first of them.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a turning point that is no finite number; those of the

@@ -39,8 +39,8 @@ impl PartialSlip {
     /// elastically as unloading.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] unless μ > 0 and at most 10, [`ContactError::Missing`] without an equivalent
-    /// shear modulus.
+    /// [`ContactError::OutOfRange`] unless μ > 0 and at most 10, [`ContactError::Missing`] without
+    /// an equivalent shear modulus.
     pub fn new(normal: &Unloading, friction: f64) -> Result<Self, ContactError> {
         let friction = coefficient_of_friction(friction)?;
         let asperity = normal.scene().asperity()?;
@@ -57,11 +57,12 @@ impl PartialSlip {
         self.scaled(self.friction, Asked::Released, ("shift", shift))
     }
 
-    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\] between
-    /// them: on the way back from +amplitude, or forth from -amplitude.
+    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\]
+    /// between them: on the way back from +amplitude, or forth from -amplitude.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the amplitude.
+    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the
+    /// amplitude.
     pub fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
         if shift.is_nan() || shift.abs() > amplitude {
@@ -84,12 +85,13 @@ impl PartialSlip {
         self.scaled(factor, Asked::Loss, ("amplitude", amplitude))
     }
 
-    /// The loss factor of a cycle between ±`amplitude` \[m\]: what it [loses](Self::loss) over 2π times
-    /// the energy Q D/2 of a spring that is as stiff, from 0 for the smallest to 4/π in gross slip.
+    /// The loss factor of a cycle between ±`amplitude` \[m\]: what it [loses](Self::loss) over 2π
+    /// times the energy Q D/2 of a spring that is as stiff, from 0 for the smallest to 4/π in gross
+    /// slip.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is above 0
-    /// and a double holds the loss.
+    /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is
+    /// above 0 and a double holds the loss.
     pub fn loss_factor(&self, amplitude: f64) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
         let (loss, force) = (self.loss(amplitude)?.value(), self.force(amplitude)?.value());
@@ -105,12 +107,13 @@ impl PartialSlip {
         Ok(loss / spring)
     }
 
-    /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1, of
-    /// its limit μ F. Heights without an end leave something sticking at any shift: at 0.99, say,
-    /// everything all but slides.
+    /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1,
+    /// of its limit μ F. Heights without an end leave something sticking at any shift: at 0.99,
+    /// say, everything all but slides.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`], for a joint without a force too; those of [`force`](Self::force).
+    /// [`ContactError::OutOfRange`], for a joint without a force too; those of
+    /// [`force`](Self::force).
     pub fn shift_at(&self, share: f64) -> Result<f64, ContactError> {
         if !(share > 0.0 && share < 1.0) {
             let required = "a number above 0 and below 1";

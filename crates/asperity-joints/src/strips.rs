@@ -1,5 +1,6 @@
-//! The way back as a table of two numbers, the closest approach c and the separation d ≥ c: strips of c
-//! and cells of d - c with products of Chebyshev polynomials, halved until these have converged.
+//! The way back as a table of two numbers, the closest approach c and the separation d ≥ c: strips
+//! of c and cells of d - c with products of Chebyshev polynomials, halved until these have
+//! converged.
 
 use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, positive};
 use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
@@ -45,16 +46,16 @@ pub(crate) struct Cell {
 
 impl Joint {
     /// A table for closest approaches from `deepest` to `open` \[m from the mean of the asperity
-    /// heights\]; forces on the way back are within `tolerance` (1e-6, say) of the force at the closest
-    /// approach, and read 0 where they are smaller than that; they are below 0 only where the model's own
-    /// are. Contacts that have come no closer than `open` answer as if nothing had ever yielded. Beyond
-    /// the highest asperity of heights with an end the force is exactly 0.
+    /// heights\]; forces on the way back are within `tolerance` (1e-6, say) of the force at the
+    /// closest approach, and read 0 where they are smaller than that; they are below 0 only where
+    /// the model's own are. Contacts that have come no closer than `open` answer as if nothing had
+    /// ever yielded. Beyond the highest asperity of heights with an end the force is exactly 0.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] naming a number that is none of these, and ends more than 1000 σ_z
-    /// apart; [`ContactError::Integral`] with the error that was reached, where the tolerance cannot be
-    /// met (one near that of the joint itself, jumps of the law under heights with an end); those of
-    /// the evaluations.
+    /// [`ContactError::OutOfRange`] naming a number that is none of these, and ends more than 1000
+    /// σ_z apart; [`ContactError::Integral`] with the error that was reached, where the tolerance
+    /// cannot be met (one near that of the joint itself, jumps of the law under heights with an
+    /// end); those of the evaluations.
     pub fn table(
         &self,
         (deepest, open): (f64, f64),

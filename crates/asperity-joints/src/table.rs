@@ -51,8 +51,8 @@ impl JointTable {
         Memory { table: self, closest: f64::INFINITY }
     }
 
-    /// Force and stiffness at a separation \[m\] of a contact that had come as close as `closest` \[m\],
-    /// infinite for a new one: the next step's `closest` stands in the reply.
+    /// Force and stiffness at a separation \[m\] of a contact that had come as close as `closest`
+    /// \[m\], infinite for a new one: the next step's `closest` stands in the reply.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a separation or a closest approach below the deepest of the

@@ -55,8 +55,8 @@ impl FromStr for UnloadingLaw {
     }
 }
 
-/// What contacts or force may be off where a place is looked for and their integral does not reach the
-/// tolerance.
+/// What contacts or force may be off where a place is looked for and their integral does not reach
+/// the tolerance.
 const ROUGH: f64 = 1e-6;
 
 /// A contact that has come to its closest approach, and now goes back.
@@ -129,8 +129,8 @@ impl Unloading {
         self.of(Asked::Area, retreat)
     }
 
-    /// How many asperities still touch after going back by `retreat` \[m\], on average: below 1, most
-    /// surfaces have parted.
+    /// How many asperities still touch after going back by `retreat` \[m\], on average: below 1,
+    /// most surfaces have parted.
     ///
     /// # Errors
     /// Those of [`force`](Self::force).
@@ -138,9 +138,9 @@ impl Unloading {
         self.of(Asked::Contacts, retreat)
     }
 
-    /// The retreat \[m\] from which on fewer than one asperity touches on average: where contact ends.
-    /// 0 where no more than one has touched. Where integrals do not reach the tolerance on the way
-    /// there, 1e-6 is enough.
+    /// The retreat \[m\] from which on fewer than one asperity touches on average: where contact
+    /// ends. 0 where no more than one has touched. Where integrals do not reach the tolerance on
+    /// the way there, 1e-6 is enough.
     ///
     /// # Errors
     /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity
@@ -161,8 +161,8 @@ impl Unloading {
         }
     }
 
-    /// What is asked after a retreat, to the tolerance or, where its integral does not reach that, to
-    /// 1e-6.
+    /// What is asked after a retreat, to the tolerance or, where its integral does not reach that,
+    /// to 1e-6.
     fn at_least_roughly(
         &self,
         asked: Asked,
@@ -174,8 +174,8 @@ impl Unloading {
         })
     }
 
-    /// The retreat \[m\] that leaves a force \[N\], smaller than that at the closest approach. Where
-    /// integrals do not reach the tolerance on the way there, 1e-6 is enough.
+    /// The retreat \[m\] that leaves a force \[N\], smaller than that at the closest approach.
+    /// Where integrals do not reach the tolerance on the way there, 1e-6 is enough.
     pub(crate) fn retreat_to(&self, load: f64) -> Result<f64, ContactError> {
         let load = positive("load", load)?;
         let sigma = self.scene().surface.asperity_height_std;
@@ -203,7 +203,8 @@ impl Unloading {
         self.of(Asked::Released, retreat)
     }
 
-    /// The work \[J\] that going back by `retreat` \[m\] gives back: all that there is for an infinite one.
+    /// The work \[J\] that going back by `retreat` \[m\] gives back: all that there is for an
+    /// infinite one.
     ///
     /// # Errors
     /// Those of [`force`](Self::force).

@@ -24,8 +24,8 @@ impl Work {
     /// bound relative to both. A cycle between fixed separations loses it once; after that, it
     /// retraces. 0 where nothing can yield.
     ///
-    /// Below 0 where the pair of loading and unloading laws creates energy; no such value goes without an
-    /// [`EnergyGain`](crate::EnergyGain) by [`Joint::energy_gain`].
+    /// Below 0 where the pair of loading and unloading laws creates energy; no such value goes
+    /// without an [`EnergyGain`](crate::EnergyGain) by [`Joint::energy_gain`].
     #[must_use]
     pub fn lost(&self) -> Evaluation {
         self.spent.less(&self.returned)
@@ -50,8 +50,9 @@ impl Joint {
     /// The work of first closing, from no contact to `closest`, and of opening again.
     ///
     /// # Errors
-    /// Those of the contact's evaluations, [`ContactError::Integral`], and [`ContactError::OutOfRange`]
-    /// under heights with a tail so heavy that work is left beyond 1e8 σ_z.
+    /// Those of the contact's evaluations, [`ContactError::Integral`], and
+    /// [`ContactError::OutOfRange`] under heights with a tail so heavy that work is left beyond 1e8
+    /// σ_z.
     pub fn work(&self, closest: At) -> Result<Work, ContactError> {
         let way = self.unloading(closest)?;
         let spent = self.spent(way.place())?;
@@ -87,8 +88,8 @@ impl Joint {
         }
     }
 
-    /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of the
-    /// asperity heights.
+    /// The work \[J\] of first closing from one separation \[m\] to another, both from the mean of
+    /// the asperity heights.
     pub(crate) fn closing(&self, from: f64, to: f64) -> Result<Estimate, ContactError> {
         let quantity = Quantity::Force;
         let force =

@@ -103,8 +103,8 @@ impl Spectrum {
     /// order; waves with almost equal wave numbers are combined.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a wave number that is not above 0, a mean square below 0, or
-    /// waves of no height at all.
+    /// [`ContactError::OutOfRange`] for a wave number that is not above 0, a mean square below 0,
+    /// or waves of no height at all.
     pub fn of_waves(waves: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, ContactError> {
         let mut waves: Vec<(f64, f64)> = waves.into_iter().collect();
         for (q, square) in &waves {

@@ -196,7 +196,8 @@ pub(crate) fn bem<'py>(
 type State = (Option<f64>, Option<f64>, Option<f64>);
 /// Pressure [Pa], a model's id, its numbers and their deviations.
 type Row = (f64, String, State, State);
-/// Rows, which models were nearest, why a model cannot answer, and why pressures failed, by their place.
+/// Rows, which models were nearest, why a model cannot answer, and why pressures failed, by their
+/// place.
 type Truths = (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>);
 
 /// Every model of a scene beside boundary elements on its scan.

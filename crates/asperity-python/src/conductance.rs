@@ -9,8 +9,8 @@ use crate::scene::SceneFile;
 /// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds there.
 type Correlated = (Vec<f64>, Vec<f64>, Vec<bool>);
 
-/// A correlation at pressures, from where to where in relative pressures it holds, and the plasticity
-/// index of contacts that it is not of.
+/// A correlation at pressures, from where to where in relative pressures it holds, and the
+/// plasticity index of contacts that it is not of.
 #[pyfunction]
 pub(crate) fn correlated(
     name: &str,

@@ -110,8 +110,8 @@ impl Topography {
         Ok(heights.reshape([self.0.rows(), self.0.columns()])?.into_any())
     }
 
-    /// The same surface without its "mean", "plane" or "quadratic" form, by least squares; by default
-    /// the plane, for a periodic surface the mean.
+    /// The same surface without its "mean", "plane" or "quadratic" form, by least squares; by
+    /// default the plane, for a periodic surface the mean.
     #[pyo3(signature = (form=None))]
     fn level(&self, py: Python<'_>, form: Option<&str>) -> PyResult<Self> {
         let form = self.form(py, form)?;
@@ -151,8 +151,8 @@ impl Topography {
         Ok((PyTuple::new(py, found.heights_m)?, PyTuple::new(py, found.density_per_m)?))
     }
 
-    /// The equivalent rough surface of this one and another pressed together, both as they are: their
-    /// moments add.
+    /// The equivalent rough surface of this one and another pressed together, both as they are:
+    /// their moments add.
     fn against(&self, py: Python<'_>, other: &Self) -> PyResult<Surface> {
         let both = py.detach(|| {
             let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
@@ -164,8 +164,8 @@ impl Topography {
     }
 
     /// Statistics in SI units: Sq, Ssk, Sku, moments, and asperities by the estimator ("moments" or
-    /// "summits"), after levelling ("none", "mean", "plane" or "quadratic"; by default the plane, for
-    /// a periodic surface the mean) and, where a cut-off [m] is given, a Gaussian filter.
+    /// "summits"), after levelling ("none", "mean", "plane" or "quadratic"; by default the plane,
+    /// for a periodic surface the mean) and, where a cut-off [m] is given, a Gaussian filter.
     #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
     fn statistics<'py>(
         &self,

@@ -83,8 +83,8 @@ fn flat(u: f64, y: f64, power: i32) -> Estimate {
         let less = down * (highest - 0.5 * down) + 1.5 * more * (SQRT_2 * highest + more);
         k.powi(2 - power) * (-less).exp()
     };
-    // Below u = 0, small κ end in a layer about as thin as `lowest`, which a rule over all of the range
-    // may miss by more than the tables allow.
+    // Below u = 0, small κ end in a layer about as thin as `lowest`, which a rule over all of the
+    // range may miss by more than the tables allow.
     let layer = if lowest < THIN * highest { (lowest * highest).sqrt() } else { 0.0 };
     let (rules, rest) = (TanhSinh::shared(), width - layer);
     let main = rules.integrate(0.0, rest, 1e-15, |p| integrand(p.left, layer + p.right));

@@ -80,8 +80,8 @@ impl SceneFile {
         found.by_cause().silenced(&self.accept)
     }
 
-    /// The roughness of the gap, as correlations of its conductance take it: of the scan or, without
-    /// one, of an isotropic Gaussian surface with these asperities.
+    /// The roughness of the gap, as correlations of its conductance take it: of the scan or,
+    /// without one, of an isotropic Gaussian surface with these asperities.
     #[must_use]
     pub fn gap_roughness(&self) -> GapRoughness {
         let measured = self.measured.as_ref().map(|measured| &measured.statistics);

@@ -18,8 +18,8 @@ pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
     HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
 }
 
-/// A diagnostic of a periodic scan whose edges do not meet; none of other scans, and of those that are
-/// no whole [map](height_map).
+/// A diagnostic of a periodic scan whose edges do not meet; none of other scans, and of those that
+/// are no whole [map](height_map).
 #[must_use]
 pub fn open_seam(scan: &Topography) -> Option<Diagnostic> {
     let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;

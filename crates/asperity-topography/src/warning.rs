@@ -56,8 +56,8 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Diagnostic {
 const FOLLOWS: &str =
     "it depends on the pixel size; filter or smooth the scan, or use the pixel size of the contact";
 
-/// Summits per area \[1/m²\], of all points and of every second one: the pixel size, not the surface,
-/// sets the number of asperities.
+/// Summits per area \[1/m²\], of all points and of every second one: the pixel size, not the
+/// surface, sets the number of asperities.
 pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Diagnostic> {
     let found = Diagnostic::warning("summits-follow-sampling", "summit_density", fine)
         .usual([0.0, SUMMITS * coarse])

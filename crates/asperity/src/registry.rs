@@ -165,8 +165,8 @@ impl Model {
     }
 
     /// Theories of the whole surface, which know no asperities; they answer at loads, and at
-    /// separations where they have a spectrum. They stand beside the others where they are asked for
-    /// by name.
+    /// separations where they have a spectrum. They stand beside the others where they are asked
+    /// for by name.
     #[must_use]
     pub fn whole_surface() -> Vec<Self> {
         let persson = |variance| Self::known(Persson { variance, ..Persson::default() });

@@ -61,9 +61,9 @@ impl Truth {
     }
 }
 
-/// Solves the scan at mean pressures \[Pa\] on the nominal area, one after another, and every model at
-/// the same pressures. `progress` is called at every iteration and may stop the run: the pressures
-/// solved by then are kept.
+/// Solves the scan at mean pressures \[Pa\] on the nominal area, one after another, and every model
+/// at the same pressures. `progress` is called at every iteration and may stop the run: the
+/// pressures solved by then are kept.
 ///
 /// ```
 /// use std::ops::ControlFlow;

@@ -16,8 +16,8 @@ fn waves(size: f64) -> HeightMap {
     HeightMap::new(heights.collect(), [n, n], [1e-6; 2]).unwrap()
 }
 
-/// Balance, and contact where pressure is and nowhere else, as parts of what one pixel under all of the
-/// load is pressed in by.
+/// Balance, and contact where pressure is and nowhere else, as parts of what one pixel under all of
+/// the load is pressed in by.
 fn holds(solver: &BoundaryElements, map: &HeightMap, pressures: &[f64]) {
     let given: Vec<Given> = pressures.iter().map(|p| Given::MeanPressure(*p)).collect();
     let solutions = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));

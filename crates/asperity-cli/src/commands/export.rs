@@ -64,8 +64,8 @@ pub struct Export {
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
     #[arg(long, value_name = "MU", value_parser = friction)]
     friction: Option<f64>,
-    /// Units of the table: SI, or those of models in mm: mm-N-MPa (or mm-tonne-s, the same; powers in
-    /// mW)
+    /// Units of the table: SI, or those of models in mm: mm-N-MPa (or mm-tonne-s, the same; powers
+    /// in mW)
     #[arg(long, value_name = "SYSTEM", default_value = "SI")]
     units: UnitSystem,
     /// Write to a file in place of the standard output
@@ -77,8 +77,8 @@ pub struct Export {
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Ends {
-    /// From one separation to another, in N nodes; in sigma (of the asperity heights), or with a unit
-    /// as 0:3um
+    /// From one separation to another, in N nodes; in sigma (of the asperity heights), or with a
+    /// unit as 0:3um
     #[arg(long, value_name = "A:B[:N]")]
     separation: Option<DistanceSpan>,
     /// From one load to another, in N, or with a unit as 2kN

@@ -52,8 +52,8 @@ pub struct Unload {
     /// How the asperities come back, hertz, brake, etsion, or several of them
     #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
     laws: Vec<UnloadingLaw>,
-    /// How far the joint opens from its closest approach, in sigma (of the asperity heights), or with a
-    /// unit as 0:100nm:11
+    /// How far the joint opens from its closest approach, in sigma (of the asperity heights), or
+    /// with a unit as 0:100nm:11
     #[arg(long, value_name = "A:B:N[:log]|v,v")]
     retreat: Option<Distances>,
     /// Unit of retreats and turning points without one, sigma (of the asperity heights) or m

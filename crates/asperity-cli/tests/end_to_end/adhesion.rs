@@ -1,4 +1,4 @@
-//! Scenes whose surfaces stick: tensions, pull-off, and what is said of the models.
+//! Scenes whose surfaces stick: tensions, pull-off, and what is printed of the models.
 
 use asperity::{ContactModel, JkrBranch, JohnsonKendallRoberts, Quantity, Request, pull_off};
 
@@ -36,7 +36,7 @@ fn models_that_stick_are_compared_where_surfaces_do() {
 fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     let bench = soft();
     let run = bench.run("pull-off soft.toml --model dmt,jkr --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["dmt", "jkr-separation"]);
     let model = JohnsonKendallRoberts { branch: JkrBranch::Separation };
     let request = Request::new([Quantity::Force, Quantity::Tangent]);
@@ -45,12 +45,12 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     let (force, place) = (column(&run.out, "force_N"), column(&run.out, "separation_over_sigma"));
     assert!(force[1].to_bits() == found.force.value().to_bits());
     assert!(place[1].to_bits() == found.separation.value.to_bits());
-    assert!(run.words.contains("note: tabor_parameter is 1733"), "{}", run.words);
+    assert!(run.messages.contains("note: tabor_parameter is 1733"), "{}", run.messages);
     let one = 1.5 * std::f64::consts::PI * 1e-4 * 0.05 * 1e5;
-    let (_, left) = run.words.split_once("jkr-separation: roughness leaves ").unwrap();
+    let (_, left) = run.messages.split_once("jkr-separation: roughness leaves ").unwrap();
     let left: f64 = left.split(' ').next().unwrap().parse().unwrap();
     assert!((-left / 100.0 * one / force[1] - 1.0).abs() < 1e-5, "{left} % of {one} N");
-    let joules = bench.run("pull-off soft.toml --work-of-adhesion 50 --model jkr").words;
+    let joules = bench.run("pull-off soft.toml --work-of-adhesion 50 --model jkr").messages;
     assert!(joules.contains("work_of_adhesion is 50 J/m2 (usual: 0.001 to 5)"), "{joules}");
     // Exponential heights, stiff: the highest are always pressed harder than the others pull.
     let stiff =
@@ -58,13 +58,13 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     bench.write("stiff.toml", &stiff);
     let run = bench.run("pull-off stiff.toml --model dmt --format csv");
     assert!(run.code == Some(0) && cells(&run.out, "force_N") == [""], "{}", run.out);
-    assert!(run.words.contains("dmt: nothing is held"), "{}", run.words);
-    for (words, wanted) in [
+    assert!(run.messages.contains("dmt: nothing is held"), "{}", run.messages);
+    for (arguments, wanted) in [
         ("pull-off soft.toml --model gw", "gw knows no adhesion"),
         ("pull-off scene.toml", "work_of_adhesion is missing"),
     ] {
-        let run = bench.run(words);
-        assert!(run.code == Some(1) && run.words.contains(wanted), "{}", run.words);
+        let run = bench.run(arguments);
+        assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
     }
 }
 
@@ -72,39 +72,39 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
 fn tensions_are_loads_below_0() {
     let bench = soft();
     let run = bench.run("curve soft.toml --model gw,jkr --load -10mN,100mN --quantity area");
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let area = cells(&run.out, "area_m2");
     assert!(area[0].is_empty() && area[1..].iter().all(|area| !area.is_empty()), "{area:?}");
     assert_eq!(column(&run.out, "load_N"), [-0.01, 0.1, -0.01, 0.1]);
-    assert!(run.words.contains("gw carries no tension; use dmt, jkr"), "{}", run.words);
+    assert!(run.messages.contains("gw carries no tension; use dmt, jkr"), "{}", run.messages);
     assert!(bench.data("check soft.toml --model jkr --load -10mN").contains("-0.01"));
     let all = bench.data("solve soft.toml --model jkr-separation --load -0.01 --all");
     assert_eq!(all.lines().count(), 3, "{all}");
-    let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").words;
+    let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").messages;
     assert!(
         largest.contains("gives every separation, and pulling reaches the smallest"),
         "{largest}"
     );
-    let refused = bench.run("solve soft.toml --model gw --load -5").words;
+    let refused = bench.run("solve soft.toml --model gw --load -5").messages;
     assert!(refused.contains("gw carries no tension") && !refused.contains("load is"), "{refused}");
     for (load, wanted) in [("-1N", "a load from -"), ("-1kN", "a smaller tension")] {
-        let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).words;
+        let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).messages;
         assert!(beyond.contains(wanted), "{beyond}");
         assert!(beyond.contains("jkr-separation, which follows surfaces"), "{beyond}");
     }
-    let far = bench.run("curve soft.toml --model jkr --separation 1e300").words;
+    let far = bench.run("curve soft.toml --model jkr --separation 1e300").messages;
     assert!(far.contains("separation is 1e300 asperity_height_std: -1e6"), "{far}");
 }
 
 #[test]
 fn which_model_is_for_which_is_told_with_curves_and_advice() {
     let bench = soft();
-    for words in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
-        let run = bench.run(words);
-        let all = run.out + &run.words;
-        assert!(all.contains("note: tabor_parameter is 1733: use jkr"), "{words}: {all}");
-        assert!(all.contains("other models ignore work_of_adhesion"), "{words}: {all}");
+    for arguments in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
+        let run = bench.run(arguments);
+        let all = run.out + &run.messages;
+        assert!(all.contains("note: tabor_parameter is 1733: use jkr"), "{arguments}: {all}");
+        assert!(all.contains("other models ignore work_of_adhesion"), "{arguments}: {all}");
     }
-    let quiet = bench.run("curve soft.toml --model jkr --separation 1").words;
+    let quiet = bench.run("curve soft.toml --model jkr --separation 1").messages;
     assert!(!quiet.contains("tabor_parameter"), "{quiet}");
 }

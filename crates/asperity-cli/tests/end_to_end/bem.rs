@@ -28,21 +28,21 @@ pub fn bench() -> Bench {
 fn a_scan_with_a_few_holes_is_pressed_once_they_may_be_filled() {
     let bench = bench();
     let scan = bench.read("scan.txt");
-    let mut words: Vec<&str> = scan.split(' ').collect();
-    words[500] = "nan";
-    words[7000] = "nan";
-    bench.write("scan.txt", &words.join(" "));
+    let mut arguments: Vec<&str> = scan.split(' ').collect();
+    arguments[500] = "nan";
+    arguments[7000] = "nan";
+    bench.write("scan.txt", &arguments.join(" "));
     for command in ["bem", "truth"] {
         let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
         let why = "are missing, and boundary elements need all: fill_missing = true in [surface]";
-        assert!(refused.code == Some(1) && refused.words.contains(why), "{}", refused.words);
+        assert!(refused.code == Some(1) && refused.messages.contains(why), "{}", refused.messages);
     }
     bench.write("scan.toml", &format!("{SCAN}fill_missing = true\n"));
     let run = bench.run("bem scan.toml --pressure 1e8 --format csv");
     assert!(
-        run.words.contains("0.022 % of the points were missing and are filled"),
+        run.messages.contains("0.022 % of the points were missing and are filled"),
         "{}",
-        run.words
+        run.messages
     );
     bench.write("whole.txt", &scan);
     bench.write("whole.toml", &SCAN.replace("scan.txt", "whole.txt"));
@@ -50,8 +50,8 @@ fn a_scan_with_a_few_holes_is_pressed_once_they_may_be_filled() {
     let [filled, whole] = [run.out, whole].map(|data| column(&data, "area_fraction")[0]);
     assert!((filled / whole - 1.0).abs() < 0.03, "{filled} {whole}");
     let surface = "surface scan.txt --unit um --pixel-size 0.5 --fill-missing";
-    let words = bench.run(surface).words;
-    assert!(words.contains("0.022 % of the points were missing and are filled"), "{words}");
+    let arguments = bench.run(surface).messages;
+    assert!(arguments.contains("0.022 % of the points were missing and are filled"), "{arguments}");
     fn holed(word: &str) -> &str {
         if word.starts_with("0.1") { "nan" } else { word }
     }
@@ -59,22 +59,22 @@ fn a_scan_with_a_few_holes_is_pressed_once_they_may_be_filled() {
     bench.write("scan.txt", &scan.lines().map(row).collect::<Vec<_>>().join("\n"));
     let many = bench.run(&format!("{surface} --max-missing 0.5"));
     assert!(
-        many.code == Some(1) && many.words.contains("at most 0.05 was required"),
+        many.code == Some(1) && many.messages.contains("at most 0.05 was required"),
         "{}",
-        many.words
+        many.messages
     );
 }
 
 #[test]
 fn rows_are_those_of_the_library() {
     let bench = bench();
-    for (words, boundary, elastic) in [
+    for (arguments, boundary, elastic) in [
         ("", Boundary::Periodic, false),
         ("--elastic", Boundary::Periodic, true),
         ("--elastic --boundary free", Boundary::Free, true),
     ] {
-        let words = format!("bem scan.toml --pressure 1e7,2e9,1e8 {words} --format csv");
-        let data = bench.data(&words);
+        let arguments = format!("bem scan.toml --pressure 1e7,2e9,1e8 {arguments} --format csv");
+        let data = bench.data(&arguments);
         let file = bench.scene("scan.toml");
         let elements =
             file.bem(boundary, elastic).unwrap().elements(&file.scene.interface).unwrap();
@@ -93,14 +93,14 @@ fn rows_are_those_of_the_library() {
             ("pressure_Pa", vec![1e7, 2e9, 1e8]),
         ];
         for (name, required) in required {
-            assert_eq!(column(&data, name), required, "{words}: {name}");
+            assert_eq!(column(&data, name), required, "{arguments}: {name}");
         }
         let loads = column(&data, "load_N");
         for (load, required) in loads.iter().zip([300.0, 6e4, 3e3]) {
             assert!((load / required - 1.0).abs() < 1e-14, "{load}");
         }
     }
-    let of = |words: &str| bench.data(&format!("bem scan.toml --format csv {words}"));
+    let of = |arguments: &str| bench.data(&format!("bem scan.toml --format csv {arguments}"));
     assert_eq!(of("--load 3e3"), of("--pressure 1e8"));
 }
 
@@ -108,15 +108,15 @@ fn rows_are_those_of_the_library() {
 fn what_is_not_resolved_is_said_and_half_the_grid_stands_beside() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e6,1e7 --refine --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    for words in [
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    for arguments in [
         "note: the edges of the scan do not meet",
         "warning: 96 x 96 pixels: the shortest waves are",
         " in contact in 2 rows, worst at a pressure of 1e6 Pa",
         ": at least 30 are needed",
         ": at least 100 are needed",
     ] {
-        assert!(run.words.contains(words), "{words}\n{}", run.words);
+        assert!(run.messages.contains(arguments), "{arguments}\n{}", run.messages);
     }
     let [fine, half] = ["mean_gap_m", "mean_gap_m_half_grid"].map(|name| column(&run.out, name));
     assert!(fine.iter().zip(&half).all(|(a, b)| (1e-6..0.2).contains(&(a / b - 1.0_f64).abs())));
@@ -144,16 +144,16 @@ fn pressures_are_written_and_drawn() {
     let svg = bench.read("one.svg");
     let pixels = bench.run("bem scan.toml --pressure 1e9 --picture one.PNG");
     assert!(
-        pixels.words.contains("one.PNG: pressure (GPa) from yellow to black at 5"),
+        pixels.messages.contains("one.PNG: pressure (GPa) from yellow to black at 5"),
         "{}",
-        pixels.words
+        pixels.messages
     );
     let png = std::fs::read(bench.path("one.PNG")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n"));
-    for words in
+    for arguments in
         ["pressure (GPa)", ">10 µm<", "white: no contact", "Black is plastic", "data:image/png"]
     {
-        assert!(svg.contains(words), "{words}");
+        assert!(svg.contains(arguments), "{arguments}");
     }
 }
 
@@ -161,12 +161,12 @@ fn pressures_are_written_and_drawn() {
 fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e8,6e9 --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("mean pressure is 6e9 Pa: less than the hardness, 5e9 Pa"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("mean pressure is 6e9 Pa: less than the hardness, 5e9 Pa"));
     assert_eq!(cells(&run.out, "area_fraction")[1], "");
     bench.write("none.toml", NO_SHEAR);
     bench.write("flat.toml", &SCAN.replace("0.5\n", "0.5\nlevel = \"none\"\n"));
-    for (words, said) in [
+    for (arguments, printed) in [
         ("bem scan.toml --pressure 6e9", "no load was solved"),
         ("bem scan.toml --gap 1", "nothing touches"),
         ("bem none.toml --pressure 1e6", "surface.file is missing: boundary elements (bem) need"),
@@ -177,9 +177,9 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
         ),
         ("bem nowhere.toml --pressure 1e6", "cannot be read"),
     ] {
-        let run = bench.run(words);
-        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{words}\n{}", run.words);
-        assert!(run.words.contains(said), "{words}\n{}", run.words);
+        let run = bench.run(arguments);
+        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{arguments}\n{}", run.messages);
+        assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
     }
     let hole = bench.read("scan.txt").replacen(' ', " nan ", 1).replacen("nan ", "nan", 1);
     let hole = hole.replacen("nan", "nan ", 1);
@@ -187,9 +187,9 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
     let rest = hole.split_once('\n').unwrap().1;
     bench.write("scan.txt", &format!("{}\n{rest}", first.join(" ")));
     let run = bench.run("bem scan.toml --pressure 1e6");
-    assert_eq!(run.code, Some(1), "{}", run.words);
-    assert!(run.words.contains("0.011 % of the points are missing, and"), "{}", run.words);
-    for (words, said) in [
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    assert!(run.messages.contains("0.011 % of the points are missing, and"), "{}", run.messages);
+    for (arguments, printed) in [
         ("bem scan.toml", "--pressure"),
         ("bem scan.toml --pressure 1 --load 1", "cannot be used with"),
         ("bem scan.toml --pressure -1", "-1 is not above 0"),
@@ -203,17 +203,17 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
         ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
         ("bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg", "name the same file"),
     ] {
-        let run = bench.run(words);
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{words}\n{}", run.words);
-        assert!(run.words.contains(said), "{words}\n{}", run.words);
+        let run = bench.run(arguments);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{arguments}\n{}", run.messages);
+        assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
     }
 }
 
 #[test]
 fn bem_stands_beside_the_models_by_name() {
-    let words = "compare scan.toml --model gw,bem --reference bem --pressure 1e8,1e9";
+    let arguments = "compare scan.toml --model gw,bem --reference bem --pressure 1e8,1e9";
     let data =
-        bench().data(&format!("{words} --quantity area-fraction,mean-pressure --format csv"));
+        bench().data(&format!("{arguments} --quantity area-fraction,mean-pressure --format csv"));
     let deviations = column(&data, "area_fraction_deviation");
     assert_eq!(cells(&data, "model"), ["gw", "bem", "gw", "bem"]);
     assert!(deviations[0].abs() > 0.01 && deviations[1].abs() <= 0.0, "{data}");
@@ -224,19 +224,19 @@ fn bem_stands_beside_the_models_by_name() {
 #[test]
 fn an_interrupted_list_keeps_the_loads_that_are_done() {
     let bench = bench();
-    let words = "bem scan.toml --boundary free --pressure 1e6:2e9:5000 --format csv";
+    let arguments = "bem scan.toml --boundary free --pressure 1e6:2e9:5000 --format csv";
     let mut command = bench.command();
-    command.args(words.split(' ')).stdout(std::process::Stdio::piped());
+    command.args(arguments.split(' ')).stdout(std::process::Stdio::piped());
     let child = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
     std::thread::sleep(std::time::Duration::from_millis(1500));
     let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(kill.unwrap().success());
     let run = Run::of(child.wait_with_output().unwrap());
-    assert_eq!(run.code, Some(130), "{}", run.words);
+    assert_eq!(run.code, Some(130), "{}", run.messages);
     let areas = cells(&run.out, "area_fraction");
     assert!(!areas.is_empty() && areas.len() < 5000 && areas.iter().all(|a| !a.is_empty()));
-    let said = format!("error: interrupted: {} of 5000 loads are solved", areas.len());
-    assert!(run.words.contains(&said), "{}", run.words);
+    let printed = format!("error: interrupted: {} of 5000 loads are solved", areas.len());
+    assert!(run.messages.contains(&printed), "{}", run.messages);
     // From the greatest load down.
     assert_eq!(column(&run.out, "pressure_Pa").last(), Some(&2e9));
 }

@@ -47,7 +47,7 @@ pub struct Bench {
 pub struct Run {
     pub code: Option<i32>,
     pub out: String,
-    pub words: String,
+    pub messages: String,
 }
 
 impl Bench {
@@ -80,15 +80,15 @@ impl Bench {
         command
     }
 
-    /// Runs words that are separated by blanks.
-    pub fn run(&self, words: &str) -> Run {
-        Run::of(self.command().args(words.split_whitespace()).output().unwrap())
+    /// Runs with these arguments, separated by blanks.
+    pub fn run(&self, arguments: &str) -> Run {
+        Run::of(self.command().args(arguments.split_whitespace()).output().unwrap())
     }
 
     /// The data of a run that succeeds.
-    pub fn data(&self, words: &str) -> String {
-        let run = self.run(words);
-        assert_eq!(run.code, Some(0), "asperity {words}\n{}", run.words);
+    pub fn data(&self, arguments: &str) -> String {
+        let run = self.run(arguments);
+        assert_eq!(run.code, Some(0), "asperity {arguments}\n{}", run.messages);
         run.out
     }
 
@@ -100,7 +100,7 @@ impl Bench {
 impl Run {
     pub fn of(output: Output) -> Self {
         let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
-        Self { code: output.status.code(), out: text(output.stdout), words: text(output.stderr) }
+        Self { code: output.status.code(), out: text(output.stdout), messages: text(output.stderr) }
     }
 }
 

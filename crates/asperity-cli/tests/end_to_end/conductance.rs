@@ -9,8 +9,8 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
     let run = bench.run(
         "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
     );
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("left out: gao"), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("left out: gao"), "{}", run.messages);
     assert_eq!(csv(&run.out).1.len(), 8, "gw to af, jg twice");
     let radii = column(&run.out, "contact_radius_sum_m");
     for (name, factor) in
@@ -26,19 +26,19 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
 fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     use asperity::joints::conductance::{cooper_mikic_yovanovich, gap_conductance, mikic_elastic};
     let bench = Bench::new();
-    let words = "conductance scene.toml --conductivity 50 --pressure 1e6,1e8 --format csv";
-    let run = bench.run(&format!("{words} --gas 0.026 --gas-parameter 0.37um"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    let arguments = "conductance scene.toml --conductivity 50 --pressure 1e6,1e8 --format csv";
+    let run = bench.run(&format!("{arguments} --gas 0.026 --gas-parameter 0.37um"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let file = bench.scene("scene.toml");
     let (roughness, modulus) = (file.gap_roughness(), file.scene.interface.equivalent_modulus);
     let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
     assert_eq!(cells(&run.out, "model"), ["ke", "ke", "cmy", "cmy", "mikic", "mikic"]);
     assert_eq!(cells(&run.out, "holds"), ["", "", "yes", "no", "no", "no"]);
-    assert!(run.words.contains("mikic: plasticity_index is "), "{}", run.words);
+    assert!(run.messages.contains("mikic: plasticity_index is "), "{}", run.messages);
     assert!(
-        run.words.contains("so that the contacts yield and this correlation does not hold"),
+        run.messages.contains("so that the contacts yield and this correlation does not hold"),
         "{}",
-        run.words
+        run.messages
     );
     for (k, pressure) in [1e6, 1e8].into_iter().enumerate() {
         let cmy = cooper_mikic_yovanovich(50.0, &roughness, pressure, 2e9).unwrap();
@@ -47,37 +47,39 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     }
     // Models give what their quantity does, and the gas that of the mean gap.
     bench.write("scene.toml", &conducting().replace("asperity-mean", "surface-mean"));
-    let words =
+    let arguments =
         "curve scene.toml --model ke --pressure 1e6,1e8 --quantity thermal-conductance-per-area";
-    let curve = bench.data(words);
+    let curve = bench.data(arguments);
     let wanted = column_of(&curve, "thermal_conductance_per_area_W_per_m2_per_K");
     assert!((found[0].unwrap() / wanted[0].unwrap() - 1.0).abs() < 1e-9, "{found:?} {wanted:?}");
     let gas = column_of(&run.out, "gas_thermal_conductance_per_area_W_per_m2_per_K");
     let gap = column(&curve, "separation_m")[0];
     let wanted = gap_conductance(0.026, gap, 0.37e-6).unwrap();
     assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9 && gas[2].is_none(), "{gas:?} {wanted}");
-    for said in ["cmy: p/H is 0.05 at a pressure of 1e8 Pa, outside the range of", "mean slope m"] {
-        assert!(run.words.contains(said), "{}", run.words);
+    for printed in
+        ["cmy: p/H is 0.05 at a pressure of 1e8 Pa, outside the range of", "mean slope m"]
+    {
+        assert!(run.messages.contains(printed), "{}", run.messages);
     }
-    let told = |extra: &str| {
+    let printed = |extra: &str| {
         bench.run(&format!(
             "conductance scene.toml --conductivity 50 --pressure 1e6 --gas 0.026{extra}"
         ))
     };
-    let (unsaid, metre) = (told("").words, told(" --gas-parameter 1").words);
+    let (unsaid, metre) = (printed("").messages, printed(" --gas-parameter 1").messages);
     assert!(unsaid.contains("note: --gas-parameter is missing and taken as 0"), "{unsaid}");
     assert!(
         metre.contains("--gas-parameter is 1 m; ") && metre.contains("1 looks like um"),
         "{metre}"
     );
-    assert!(!run.words.contains("--gas-parameter"), "{}", run.words);
+    assert!(!run.messages.contains("--gas-parameter"), "{}", run.messages);
     bench.write(
         "soft.toml",
         include_str!("../../../asperity-scene/examples/elastomer-on-glass.toml"),
     );
     let soft = bench.run("conductance soft.toml --conductivity 0.3 --pressure 100 --format csv");
     assert_eq!(cells(&soft.out, "model"), ["gw", "mikic"]);
-    assert!(soft.words.contains("left out: cmy: hardness is missing"), "{}", soft.words);
+    assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
     let none = bench.run("conductance soft.toml --pressure 100");
-    assert!(none.code == Some(1) && none.words.contains("thermal_conductivity is missing"));
+    assert!(none.code == Some(1) && none.messages.contains("thermal_conductivity is missing"));
 }

@@ -24,11 +24,12 @@ fn every_digit_is_the_librarys() {
     let scene = bench.scene("scene.toml").scene;
     let quantities = [Quantity::Force, Quantity::Area, Quantity::Tangent];
     let tolerance = asperity::Tolerance::new(1e-12).unwrap();
-    for (words, at) in [
+    for (arguments, at) in [
         ("--separation -1:3:3", [-1.0, 1.0, 3.0].map(At::sigmas)),
         ("--load 0.1,1,10 --quantity force,area,tangent", [0.1, 1.0, 10.0].map(At::Load)),
     ] {
-        let data = bench.data(&format!("curve scene.toml --model jg --tolerance 1e-12 {words}"));
+        let data =
+            bench.data(&format!("curve scene.toml --model jg --tolerance 1e-12 {arguments}"));
         let request = Request::new(quantities).at(at).within(tolerance);
         let contact = "jg".parse::<Model>().unwrap().compile(&scene, &request).unwrap();
         let answer = contact.respond(&request);
@@ -45,11 +46,11 @@ fn all_quantities_and_their_errors_have_columns() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());
     let names = Quantity::ALL.map(|quantity| quantity.to_string());
-    let words = format!(
+    let arguments = format!(
         "curve scene.toml --model ke,jg --errors --separation -1,2.5 --quantity {}",
         names.join(",")
     );
-    let data = bench.data(&words);
+    let data = bench.data(&arguments);
     let (head, rows) = csv(&data);
     assert_eq!(head[3..3 + Quantity::ALL.len()], Quantity::ALL.map(Quantity::column));
     let errors = names.map(|name| format!("{}_error", name.replace('-', "_")));
@@ -120,17 +121,18 @@ fn separations_from_the_mean_plane_are_printed_as_given() {
 #[test]
 fn json_and_table_hold_what_the_csv_holds() {
     let bench = Bench::new();
-    let words = "curve scene.toml --model gw,at --separation 0:40:3 --quantity force,mean-pressure";
-    let data = bench.data(words);
+    let arguments =
+        "curve scene.toml --model gw,at --separation 0:40:3 --quantity force,mean-pressure";
+    let data = bench.data(arguments);
     let json: serde_json::Value =
-        serde_json::from_str(&bench.data(&format!("{words} --format json"))).unwrap();
+        serde_json::from_str(&bench.data(&format!("{arguments} --format json"))).unwrap();
     let rows = json.as_array().unwrap();
     for name in ["separation_m", "force_N", "mean_pressure_Pa"] {
         let numbers: Vec<f64> = rows.iter().map(|row| row[name].as_f64().unwrap()).collect();
         assert_eq!(numbers, column(&data, name));
     }
     assert_eq!(rows[3]["model"], "at");
-    let table = bench.data(&format!("{words} --format table"));
+    let table = bench.data(&format!("{arguments} --format table"));
     assert_eq!(table.lines().count(), data.lines().count());
     assert!(table.starts_with("model  separation_over_sigma  separation_m"), "{table}");
 }
@@ -142,17 +144,17 @@ fn models_that_the_scene_does_not_allow_are_named() {
     let run = bench.run("curve scene.toml --separation 2");
     assert_eq!(run.code, Some(0));
     assert_eq!(run.out.lines().count(), 9, "{}", run.out);
-    let words = &run.words;
+    let arguments = &run.messages;
     for id in ["gao", "at", "at-additive", "at-overlap"] {
         assert!(
-            words.contains(&format!("note: left out: {id}: equivalent_shear_modulus")),
-            "{words}"
+            arguments.contains(&format!("note: left out: {id}: equivalent_shear_modulus")),
+            "{arguments}"
         );
     }
     let refused = bench.run("curve scene.toml --model gw,gao");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
     assert!(
-        refused.words.contains("scene.toml: equivalent_shear_modulus is missing: Gao needs it")
+        refused.messages.contains("scene.toml: equivalent_shear_modulus is missing: Gao needs it")
     );
 }
 
@@ -166,12 +168,12 @@ fn odd_answers_stand_and_are_warned_of() {
     assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
     assert!(column(&run.out, &Quantity::LnForce.column())[1] < -1e5);
     assert!(
-        run.words.contains(" N) at a separation of 1 asp")
-            && run.words.contains("force is negative ("),
+        run.messages.contains(" N) at a separation of 1 asp")
+            && run.messages.contains("force is negative ("),
         "{}",
-        run.words
+        run.messages
     );
-    assert!(run.words.contains("too small for f64 at a separation of 500"), "{}", run.words);
+    assert!(run.messages.contains("too small for f64 at a separation of 500"), "{}", run.messages);
 }
 
 #[test]
@@ -233,15 +235,15 @@ fn loads_and_pressures_are_places_like_separations() {
 fn rows_without_a_value_are_blank_and_said_once() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model jg,ke --load 100,1e30,2e30");
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     for name in ["separation_over_sigma", "separation_m", "area_m2", "tangent_N_per_m"] {
         let blank: Vec<bool> = cells(&run.out, name).iter().map(|cell| cell.is_empty()).collect();
         assert_eq!(blank, [false, true, true, false, true, true], "{name}");
     }
     assert_eq!(cells(&run.out, "load_N")[1], "1e30");
-    assert_eq!(run.words.lines().count(), 2, "{}", run.words);
-    assert!(run.words.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
-    assert!(run.words.contains("a load above 0 and at most"), "{}", run.words);
+    assert_eq!(run.messages.lines().count(), 2, "{}", run.messages);
+    assert!(run.messages.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
+    assert!(run.messages.contains("a load above 0 and at most"), "{}", run.messages);
     let json = bench.run("curve scene.toml --model ke --load 5,1e30 --format json");
     let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
     assert!(rows[0]["area_m2"].is_f64() && rows[1]["area_m2"].is_null());
@@ -249,13 +251,13 @@ fn rows_without_a_value_are_blank_and_said_once() {
     let separations = bench.run("curve scene.toml --model ke --separation 1,2e9");
     assert_eq!(separations.code, Some(0));
     assert_eq!(cells(&separations.out, "force_N")[1], "");
-    assert!(separations.words.contains("no value in 1 of 2 rows"), "{}", separations.words);
+    assert!(separations.messages.contains("no value in 1 of 2 rows"), "{}", separations.messages);
 }
 
 #[test]
 fn a_load_is_the_abscissa_of_its_picture() {
     let bench = Bench::new();
-    for (words, label) in [
+    for (arguments, label) in [
         ("--load 1:100:20:log", ">load (N)<"),
         ("--load 1:100:20", ">load (N)<"),
         ("--load 1,1e30", ">load (N)<"),
@@ -267,10 +269,10 @@ fn a_load_is_the_abscissa_of_its_picture() {
         ),
         ("--separation 2,1,3", ">separation from the mean of the asperity heights (σ"),
     ] {
-        bench.data(&format!("curve scene.toml --model gw,ke {words} --plot p.svg"));
+        bench.data(&format!("curve scene.toml --model gw,ke {arguments} --plot p.svg"));
         let svg = bench.read("p.svg");
-        assert!(svg.contains(label), "{words}");
-        assert!(svg.contains(">ke</text>") && !svg.contains("NaN"), "{words}");
+        assert!(svg.contains(label), "{arguments}");
+        assert!(svg.contains(">ke</text>") && !svg.contains("NaN"), "{arguments}");
     }
     let data = bench.data("curve scene.toml --model ke --load 1,10 --output l.csv --plot -");
     assert!(data.starts_with("<svg ") && bench.read("l.csv").contains("load_N"));
@@ -282,7 +284,11 @@ fn pictures_that_are_no_svg_are_refused_before_any_work() {
     for name in ["x.png", "x", "x.svg.pdf", ".svg"] {
         let run = bench.run(&format!("curve nowhere.toml --output out.csv --plot {name}"));
         assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{name}");
-        assert!(run.words.contains(name) && run.words.contains("ends in .svg"), "{}", run.words);
+        assert!(
+            run.messages.contains(name) && run.messages.contains("ends in .svg"),
+            "{}",
+            run.messages
+        );
     }
     assert!(!bench.path("out.csv").exists());
 }
@@ -292,8 +298,8 @@ fn words_are_in_the_unit_and_from_the_plane_that_was_asked() {
     let bench = Bench::new();
     bench.write("plane.toml", &format!("{NEGATIVE}separation_from = \"surface-mean\"\n"));
     let run = bench.run("curve plane.toml --model at --separation 1.5e-6 --separation-unit m");
-    let said = "a separation of 1.5e-6 m from the mean plane of the surface";
-    assert!(run.words.contains(said), "{}", run.words);
+    let printed = "a separation of 1.5e-6 m from the mean plane of the surface";
+    assert!(run.messages.contains(printed), "{}", run.messages);
     assert_eq!(column(&run.out, "separation_m"), [1.5e-6]);
     let plan = bench.data("plan plane.toml --model ke --separation 1:3:3");
     assert!(plan.contains("a separation of 1 asperity_height_std from the mean plane"), "{plan}");
@@ -305,7 +311,7 @@ fn words_are_in_the_unit_and_from_the_plane_that_was_asked() {
 fn facts_of_a_model_are_not_said_before_every_answer() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model gao,at --separation 2");
-    assert_eq!((run.code, run.words.as_str()), (Some(0), ""));
+    assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));
     let models = bench.data("models --format json");
     assert!(models.contains("Gao: the angle density falls to 4 pi psi"), "{models}");
 }
@@ -313,14 +319,14 @@ fn facts_of_a_model_are_not_said_before_every_answer() {
 #[test]
 fn a_unit_without_its_separations_is_refused() {
     let bench = Bench::new();
-    for words in [
+    for arguments in [
         "curve scene.toml",
         "compare scene.toml",
         "recommend scene.toml --load 5",
         "export scene.toml --model ke --as csv --load 1:5:3",
     ] {
-        let run = bench.run(&format!("{words} --separation-unit m"));
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{words}");
-        assert!(run.words.contains("--separation"), "{words}");
+        let run = bench.run(&format!("{arguments} --separation-unit m"));
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{arguments}");
+        assert!(run.messages.contains("--separation"), "{arguments}");
     }
 }

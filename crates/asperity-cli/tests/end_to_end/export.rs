@@ -72,7 +72,8 @@ fn lines_through_the_abaqus_pairs_meet_the_error_asked_for() {
 #[test]
 fn a_table_may_be_between_loads_or_pressures() {
     let bench = Bench::new();
-    let of = |words: &str| bench.data(&format!("export scene.toml --model ke --as csv {words}"));
+    let of =
+        |arguments: &str| bench.data(&format!("export scene.toml --model ke --as csv {arguments}"));
     let table = of("--pressure 1e4:1e6:9");
     let pressures = column(&table, "pressure_Pa");
     assert!((pressures[0] / 1e6 - 1.0).abs() < 1e-9 && (pressures[8] / 1e4 - 1.0).abs() < 1e-9);
@@ -85,12 +86,12 @@ fn a_table_may_be_between_loads_or_pressures() {
     assert_eq!((metres[0], metres.len()), (0.0, 5));
     assert!((metres[4] / 2e-6 - 1.0).abs() < 1e-14);
     assert_eq!(of("--load 1N:0.1kN:9"), table);
-    for (words, code, said) in
+    for (arguments, code, printed) in
         [("1:1e30:9", 1, "scene.toml: ke: load is 1e30 N"), ("-1:5:9", 2, "-1 is not above 0")]
     {
-        let run = bench.run(&format!("export scene.toml --model ke --as csv --load={words}"));
-        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{words}");
-        assert!(run.words.contains(said), "{}", run.words);
+        let run = bench.run(&format!("export scene.toml --model ke --as csv --load={arguments}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{arguments}");
+        assert!(run.messages.contains(printed), "{}", run.messages);
     }
 }
 
@@ -100,17 +101,17 @@ fn what_a_solver_cannot_use_is_refused() {
     bench.write("scene.toml", NEGATIVE);
     let run = bench.run("export scene.toml --model at --as csv --separation 0:3:31");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.words.contains("both above 0 were required"), "{}", run.words);
+    assert!(run.messages.contains("both above 0 were required"), "{}", run.messages);
     let coarse = bench.run("export scene.toml --model ke --as csv --separation 0:6:2");
     assert_eq!(coarse.code, Some(1));
-    assert!(coarse.words.contains("2 nodes are too few"), "{}", coarse.words);
+    assert!(coarse.messages.contains("2 nodes are too few"), "{}", coarse.messages);
 }
 
 #[test]
 fn other_solvers_read_the_same_lines_in_their_own_words() {
     let bench = Bench::new();
-    let of = |form: &str, words: &str| {
-        bench.run(&format!("export scene.toml --model ke --as {form} --load 1:1e3 {words}"))
+    let of = |form: &str, arguments: &str| {
+        bench.run(&format!("export scene.toml --model ke --as {form} --load 1:1e3 {arguments}"))
     };
     let numbers = |line: &str| -> Vec<f64> {
         line.split([',', ' ']).filter_map(|word| word.parse().ok()).collect()
@@ -149,7 +150,7 @@ fn other_solvers_read_the_same_lines_in_their_own_words() {
     assert!(ansys.lines().all(|line| line.split(',').count() <= 8), "6 constants a line: {ansys}");
     let refused = of("ansys", "--max-error 1e-3");
     assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
-    assert!(refused.words.contains("COMBIN39 allows 18;"), "{}", refused.words);
+    assert!(refused.messages.contains("COMBIN39 allows 18;"), "{}", refused.messages);
 }
 
 /// The lines of numbers after a keyword.
@@ -174,8 +175,8 @@ fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
     for (form, keyword) in
         [("abaqus", "*GAP CONDUCTANCE, PRESSURE"), ("calculix", "*GAP CONDUCTANCE")]
     {
-        let words = format!("{export} --as {form} --conductance pressure --friction 0.2");
-        let text = bench.data(&words);
+        let arguments = format!("{export} --as {form} --conductance pressure --friction 0.2");
+        let text = bench.data(&arguments);
         let pairs = block(&text, keyword);
         assert_eq!(pairs.len(), block(&text, "*SURFACE BEHAVIOR").len());
         assert_eq!(pairs[0][..2], [0.0, 0.0]);
@@ -216,7 +217,7 @@ fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
     for pair in &pairs[..pairs.len() - 1] {
         same(pair[0], of(Quantity::ThermalConductance, At::metres(pair[1])));
     }
-    for (words, said) in [
+    for (arguments, printed) in [
         (
             "--as calculix --conductance clearance",
             "format is calculix: one with conductance against",
@@ -231,10 +232,14 @@ fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
         ("--as calculix --max-error 1e-6", "CalculiX allows 199;"),
     ] {
         let run = bench.run(&format!(
-            "{} {words}",
+            "{} {arguments}",
             export.replace("--max-error 0.02", "").replace("1e7", "1e7:9")
         ));
-        assert!(run.code == Some(1) && run.words.contains(said), "{words}: {}", run.words);
+        assert!(
+            run.code == Some(1) && run.messages.contains(printed),
+            "{arguments}: {}",
+            run.messages
+        );
     }
 }
 
@@ -242,12 +247,12 @@ fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
 fn tables_in_mm_hold_the_same_numbers_in_their_units() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());
-    let of = |words: &str| {
-        let words = format!("export scene.toml --model ke --load 10:1000:9 {words}");
+    let of = |arguments: &str| {
+        let arguments = format!("export scene.toml --model ke --load 10:1000:9 {arguments}");
         let [si, mm] =
-            ["SI", "mm-N-MPa"].map(|units| bench.data(&format!("{words} --units {units}")));
-        assert_eq!(bench.data(&words), si);
-        assert_eq!(bench.data(&format!("{words} --units mm-tonne-s")), mm);
+            ["SI", "mm-N-MPa"].map(|units| bench.data(&format!("{arguments} --units {units}")));
+        assert_eq!(bench.data(&arguments), si);
+        assert_eq!(bench.data(&format!("{arguments} --units mm-tonne-s")), mm);
         assert!(
             mm.contains(" units: mm, N, MPa (tonne, s), converted from SI") && !si.contains("mm")
         );
@@ -291,5 +296,5 @@ fn tables_in_mm_hold_the_same_numbers_in_their_units() {
     let texts = of("--as abaqus --conductance clearance");
     same(texts.each_ref().map(|text| block(text, "*GAP CONDUCTANCE")), &[1e-3, 1e3]);
     let run = bench.run("export scene.toml --model ke --as csv --load 1:10:5 --units inch");
-    assert!(run.code == Some(2) && run.words.contains("none of SI, mm-N-MPa, mm-tonne-s"));
+    assert!(run.code == Some(2) && run.messages.contains("none of SI, mm-N-MPa, mm-tonne-s"));
 }

@@ -12,10 +12,11 @@ const CURVE: &str = "curve scene.toml --model ke --separation 0:4:3";
 fn a_reader_that_has_seen_enough_is_no_error() {
     let bench = Bench::new();
     for format in ["csv", "json", "table"] {
-        let words = format!("curve scene.toml --model ke --separation 0:4:50000 --format {format}");
+        let arguments =
+            format!("curve scene.toml --model ke --separation 0:4:50000 --format {format}");
         let mut child = bench
             .command()
-            .args(words.split(' '))
+            .args(arguments.split(' '))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
@@ -25,7 +26,7 @@ fn a_reader_that_has_seen_enough_is_no_error() {
         reader.read_line(&mut line).unwrap();
         drop(reader);
         let run = Run::of(child.wait_with_output().unwrap());
-        assert_eq!((run.code, run.words.as_str()), (Some(0), ""), "{format}");
+        assert_eq!((run.code, run.messages.as_str()), (Some(0), ""), "{format}");
         assert!(!line.is_empty());
     }
 }
@@ -38,10 +39,14 @@ fn a_full_disk_is_an_error() {
     let output = bench.command().args(CURVE.split(' ')).stdout(full).output().unwrap();
     let run = Run::of(output);
     assert_eq!(run.code, Some(1));
-    assert!(run.words.starts_with("error: cannot write to standard output: "), "{}", run.words);
+    assert!(
+        run.messages.starts_with("error: cannot write to standard output: "),
+        "{}",
+        run.messages
+    );
     let run = bench.run(&format!("{CURVE} --output /dev/full"));
     assert_eq!(run.code, Some(1));
-    assert!(run.words.starts_with("error: cannot write /dev/full: "), "{}", run.words);
+    assert!(run.messages.starts_with("error: cannot write /dev/full: "), "{}", run.messages);
 }
 
 #[test]
@@ -60,7 +65,7 @@ fn files_that_cannot_be_written_are_named_and_nothing_is_left_behind() {
             let target = format!("{target}.{end}");
             let run = bench.run(&format!("{CURVE} {flag} {target}"));
             assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{flag} {target}");
-            assert!(run.words.contains(&format!("cannot write {target}: ")), "{}", run.words);
+            assert!(run.messages.contains(&format!("cannot write {target}: ")), "{}", run.messages);
         }
     }
     assert_eq!(bench.read("kept.csv"), "kept");
@@ -88,7 +93,7 @@ fn a_scene_is_overwritten_only_by_force() {
     bench.write("mine.toml", "mine");
     let run = bench.run("init --output mine.toml");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.words.contains("mine.toml exists") && bench.read("mine.toml") == "mine");
+    assert!(run.messages.contains("mine.toml exists") && bench.read("mine.toml") == "mine");
     bench.data("init --output mine.toml --force");
     assert_eq!(bench.read("mine.toml"), bench.data("init"));
 }
@@ -109,17 +114,17 @@ fn names_that_are_no_text_are_files_like_any_other() {
         Run::of(command.args(["--separation", "1", "--model"]).arg(model).output().unwrap())
     };
     let run = curve(OsStr::new("ke"));
-    assert_eq!((run.code, run.words.as_str()), (Some(0), ""));
+    assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));
     assert!(fs::read(bench.folder().join(out)).unwrap().starts_with(b"model,"));
     assert!(fs::read(bench.folder().join(plot)).unwrap().starts_with(b"<svg"));
     // A model is text.
     let run = curve(OsStr::from_bytes(b"g\xffw"));
-    assert_eq!(run.code, Some(2), "{}", run.words);
+    assert_eq!(run.code, Some(2), "{}", run.messages);
     // And so is the name in an error, as far as it can be.
     fs::write(bench.folder().join(scene), "nominal_area = -1").unwrap();
     let run = curve(OsStr::new("ke"));
     assert_eq!(run.code, Some(1));
-    assert!(run.words.contains("sc\u{fffd}ne.toml"), "{}", run.words);
+    assert!(run.messages.contains("sc\u{fffd}ne.toml"), "{}", run.messages);
 }
 
 #[test]
@@ -129,11 +134,11 @@ fn an_output_never_overwrites_its_input() {
     let run = bench.run(&format!("{CURVE} --output scene.toml"));
     assert_eq!(run.code, Some(1));
     assert!(
-        run.words.contains("the output would overwrite the input; choose another name"),
+        run.messages.contains("the output would overwrite the input; choose another name"),
         "{}",
-        run.words
+        run.messages
     );
     assert_eq!(bench.read("scene.toml"), scene);
     let run = bench.run("surface s.txt --unit um --pixel-size 2 --scene x.toml --heights x.toml");
-    assert_eq!(run.code, Some(2), "{}", run.words);
+    assert_eq!(run.code, Some(2), "{}", run.messages);
 }

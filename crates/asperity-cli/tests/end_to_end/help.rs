@@ -26,8 +26,8 @@ fn the_examples_of_every_help_text_work_when_pasted() {
         assert!(!pasted.is_empty(), "{help}");
         for line in pasted {
             let run = sh(&bench, line);
-            assert_eq!(run.code, Some(0), "{line}\n{}", run.words);
-            assert!(!run.words.contains("error:"), "{line}\n{}", run.words);
+            assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
+            assert!(!run.messages.contains("error:"), "{line}\n{}", run.messages);
         }
     }
     assert!(bench.read("curve.svg").starts_with("<svg"));
@@ -53,11 +53,11 @@ fn quiet_leaves_out_warnings_and_notes_and_keeps_errors() {
     let bench = Bench::new();
     let line = "compare scene.toml --load 3e5";
     let (loud, quiet) = (bench.run(line), bench.run(&format!("{line} --quiet")));
-    assert!(loud.words.contains("warning: ") && quiet.words.is_empty(), "{}", quiet.words);
+    assert!(loud.messages.contains("warning: ") && quiet.messages.is_empty(), "{}", quiet.messages);
     assert_eq!((loud.out, loud.code), (quiet.out, quiet.code));
     let failed = bench.run("--quiet solve scene.toml --model ke --load 1e40");
     assert_eq!(failed.code, Some(1));
-    assert_eq!(failed.words, "error: scene.toml: no row has a value\n");
+    assert_eq!(failed.messages, "error: scene.toml: no row has a value\n");
 }
 
 #[test]

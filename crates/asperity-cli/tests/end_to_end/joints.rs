@@ -15,13 +15,14 @@ pub fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading
 #[test]
 fn unloading_is_printed_as_it_is_computed() {
     let bench = Bench::new();
-    for (law, words) in [
+    for (law, arguments) in [
         (UnloadingLaw::Hertz, ""),
         (UnloadingLaw::Brake, "--law brake"),
         (UnloadingLaw::Etsion, "--law etsion"),
     ] {
-        let data = bench
-            .data(&format!("unload scene.toml --model ke --load 100 --retreat 0,0.2,1 {words}"));
+        let data = bench.data(&format!(
+            "unload scene.toml --model ke --load 100 --retreat 0,0.2,1 {arguments}"
+        ));
         let joint = joint(&bench, "ke", At::Load(100.0), law);
         let retreats = column(&data, "retreat_m");
         // The template's heights spread by 1 um.
@@ -45,20 +46,20 @@ fn unloading_is_printed_as_it_is_computed() {
 #[test]
 fn pictures_show_what_is_printed() {
     let bench = Bench::new();
-    for (words, points) in [
+    for (arguments, points) in [
         ("unload scene.toml --model ke --load 100 --retreat 0:2:41", 3),
         ("unload scene.toml --model ke --law etsion --load 100 --retreat 0:2:41", 2),
         ("slip scene.toml --model ke --friction 0.2 --load 100 --amplitude 1e-7", 1),
     ] {
-        let data = bench.data(words);
-        assert_eq!(bench.data(&format!("{words} --plot joint.svg")), data);
+        let data = bench.data(arguments);
+        assert_eq!(bench.data(&format!("{arguments} --plot joint.svg")), data);
         let svg = bench.read("joint.svg");
         assert_eq!(svg.matches("rotate(-90").count(), points, "a panel has one upright label");
-        let run = bench.run(&format!("{words} --plot -"));
+        let run = bench.run(&format!("{arguments} --plot -"));
         assert!(
-            run.code == Some(2) && run.words.contains("--plot - uses standard output"),
+            run.code == Some(2) && run.messages.contains("--plot - uses standard output"),
             "{}",
-            run.words
+            run.messages
         );
     }
 }
@@ -66,16 +67,16 @@ fn pictures_show_what_is_printed() {
 #[test]
 fn markers_of_pictures_stand_where_something_was_asked() {
     let bench = Bench::new();
-    for (words, panels, points) in [
+    for (arguments, panels, points) in [
         ("slip scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
         ("unload scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
         ("unload scene.toml --model ke --history-load 10,2000,500,3000", 2, 4),
     ] {
-        bench.data(&format!("{words} --plot joint.svg"));
+        bench.data(&format!("{arguments} --plot joint.svg"));
         let svg = bench.read("joint.svg");
         let markers = svg.lines().filter(|line| line.starts_with("<path")).count();
         // Each is drawn with its rim; one stands in the legend.
-        assert_eq!(markers, 2 * (panels * points + 1), "{words}");
+        assert_eq!(markers, 2 * (panels * points + 1), "{arguments}");
     }
     // The stiffness from 100 N to 1e4 N is on a logarithmic axis, as the load is.
     bench.data("slip scene.toml --model ke --friction 0.2 --load 1e4,1e3,1e2 --amplitude 100nm --plot s.svg");
@@ -87,41 +88,45 @@ fn what_reads_0_is_told_once_and_where_contacts_are_few() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --load 100 --retreat 0,100um,200um");
     assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
-    assert!(run.words.contains("from a retreat of 1e-4 m on, values are 0"), "{}", run.words);
-    assert_eq!(run.words.matches("values are 0").count(), 1, "{}", run.words);
+    assert!(run.messages.contains("from a retreat of 1e-4 m on, values are 0"), "{}", run.messages);
+    assert_eq!(run.messages.matches("values are 0").count(), 1, "{}", run.messages);
     let run = bench.run("unload scene.toml --model ke --history 2,40,0.5");
-    assert!(run.words.contains("fewer than one asperity touches on average at "), "{}", run.words);
-    assert!(run.words.contains(" on way 1; at ") && run.words.contains("values are 0"));
-    let few = bench.run("unload scene.toml --model ke --history 2,1").words;
+    assert!(
+        run.messages.contains("fewer than one asperity touches on average at "),
+        "{}",
+        run.messages
+    );
+    assert!(run.messages.contains(" on way 1; at ") && run.messages.contains("values are 0"));
+    let few = bench.run("unload scene.toml --model ke --history 2,1").messages;
     assert!(!few.contains("fewer than one"), "{few}");
     let run = bench.run("curve scene.toml --model ke --separation 40");
-    assert_eq!(run.words.matches("too small for f64").count(), 1, "{}", run.words);
-    for told in ["force, area", " of force, -", " of area", "the surfaces hardly touch"] {
-        assert!(run.words.contains(told), "{told}: {}", run.words);
+    assert_eq!(run.messages.matches("too small for f64").count(), 1, "{}", run.messages);
+    for printed in ["force, area", " of force, -", " of area", "the surfaces hardly touch"] {
+        assert!(run.messages.contains(printed), "{printed}: {}", run.messages);
     }
 }
 
 #[test]
 fn of_several_loads_the_worst_is_named() {
     let bench = Bench::new();
-    let words = |loads: &str| {
-        let words = "slip scene.toml --model ke --friction 20% --amplitude 50nm --load";
-        bench.run(&format!("{words} {loads}")).words
+    let arguments = |loads: &str| {
+        let arguments = "slip scene.toml --model ke --friction 20% --amplitude 50nm --load";
+        bench.run(&format!("{arguments} {loads}")).messages
     };
     for loads in ["1e-4,1e-2", "1e-2,1e-4"] {
-        let told = words(loads);
+        let printed = arguments(loads);
         assert!(
-            told.contains("at a load of 0.0001 N (usual: at least 30): with so few contacts"),
-            "{told}"
+            printed.contains("at a load of 0.0001 N (usual: at least 30): with so few contacts"),
+            "{printed}"
         );
-        assert_eq!(told.matches("with so few contacts").count(), 1, "{told}");
+        assert_eq!(printed.matches("with so few contacts").count(), 1, "{printed}");
     }
 }
 
 #[test]
 fn what_a_joint_lacks_is_named() {
     let bench = Bench::new();
-    for (words, wanted) in [
+    for (arguments, wanted) in [
         (
             "unload scene.toml --model gao --closest 1 --retreat 0.1",
             "Gao cannot give unloading and partial slip",
@@ -139,11 +144,15 @@ fn what_a_joint_lacks_is_named() {
         ("curve scene.toml --model ke --quantity thermal-conductance", "thermal_conductivity is"),
         ("curve scene.toml --model at --quantity unloading-stiffness", "AT cannot give sums of"),
     ] {
-        let run = bench.run(words);
-        assert!(run.code == Some(1) && run.words.contains(wanted), "{words}: {}", run.words);
+        let run = bench.run(arguments);
+        assert!(
+            run.code == Some(1) && run.messages.contains(wanted),
+            "{arguments}: {}",
+            run.messages
+        );
     }
-    for words in ["unload scene.toml --model ke --retreat 1", "slip scene.toml --model ke"] {
-        assert_eq!(bench.run(words).code, Some(2), "{words}");
+    for arguments in ["unload scene.toml --model ke --retreat 1", "slip scene.toml --model ke"] {
+        assert_eq!(bench.run(arguments).code, Some(2), "{arguments}");
     }
 }
 
@@ -151,7 +160,7 @@ fn what_a_joint_lacks_is_named() {
 fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --law hertz,brake,etsion --load 2kN");
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let (_, rows) = csv(&run.out);
     assert_eq!(rows.len(), 3 * 101);
     let (law, area) = (cells(&run.out, "law"), cells(&run.out, "area_m2"));
@@ -166,30 +175,30 @@ fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
         "ke by brake: contact ends at a retreat of {:.5e} m",
         joint.last_contact().unwrap()
     );
-    assert!(run.words.contains(&end), "{}", run.words);
-    assert_eq!(run.words.matches("loss factor 0.0").count(), 3, "{}", run.words);
+    assert!(run.messages.contains(&end), "{}", run.messages);
+    assert_eq!(run.messages.matches("loss factor 0.0").count(), 3, "{}", run.messages);
     // Lengths have units, and what is mistaken for multiples is asked about.
     let short = "unload scene.toml --model ke --closest 1um --retreat 0,100nm,200nm";
     let retreats = column(&bench.data(short), "retreat_m");
     assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
     let odd = bench.run("unload scene.toml --model ke --closest 1 --retreat 1e-7");
-    assert!(odd.words.contains("retreat is 1e-7 asperity_height_std: 1e-7 looks like metres"));
+    assert!(odd.messages.contains("retreat is 1e-7 asperity_height_std: 1e-7 looks like metres"));
 }
 
 #[test]
 fn histories_turn_at_separations_and_at_loads() {
     let bench = Bench::new();
-    let words = "unload scene.toml --model ke --history-load 10N,2kN,500N,3kN";
-    let run = bench.run(&format!("{words} --plot h.svg"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    let arguments = "unload scene.toml --model ke --history-load 10N,2kN,500N,3kN";
+    let run = bench.run(&format!("{arguments} --plot h.svg"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let (way, force) = (cells(&run.out, "way"), column(&run.out, "force_N"));
     for (number, wanted) in [("0", 10.0), ("1", 2e3), ("2", 500.0), ("3", 3e3)] {
         let last = way.iter().rposition(|way| *way == number).unwrap();
         assert!((force[last] / wanted - 1.0).abs() < 1e-8, "{number}: {}", force[last]);
     }
-    assert!(run.words.contains("J in all") && bench.read("h.svg").starts_with("<svg"));
+    assert!(run.messages.contains("J in all") && bench.read("h.svg").starts_with("<svg"));
     // Back to the start of an elastic joint, what is in it is the work of the first closing.
-    let round = bench.run("unload scene.toml --model gw --history-load 10,200,10").words;
+    let round = bench.run("unload scene.toml --model gw --history-load 10,200,10").messages;
     let (_, first) = round.split_once("first closing takes ").unwrap();
     let (first, rest) = first.split_once(" J, ").unwrap();
     let (_, all) = rest.split_once("returned), ").unwrap();
@@ -207,19 +216,19 @@ fn histories_turn_at_separations_and_at_loads() {
     .spent
     .value();
     assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
-    let one = bench.run("unload scene.toml --model ke --history-load 100").words;
+    let one = bench.run("unload scene.toml --model ke --history-load 100").messages;
     assert!(one.contains("J, to the one turning point"), "{one}");
     let open = bench.run("unload scene.toml --model ke --history-load 100,0");
     assert!(
-        open.code == Some(2) && open.words.contains("0 is not a turning load"),
+        open.code == Some(2) && open.messages.contains("0 is not a turning load"),
         "{}",
-        open.words
+        open.messages
     );
     let light = bench.run("unload scene.toml --model ke --closest 6");
     assert!(
-        light.words.contains("warning: ke by hertz: fewer than one asperity"),
+        light.messages.contains("warning: ke by hertz: fewer than one asperity"),
         "{}",
-        light.words
+        light.messages
     );
     assert_eq!(csv(&light.out).1.len(), 1, "{}", light.out);
     let places =
@@ -232,11 +241,11 @@ fn a_model_that_lacks_a_quantity_leaves_it_blank() {
     let bench = Bench::new();
     let ask = "curve scene.toml --model ke,gao --separation 1 --quantity force,unloading-stiffness";
     let run = bench.run(ask);
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let stiffness = cells(&run.out, "unloading_stiffness_N_per_m");
     assert!(!stiffness[0].is_empty() && stiffness[1].is_empty(), "{}", run.out);
     assert!(column(&run.out, "force_N")[1] > 0.0);
-    assert!(run.words.contains("gao: no unloading-stiffness: Gao cannot"), "{}", run.words);
+    assert!(run.messages.contains("gao: no unloading-stiffness: Gao cannot"), "{}", run.messages);
 }
 
 #[test]
@@ -246,16 +255,16 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     let heights = "heights = \"exponential\"";
     bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
     let run = bench.run("unload scene.toml --model jg-cosine --load 20kN --retreat 0,100nm");
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let forces = column(&run.out, "force_N");
     assert!((forces[0] / 2e4 - 1.0).abs() < 1e-9 && forces[1] < forces[0], "{forces:?}");
-    // Where contact ends is told to 1e-6 where 1e-10 is not reached.
-    let (_, end) = run.words.split_once("contact ends at a retreat of ").unwrap();
+    // Where contact ends is printed to 1e-6 where 1e-10 is not reached.
+    let (_, end) = run.messages.split_once("contact ends at a retreat of ").unwrap();
     let end: f64 = end.split(' ').next().unwrap().parse().unwrap();
     let [before, after] = [0.9999, 1.0001].map(|share| {
-        let words =
+        let arguments =
             format!("unload scene.toml --model jg-cosine --load 20kN --retreat {}", share * end);
-        column(&bench.data(&format!("{words} --retreat-unit m")), "contacts")[0]
+        column(&bench.data(&format!("{arguments} --retreat-unit m")), "contacts")[0]
     });
     assert!(after < 1.0 && before > 1.0, "{before} {after}");
 }
@@ -264,16 +273,16 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
 fn a_joint_that_creates_energy_is_warned_of_and_the_tolerance_counts() {
     let bench = Bench::new();
     bench.write("low.toml", &NEGATIVE.replace("plasticity_index = 2.0", "plasticity_index = 0.5"));
-    let of = |words: &str| {
-        let run = bench.run(&format!("unload low.toml --retreat 0 --closest -1 {words}"));
-        assert_eq!(run.code, Some(0), "{}", run.words);
+    let of = |arguments: &str| {
+        let run = bench.run(&format!("unload low.toml --retreat 0 --closest -1 {arguments}"));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
         run
     };
-    let created = of("--model ceb --law brake").words;
+    let created = of("--model ceb --law brake").messages;
     assert!(created.contains("warning: CEB by brake: "), "{created}");
     // 0.1 % more is less than the error of a coarse tolerance.
-    assert!(of("--model ke").words.contains("warning: KE by hertz: opening returns 0.1 % more"));
-    assert!(!of("--model ke --tolerance 1e-2").words.contains("more energy"));
+    assert!(of("--model ke").messages.contains("warning: KE by hertz: opening returns 0.1 % more"));
+    assert!(!of("--model ke --tolerance 1e-2").messages.contains("more energy"));
     let slip = "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7";
     assert!(bench.data(&format!("{slip} --tolerance 1e-8")).starts_with("model,shift_m"));
     assert_eq!(bench.run("unload scene.toml --model ke --load 1 --tolerance 2").code, Some(2));

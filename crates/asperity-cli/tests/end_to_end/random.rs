@@ -20,8 +20,8 @@ fn bench() -> Bench {
 fn a_word_in_the_scene_is_enough() {
     let bench = bench();
     let curve = |scene: &str, models: &str| {
-        let words = "--pressure 1e7,1e8 --quantity area --format csv";
-        bench.data(&format!("curve {scene}.toml --model {models} {words}"))
+        let arguments = "--pressure 1e7,1e8 --quantity area --format csv";
+        bench.data(&format!("curve {scene}.toml --model {models} {arguments}"))
     };
     let [random, named] = [curve("random", "gw"), curve("equal", "gw-random")];
     assert_eq!(column(&random, "area_m2"), column(&named, "area_m2"));
@@ -29,15 +29,15 @@ fn a_word_in_the_scene_is_enough() {
     let all = bench.run("solve random.toml --load 100 --format csv");
     let ids = "gw-random ceb-random zmc-random ke-random etsion-random jg-random jg-cosine-random af-random";
     assert_eq!(cells(&all.out, "model").join(" "), ids);
-    let said = "left out: gao-random, at-random, at-additive-random, at-overlap-random cannot give averages over the asperities of a random surface";
-    assert!(all.words.contains(said), "{}", all.words);
+    let printed = "left out: gao-random, at-random, at-additive-random, at-overlap-random cannot give averages over the asperities of a random surface";
+    assert!(all.messages.contains(printed), "{}", all.messages);
     let compared = bench
         .data("compare random.toml --model gw,gw-random --reference gw --format csv --load 100");
     assert_eq!(column(&compared, "area_deviation"), [0.0, 0.0]);
     let checked = bench.data("check random.toml --model ke --load 100 --format csv");
     assert!(checked.contains("real area of contact, by KE random"), "{checked}");
-    let words = "recommend random.toml --model gw,ke --load 10000 --quantity area --format csv";
-    let advice = bench.data(words);
+    let arguments = "recommend random.toml --model gw,ke --load 10000 --quantity area --format csv";
+    let advice = bench.data(arguments);
     assert_eq!(column(&advice, "parts"), [1.0, 4.0], "{advice}");
     assert!(column(&advice, "area_off_bem").iter().all(|off| off.abs() < 0.5), "{advice}");
 }
@@ -45,15 +45,15 @@ fn a_word_in_the_scene_is_enough() {
 #[test]
 fn what_has_no_such_asperities_is_refused_by_name() {
     let bench = bench();
-    for (words, said) in [
+    for (arguments, printed) in [
         ("--model gao", "its contacts are inclined"),
         ("--model persson", "Persson cannot give averages over the asperities of a random surface"),
         ("--model bem", "surface.file is missing"),
     ] {
-        let run = bench.run(&format!("curve random.toml --load 10 --quantity area {words}"));
-        assert_ne!(run.code, Some(0), "{words}");
-        assert!(run.words.contains(said), "{words}: {}", run.words);
+        let run = bench.run(&format!("curve random.toml --load 10 --quantity area {arguments}"));
+        assert_ne!(run.code, Some(0), "{arguments}");
+        assert!(run.messages.contains(printed), "{arguments}: {}", run.messages);
     }
     let run = bench.run("curve equal.toml --model ke-randm");
-    assert!(run.words.contains("did you mean \"ke-random\""), "{}", run.words);
+    assert!(run.messages.contains("did you mean \"ke-random\""), "{}", run.messages);
 }

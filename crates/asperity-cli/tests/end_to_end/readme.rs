@@ -46,8 +46,8 @@ fn replayed(bench: &Bench, readme: &str) -> String {
         real.push_str("```console\n");
         for line in block.lines().filter_map(|line| line.strip_prefix("$ ")) {
             let run = sh(bench, line);
-            assert_eq!(run.code, Some(0), "{line}\n{}", run.words);
-            real.push_str(&format!("$ {line}\n{}{}", run.words, run.out));
+            assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
+            real.push_str(&format!("$ {line}\n{}{}", run.messages, run.out));
         }
         real.push_str("```");
         rest = after;
@@ -55,12 +55,12 @@ fn replayed(bench: &Bench, readme: &str) -> String {
     real + rest
 }
 
-/// The same words, and numbers that differ by less than processors make them differ.
+/// The same arguments, and numbers that differ by less than processors make them differ.
 fn agree(shown: &str, real: &str) -> bool {
-    let words = |line: &str| -> Vec<String> {
+    let arguments = |line: &str| -> Vec<String> {
         line.split([' ', ',']).filter(|word| !word.is_empty()).map(Into::into).collect()
     };
-    let (shown, real) = (words(shown), words(real));
+    let (shown, real) = (arguments(shown), arguments(real));
     shown.len() == real.len()
         && shown.iter().zip(&real).all(|(a, b)| match (a.parse::<f64>(), b.parse::<f64>()) {
             (Ok(a), Ok(b)) => (a - b).abs() <= 2e-5 * a.abs(),

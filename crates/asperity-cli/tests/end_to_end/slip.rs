@@ -9,9 +9,9 @@ use crate::joints::joint;
 #[test]
 fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
     let bench = Bench::new();
-    let words = "slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
-    let run = bench.run(&format!("{words} --points 5"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    let arguments = "slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
+    let run = bench.run(&format!("{arguments} --points 5"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     let joint = joint(&bench, "gw", At::Pressure(5e6), UnloadingLaw::Hertz);
     let slip = PartialSlip::new(&joint, 0.2).unwrap();
     let (shifts, back, forth) =
@@ -25,12 +25,12 @@ fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
         }
         assert!(back[k] <= forth[k] + 1e-9 && (back[k] + forth[4 - k]).abs() < 1e-9);
     }
-    let (_, loss) = run.words.split_once("dissipates ").unwrap();
+    let (_, loss) = run.messages.split_once("dissipates ").unwrap();
     let (loss, _) = loss.split_once(" J").unwrap();
     let exact = slip.loss(1e-7).unwrap().value();
     assert!((loss.parse::<f64>().unwrap() / exact - 1.0).abs() < 1e-5 && loss.len() < 12, "{loss}");
-    assert!(run.words.contains("99 % of mu F = 100 N is reached"), "{}", run.words);
-    let (_, sliding) = run.words.split_once("at a shift of ").unwrap();
+    assert!(run.messages.contains("99 % of mu F = 100 N is reached"), "{}", run.messages);
+    let (_, sliding) = run.messages.split_once("at a shift of ").unwrap();
     let sliding: f64 = sliding.split(' ').next().unwrap().parse().unwrap();
     assert!((slip.force(sliding).unwrap().value() / 99.0 - 1.0).abs() < 1e-4);
 }
@@ -38,14 +38,14 @@ fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
 #[test]
 fn slips_of_the_hand_are_told_and_slip_speaks_of_slip() {
     let bench = Bench::new();
-    let words = |line: &str| bench.run(line).words;
-    let far = words("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 100");
+    let arguments = |line: &str| bench.run(line).messages;
+    let far = arguments("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 100");
     assert!(far.contains("times the shift of gross slip"), "{far}");
-    let gao = words("slip scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
+    let gao = arguments("slip scene.toml --model gao --friction 0.3 --load 100 --amplitude 1nm");
     assert!(gao.contains("partial slip: its contacts lie at all angles"), "{gao}");
-    let heavy = words("unload scene.toml --model ke --load 2e6kN --retreat 0");
+    let heavy = arguments("unload scene.toml --model ke --load 2e6kN --retreat 0");
     assert!(heavy.contains("error: KE: area_fraction is 10000"), "{heavy}");
-    let random = words("unload scene.toml --model ke-random --load 100");
+    let random = arguments("unload scene.toml --model ke-random --load 100");
     assert!(random.contains("only models of equal, upright asperities"), "{random}");
     let data = bench
         .data("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1um --points 3");
@@ -56,24 +56,24 @@ fn slips_of_the_hand_are_told_and_slip_speaks_of_slip() {
 #[test]
 fn a_preload_without_a_cycle_leaves_the_others() {
     let bench = Bench::new();
-    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
-    let run = bench.run(&format!("{words} --load 100,1e30"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("ke: the row of a preload is blank: "), "{}", run.words);
-    let alone = bench.data(&format!("{words} --load 100,100"));
+    let arguments = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm --format csv";
+    let run = bench.run(&format!("{arguments} --load 100,1e30"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("ke: the row of a preload is blank: "), "{}", run.messages);
+    let alone = bench.data(&format!("{arguments} --load 100,100"));
     assert_eq!(run.out.lines().nth(1), alone.lines().nth(1));
     let loads: Vec<f64> = column_of(&run.out, "load_N").into_iter().flatten().collect();
     assert!((loads[0] / 100.0 - 1.0).abs() < 1e-9 && (loads[1] / 1e30 - 1.0).abs() < 1e-9);
     assert_eq!(column_of(&run.out, "force_N")[1], None);
-    let none = bench.run(&format!("{words} --load 1e30,2e30"));
-    assert_eq!((none.code, &*none.out), (Some(1), ""), "{}", none.words);
+    let none = bench.run(&format!("{arguments} --load 1e30,2e30"));
+    assert_eq!((none.code, &*none.out), (Some(1), ""), "{}", none.messages);
 }
 
 #[test]
 fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
     let bench = Bench::new();
-    let words = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";
-    let data = bench.data(&format!("{words} --load 100:10000:3:log --plot losses.svg"));
+    let arguments = "slip scene.toml --model ke --friction 0.3 --amplitude 100nm";
+    let data = bench.data(&format!("{arguments} --load 100:10000:3:log --plot losses.svg"));
     let (head, rows) = csv(&data);
     let columns = "model,load_N,pressure_Pa,separation_over_sigma,force_N,secant_stiffness_N_per_m,loss_J,loss_factor,sliding_m";
     assert!(head.join(",") == columns && rows.len() == 3, "{data}");
@@ -91,7 +91,11 @@ fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
     }
     assert!(bench.read("losses.svg").contains("loss factor"));
     // One preload has its loop; unloading goes back from one place.
-    assert!(bench.data(&format!("{words} --load 100 --points 3")).starts_with("model,shift_m"));
+    assert!(bench.data(&format!("{arguments} --load 100 --points 3")).starts_with("model,shift_m"));
     let run = bench.run("unload scene.toml --model ke --load 100,200");
-    assert!(run.code == Some(2) && run.words.contains("--history-load take"), "{}", run.words);
+    assert!(
+        run.code == Some(2) && run.messages.contains("--history-load take"),
+        "{}",
+        run.messages
+    );
 }

@@ -9,8 +9,8 @@ fn loads_lead_back_to_their_separations() {
     let (force, separation) = (column(&curve, "force_N"), column(&curve, "separation_over_sigma"));
     for (k, model) in ["gw", "jg", "gao"].into_iter().enumerate() {
         let loads: Vec<String> = force[4 * k..4 * k + 4].iter().map(|f| format!("{f:e}")).collect();
-        let words = format!("solve scene.toml --model {model} --load {}", loads.join(","));
-        let data = bench.data(&words);
+        let arguments = format!("solve scene.toml --model {model} --load {}", loads.join(","));
+        let data = bench.data(&arguments);
         let (head, _) = csv(&data);
         assert_eq!(
             head.join(","),
@@ -38,8 +38,9 @@ fn loads_that_no_separation_carries_are_refused_with_the_range() {
     let bench = Bench::new();
     let run = bench.run("solve scene.toml --model gw,ke --load 1e30");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    for said in ["gw: load is 1e30 N", "a load above 0 and at most", "error: scene.toml: no row"] {
-        assert!(run.words.contains(said), "{}", run.words);
+    for printed in ["gw: load is 1e30 N", "a load above 0 and at most", "error: scene.toml: no row"]
+    {
+        assert!(run.messages.contains(printed), "{}", run.messages);
     }
 }
 
@@ -49,8 +50,8 @@ fn all_crossings_of_a_force_that_rises_and_falls_are_rows_on_request() {
     bench.write("scene.toml", NEGATIVE);
     let far = bench.data("curve scene.toml --model at --separation 5 --quantity force");
     let load = column(&far, "force_N")[0];
-    let words = format!("solve scene.toml --model at --load {load},1e30 --quantity force");
-    let all = bench.run(&format!("{words} --all"));
+    let arguments = format!("solve scene.toml --model at --load {load},1e30 --quantity force");
+    let all = bench.run(&format!("{arguments} --all"));
     assert_eq!(all.code, Some(0));
     let separations = cells(&all.out, "separation_over_sigma");
     assert!(separations.len() >= 4 && separations.last() == Some(&""), "{separations:?}");
@@ -62,7 +63,7 @@ fn all_crossings_of_a_force_that_rises_and_falls_are_rows_on_request() {
     }
     assert!(found.is_sorted(), "{found:?}");
     // The first that is met on approach.
-    let one = bench.data(&words);
+    let one = bench.data(&arguments);
     let largest: f64 = cells(&one, "separation_over_sigma")[0].parse().unwrap();
     assert!((largest - 5.0).abs() < 1e-9 && found.last() == Some(&largest), "{largest}");
     // How ill-conditioned a load near a zero of the force is, is in the bound.
@@ -85,8 +86,8 @@ fn models_beside_each_other_deviate_from_the_reference() {
 #[test]
 fn models_are_compared_at_every_load_and_what_is_equal_deviates_by_0() {
     let bench = Bench::new();
-    let words = "compare scene.toml --format csv --load 50,500 --model gw,ke,gao";
-    let data = bench.data(&format!("{words} --quantity force,area,pressure"));
+    let arguments = "compare scene.toml --format csv --load 50,500 --model gw,ke,gao";
+    let data = bench.data(&format!("{arguments} --quantity force,area,pressure"));
     assert_eq!(cells(&data, "model"), ["gw", "ke", "gao", "gw", "ke", "gao"]);
     assert_eq!(column(&data, "load_N"), [50.0, 50.0, 50.0, 500.0, 500.0, 500.0]);
     for (force, load) in column(&data, "force_N").iter().zip(column(&data, "load_N")) {
@@ -100,8 +101,8 @@ fn models_are_compared_at_every_load_and_what_is_equal_deviates_by_0() {
 }
 
 /// The number between two pieces of a sentence.
-fn told(words: &str, before: &str, after: &str) -> f64 {
-    let (_, rest) = words.split_once(before).unwrap_or_else(|| panic!("{words}"));
+fn printed(arguments: &str, before: &str, after: &str) -> f64 {
+    let (_, rest) = arguments.split_once(before).unwrap_or_else(|| panic!("{arguments}"));
     rest.split_once(after).unwrap().0.parse().unwrap()
 }
 
@@ -109,30 +110,30 @@ fn told(words: &str, before: &str, after: &str) -> f64 {
 fn what_cancels_is_told_with_what_it_does_to_the_answer() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
-    let run = |words: &str| bench.run(&format!("{words} --model at,jg,ke"));
+    let run = |arguments: &str| bench.run(&format!("{arguments} --model at,jg,ke"));
     // Next to a zero crossing, as large a part of the force as of its parts moves it.
     let near = run("curve scene.toml --separation 3.4637,0 --quantity force");
-    let to = told(&near.words, "leave a relative error of ", "\n");
+    let to = printed(&near.messages, "leave a relative error of ", "\n");
     assert!((1e-4..0.5).contains(&to), "{to}");
     assert!(
-        near.words.contains(
+        near.messages.contains(
             "AT: positive and negative parts of the force cancel at a separation of 3.4637"
         )
     );
-    assert_eq!(near.words.matches("cancel").count(), 1, "{}", near.words);
+    assert_eq!(near.messages.matches("cancel").count(), 1, "{}", near.messages);
     // Below the top, at a load.
     let force =
         column(&bench.data("curve scene.toml --model at --separation 3.69:3.71:2001"), "force_N");
     let load = 0.9999999 * force.iter().copied().fold(0.0, f64::max);
     let top = run(&format!("solve scene.toml --load {load:e},20"));
     assert!(
-        top.words.contains("AT: positive and negative parts of the tangent cancel at a load of")
+        top.messages.contains("AT: positive and negative parts of the tangent cancel at a load of")
     );
-    assert!(top.words.contains("the force has an extremum nearby"), "{}", top.words);
-    assert_eq!(top.words.matches("cancel").count(), 1, "{}", top.words);
-    // Nothing is said elsewhere.
-    for words in ["curve scene.toml --separation 0,2,5", "solve scene.toml --load 1e-3,1"] {
-        let words = run(words).words;
-        assert!(!words.contains("known to"), "{words}");
+    assert!(top.messages.contains("the force has an extremum nearby"), "{}", top.messages);
+    assert_eq!(top.messages.matches("cancel").count(), 1, "{}", top.messages);
+    // Nothing is printed elsewhere.
+    for arguments in ["curve scene.toml --separation 0,2,5", "solve scene.toml --load 1e-3,1"] {
+        let arguments = run(arguments).messages;
+        assert!(!arguments.contains("known to"), "{arguments}");
     }
 }

@@ -44,8 +44,8 @@ const KEYS: [&str; 13] = [
     "missing_share",
 ];
 
-fn json(bench: &Bench, words: &str) -> serde_json::Value {
-    serde_json::from_str(&bench.data(&format!("surface {words} --format json"))).unwrap()
+fn json(bench: &Bench, arguments: &str) -> serde_json::Value {
+    serde_json::from_str(&bench.data(&format!("surface {arguments} --format json"))).unwrap()
 }
 
 #[test]
@@ -56,28 +56,28 @@ fn of_a_periodic_scan_the_mean_alone_is_taken() {
     let row = |y| (0..64).map(|x| format!("{:.6}", height(f64::from(x), y))).collect::<Vec<_>>();
     let rows: Vec<String> = (0..64).map(|y| row(f64::from(y)).join(" ")).collect();
     bench.write("waves.txt", &rows.join("\n"));
-    let words = "waves.txt --unit um --pixel-size 5 --periodic";
+    let arguments = "waves.txt --unit um --pixel-size 5 --periodic";
     let [usual, mean, plane] = ["", " --level mean", " --level plane"]
-        .map(|level| json(&bench, &format!("{words}{level}"))["m4"].as_f64().unwrap());
+        .map(|level| json(&bench, &format!("{arguments}{level}"))["m4"].as_f64().unwrap());
     assert!((usual / mean - 1.0).abs() < 1e-15, "{usual} {mean}");
     assert!(plane > 1.1 * usual, "{plane} {usual}");
-    let tilted = bench.run(&format!("surface {words} --level plane"));
+    let tilted = bench.run(&format!("surface {arguments} --level plane"));
     assert!(
-        tilted.words.contains("warning: level plane of a periodic surface"),
+        tilted.messages.contains("warning: level plane of a periodic surface"),
         "{}",
-        tilted.words
+        tilted.messages
     );
-    assert!(!bench.run(&format!("surface {words}")).words.contains("level"));
-    bench.data(&format!("surface {words} --scene waves.toml"));
+    assert!(!bench.run(&format!("surface {arguments}")).messages.contains("level"));
+    bench.data(&format!("surface {arguments} --scene waves.toml"));
     assert!(bench.read("waves.toml").contains("\nperiodic = true "));
-    assert!(!tilted.words.contains("do not meet") || plane > usual, "{}", tilted.words);
+    assert!(!tilted.messages.contains("do not meet") || plane > usual, "{}", tilted.messages);
     // A part of it is not periodic.
     let part: Vec<&str> = rows.iter().take(37).map(String::as_str).collect();
     bench.write("part.txt", &part.join("\n"));
-    let open = bench.run("surface part.txt --unit um --pixel-size 5 --periodic").words;
+    let open = bench.run("surface part.txt --unit um --pixel-size 5 --periodic").messages;
     let wanted = "warning: part.txt: the edges of the scan do not meet, with a step ";
     assert!(open.contains(wanted), "{open}");
-    assert!(!bench.run(&format!("surface {words}")).words.contains("do not meet"));
+    assert!(!bench.run(&format!("surface {arguments}")).messages.contains("do not meet"));
 }
 
 #[test]
@@ -88,10 +88,14 @@ fn a_scan_in_the_place_of_a_scene_is_told_from_one() {
     for name in ["scan.txt", "scan.x3p"] {
         let run = bench.run(&format!("curve {name} --load 1"));
         let way = format!("{name} --scene scene.toml` makes a scene of it");
-        assert!(run.code == Some(1) && run.words.contains("looks like a scan"), "{}", run.words);
-        assert!(run.words.contains(&way), "{}", run.words);
+        assert!(
+            run.code == Some(1) && run.messages.contains("looks like a scan"),
+            "{}",
+            run.messages
+        );
+        assert!(run.messages.contains(&way), "{}", run.messages);
     }
-    let missing = bench.run("curve nowhere.txt --load 1").words;
+    let missing = bench.run("curve nowhere.txt --load 1").messages;
     assert!(!missing.contains("is a scan"), "{missing}");
 }
 
@@ -143,7 +147,7 @@ fn moments_of_two_surfaces_add() {
     // Summits do not add, and no option is ignored.
     let run = bench.run("surface a.txt b.txt --unit um --pixel-size 0.5 --estimator summits");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.words.contains("\"moments\" was required for two surfaces"), "{}", run.words);
+    assert!(run.messages.contains("\"moments\" was required for two surfaces"), "{}", run.messages);
     for key in ["m0", "m2", "m4"] {
         let sum = a[key].as_f64().unwrap() + b[key].as_f64().unwrap();
         assert!((both[key].as_f64().unwrap() / sum - 1.0).abs() < 1e-12, "{key}");
@@ -154,10 +158,10 @@ fn moments_of_two_surfaces_add() {
 fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
-    let words = "surface scan.txt --unit um --pixel-size 0.5 --scene made.toml";
-    let run = bench.run(words);
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("note: made.toml: materials"), "{}", run.words);
+    let arguments = "surface scan.txt --unit um --pixel-size 0.5 --scene made.toml";
+    let run = bench.run(arguments);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("note: made.toml: materials"), "{}", run.messages);
     let statistics = json(&bench, "scan.txt --unit um --pixel-size 0.5");
     let surface = bench.scene("made.toml").scene.surface;
     assert_eq!(statistics["asperity_height_std"].as_f64(), Some(surface.asperity_height_std));
@@ -165,10 +169,10 @@ fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
         column(&bench.data("curve made.toml --model ke --separation 1"), "force_N").len(),
         1
     );
-    let again = bench.run(words);
+    let again = bench.run(arguments);
     assert_eq!((again.code, again.out.as_str()), (Some(1), ""));
-    assert!(again.words.contains("made.toml exists"), "{}", again.words);
-    bench.data(&format!("{words} --force"));
+    assert!(again.messages.contains("made.toml exists"), "{}", again.messages);
+    bench.data(&format!("{arguments} --force"));
     // It names the scan, so that what needs all of it can be asked, from any folder.
     std::fs::create_dir(bench.path("below")).unwrap();
     bench.data("surface scan.txt --unit um --pixel-size 0.5 --smooth 4e-6 --level quadratic --estimator summits --scene below/made.toml");
@@ -195,7 +199,7 @@ fn a_measured_density_takes_the_place_of_the_gaussian() {
     let data = bench.data("curve made.toml --model gw --separation 1,40 --quantity ln-force");
     assert_eq!(cells(&data, &asperity::Quantity::LnForce.column())[1], "", "{data}");
     let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 1 --heights p.csv");
-    assert_eq!(two.code, Some(2), "{}", two.words);
+    assert_eq!(two.code, Some(2), "{}", two.messages);
 }
 
 #[test]
@@ -205,12 +209,12 @@ fn nothing_is_guessed_and_nothing_odd_is_taken() {
     let holes: Vec<String> = scan(0.0).lines().map(|row| format!("nan {}", &row[8..])).collect();
     bench.write("holes.txt", &holes.join("\n"));
     bench.write("empty.txt", "");
-    bench.write("words.txt", "these are no heights\n");
-    for (words, code, said) in [
+    bench.write("arguments.txt", "these are no heights\n");
+    for (arguments, code, printed) in [
         ("scan.txt", 1, "--unit"),
         ("scan.txt --unit um", 1, "--pixel-size"),
         ("empty.txt --unit um --pixel-size 1", 1, "empty.txt"),
-        ("words.txt --unit um --pixel-size 1", 1, "words.txt"),
+        ("arguments.txt --unit um --pixel-size 1", 1, "arguments.txt"),
         ("nowhere.txt --unit um --pixel-size 1", 1, "nowhere.txt"),
         ("scan.txt --unit furlong --pixel-size 1", 2, "m, cm, mm, um, nm"),
         ("scan.txt --unit um --pixel-size 0", 2, "0 is not above 0"),
@@ -224,13 +228,13 @@ fn nothing_is_guessed_and_nothing_odd_is_taken() {
         ),
         ("", 2, "<FILE>"),
     ] {
-        let run = bench.run(&format!("surface {words}"));
-        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{words}\n{}", run.words);
-        assert!(run.words.contains(said), "{words}\n{}", run.words);
+        let run = bench.run(&format!("surface {arguments}"));
+        assert_eq!((run.code, run.out.as_str()), (Some(code), ""), "{arguments}\n{}", run.messages);
+        assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
     }
     let refused = bench.run("surface holes.txt --unit um --pixel-size 0.5 --max-missing 0.001");
     assert_eq!(refused.code, Some(1));
-    assert_eq!(refused.words.matches("--max-missing").count(), 1, "{}", refused.words);
+    assert_eq!(refused.messages.matches("--max-missing").count(), 1, "{}", refused.messages);
 }
 
 #[test]
@@ -244,31 +248,33 @@ fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
     assert!(bench.read("made/rough.toml").contains("{ file = \"heights/pdf.csv\" }"));
     std::fs::rename(bench.path("made"), bench.path("moved")).unwrap();
     let run = bench.run("curve moved/rough.toml --model ke --separation 3");
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     // No word of a density that is wider than its summits.
-    assert_eq!(run.words, "");
+    assert_eq!(run.messages, "");
 }
 
 #[test]
 fn filters_that_leave_nothing_are_refused_by_name() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
-    let of =
-        |words: &str| bench.run(&format!("surface scan.txt --unit um --pixel-size 0.5 {words}"));
+    let of = |arguments: &str| {
+        bench.run(&format!("surface scan.txt --unit um --pixel-size 0.5 {arguments}"))
+    };
     let crossed = of("--filter 2e-6 --smooth 4e-6");
-    assert_eq!(crossed.code, Some(2), "{}", crossed.words);
-    assert!(crossed.words.contains("choose --smooth below --filter"), "{}", crossed.words);
+    assert_eq!(crossed.code, Some(2), "{}", crossed.messages);
+    assert!(crossed.messages.contains("choose --smooth below --filter"), "{}", crossed.messages);
     let short = of("--smooth 1e-9");
-    assert_eq!(short.code, Some(1), "{}", short.words);
-    assert!(short.words.contains("smooth is 1e-9"), "{}", short.words);
+    assert_eq!(short.code, Some(1), "{}", short.messages);
+    assert!(short.messages.contains("smooth is 1e-9"), "{}", short.messages);
 }
 
 #[test]
 fn scales_show_what_the_shortest_wave_changes() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
-    let of =
-        |words: &str| bench.data(&format!("surface scan.txt --unit um --pixel-size 2 {words}"));
+    let of = |arguments: &str| {
+        bench.data(&format!("surface scan.txt --unit um --pixel-size 2 {arguments}"))
+    };
     let table = of(
         "--scales 6e-6,12e-6 --with scene.toml --pressure 1e6 --model jg --format csv --plot scales.svg",
     );
@@ -299,27 +305,31 @@ fn scales_show_what_the_shortest_wave_changes() {
         assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found} {wanted}");
     }
     assert!(bench.read("scales.svg").starts_with("<svg"));
-    // Cut-offs that the scan cannot have are blank, and said why.
+    // Cut-offs that the scan cannot have are blank, and printed why.
     let run =
         bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6,2e-9 --format csv");
     assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
-    assert!(run.words.contains(
+    assert!(run.messages.contains(
         "cutoff_m 1e-9 (likewise 2e-9): smooth is 1e-9: a length of at least two pixels"
     ));
-    for (words, said) in [
+    for (arguments, printed) in [
         ("--pixel-size 2 --smooth 12", "12 looks like um"),
         ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and less than an atom"),
     ] {
-        let run = bench.run(&format!("surface scan.txt --unit um {words}"));
-        assert!(run.code == Some(1) && run.words.contains(said), "{words}: {}", run.words);
+        let run = bench.run(&format!("surface scan.txt --unit um {arguments}"));
+        assert!(
+            run.code == Some(1) && run.messages.contains(printed),
+            "{arguments}: {}",
+            run.messages
+        );
     }
-    for (words, said) in [
+    for (arguments, printed) in [
         ("--scales 6e-6 --smooth 6e-6", "cannot be used with"),
         ("--scales 6e-6 --load 5", "--with <SCENE>"),
         ("--scales 6e-6 --with scene.toml", "<--load <N>|--pressure <PA>>"),
     ] {
-        let run = bench.run(&format!("surface scan.txt --unit um --pixel-size 2 {words}"));
-        assert_eq!(run.code, Some(2), "{words}");
-        assert!(run.words.contains(said), "{words}: {}", run.words);
+        let run = bench.run(&format!("surface scan.txt --unit um --pixel-size 2 {arguments}"));
+        assert_eq!(run.code, Some(2), "{arguments}");
+        assert!(run.messages.contains(printed), "{arguments}: {}", run.messages);
     }
 }

@@ -6,9 +6,9 @@ use crate::bench::{NO_SHEAR, cells, column};
 #[test]
 fn models_stand_beside_boundary_elements() {
     let bench = bench();
-    let words = "truth scan.toml --pressure 1e8,1e9 --model zmc,ke --format csv";
-    let run = bench.run(words);
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    let arguments = "truth scan.toml --pressure 1e8,1e9 --model zmc,ke --format csv";
+    let run = bench.run(arguments);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["bem", "zmc", "ke", "bem", "zmc", "ke"]);
     let areas = column(&run.out, "area_fraction");
     let deviations = column(&run.out, "area_deviation");
@@ -28,7 +28,7 @@ fn models_stand_beside_boundary_elements() {
     }
     // Its shortest waves are 3.5 pixels long.
     let coarse = "models are not ranked: the grid is too coarse for the shortest waves";
-    assert!(run.words.contains(coarse) && !run.words.contains("nearest"), "{}", run.words);
+    assert!(run.messages.contains(coarse) && !run.messages.contains("nearest"), "{}", run.messages);
 }
 
 #[test]
@@ -45,13 +45,13 @@ fn random_asperities_and_the_whole_surface_stand_beside_them_unasked() {
 fn what_cannot_be_told_is_named() {
     let bench = bench();
     bench.write("none.toml", NO_SHEAR);
-    for (words, said) in [
+    for (arguments, printed) in [
         ("truth none.toml --pressure 1e6", "surface.file is missing"),
         ("truth scan.toml --pressure 9e9", "no load was solved"),
     ] {
-        let run = bench.run(words);
-        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{words}\n{}", run.words);
-        assert!(run.words.contains(said), "{words}\n{}", run.words);
+        let run = bench.run(arguments);
+        assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "{arguments}\n{}", run.messages);
+        assert!(run.messages.contains(printed), "{arguments}\n{}", run.messages);
     }
     assert_eq!(bench.run("truth scan.toml").code, Some(2));
 }
@@ -62,17 +62,17 @@ fn why_a_row_is_blank_is_told() {
     let measured = format!("{}heights = \"measured\"\n", crate::bem::SCAN);
     bench.write("measured.toml", &measured);
     let ask = "truth measured.toml --pressure 1e8 --format csv";
-    let said = "ke-random cannot give ";
+    let printed = "ke-random cannot give ";
     let run = bench.run(&format!("{ask} --model ke-random"));
-    assert_eq!(run.code, Some(1), "{}", run.words);
+    assert_eq!(run.code, Some(1), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction")[1], "", "{}", run.out);
-    assert!(run.words.contains(said), "{}", run.words);
-    assert!(run.words.contains("no model has an answer"), "{}", run.words);
+    assert!(run.messages.contains(printed), "{}", run.messages);
+    assert!(run.messages.contains("no model has an answer"), "{}", run.messages);
     let two = bench.run(&format!("{ask} --model ke-random,ke"));
-    assert!(two.code == Some(0) && two.words.contains(said), "{}", two.words);
+    assert!(two.code == Some(0) && two.messages.contains(printed), "{}", two.messages);
     let all = bench.run(ask);
-    assert_eq!(all.code, Some(0), "{}", all.words);
-    assert!(all.words.contains("left out: gw-random, "), "{}", all.words);
+    assert_eq!(all.code, Some(0), "{}", all.messages);
+    assert!(all.messages.contains("left out: gw-random, "), "{}", all.messages);
     assert!(!cells(&all.out, "model").contains(&"ke-random"), "{}", all.out);
 }
 
@@ -84,27 +84,27 @@ fn what_is_no_answer_is_told_and_left_blank() {
     let soft = scan.replace("116e9", "116").replace("hardness = 5e9\n", "");
     bench.write("soft.toml", &soft);
     let run = bench.run("truth soft.toml --pressure 1e8 --model gw --format csv");
-    assert_eq!(run.code, Some(1), "{}", run.words);
+    assert_eq!(run.code, Some(1), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction"), ["1", ""], "{}", run.out);
-    for said in
+    for printed in
         ["116 looks like GPa", ", above 1 at a pressure of", "error: soft.toml: no model has"]
     {
-        assert!(run.words.contains(said), "{}", run.words);
+        assert!(run.messages.contains(printed), "{}", run.messages);
     }
-    // The reverse: that is told, and what knows no yielding is as far off as it is.
+    // The reverse: that is printed, and what knows no yielding is as far off as it is.
     bench.write("hard.toml", &scan.replace("116e9", "116e15"));
     let run = bench.run("truth hard.toml --pressure 1e8 --model gw,ke --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("equivalent_modulus is 1.16e17 Pa"), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("equivalent_modulus is 1.16e17 Pa"), "{}", run.messages);
     assert!(column(&run.out, "area_deviation")[1] < -0.99, "{}", run.out);
 }
 
 #[test]
 fn half_the_grid_stands_beside_it() {
     let bench = bench();
-    let words = "truth scan.toml --pressure 9e9,1e9 --model ke --refine --format csv";
-    let run = bench.run(words);
-    assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "ke"], "{}", run.words);
+    let arguments = "truth scan.toml --pressure 9e9,1e9 --model ke --refine --format csv";
+    let run = bench.run(arguments);
+    assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "ke"], "{}", run.messages);
     let bem = bench.data("bem scan.toml --pressure 1e9 --refine --format csv");
     assert_eq!(
         column(&run.out, "area_fraction")[1..2],

@@ -9,17 +9,20 @@ fn an_empty_model_name_leads_to_the_list_of_models() {
         let mut run = bench.command();
         let found = run.args([command, "scene.toml", "--model", "", "--load", "5"]).output();
         let found = found.unwrap();
-        let words = String::from_utf8_lossy(&found.stderr);
-        assert_eq!(found.status.code(), Some(2), "{words}");
-        assert!(words.contains("invalid value '' for '--model <M>': a name is empty"), "{words}");
-        assert!(words.contains("`asperity models` lists them"), "{words}");
+        let arguments = String::from_utf8_lossy(&found.stderr);
+        assert_eq!(found.status.code(), Some(2), "{arguments}");
+        assert!(
+            arguments.contains("invalid value '' for '--model <M>': a name is empty"),
+            "{arguments}"
+        );
+        assert!(arguments.contains("`asperity models` lists them"), "{arguments}");
     }
 }
 
 #[test]
 fn bad_usage_ends_with_2_and_says_what_is_expected() {
     let bench = Bench::new();
-    for (words, said) in [
+    for (arguments, printed) in [
         ("curv scene.toml", "similar subcommand exists: 'curve'"),
         ("curve", "<SCENE>"),
         ("curve scene.toml extra.toml", "unexpected argument 'extra.toml'"),
@@ -87,14 +90,19 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
         ("export scene.toml --model ke --as nastran --separation 0:4:5", "abaqus"),
         ("export scene.toml --model ke --as csv --separation 4:0:5", "A must be below B"),
     ] {
-        let run = bench.run(words);
-        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "asperity {words}\n{}", run.words);
-        assert!(run.words.starts_with("error: "), "asperity {words}\n{}", run.words);
-        assert!(run.words.contains(said), "asperity {words}\n{}", run.words);
+        let run = bench.run(arguments);
+        assert_eq!(
+            (run.code, run.out.as_str()),
+            (Some(2), ""),
+            "asperity {arguments}\n{}",
+            run.messages
+        );
+        assert!(run.messages.starts_with("error: "), "asperity {arguments}\n{}", run.messages);
+        assert!(run.messages.contains(printed), "asperity {arguments}\n{}", run.messages);
     }
     let run = bench.run("");
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""));
-    assert!(run.words.contains("Usage: asperity [OPTIONS] <COMMAND>"), "{}", run.words);
+    assert!(run.messages.contains("Usage: asperity [OPTIONS] <COMMAND>"), "{}", run.messages);
 }
 
 #[test]
@@ -109,7 +117,7 @@ fn bad_input_ends_with_1_and_says_where_it_stands() {
         "recommend bad.toml",
         "export bad.toml --model ke --as csv --separation 0:4:9",
     ];
-    for (from, to, said) in [
+    for (from, to, printed) in [
         ("nominal_area =", "nominal_aera =", &["bad.toml:", "did you mean \"nominal_area\"?"][..]),
         ("poissons_ratio = 0.3", "poissons_ratio = 0.7", &["bad.toml:", "poissons_ratio", "0.7"]),
         ("poissons_ratio = 0.3", "poissons_ratio = \"x\"", &["bad.toml:", "poissons_ratio", "x"]),
@@ -117,18 +125,22 @@ fn bad_input_ends_with_1_and_says_where_it_stands() {
         ("nominal_area = 1e-4", "nominal_area = ", &["bad.toml:"]),
     ] {
         bench.write("bad.toml", &template.replacen(from, to, 1));
-        for words in commands {
-            let run = bench.run(words);
-            assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "asperity {words}: {to}");
-            assert!(run.words.starts_with("error: "), "{}", run.words);
-            for said in said {
-                assert!(run.words.contains(said), "asperity {words}: {to}\n{}", run.words);
+        for arguments in commands {
+            let run = bench.run(arguments);
+            assert_eq!((run.code, run.out.as_str()), (Some(1), ""), "asperity {arguments}: {to}");
+            assert!(run.messages.starts_with("error: "), "{}", run.messages);
+            for printed in printed {
+                assert!(
+                    run.messages.contains(printed),
+                    "asperity {arguments}: {to}\n{}",
+                    run.messages
+                );
             }
         }
     }
     let run = bench.run("curve nowhere.toml");
     assert_eq!(run.code, Some(1));
-    assert!(run.words.contains("nowhere.toml"), "{}", run.words);
+    assert!(run.messages.contains("nowhere.toml"), "{}", run.messages);
 }
 
 #[test]
@@ -136,5 +148,5 @@ fn values_beyond_what_can_be_integrated_are_bad_input() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model ke --separation 2e9");
     assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert!(run.words.contains("ke: separation is 2000000000"), "{}", run.words);
+    assert!(run.messages.contains("ke: separation is 2000000000"), "{}", run.messages);
 }

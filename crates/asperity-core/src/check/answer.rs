@@ -29,8 +29,8 @@ const MISSED: f64 = 0.2;
 const BEYOND: f64 = 0.02;
 
 impl Check {
-    /// What follows from a scene, a model and a place: the numbers of [`Scene::check`], those of the
-    /// answer, and what is unusual about either.
+    /// What follows from a scene, a model and a place: the numbers of [`Scene::check`], those of
+    /// the answer, and what is unusual about either.
     ///
     /// # Errors
     /// [`ContactError`] naming what the scene or the model is refused for, and why there is no

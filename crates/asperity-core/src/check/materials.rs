@@ -12,7 +12,8 @@ const HARDNESS: [f64; 2] = [1e5, 1.5e11];
 const RATIO: [f64; 2] = [3e-4, 0.3];
 /// H/E above this is of no stiff material: a modulus was given in the place of a hardness.
 const NO_HARDNESS: f64 = 2.0 * RATIO[1];
-/// Below this modulus \[Pa\], a hardness says no more than "does not yield" and may be anything near E.
+/// Below this modulus \[Pa\], a hardness says no more than "does not yield" and may be anything
+/// near E.
 const RUBBER: f64 = 1e8;
 /// No metal has a lower modulus \[Pa\], and what has is a plastic or softer ...
 const PLASTIC: f64 = 3e9;

@@ -37,8 +37,8 @@ const SAME_CAUSE: [(&str, &[&str]); 3] = [
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Adds one, most severe first. Of the same code, field, quantity and law of one model, from one
-    /// origin, rows are counted and the worst is kept.
+    /// Adds one, most severe first. Of the same code, field, quantity and law of one model, from
+    /// one origin, rows are counted and the worst is kept.
     pub fn push(&mut self, new: Diagnostic) {
         match self.0.iter_mut().find(|known| known.has_cause_of(&new)) {
             Some(known) => {
@@ -61,8 +61,8 @@ impl Diagnostics {
         self
     }
 
-    /// Those that matter at least as much: `at_least(Severity::Error)` is what a quiet program shows,
-    /// `at_least(Severity::Warning)` leaves out notes.
+    /// Those that matter at least as much: `at_least(Severity::Error)` is what a quiet program
+    /// shows, `at_least(Severity::Warning)` leaves out notes.
     #[must_use]
     pub fn at_least(mut self, least: Severity) -> Self {
         self.0.retain(|found| found.severity <= least);
@@ -76,8 +76,8 @@ impl Diagnostics {
         self
     }
 
-    /// One diagnostic for each cause: of several models the worst, with the names of the others, and
-    /// nothing that follows from another one here.
+    /// One diagnostic for each cause: of several models the worst, with the names of the others,
+    /// and nothing that follows from another one here.
     #[must_use]
     pub fn by_cause(self) -> Self {
         let mut kept: Vec<Diagnostic> = vec![];

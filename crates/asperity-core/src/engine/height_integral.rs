@@ -122,8 +122,8 @@ impl HeightIntegral {
         self.answer(s, Asked { slope: true, many: true })
     }
 
-    /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to the
-    /// sizes: to guide a search. Without a slope (NaN), signs and bounds remain.
+    /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to
+    /// the sizes: to guide a search. Without a slope (NaN), signs and bounds remain.
     pub(crate) fn guide(&self, s: f64) -> Result<Moments, QuadratureError> {
         let asked = Asked { slope: true, many: true };
         let found = match &self.over {

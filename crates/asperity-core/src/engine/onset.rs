@@ -30,8 +30,8 @@ impl Onset {
         f64::EPSILON * (self.seen(s).abs() + 2.0 * self.0.abs())
     }
 
-    /// The integrals at [`seen`](Self::seen), slope included, with the effect of its rounding in the
-    /// bound.
+    /// The integrals at [`seen`](Self::seen), slope included, with the effect of its rounding in
+    /// the bound.
     #[inline]
     pub(crate) fn widened(self, s: f64, mut moments: Moments) -> Moments {
         if self.elsewhere() && moments.sizes[0] > 0.0 {

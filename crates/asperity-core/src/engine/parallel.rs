@@ -3,8 +3,8 @@
 /// From 2048 rows on runs of 512 are handed out; with fewer, handing them out costs more.
 pub(crate) const MANY: (usize, usize) = (2048, 512);
 
-/// The columns that `f` returns for runs of items, joined in order: `least` items or more are handed
-/// out in runs of `length`, fewer are left to the calling thread.
+/// The columns that `f` returns for runs of items, joined in order: `least` items or more are
+/// handed out in runs of `length`, fewer are left to the calling thread.
 #[cfg(feature = "rayon")]
 pub(crate) fn columns<T: Sync, R: Send>(
     items: &[T],

@@ -46,8 +46,8 @@ pub struct PlannedPart {
     /// Kind of its formula: a sum of powers, an angle average in closed form or tabulated, another
     /// function.
     pub form: String,
-    /// `None` for a part that is integrated; otherwise a bound on its share of the whole, for a part
-    /// that no asperity reaches.
+    /// `None` for a part that is integrated; otherwise a bound on its share of the whole, for a
+    /// part that no asperity reaches.
     pub dropped: Option<f64>,
 }
 

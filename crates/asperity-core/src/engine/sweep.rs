@@ -48,7 +48,8 @@ impl<'m> Sweep<'m> {
     /// The quantities of one case, in the order of the sweep's.
     ///
     /// # Errors
-    /// Those of [`ContactModel::compile`] and [`Contact::evaluate_at`](crate::Contact::evaluate_at).
+    /// Those of [`ContactModel::compile`] and
+    /// [`Contact::evaluate_at`](crate::Contact::evaluate_at).
     pub fn evaluate(&self, case: &Case) -> Result<Vec<Evaluation>, ContactError> {
         match self.worker().run(std::slice::from_ref(case)).pop() {
             Some(answer) => answer,

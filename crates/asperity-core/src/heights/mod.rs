@@ -54,8 +54,8 @@ pub trait Heights: fmt::Debug + Send + Sync {
 
     /// Heights \[m\] inside the support at which the density or its slope jumps, or that are poles.
     ///
-    /// Undeclared kinks and jumps are found, at a cost in time; undeclared poles are refused. A pole,
-    /// at an end of the support or a break, is a power above -0.95 of the distance.
+    /// Undeclared kinks and jumps are found, at a cost in time; undeclared poles are refused. A
+    /// pole, at an end of the support or a break, is a power above -0.95 of the distance.
     fn breaks(&self) -> &[f64] {
         &[]
     }

@@ -126,8 +126,8 @@ impl Law {
         Self::in_units(interference_unit, 1.0).elastic(0.0..f64::INFINITY, one)
     }
 
-    /// The law f(q) with `f` in SI units, in units of `value_unit`: for example the radius √(A/π) of
-    /// a contact from its area. `name` describes it in plans.
+    /// The law f(q) with `f` in SI units, in units of `value_unit`: for example the radius √(A/π)
+    /// of a contact from its area. `name` describes it in plans.
     ///
     /// `None` if parts overlap or are subtracted: the value is then not that of one contact.
     #[must_use]

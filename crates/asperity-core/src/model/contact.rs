@@ -50,14 +50,13 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Ok((of(Quantity::Force)?, of(Quantity::Tangent)?))
     }
 
-    /// Fills plain columns, one for each quantity, with the values at many separations \[σ_z from the
-    /// mean of the asperity heights\], and returns one bound for all: for inner loops over arrays.
-    /// There are no warnings, and values that underflow read 0.
+    /// Fills plain columns, one for each quantity, with the values at many separations \[σ_z from
+    /// the mean of the asperity heights\], and returns one bound for all: for inner loops over
+    /// arrays. There are no warnings, and values that underflow read 0.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Self::evaluate_at), for the first row that is refused; the columns are
-    /// then unspecified. [`ContactError::OutOfRange`] for columns of another number or
-    /// length.
+    /// Those of [`evaluate_at`](Self::evaluate_at), for the first row that is refused; the columns
+    /// are then unspecified. [`ContactError::OutOfRange`] for columns of another number or length.
     fn fill(
         &self,
         quantities: &[Quantity],
@@ -67,9 +66,9 @@ pub trait Contact: fmt::Debug + Send + Sync {
         arrays::fill(self, None, quantities, separations, columns)
     }
 
-    /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane (for
-    /// models of asperities in σ_z from the mean of the asperity heights): one for a model whose
-    /// force falls all the way, possibly several for others (AT as printed rises and falls).
+    /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane
+    /// (for models of asperities in σ_z from the mean of the asperity heights): one for a model
+    /// whose force falls all the way, possibly several for others (AT as printed rises and falls).
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a load that is not positive (models with adhesion carry

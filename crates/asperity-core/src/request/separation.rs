@@ -186,8 +186,8 @@ impl fmt::Display for Separation {
 pub enum At {
     /// At a separation.
     Separation(Separation),
-    /// Under a normal load \[N\], > 0 (below 0 for a tension, with adhesion). If several separations
-    /// carry it, the largest is meant: the first on approach.
+    /// Under a normal load \[N\], > 0 (below 0 for a tension, with adhesion). If several
+    /// separations carry it, the largest is meant: the first on approach.
     Load(f64),
     /// Under a mean pressure on the nominal area \[Pa\], > 0.
     Pressure(f64),

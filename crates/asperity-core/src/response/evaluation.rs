@@ -37,8 +37,8 @@ impl Evaluation {
         Self { scaled: value, ln_scale: 0.0, size: 1.0, error }
     }
 
-    /// A quantity from the force \[N\] and the real area \[m²\] on a nominal area \[m²\], with a bound
-    /// on their relative error; `None` for a quantity that needs more.
+    /// A quantity from the force \[N\] and the real area \[m²\] on a nominal area \[m²\], with a
+    /// bound on their relative error; `None` for a quantity that needs more.
     #[must_use]
     pub fn of_totals(
         quantity: Quantity,

@@ -105,8 +105,8 @@ impl RowCheck {
         }
     }
 
-    /// The diagnostics, in the order in which they were found: several quantities of one kind are one
-    /// diagnostic.
+    /// The diagnostics, in the order in which they were found: several quantities of one kind are
+    /// one diagnostic.
     #[must_use]
     pub fn finish(&self, model: &str) -> Vec<Diagnostic> {
         let of_model =

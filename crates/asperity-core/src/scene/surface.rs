@@ -7,7 +7,8 @@ use crate::{Asperity, ContactError, Interface};
 
 /// σ_z² = σ² - SUMMIT_VARIANCE/(ηR)² for an isotropic Gaussian surface. \[seen, derived\]
 const SUMMIT_VARIANCE: f64 = 3.716_954_9e-4;
-/// Mean of the asperity heights above the surface's mean plane, times ηR: 1/(4√3 π). \[seen, derived\]
+/// Mean of the asperity heights above the surface's mean plane, times ηR: 1/(4√3 π). \[seen,
+/// derived\]
 const SUMMIT_MEAN: f64 = 0.045_944_074_618_482_67;
 /// σ_z² = (1 - `BANDWIDTH_LOSS`/α) m₀. \[derived\]
 const BANDWIDTH_LOSS: f64 = 0.896_805_8;
@@ -107,8 +108,8 @@ impl Surface {
         })
     }
 
-    /// From radius \[m\], density \[1/m²\] and the standard deviation of the surface heights σ \[m\]
-    /// (not of the asperities): σ_z² = σ² - 3.717e-4/(ηR)². \[seen, derived\]
+    /// From radius \[m\], density \[1/m²\] and the standard deviation of the surface heights σ
+    /// \[m\] (not of the asperities): σ_z² = σ² - 3.717e-4/(ηR)². \[seen, derived\]
     ///
     /// # Errors
     /// [`ContactError`] when an input is not positive, or when β = ηRσ < 0.02493.
@@ -131,9 +132,9 @@ impl Surface {
         Ok(Self { asperity_radius, asperity_density, asperity_height_std })
     }
 
-    /// From the parameters of ISO 25178 that instruments report: the standard deviation of the surface
-    /// heights Sq \[m\], the density of peaks Spd \[1/m²\] and their mean curvature Spc \[1/m\]. The peaks
-    /// are taken for the asperities: η = Spd, R = 1/Spc.
+    /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
+    /// surface heights Sq \[m\], the density of peaks Spd \[1/m²\] and their mean curvature Spc
+    /// \[1/m\]. The peaks are taken for the asperities: η = Spd, R = 1/Spc.
     ///
     /// # Errors
     /// [`ContactError`] when an input is not positive; those of
@@ -154,8 +155,8 @@ impl Surface {
     }
 
     /// The range of β = η R σ where rough surfaces are found: β = 0.0204 √α of isotropic Gaussian
-    /// surfaces, from the narrowest spectrum (α = 1.5) to α = 24 \[derived\]; Greenwood & Williamson
-    /// (1966) give 0.03 to 0.05 \[recalled\].
+    /// surfaces, from the narrowest spectrum (α = 1.5) to α = 24 \[derived\]; Greenwood &
+    /// Williamson (1966) give 0.03 to 0.05 \[recalled\].
     pub const USUAL_ROUGHNESS: [f64; 2] = [0.02, 0.1];
 
     /// β_z = η R σ_z; usually in [`USUAL_ROUGHNESS`](Self::USUAL_ROUGHNESS).

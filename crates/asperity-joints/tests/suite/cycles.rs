@@ -78,8 +78,8 @@ fn the_work_of_each_way_is_the_area_under_its_points() {
             // Slopes at the turning points are those of the way before: one trapezium of 400.
             assert!((found / sum - 1.0).abs() < 1e-4, "{law}: {:?} {sums:?}", path.work);
         }
-        // What the whole history takes is what the closest approach has cost, but for the force that
-        // was there at its beginning and is left at its end.
+        // What the whole history takes is what the closest approach has cost, but for the force
+        // that was there at its beginning and is left at its end.
         let lost = joint.work(At::metres(0.2 * SIGMA)).unwrap().lost().value();
         let before = joint.work(At::metres(turns[0])).unwrap().spent.value();
         let way = joint.unloading(At::metres(0.2 * SIGMA)).unwrap();
@@ -106,7 +106,8 @@ fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
         let returned = joint.unloading(at).unwrap().returned(f64::INFINITY).unwrap();
         let known = work.spent.relative_error() + returned.relative_error();
         assert!((returned.value() / spent - 1.0).abs() < known && known < 1e-10);
-        // Where nothing touches that a double holds, there is no factor, and no number in its place.
+        // Where nothing touches that a double holds, there is no factor, and no number in its
+        // place.
         let nothing = joint.work(At::sigmas(800.0)).unwrap();
         let refused = nothing.loss_factor().unwrap_err().to_string();
         assert!(refused.starts_with("work of closing is 0.0"), "{refused}");
@@ -124,14 +125,16 @@ fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
     let critical = asperity.critical_interference().unwrap();
     let of =
         |x: f64, law| restitution(&KogutEtsion, &asperity, x * critical, law, tight()).unwrap();
-    // By mpmath from KE's powers; finite elements have 0.697. (0.698 has been said of these laws too.)
+    // By mpmath from KE's powers; finite elements have 0.697. (0.698 has been said of these laws
+    // too.)
     let found = of(20.0, UnloadingLaw::Etsion);
     assert!((found / 0.697_378_230_482_933 - 1.0).abs() < 1e-11, "{found}");
     for law in UnloadingLaw::ALL {
         assert!((of(0.7, law) - 1.0).abs() < 1e-10, "{law}");
         assert!(of(5.0, law) < 1.0 && of(50.0, law) < of(5.0, law), "{law}");
     }
-    // JG is elastic up to 1.9 w_c, and goes back as it came but by Etsion's fit, which begins at w_c.
+    // JG is elastic up to 1.9 w_c, and goes back as it came but by Etsion's fit, which begins at
+    // w_c.
     for law in [UnloadingLaw::Hertz, UnloadingLaw::Brake] {
         let of = |x: f64| {
             restitution(&JacksonGreen::default(), &asperity, x * critical, law, tight()).unwrap()

@@ -36,8 +36,8 @@ pub(crate) fn plan<'py>(
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// One model against the reference: its id, deviations by quantity, or why there are none; and how far
-/// it was from boundary elements.
+/// One model against the reference: its id, deviations by quantity, or why there are none; and how
+/// far it was from boundary elements.
 type Row<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
 
 /// The evidence at a place: deviations by model, or the reason why there is none.

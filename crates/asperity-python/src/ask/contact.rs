@@ -138,8 +138,8 @@ impl Contact {
         self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The exception of a refusal. A user's law may raise once only, as at an interrupt: its rules are
-    /// built anew.
+    /// The exception of a refusal. A user's law may raise once only, as at an interrupt: its rules
+    /// are built anew.
     fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let model = self.model.get();
         if model.is_written()

@@ -64,7 +64,8 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
         Some((owner, pool)) if *owner == process => Ok(pool.clone()),
         _ => {
             let pool = build(0)?;
-            // The threads of the previous pool belong to another process: dropping it would wait for them.
+            // The threads of the previous pool belong to another process: dropping it would wait
+            // for them.
             std::mem::forget(held.replace((process, pool.clone())));
             Ok(pool)
         }

@@ -27,8 +27,8 @@ fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failures {
 }
 
 /// Quantities of every row. A row that fails is NaN here, and named; the first ends it all where
-/// `stop` says so. With diagnostics, if `checked` also of the scenes. `threads`: one for each core, if
-/// none.
+/// `stop` says so. With diagnostics, if `checked` also of the scenes. `threads`: one for each core,
+/// if none.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "called by the package itself alone")]
 pub(crate) fn answer<'py>(
@@ -58,7 +58,8 @@ pub(crate) fn answer<'py>(
 }
 
 /// The separations that carry the load or pressure of every row, in a unit and from the scene's
-/// plane: the largest, or `all`, ascending; `counts[i]` of them belong to row i, none where it fails.
+/// plane: the largest, or `all`, ascending; `counts[i]` of them belong to row i, none where it
+/// fails.
 #[pyfunction]
 pub(crate) fn separations<'py>(
     py: Python<'py>,

@@ -69,8 +69,8 @@ impl Axis {
         }
     }
 
-    /// What a number was probably meant to be that makes no sense as a separation (or another length,
-    /// by its name), or little beside what it would be in the other unit.
+    /// What a number was probably meant to be that makes no sense as a separation (or another
+    /// length, by its name), or little beside what it would be in the other unit.
     pub(crate) fn slip(self, name: &str, value: f64, height_std: f64) -> Option<String> {
         let Self::Separation(unit) = self else { return None };
         let told = asperity_scene::mistaken_unit(name, value, unit, height_std)?;

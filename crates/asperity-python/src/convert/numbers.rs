@@ -19,8 +19,8 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
     None
 }
 
-/// The number of an argument `name` of `owner`, in SI units; or a text with a unit that suits the key
-/// of this name in scene files.
+/// The number of an argument `name` of `owner`, in SI units; or a text with a unit that suits the
+/// key of this name in scene files.
 pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let unit = asperity_scene::unit_of(name);
     let text = given.cast::<PyString>().ok().zip(unit);

@@ -24,8 +24,8 @@ pub(crate) const SIGMAS: Axis = Axis::Separation(SeparationUnit::Sigma);
 /// Rows that one thread does at a time: each is an integral of its own.
 const TOGETHER: usize = 4;
 
-/// A float for a float, an array of the same shape for an array; `slipped` makes the warning about a
-/// number.
+/// A float for a float, an array of the same shape for an array; `slipped` makes the warning about
+/// a number.
 pub(crate) fn over<'py>(
     numbers: &Bound<'py, PyAny>,
     name: &str,

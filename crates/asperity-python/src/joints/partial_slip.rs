@@ -11,9 +11,9 @@ use crate::convert::numbers::texts_in_si;
 
 /// A joint that is sheared at a constant separation, from virgin or in cycles.
 ///
-/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or texts with a unit, as "100 nm";
-/// a float gives floats, an array gives arrays of its shape. The asperities deform as elastically as
-/// in the unloading.
+/// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or texts with a unit, as "100
+/// nm"; a float gives floats, an array gives arrays of its shape. The asperities deform as
+/// elastically as in the unloading.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct PartialSlip {
     /// The joint that is sheared.
@@ -58,8 +58,8 @@ impl PartialSlip {
         self.over(amplitude, "amplitude", |slip, u| Ok(slip.loss(u)?.value()))
     }
 
-    /// Loss factor of a cycle between -amplitude and +amplitude: the dissipated energy over pi times
-    /// force times amplitude; 4/pi in full sliding.
+    /// Loss factor of a cycle between -amplitude and +amplitude: the dissipated energy over pi
+    /// times force times amplitude; 4/pi in full sliding.
     fn loss_factor<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(amplitude, "amplitude", joints::PartialSlip::loss_factor)
     }

@@ -19,8 +19,8 @@ type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// Force and stiffness of a joint step by step: closing for the first time, opening, and closing
 /// again on the same way, in some tens of nanoseconds.
 ///
-/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane. The
-/// state of a joint is its closest approach: infinity for a new one.
+/// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane.
+/// The state of a joint is its closest approach: infinity for a new one.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct JointTable {
     model: Py<Engine>,
@@ -39,7 +39,8 @@ pub(crate) struct JointTable {
     /// The unit of its separations: "asperity_height_std" or "m".
     #[pyo3(get)]
     separation_unit: String,
-    /// Metres of that unit, and where the scene's plane lies above the mean of the asperity heights.
+    /// Metres of that unit, and where the scene's plane lies above the mean of the asperity
+    /// heights.
     metres: f64,
     plane: f64,
     table: joints::JointTable,

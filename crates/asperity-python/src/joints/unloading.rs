@@ -101,7 +101,8 @@ impl Unloading {
         Ok(found.map_err(|error| self.model.get().raise(py, error))? / self.metres())
     }
 
-    /// Loss factor of closing and opening: the dissipated energy over 2 pi times the work of closing.
+    /// Loss factor of closing and opening: the dissipated energy over 2 pi times the work of
+    /// closing.
     fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
         let factor = self.work(py)?.loss_factor();
         factor.map_err(|error| self.model.get().raise(py, error))

@@ -36,8 +36,8 @@ impl Field for Option<f64> {
 /// A function that sets one field of a struct.
 pub(crate) type Setter<T> = fn(&mut T, f64);
 
-/// A frozen class around a struct of the library: its doc, its signature in Python, a struct to fill
-/// and its check, its fields with their docs, and its other methods.
+/// A frozen class around a struct of the library: its doc, its signature in Python, a struct to
+/// fill and its check, its fields with their docs, and its other methods.
 macro_rules! record {
     (
         $(#[$about:meta])*

@@ -214,8 +214,8 @@ impl SceneFile {
         self.0.models().0.iter().map(|model| model.id().to_string()).collect()
     }
 
-    /// The text of a scene file that reads back exactly, written to ``path`` if there is one; a table
-    /// of heights goes to a CSV file of the same name beside it then.
+    /// The text of a scene file that reads back exactly, written to ``path`` if there is one; a
+    /// table of heights goes to a CSV file of the same name beside it then.
     ///
     /// >>> import asperity
     /// >>> scene = asperity.Scene.parse(asperity.template())
@@ -239,7 +239,8 @@ impl SceneFile {
     /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
     /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
     /// >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
-    /// error: equivalent_modulus is 116 Pa (usual: 30000 to 1.3e12): 116 looks like GPa; 116 GPa is 1.16e11 Pa
+    /// error: equivalent_modulus is 116 Pa (usual: 30000 to 1.3e12): 116 looks like GPa; 116 GPa is
+    /// 1.16e11 Pa
     #[pyo3(signature = (
         model=None, separation=None, *, load=None, pressure=None,
         separation_unit="asperity_height_std"

@@ -8,8 +8,8 @@ use crate::{
 };
 
 impl Recommendation {
-    /// The evidence in lines, one for each solved case: which of these models were nearest to boundary
-    /// elements in area and in stiffness; and the separations or loads without evidence.
+    /// The evidence in lines, one for each solved case: which of these models were nearest to
+    /// boundary elements in area and in stiffness; and the separations or loads without evidence.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let mut groups: Vec<Vec<&EvidenceAt>> = vec![];

@@ -114,8 +114,8 @@ pub struct EvidenceAt {
 /// ```
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] unless 0 < `within` ≤ 1 and there is at least one separation or load;
-/// errors of the reference model.
+/// [`ContactError::OutOfRange`] unless 0 < `within` ≤ 1 and there is at least one separation or
+/// load; errors of the reference model.
 pub fn recommend(
     scene: &Scene,
     request: &Request,
@@ -125,8 +125,8 @@ pub fn recommend(
     recommend_among(Model::all(), scene, request, reference, within)
 }
 
-/// Like [`recommend`], among these models, such as models with options or of your own. Of two equally
-/// simple models, the first of the list is named.
+/// Like [`recommend`], among these models, such as models with options or of your own. Of two
+/// equally simple models, the first of the list is named.
 ///
 /// # Errors
 /// Those of [`recommend`].

@@ -179,8 +179,8 @@ impl Builder {
         self.interpolation == Interpolation::Linear || cubic::is_monotone(a, b)
     }
 
-    /// Bounds of the relative errors of pressure and stiffness between two nodes; of a pressure off by
-    /// more than `enough`, no more than that.
+    /// Bounds of the relative errors of pressure and stiffness between two nodes; of a pressure off
+    /// by more than `enough`, no more than that.
     fn errors(
         &self,
         from: &ContactNode,

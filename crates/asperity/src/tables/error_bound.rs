@@ -1,4 +1,5 @@
-//! The largest size of a function on an interval, with a bound between the points where it is known.
+//! The largest size of a function on an interval, with a bound between the points where it is
+//! known.
 
 use std::f64::consts::PI;
 
@@ -8,19 +9,20 @@ use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 const TERMS: usize = 8;
 /// Points at which a series is searched for its largest value,
 const POINTS: u32 = 64;
-/// and between which it is larger by no more than this factor: 1/cos(n π/(2m)) for the degree n and m
-/// intervals of equal angles (Ehlich & Zeller 1964). \[recalled, tested below\]
+/// and between which it is larger by no more than this factor: 1/cos(n π/(2m)) for the degree n and
+/// m intervals of equal angles (Ehlich & Zeller 1964). \[recalled, tested below\]
 const BETWEEN: f64 = 1.015_02;
-/// The terms that a series leaves out, over its last two: 2.6 next to a kink, where terms fall as 1/n²;
-/// of smooth functions far less.
+/// The terms that a series leaves out, over its last two: 2.6 next to a kink, where terms fall as
+/// 1/n²; of smooth functions far less.
 const REST: f64 = 4.0;
 /// A piece is halved until the terms left out are this part of the largest value.
 const RESOLVED: f64 = 0.02;
 /// A piece is halved no more often than this: next to an undeclared jump it is then negligible.
 const DEEPEST: u32 = 20;
 
-/// Bounds of the sizes of `K` functions between ascending `ends`, at which alone they may have kinks.
-/// Terms below `noise` are rounding. Once the first function is above `enough`, no more is looked at.
+/// Bounds of the sizes of `K` functions between ascending `ends`, at which alone they may have
+/// kinks. Terms below `noise` are rounding. Once the first function is above `enough`, no more is
+/// looked at.
 pub(crate) fn bounds<const K: usize, E>(
     f: impl Fn(f64) -> Result<[f64; K], E>,
     ends: &[f64],
@@ -84,8 +86,8 @@ mod tests {
         let largest = |f: &dyn Fn(f64) -> f64, ends: &[f64]| {
             bounds(|x| Ok::<_, ()>([f(x)]), ends, (1e-14, f64::INFINITY)).unwrap()[0]
         };
-        // The error of a cubic, a narrow peak, a declared kink, and, undeclared, what a jump of the density
-        // leaves in a force.
+        // The error of a cubic, a narrow peak, a declared kink, and, undeclared, what a jump of the
+        // density leaves in a force.
         type Case<'c> = (&'c dyn Fn(f64) -> f64, &'c [f64], f64);
         let cases: [Case<'_>; 4] = [
             (&|x| (x * (1.0 - x)).powi(2), &[0.0, 1.0], 1.0 / 16.0),

@@ -1,8 +1,10 @@
-//! Thermal conductance, and friction that begins elastically, in the formats of finite-element codes.
+//! Thermal conductance, and friction that begins elastically, in the formats of finite-element
+//! codes.
 //!
 //! The formats are those of public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017;
-//! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and CalculiX'
-//! sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). No code was run on them here.
+//! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and
+//! CalculiX' sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). No code was run on
+//! them here.
 
 use crate::tables::contact_table::{ContactNode, ContactTable};
 use crate::tables::error::TableError;
@@ -10,8 +12,10 @@ use crate::tables::error_bound::bounds;
 use crate::tables::format::TableFormat;
 use crate::tables::kinks::{kinks, pieces};
 use crate::tables::units::UnitSystem;
-use crate::tables::writers::{Head, exact};
-use crate::{At, ContactError, ContactModel, Datum, Quantity, Request, Scene, Tolerance};
+use crate::tables::writers::Head;
+use crate::{
+    At, ContactError, ContactModel, Datum, Quantity, Request, Scene, Tolerance, shortest_digits,
+};
 
 /// Points at which the line to the end of the conductance is compared with the model.
 const PROBES: usize = 7;
@@ -171,7 +175,7 @@ impl ContactTable {
             text += &if calculix {
                 format!("{conductance:.9e}, {place:.9e}, 273.\n")
             } else {
-                format!("{}, {}\n", exact(conductance), exact(place))
+                format!("{}, {}\n", shortest_digits(conductance), shortest_digits(place))
             };
         }
         Ok(text)
@@ -214,7 +218,7 @@ impl ContactTable {
 *FRICTION, ELASTIC SLIP={slip:.9e}
 {}
 ",
-                exact(friction)
+                shortest_digits(friction)
             ),
             _ => format!(
                 "{from}** ccx has one stick slope for all pressures; at {light:.3e} {stress} it would be {light_slope:.3e} {stress}/{length}

@@ -5,8 +5,8 @@ use crate::{ContactError, ContactModel, HeightDistribution, Quantity, Scene, Tol
 /// Kinks nearer to each other than this \[σ_z\] are one.
 const SAME_KINK: f64 = 1e-9;
 
-/// Separations \[σ_z\] at which the force of a model may have a kink, ascending: a break of the density
-/// that meets one of the law.
+/// Separations \[σ_z\] at which the force of a model may have a kink, ascending: a break of the
+/// density that meets one of the law.
 pub(crate) fn kinks(
     model: &dyn ContactModel,
     scene: &Scene,

@@ -13,7 +13,8 @@ pub enum UnitSystem {
     MmTonneS,
 }
 
-/// What a system is made of. Both ways numbers are changed by powers of ten above 1, which are exact.
+/// What a system is made of. Both ways numbers are changed by powers of ten above 1, which are
+/// exact.
 struct Units {
     /// Lengths in a metre.
     per_metre: f64,

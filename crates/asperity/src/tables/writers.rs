@@ -6,7 +6,7 @@ use crate::tables::contact_table::ContactTable;
 use crate::tables::error::TableError;
 use crate::tables::format::TableFormat;
 use crate::tables::units::UnitSystem;
-use crate::{Datum, Scene, Separation, SeparationUnit};
+use crate::{Datum, Scene, Separation, SeparationUnit, shortest_digits};
 
 impl ContactTable {
     /// The table of a scene in the format of a code, with clearances from a plane; `title` goes to
@@ -67,13 +67,6 @@ impl Head<'_> {
     }
 }
 
-/// The shortest digits that give the same number back.
-pub(crate) fn exact(x: f64) -> String {
-    let text = format!("{x:?}");
-    let short = text.strip_suffix(".0").unwrap_or(&text);
-    if short == "-0" { "0".into() } else { short.into() }
-}
-
 /// Clearance, pressure and tangent.
 fn csv(head: &Head<'_>) -> Result<String> {
     let Head { title, from, table, units, .. } = head;
@@ -92,7 +85,7 @@ clearance_{length},pressure_{stress},tangent_{stress}_per_{length}
     for node in &table.nodes {
         let (pressure, tangent) = (units.pressure(node.pressure), units.slope(node.stiffness));
         let [clearance, pressure, tangent] =
-            [head.length(node.separation)?, pressure, tangent].map(exact);
+            [head.length(node.separation)?, pressure, tangent].map(shortest_digits);
         text += &format!("{clearance},{pressure},{tangent}\n");
     }
     Ok(text)
@@ -117,7 +110,7 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
 "
     );
     for (clearance, pressure) in head.lines()? {
-        text += &format!("{}, {}\n", exact(pressure), exact(-clearance));
+        text += &format!("{}, {}\n", shortest_digits(pressure), shortest_digits(-clearance));
     }
     Ok(text)
 }

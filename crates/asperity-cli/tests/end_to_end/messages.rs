@@ -1,4 +1,4 @@
-//! The commands that answer in words: plan, recommend, models.
+//! The commands that answer in arguments: plan, recommend, models.
 
 use crate::bench::{Bench, NO_SHEAR, cells, column, csv};
 
@@ -20,18 +20,18 @@ fn separations_that_look_like_metres_are_warned_of_and_skewness_is_reported() {
     let bench = Bench::new();
     let warning =
         "is 1e-6 asperity_height_std: 1e-6 looks like metres; 1e-6 m is 1 asperity_height_std";
-    for words in [
+    for arguments in [
         "curve scene.toml --model ke --separation 1e-6",
         "check scene.toml --separation 1e-6",
         "unload scene.toml --model ke --closest 1e-6 --retreat 0",
         "export scene.toml --model ke --as csv --separation 0:1e-6:2",
     ] {
-        let told = bench.run(words).words;
-        assert!(told.contains(warning), "{words}: {told}");
-        let metres = bench.run(&words.replace("1e-6", "1um")).words;
-        assert!(!metres.contains("looks like metres"), "{words}: {metres}");
+        let printed = bench.run(arguments).messages;
+        assert!(printed.contains(warning), "{arguments}: {printed}");
+        let metres = bench.run(&arguments.replace("1e-6", "1um")).messages;
+        assert!(!metres.contains("looks like metres"), "{arguments}: {metres}");
     }
-    let same = |words: &str| column(&bench.data(words), "force_N");
+    let same = |arguments: &str| column(&bench.data(arguments), "force_N");
     let [length, unit] = ["1um", "1e-6 --separation-unit m"]
         .map(|place| same(&format!("curve scene.toml --model ke --separation {place}")));
     assert_eq!(length, unit);
@@ -47,10 +47,10 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
     let run = bench.run("recommend soft.toml");
     assert_eq!(run.code, Some(0));
-    let said =
+    let printed =
         "note: gw is the simplest valid model within 5 % of ke; models are listed from simplest";
-    assert!(run.words.contains(said), "{}", run.words);
-    assert!(run.words.contains("left out: gao: "));
+    assert!(run.messages.contains(printed), "{}", run.messages);
+    assert!(run.messages.contains("left out: gao: "));
     let data = bench.data("recommend scene.toml --format csv --reference gao --within 1e-3");
     let (head, rows) = csv(&data);
     assert_eq!(
@@ -66,12 +66,12 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
 #[test]
 fn the_order_of_the_recommendation_is_the_one_that_is_printed() {
     let bench = Bench::new();
-    for (within, words) in
+    for (within, arguments) in
         [("0.05", ""), ("0.02", "--load 1:1000:7:log"), ("0.3", "--pressure 1e6")]
     {
-        let words =
-            format!("recommend scene.toml --within {within} --quantity area,tangent {words}");
-        let data = bench.data(&format!("{words} --format csv"));
+        let arguments =
+            format!("recommend scene.toml --within {within} --quantity area,tangent {arguments}");
+        let data = bench.data(&format!("{arguments} --format csv"));
         let (_, rows) = csv(&data);
         let kinds = ["upright", "random", "none", "at angles"];
         let kind = |row: &Vec<&str>| kinds.iter().position(|kind| *kind == row[1]).unwrap();
@@ -94,24 +94,24 @@ fn the_order_of_the_recommendation_is_the_one_that_is_printed() {
 #[test]
 fn the_recommendation_comes_with_evidence_or_says_that_there_is_none() {
     let bench = Bench::new();
-    let words = "recommend scene.toml --model gw,ke,persson-fudge --quantity area --format csv";
-    let run = bench.run(&format!("{words} --load 20000"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    let arguments = "recommend scene.toml --model gw,ke,persson-fudge --quantity area --format csv";
+    let run = bench.run(&format!("{arguments} --load 20000"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(
-        run.words.contains("note: boundary elements on surfaces like this one"),
+        run.messages.contains("note: boundary elements on surfaces like this one"),
         "{}",
-        run.words
+        run.messages
     );
-    assert!(run.words.contains("psi 4, p/(E g)"), "{}", run.words);
+    assert!(run.messages.contains("psi 4, p/(E g)"), "{}", run.messages);
     let (head, rows) = csv(&run.out);
     let columns =
         ["area_off_bem", "area_off_bem_spread", "stiffness_off_bem", "stiffness_off_bem_spread"];
     assert_eq!(head[head.len() - 4..], columns);
     let off = column(&run.out, "area_off_bem");
     assert!(off.iter().all(|off| off.abs() < 3.0) && rows.len() == 3, "{}", run.out);
-    let run = bench.run(&format!("{words} --load 1"));
-    let said = "note: no boundary-element solution is close: p/(E g) =";
-    assert!(run.words.contains(said) && run.code == Some(0), "{}", run.words);
+    let run = bench.run(&format!("{arguments} --load 1"));
+    let printed = "note: no boundary-element solution is close: p/(E g) =";
+    assert!(run.messages.contains(printed) && run.code == Some(0), "{}", run.messages);
     assert!(cells(&run.out, "area_off_bem").iter().all(|cell| cell.is_empty()), "{}", run.out);
 }
 
@@ -119,13 +119,17 @@ fn the_recommendation_comes_with_evidence_or_says_that_there_is_none() {
 fn each_load_has_its_own_evidence_and_what_does_not_hold_is_not_recommended() {
     let bench = Bench::new();
     let run = bench.run("recommend scene.toml --load 1,19000,20000 --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.words);
-    assert!(run.words.contains("note: no evidence at a load of 1 N: p/(E g) is"), "{}", run.words);
-    let said = "note: boundary elements on surfaces like this one at 2 places from a load of 19000 N to a load of 20000 N, alpha";
-    assert!(run.words.contains(said), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(
+        run.messages.contains("note: no evidence at a load of 1 N: p/(E g) is"),
+        "{}",
+        run.messages
+    );
+    let printed = "note: boundary elements on surfaces like this one at 2 places from a load of 19000 N to a load of 20000 N, alpha";
+    assert!(run.messages.contains(printed), "{}", run.messages);
     // Whoever is named has a row.
     let ids = cells(&run.out, "model");
-    let pieces: Vec<&str> = run.words.split(" (at most ").collect();
+    let pieces: Vec<&str> = run.messages.split(" (at most ").collect();
     let named: Vec<&str> = pieces[..pieces.len() - 1]
         .iter()
         .filter_map(|text| text.split_whitespace().last())
@@ -136,8 +140,8 @@ fn each_load_has_its_own_evidence_and_what_does_not_hold_is_not_recommended() {
     // gw is near, and yet asperities yield.
     let run =
         bench.run("recommend scene.toml --load 1000 --within 80% --model gw,ceb --format csv");
-    assert!(run.words.contains("GW ignores yielding"), "{}", run.words);
-    assert!(run.words.contains("note: ceb is the simplest valid model"), "{}", run.words);
+    assert!(run.messages.contains("GW ignores yielding"), "{}", run.messages);
+    assert!(run.messages.contains("note: ceb is the simplest valid model"), "{}", run.messages);
     assert_eq!(cells(&run.out, "simplest"), ["does not hold", "simplest"]);
 }
 
@@ -168,10 +172,10 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
     let bench = Bench::new();
     let ask = "--model persson,persson-fudge,gw --pressure 1e7 --quantity area-fraction,tangent";
     let run = bench.run(&format!("compare scene.toml {ask} --format csv"));
-    assert_eq!(run.code, Some(0), "{}", run.words);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(cells(&run.out, "model"), ["persson", "persson-fudge", "gw"]);
-    let words = "persson: hurst_exponent is missing: the stiffness of Persson";
-    assert!(run.words.contains(words), "{}", run.words);
+    let arguments = "persson: hurst_exponent is missing: the stiffness of Persson";
+    assert!(run.messages.contains(arguments), "{}", run.messages);
     // erf(p/√(2V)), V = E² m₂/2: of the scene's own surface.
     let scene = bench.scene("scene.toml").scene;
     let m2 = scene.surface.moments().m2;
@@ -180,7 +184,7 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
     assert!((area / small - 1.0).abs() < 0.01 && area < small, "{area} {small}");
     let run = bench.run("curve scene.toml --model persson --separation 1,2");
     assert_eq!(run.code, Some(1), "{}", run.out);
-    assert!(run.words.contains("hurst_exponent is missing"), "{}", run.words);
+    assert!(run.messages.contains("hurst_exponent is missing"), "{}", run.messages);
     // With it, there are stiffnesses, and separations lead back to loads.
     bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_scene::template()));
     let loads = "curve hurst.toml --model persson,persson-fudge --pressure 1e6,1e7 --format csv";
@@ -199,53 +203,53 @@ fn models_of_the_whole_surface_are_not_held_to_what_asperities_may_do() {
     let surface = "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 1e7\n";
     let head = NO_SHEAR.split_once("[surface]").unwrap().0.replace("3e-5", "1e-12");
     bench.write("broad.toml", &format!("{head}{surface}"));
-    let words = |model: &str| {
+    let arguments = |model: &str| {
         let ask = "--pressure 2e8 --quantity area-fraction";
-        bench.run(&format!("curve broad.toml --model {model} {ask}")).words
+        bench.run(&format!("curve broad.toml --model {model} {ask}")).messages
     };
-    let (gw, persson) = (words("gw"), words("persson-fudge"));
+    let (gw, persson) = (arguments("gw"), arguments("persson-fudge"));
     assert!(gw.contains("roughness_parameter") && !persson.contains("roughness"), "{gw}{persson}");
     bench.write("few.toml", &NO_SHEAR.replace("3e-5", "1e-10"));
-    for (scene, load, said) in [
+    for (scene, load, printed) in [
         ("scene.toml", "2e9", "area_fraction is"),
         ("few.toml", "1e7", "asperities, too few for an average"),
     ] {
-        let words = |model: &str| {
+        let arguments = |model: &str| {
             let ask = format!("--pressure {load} --quantity area-fraction");
-            bench.run(&format!("curve {scene} --model {model} {ask}")).words
+            bench.run(&format!("curve {scene} --model {model} {ask}")).messages
         };
-        let (ke, fudge) = (words("ke"), words("persson-fudge"));
-        assert!(ke.contains(said) && !fudge.contains(said), "{ke}\n{fudge}");
+        let (ke, fudge) = (arguments("ke"), arguments("persson-fudge"));
+        assert!(ke.contains(printed) && !fudge.contains(printed), "{ke}\n{fudge}");
         let check = format!("check {scene} --pressure {load} --format csv");
         let [ke, fudge] = ["ke", "persson-fudge"]
-            .map(|model| bench.run(&format!("{check} --model {model}")).words);
-        assert!(ke.contains(said) && !fudge.contains(said), "{ke}\n{fudge}");
+            .map(|model| bench.run(&format!("{check} --model {model}")).messages);
+        assert!(ke.contains(printed) && !fudge.contains(printed), "{ke}\n{fudge}");
     }
 }
 
 #[test]
 fn advice_and_tables_come_with_what_is_unusual_about_them() {
     let bench = Bench::new();
-    let words = |line: &str| {
+    let arguments = |line: &str| {
         let run = bench.run(line);
-        assert_eq!(run.code, Some(0), "{line}\n{}", run.words);
-        run.words
+        assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
+        run.messages
     };
-    let heavy = words("recommend scene.toml --load 3e5");
+    let heavy = arguments("recommend scene.toml --load 3e5");
     assert!(heavy.contains("error: KE: area_fraction is "), "{heavy}");
-    let none = words("recommend scene.toml --load 100 --model gw,ceb --within 0.01");
+    let none = arguments("recommend scene.toml --load 100 --model gw,ceb --within 0.01");
     assert!(none.contains("note: no valid model is within 1 % of ke"), "{none}");
-    let table = words("export scene.toml --model gw --as abaqus --load 1:1e4:4");
+    let table = arguments("export scene.toml --model gw --as abaqus --load 1:1e4:4");
     assert!(
         table.contains("GW: yielding asperities carry ")
             && table.contains("the interpolation error of the pressure is up to"),
         "{table}"
     );
-    let whole = words("curve scene.toml --model persson --load 100 --quantity area");
+    let whole = arguments("curve scene.toml --model persson --load 100 --quantity area");
     assert!(whole.contains("mean_pressure_over_hardness is "), "{whole}");
-    let slip = words("slip scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");
+    let slip = arguments("slip scene.toml --model gw --friction 0.2 --load 100 --amplitude 1e-8");
     assert!(slip.contains("GW: yielding asperities carry "), "{slip}");
-    assert_eq!(words("compare scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
+    assert_eq!(arguments("compare scene.toml --load 3e5 --model ke").matches("ke)").count(), 0);
 }
 
 #[test]
@@ -255,10 +259,10 @@ fn what_is_unusual_about_the_scene_hides_nothing_about_its_answers() {
     bench.write("dense.toml", &dense);
     let forgotten = dense.replacen("\nhardness = 2e9\n\n# ...", "\n# ...", 1);
     bench.write("forgotten.toml", &forgotten);
-    let warnings = |words: &str| {
-        let run = bench.run(&format!("{words} --load 50kN"));
-        assert_eq!(run.code, Some(0), "{words}: {}", run.words);
-        let lines = run.words.lines().filter_map(|line| line.strip_prefix("warning: "));
+    let warnings = |arguments: &str| {
+        let run = bench.run(&format!("{arguments} --load 50kN"));
+        assert_eq!(run.code, Some(0), "{arguments}: {}", run.messages);
+        let lines = run.messages.lines().filter_map(|line| line.strip_prefix("warning: "));
         lines.map(ToString::to_string).collect::<Vec<_>>()
     };
     for command in ["curve", "solve", "compare", "unload"] {
