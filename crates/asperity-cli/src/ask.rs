@@ -9,7 +9,7 @@ use asperity::{
 };
 
 use crate::output::table::{Cell, Table};
-use crate::output::{once, progress, say};
+use crate::output::{once, print_message, progress};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Rows evaluated at a time, which bounds the memory.
@@ -204,7 +204,7 @@ impl<'s> Question<'s> {
 
     /// Prints the warnings; an error if there is no value at all.
     pub fn finish(&self, answered: bool) -> Result<()> {
-        once(&self.warnings).iter().for_each(|text| say("warning", text));
+        once(&self.warnings).iter().for_each(|text| print_message("warning", text));
         self.scene.report(self.found.clone());
         if !answered {
             bail!("{}: no row has a value", self.scene.name);

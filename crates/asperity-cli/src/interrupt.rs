@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::{Context, Result};
 use asperity::bem::Progress;
 
-use crate::output::say;
+use crate::output::print_message;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
@@ -20,7 +20,7 @@ pub fn asked() -> bool {
 
 /// Ends the program after an interrupted list, whose results so far are written.
 pub fn end(done: usize, all: usize) -> ! {
-    say("error", &format!("interrupted: {done} of {all} loads are solved"));
+    print_message("error", &format!("interrupted: {done} of {all} loads are solved"));
     process::exit(ENDED)
 }
 

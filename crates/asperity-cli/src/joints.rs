@@ -6,7 +6,7 @@ use asperity::{At, ContactError};
 use asperity_plot::{Axis, Curve};
 
 use crate::output::plot;
-use crate::output::say;
+use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -21,7 +21,7 @@ pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
 /// Warns of a joint that creates energy when it is closed to a place and opened.
 pub fn warn_energy_gain(joint: &Joint, closest: At, work: &Work) -> Result<(), ContactError> {
     if let Some(gain) = joint.energy_gain(closest, work)? {
-        say("warning", &gain.to_string());
+        print_message("warning", &gain.to_string());
     }
     Ok(())
 }

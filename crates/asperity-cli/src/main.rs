@@ -44,7 +44,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if output::is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            output::say("error", &output::summary(&error));
+            output::print_message("error", &output::summary(&error));
             ExitCode::FAILURE
         }
     }

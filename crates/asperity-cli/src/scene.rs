@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use asperity::{At, ContactError, ContactModel, Diagnostics, Model, Quantity, Request, Severity};
 use asperity_scene::{LeftOut, SceneFile};
 
-use crate::output::{self, once, report, say};
+use crate::output::{self, once, print_message, report};
 
 /// A scene file and its name.
 pub struct LoadedScene {
@@ -136,7 +136,10 @@ impl LoadedScene {
             bail!("{}: {}", self.name, refused.reason);
         }
         if model.id() != id {
-            say("note", &format!("{id} means {} by the options of the scene", model.id()));
+            print_message(
+                "note",
+                &format!("{id} means {} by the options of the scene", model.id()),
+            );
         }
         Ok((id.to_string(), model))
     }
@@ -146,7 +149,7 @@ impl LoadedScene {
 fn note_left_out(left_out: &[LeftOut]) {
     let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
     for text in by_reason(&left_out.iter().map(reason).collect::<Vec<_>>()) {
-        say("note", &format!("left out: {text}"));
+        print_message("note", &format!("left out: {text}"));
     }
 }
 

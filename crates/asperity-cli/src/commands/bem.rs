@@ -16,7 +16,7 @@ use crate::interrupt;
 use crate::output::contact_map;
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
-use crate::output::{self, say};
+use crate::output::{self, print_message};
 use crate::pressed::{Row, Run};
 use crate::scene::LoadedScene;
 
@@ -124,7 +124,10 @@ impl Way {
         if let Some(step) = bem.seam() {
             let why = "the edges of the scan do not meet";
             let what = "its periodic part is pressed: --boundary free takes it as it is";
-            say("note", &format!("{why} (a step {step:.1} times that of neighbours), {what}"));
+            print_message(
+                "note",
+                &format!("{why} (a step {step:.1} times that of neighbours), {what}"),
+            );
         }
         Ok(bem)
     }
@@ -159,7 +162,7 @@ impl BemCommand {
             whole.retain(|_| solved.next().unwrap_or(false));
         }
         let maps = std::mem::take(&mut run.maps);
-        run.words.iter().for_each(|text| say("warning", text));
+        run.words.iter().for_each(|text| print_message("warning", text));
         scene.report(std::mem::take(&mut run.found));
         if !whole.iter().any(Option::is_some) {
             if interrupt::asked() {
@@ -181,7 +184,10 @@ impl BemCommand {
                 let png = map_png(&map)?;
                 output::write(Some(path), |out| out.write_all(&png))?;
                 let (label, top) = (&map.label, rounded(map.top));
-                say("note", &format!("{}: {label} from yellow to black at {top}", path.display()));
+                print_message(
+                    "note",
+                    &format!("{}: {label} from yellow to black at {top}", path.display()),
+                );
             } else {
                 output::write_text(Some(path), &draw_map(&map)?)?;
             }

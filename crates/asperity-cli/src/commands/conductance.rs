@@ -10,7 +10,7 @@ use clap::{ArgGroup, Args};
 use crate::input::args::{OutputArgs, model_id};
 use crate::input::numbers::{Numbers, length, loads, of_unit, positive, pressures};
 use crate::output::number::rounded;
-use crate::output::say;
+use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::LoadedScene;
 
@@ -117,7 +117,7 @@ impl Conductance {
                 let found = match correlation.at(contact, &roughness, pressure) {
                     Ok(found) => found,
                     Err(reason) => {
-                        say("note", &format!("left out: {id}: {reason}"));
+                        print_message("note", &format!("left out: {id}: {reason}"));
                         continue 'each;
                     }
                 };
@@ -136,7 +136,7 @@ impl Conductance {
                 let text = format!(
                     "{id}: {what} is {relative} at {at}, outside the range of the correlation, {from:e} to {to}"
                 );
-                say("warning", &text);
+                print_message("warning", &text);
             }
             if let Some(index) = correlation.foreign(contact) {
                 let side =
@@ -145,7 +145,7 @@ impl Conductance {
                 let text = format!(
                     "{id}: plasticity_index is {index}, so that {side} and this correlation does not hold ({source})"
                 );
-                say("warning", &text);
+                print_message("warning", &text);
             }
         }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
@@ -153,7 +153,10 @@ impl Conductance {
             Some(_) => "of the scan",
             None => "of a Gaussian surface with these asperities; a measured surface may differ",
         };
-        say("note", &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"));
+        print_message(
+            "note",
+            &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"),
+        );
         self.output.write(&table)
     }
 }
@@ -167,13 +170,13 @@ impl Conductance {
         match (self.gas, self.gas_parameter) {
             (Some(_), None) => {
                 let text = "--gas-parameter is missing and taken as 0, as for a liquid; air at 1 bar between metals has about 0.37um";
-                say("note", text);
+                print_message("note", text);
             }
             (_, Some(given)) if given > LONGEST_JUMP => {
                 let text = format!(
                     "--gas-parameter is {given} m; {given} looks like um, about 0.37um for air at 1 bar"
                 );
-                say("warning", &text);
+                print_message("warning", &text);
             }
             _ => {}
         }

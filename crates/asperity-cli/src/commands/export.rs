@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use crate::input::args::{model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, ask_unit};
 use crate::input::numbers::{Span, friction, positive_number, range_of_loads, range_of_pressures};
-use crate::output::{self, progress, say};
+use crate::output::{self, print_message, progress};
 use crate::scene::LoadedScene;
 
 /// Pressure against clearance as a table for a finite-element code
@@ -173,7 +173,7 @@ impl Export {
         }
         if table.pressure_error > 0.1 {
             let percent = (100.0 * table.pressure_error).round();
-            say(
+            print_message(
                 "warning",
                 &format!(
                     "the interpolation error of the pressure is up to {percent} %; --max-error adds nodes"

@@ -8,7 +8,7 @@ use asperity_plot::Axis;
 use crate::input::args::DrawnArgs;
 use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
 use crate::output::number::rounded;
-use crate::output::say;
+use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -123,7 +123,7 @@ fn report_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<()
         "{name}: fewer than one asperity touches on average at {count} of {all} points, first at {} on way {number}{zeros}",
         At::metres(first.separation)
     );
-    say("warning", &text);
+    print_message("warning", &text);
     Ok(())
 }
 
@@ -134,7 +134,7 @@ fn report_work(id: &str, joint: &Joint, path: &Path) {
     let first = match joint.work(At::metres(first.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            return say("warning", &format!("{name}: no work: {error}"));
+            return print_message("warning", &format!("{name}: no work: {error}"));
         }
     };
     let all = rounded(first + path.work.iter().sum::<f64>());
@@ -146,5 +146,5 @@ fn report_work(id: &str, joint: &Joint, path: &Path) {
             "{name}: first closing takes {first} J, the ways after it {works} J (below 0: returned), {all} J in all"
         ),
     };
-    say("note", &text);
+    print_message("note", &text);
 }

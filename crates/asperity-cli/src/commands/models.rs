@@ -5,7 +5,7 @@ use asperity::{Described, Model};
 use clap::Args;
 
 use crate::input::args::OutputArgs;
-use crate::output::say;
+use crate::output::print_message;
 use crate::output::table::{Format, Table};
 
 /// The tags of the column `equations`, as the crates' READMEs define them.
@@ -66,8 +66,9 @@ impl Models {
         }
         self.output.write(&table)?;
         if terminal {
-            TAGS.iter()
-                .for_each(|(tag, meaning)| say("note", &format!("equations {tag}: {meaning}")));
+            TAGS.iter().for_each(|(tag, meaning)| {
+                print_message("note", &format!("equations {tag}: {meaning}"))
+            });
         }
         Ok(())
     }

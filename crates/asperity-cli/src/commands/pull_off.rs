@@ -10,7 +10,7 @@ use crate::input::args::{OutputArgs, model_id, tolerance};
 use crate::input::numbers::{of_unit, positive};
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
-use crate::output::{once, say};
+use crate::output::{once, print_message};
 use crate::scene::LoadedScene;
 
 /// The greatest tension that surfaces hold which stick to each other, and where
@@ -72,7 +72,7 @@ impl PullOff {
             match pull_off(&*compiled).with_context(context)? {
                 None => {
                     row.extend([const { Cell::Number(None) }; 4]);
-                    say(
+                    print_message(
                         "note",
                         &format!("{id}: nothing is held: the force falls to 0 and not below"),
                     );
@@ -87,7 +87,7 @@ impl PullOff {
                     let force = found.force.value();
                     if force == 0.0 {
                         let power = rounded(found.force.ln_value() / std::f64::consts::LN_10);
-                        say(
+                        print_message(
                             "note",
                             &format!(
                                 "{id}: the tension is 10^{power} N, less than a double holds: roughness hides the adhesion"
@@ -118,7 +118,7 @@ fn tell_left(id: &str, force: f64, scene: &Scene) {
     let Some(work) = scene.interface.work_of_adhesion else { return };
     let of_one = of_one * std::f64::consts::PI * scene.surface.asperity_radius * work;
     let percent = rounded(-100.0 * force / (scene.asperities() * of_one));
-    say(
+    print_message(
         "note",
         &format!("{id}: roughness leaves {percent} % of what asperities of one height would hold"),
     );

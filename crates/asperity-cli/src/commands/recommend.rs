@@ -10,7 +10,7 @@ use crate::input::args::{Asked, OutputArgs, model_id};
 use crate::input::numbers::share;
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
-use crate::output::{progress, say};
+use crate::output::{print_message, progress};
 use crate::scene::LoadedScene;
 
 /// Recommend the simplest valid model near a reference, with evidence from boundary elements
@@ -119,8 +119,11 @@ impl Recommend {
             }
             None => format!("no valid model is within {within} % of {reference}"),
         };
-        say("note", &format!("{chosen}; models are listed from simplest to most complex"));
-        advice.summary().iter().for_each(|note| say("note", note));
+        print_message(
+            "note",
+            &format!("{chosen}; models are listed from simplest to most complex"),
+        );
+        advice.summary().iter().for_each(|note| print_message("note", note));
         self.output.write(&table)
     }
 }

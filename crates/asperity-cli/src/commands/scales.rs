@@ -11,7 +11,7 @@ use clap::Args;
 use crate::input::args::{model_id, svg_file};
 use crate::input::numbers::{Numbers, lengths, load, pressure};
 use crate::output::table::{Cell, Table};
-use crate::output::{self, say};
+use crate::output::{self, print_message};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Statistics of a surface against the short-wavelength cut-off.
@@ -118,7 +118,7 @@ impl Scales {
                 [] => String::new(),
                 others => format!(" (likewise {})", others.join(", ")),
             };
-            say("warning", &format!("{CUTOFF} {}{others}: {reason}", cutoffs[0]));
+            print_message("warning", &format!("{CUTOFF} {}{others}: {reason}", cutoffs[0]));
         }
         if let Some(path) = &self.plot {
             output::write_text(Some(path), &picture(&table)?)?;

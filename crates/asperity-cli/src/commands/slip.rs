@@ -11,7 +11,7 @@ use crate::input::args::{Closed, DrawnArgs, tolerance};
 use crate::input::numbers::{friction, length};
 use crate::output::number::rounded;
 use crate::output::plot;
-use crate::output::say;
+use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -125,7 +125,7 @@ impl Slip {
             row.extend(numbers.map(Cell::Number));
             table.rows.push(row);
         }
-        say(
+        print_message(
             "note",
             &format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})"),
         );
@@ -136,7 +136,7 @@ impl Slip {
         let text = format!(
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
-        say("note", &text);
+        print_message("note", &text);
         self.output.write(&table, || picture(&table))
     }
 
@@ -166,7 +166,7 @@ impl Slip {
             return Err(error.clone().into());
         }
         for error in left_out {
-            say(
+            print_message(
                 "warning",
                 &format!("{}: {id}: the row of a preload is blank: {error}", scene.name),
             );
@@ -220,7 +220,7 @@ impl Slip {
     fn check_amplitude(&self, sliding: f64) {
         if self.amplitude > FAR * sliding {
             let (amplitude, times) = (self.amplitude, rounded((self.amplitude / sliding).round()));
-            say(
+            print_message(
                 "warning",
                 &format!(
                     "amplitude is {amplitude:e} m, {times} times the shift of gross slip; lengths take units, as 100nm"

@@ -15,7 +15,7 @@ use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
 use crate::input::numbers::{length, number, positive_numbers};
 use crate::output::table::{Cell, Format, Table};
-use crate::output::{self, progress, report, say};
+use crate::output::{self, print_message, progress, report};
 
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
 #[derive(Debug, Args)]
@@ -98,7 +98,7 @@ impl Surface {
             output::refuse_to_replace(path, self.force)?;
         }
         if let Some(tilted) = self.level.and_then(|level| level.tilts(self.periodic)) {
-            say("warning", &tilted.message());
+            print_message("warning", &tilted.message());
         }
         let working = progress("surface");
         if self.scales.is_asked() {
@@ -136,7 +136,7 @@ impl Surface {
         if let Some(path) = &self.scene {
             output::write_text(Some(path), &self.scene_text(path, statistics)?)?;
             let text = "materials and nominal area are examples (steel on steel); replace them";
-            say("note", &format!("{}: {text}", path.display()));
+            print_message("note", &format!("{}: {text}", path.display()));
         }
         if self.output.format == Format::Json {
             return self.output.write_text(&(serde_json::to_string_pretty(statistics)? + "\n"));

@@ -13,7 +13,7 @@ use crate::input::args::{OutputArgs, model_id};
 use crate::input::numbers::{Numbers, loads, pressures};
 use crate::interrupt;
 use crate::output::table::{Cell, Table};
-use crate::output::{once, progress, say};
+use crate::output::{once, print_message, progress};
 use crate::scene::{LoadedScene, by_reason};
 
 /// Which model holds on this scan: each beside boundary elements on it
@@ -94,7 +94,7 @@ impl TruthCommand {
             .filter_map(|one| one.as_ref().err().filter(|e| !matches!(e, BemError::Cancelled)))
             .map(ToString::to_string)
             .collect();
-        once(&errors).iter().for_each(|text| say("warning", text));
+        once(&errors).iter().for_each(|text| print_message("warning", text));
         let half: Vec<Option<Truth>> =
             found.iter().zip(half).filter(|(one, _)| one.is_ok()).map(|(_, half)| half).collect();
         let found: Vec<Truth> = found.into_iter().flatten().collect();
@@ -119,8 +119,8 @@ impl TruthCommand {
                 missing.push((model.id().into(), why.clone()));
             }
         }
-        by_reason(&missing).iter().for_each(|text| say("warning", text));
-        say("note", &summary(&found));
+        by_reason(&missing).iter().for_each(|text| print_message("warning", text));
+        print_message("note", &summary(&found));
         self.output.write(&table(&found, &half, area))?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
         if !models.is_empty() && states.all(|state| state == ContactState::default()) {

@@ -15,7 +15,7 @@ use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::table::{Cell, Table};
-use crate::output::{once, say};
+use crate::output::{once, print_message};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Retreats unless some are given, and in every picture at least.
@@ -146,7 +146,9 @@ impl Unload {
         let retreats = self.retreats(scene, ends.iter().copied().reduce(f64::max))?;
         let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
         let (table, warnings) = of(&retreats)?;
-        warnings.iter().for_each(|text| say("warning", &format!("{}: {text}", scene.name)));
+        warnings
+            .iter()
+            .for_each(|text| print_message("warning", &format!("{}: {text}", scene.name)));
         self.output.write(&table, || {
             let [least, most] = [f64::min, f64::max]
                 .map(|pick| retreats.iter().copied().reduce(pick).unwrap_or_default());
@@ -193,28 +195,28 @@ fn report_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactErro
     match works() {
         Ok(works) => {
             let [spent, lost, factor] = works.map(rounded);
-            say(
+            print_message(
                 "note",
                 &format!(
                     "{id} by {law}: closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
                 ),
             );
         }
-        Err(error) => say("warning", &format!("{id} by {law}: no work: {error}")),
+        Err(error) => print_message("warning", &format!("{id} by {law}: no work: {error}")),
     }
     let end = match end {
         Ok(end) => *end,
         Err(error) => {
             let text = "where contact ends is not known";
-            return say("note", &format!("{id} by {law}: {text}: {error}"));
+            return print_message("note", &format!("{id} by {law}: {text}: {error}"));
         }
     };
     if end == 0.0 {
         let text = "fewer than one asperity touches on average at the closest approach already";
-        return say("warning", &format!("{id} by {law}: {text}"));
+        return print_message("warning", &format!("{id} by {law}: {text}"));
     }
     let end = rounded(end);
-    say(
+    print_message(
         "note",
         &format!(
             "{id} by {law}: contact ends at a retreat of {end} m, beyond which fewer than one asperity touches on average"

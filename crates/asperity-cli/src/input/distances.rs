@@ -6,7 +6,7 @@ use asperity::SeparationUnit;
 use asperity_scene::mistaken_unit;
 
 use crate::input::numbers::{Numbers, Span, have_units, number, of_unit};
-use crate::output::say;
+use crate::output::print_message;
 
 /// The values of one `--separation`: plain numbers in the unit of the command, or metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,7 +98,10 @@ fn metre(text: &str) -> Result<f64, String> {
 pub fn ask_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
     let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
     if let Some(message) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
-        say("warning", &format!("{message}; write lengths with their unit, for example 2um"));
+        print_message(
+            "warning",
+            &format!("{message}; write lengths with their unit, for example 2um"),
+        );
     }
 }
 

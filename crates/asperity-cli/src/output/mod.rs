@@ -174,7 +174,7 @@ pub fn set_quiet(quiet: bool) {
 }
 
 /// A message on standard error; the program goes on where that is closed.
-pub fn say(kind: &str, text: &str) {
+pub fn print_message(kind: &str, text: &str) {
     if QUIET.load(Ordering::Relaxed) && matches!(kind, "warning" | "note") {
         return;
     }
@@ -183,7 +183,7 @@ pub fn say(kind: &str, text: &str) {
 
 /// Each diagnostic on a line of standard error, most severe first.
 pub fn report(found: &Diagnostics) {
-    found.iter().for_each(|found| say(&found.severity.to_string(), &found.message()));
+    found.iter().for_each(|found| print_message(&found.severity.to_string(), &found.message()));
 }
 
 #[cfg(test)]
