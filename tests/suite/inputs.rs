@@ -65,7 +65,7 @@ fn a_hardness_or_yield_strength_is_needed_and_either_is_enough() {
             Err(error) => {
                 let message = error.to_string();
                 assert!(
-                    message.starts_with("hardness is missing: every model of yielding"),
+                    message.starts_with("hardness is missing: set hardness or yield_strength"),
                     "{message}"
                 );
                 assert!(message.contains("yield_strength"), "{message}");

@@ -32,13 +32,3 @@ fn no_model_has_a_finding() {
     }
     assert!(findings.is_empty(), "{}", findings.join("\n"));
 }
-
-#[test]
-fn a_force_that_falls_is_reported_whether_or_not_the_model_states_it() {
-    let model: Model = "jg".parse().unwrap();
-    assert!(!model.validity().force_monotone);
-    let asperity = scenes::named("at-paper").asperity().unwrap();
-    let found = testkit::check(&model, &asperity).unwrap();
-    let [falls] = &found[..] else { panic!("{found:?}") };
-    assert_eq!((falls.code, falls.severity), ("not-monotone", asperity::Severity::Note));
-}

@@ -1,23 +1,22 @@
-//! A small case of the truth report, solved again: what is committed of the large one comes of the
-//! same program.
+//! A small case of the truth report is solved again by the program that made the committed table.
 
 use xtask::table::agree;
 use xtask::truth::{FULL, SMALL, asked_anew, models, solve};
 
 #[test]
-fn a_small_case_is_found_again() {
+fn a_small_case_is_reproduced() {
     let known = include_str!("../reference/truth_small.csv");
     let found = solve(&SMALL).unwrap();
-    // The solver stops at 1e-8 or so, and stiffnesses are differences of gaps that are 5 % apart.
+    // The solver stops at about 1e-8, and stiffnesses are differences of gaps 5 % apart.
     assert!(agree(&found, known, 1e-4), "{found}");
     let (all, whole) = (models().len(), 2);
     // At each of two loads: elastic bem, gw, gw-random and the whole surface; with a hardness all.
     assert_eq!(known.lines().count(), 1 + 2 * (3 + whole + 1 + all));
 }
 
-/// The README shows some rows of the table, as they are.
+/// The README shows some rows of the table, unchanged.
 #[test]
-fn the_readme_shows_what_was_found() {
+fn the_readme_shows_rows_of_the_table() {
     let table = include_str!("../../figures/truth.md");
     let readme = include_str!("../../README.md");
     let (_, shown) = readme.split_once("| area, % off |").unwrap();
@@ -29,9 +28,9 @@ fn the_readme_shows_what_was_found() {
     }
 }
 
-/// What is committed is what the models say today: of one surface of each breadth, on one material.
+/// One surface of each bandwidth with one material.
 #[test]
-fn models_say_what_is_committed() {
+fn models_agree_with_the_committed_table() {
     let known = asperity::Evidence::CSV;
     let mut lines = known.lines();
     let head = lines.next().unwrap();
@@ -54,14 +53,13 @@ fn models_say_what_is_committed() {
     assert!(agree(&found, &text, 1e-6), "{found}");
 }
 
-/// One home of what was solved: the README says it as the evidence does.
 #[test]
-fn the_readme_says_what_was_solved() {
+fn the_readme_lists_the_solved_surfaces() {
     let evidence = asperity::Evidence::committed().unwrap();
     let mut alpha: Vec<String> =
         evidence.cases().iter().map(|case| format!("{:.1}", case.alpha)).collect();
     alpha.dedup();
     let readme = include_str!("../../README.md");
-    let said = format!("α = m₀m₄/m₂² of {}, {} and {}", alpha[0], alpha[1], alpha[2]);
-    assert!(readme.contains(&said), "{said}");
+    let listed = format!("α = m₀m₄/m₂² of {}, {} and {}", alpha[0], alpha[1], alpha[2]);
+    assert!(readme.contains(&listed), "{listed}");
 }

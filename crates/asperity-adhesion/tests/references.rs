@@ -357,3 +357,17 @@ fn tensions_between_nearly_smooth_surfaces_are_held_at_the_largest_separation() 
         assert!(contact.separations_at(1.001 * held.force.value()).is_err());
     }
 }
+
+/// On a rough surface with little adhesion the force is negative only far out in the tail of the
+/// heights, by less than the range of f64.
+#[test]
+fn rough_surfaces_with_little_adhesion_have_no_pull_off() {
+    let mut interface = Interface::elastic(115e9, 0.3);
+    interface.work_of_adhesion = Some(0.05);
+    let scene = Scene::new(interface, Surface::new(2e-4, 2e8, 1e-6), 1e-4);
+    assert!(scene.adhesion_parameter().unwrap() > 1e4);
+    for id in ["dmt", "jkr", "jkr-separation"] {
+        let contact = model(id).compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        assert_eq!(pull_off(&*contact).unwrap(), None, "{id}");
+    }
+}

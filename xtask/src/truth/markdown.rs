@@ -63,7 +63,7 @@ pub fn table(text: &str) -> Result<String> {
             let widest = span.reduce(f64::max).context("a material without a case")?;
             spans.push(format!("±{widest:.0}"));
         }
-        writeln!(out, "| *from one surface to the next, at most* | {} |\n", spans.join(" | "))?;
+        writeln!(out, "| *largest scatter between surfaces* | {} |\n", spans.join(" | "))?;
     }
     Ok(out)
 }

@@ -110,13 +110,17 @@ pub(crate) fn all_places_of_load<'s>(
     Ok(found)
 }
 
-/// d/σ_z of the least force; `None` if the force is nowhere negative.
+/// d/σ_z of the least force; `None` if no negative force is within the range of f64.
 pub(crate) fn place_of_pull_off<'s>(
     averages: &mut impl Averages<'s>,
 ) -> Result<Option<f64>, ContactError> {
     let Some(falls) = averages.falls()? else { return Ok(None) };
-    let least = ForceAt { guide: &|s| averages.guide(s), falls: &falls }.largest(-1.0)?;
-    let (pulls, value) = (least.force.value < 0.0, least.s);
+    // Far out in the tail of the heights adhesion always prevails, by forces that are no numbers.
+    let ln_least = target(averages, -1.0)?.ln_least();
+    let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
+    let least = force.largest(-1.0, ln_least)?;
+    let level = least.level();
+    let (pulls, value) = (level.sign < 0.0 && level.ln > ln_least, least.s);
     if pulls && (value <= LOWEST || value >= HIGHEST) {
         let required = "one within -1e6 and 1e9 asperity_height_std";
         let field = "separation of the pull-off";

@@ -90,7 +90,7 @@ pub trait Contact: fmt::Debug + Send + Sync {
     }
 
     /// The separation of the least force, at which the largest tension is held; the force must be
-    /// among the compiled quantities. `None` if the force is nowhere negative.
+    /// among the compiled quantities. `None` if no negative force is within the range of f64.
     ///
     /// # Errors
     /// Those of [`separations_at`](Self::separations_at).

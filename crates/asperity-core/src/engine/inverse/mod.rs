@@ -75,6 +75,11 @@ impl Target {
         Ok(place(s, &moments))
     }
 
+    /// The logarithm of the integral of the smallest force that f64 holds to all digits.
+    pub(crate) fn ln_least(&self) -> f64 {
+        f64::MIN_POSITIVE.ln() - self.factor.ln()
+    }
+
     /// From the largest on, or the largest alone; a refusal names the largest force.
     pub(crate) fn crossings(
         &self,
@@ -104,7 +109,7 @@ impl Target {
         };
         let found = force.crossings(level, top.min(HIGHEST), first_only)?;
         if found.is_empty() {
-            let largest = force.largest(sign)?;
+            let largest = force.largest(sign, self.ln_least())?;
             return Err(self.out_of_reach(&largest.force, largest.s));
         }
         Ok(found)

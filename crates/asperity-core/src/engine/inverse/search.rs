@@ -127,8 +127,16 @@ impl ForceAt<'_> {
         Ok(interval.high)
     }
 
-    /// Where the force times `sign` is largest.
-    pub(crate) fn largest(&self, sign: f64) -> Result<Sample, ContactError> {
+    /// Where the force times `sign` is largest, of forces above the level `ln_least`; otherwise one
+    /// of the landmarks.
+    pub(crate) fn largest(&self, sign: f64, ln_least: f64) -> Result<Sample, ContactError> {
+        let least = Level { sign, ln: ln_least };
+        let to_exceed = |best: &Sample| match best.level() {
+            level if level.sign * sign > 0.0 && level.ln > ln_least => {
+                Level { ln: level.ln + LARGER, ..level }
+            }
+            _ => least,
+        };
         let mut high = self.sample(HIGHEST)?;
         let (mut best, mut open) = (high, vec![]);
         for place in self.places(HIGHEST) {
@@ -147,7 +155,7 @@ impl ForceAt<'_> {
         }
         for _ in 0..MOST {
             let Some(interval) = open.pop() else { return Ok(best) };
-            let level = Level { ln: best.level().ln + LARGER, ..best.level() };
+            let level = to_exceed(&best);
             let [least, most] = interval.bounds(level);
             let unlike = if sign > 0.0 { most <= 0.0 } else { least >= 0.0 };
             if unlike || interval.is_narrow() {
