@@ -34,6 +34,19 @@ pub(crate) trait Averages<'s> {
         slope: bool,
     ) -> Result<Moments, ContactError>;
 
+    /// The same with the factor that makes it a quantity of the scene, settled at this place.
+    #[inline]
+    fn settled(
+        &mut self,
+        base: Quantity,
+        place: (f64, At),
+        slope: bool,
+    ) -> Result<(Moments, f64), ContactError> {
+        self.settle(base, place)?;
+        let moments = self.integral(base, place, slope)?;
+        Ok((moments, self.units(base)?.factor))
+    }
+
     /// The same of each part of the law for `base`.
     fn parts(
         &mut self,
@@ -41,6 +54,9 @@ pub(crate) trait Averages<'s> {
         place: (f64, At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError>;
+
+    /// Whether the heights meet only a rising part of the law of the force from this separation on.
+    fn rises_above(&self, s: f64) -> Result<bool, ContactError>;
 
     /// Where the law of the force falls, if it does: the force may then rise with the separation.
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError>;
@@ -83,15 +99,16 @@ pub(crate) fn place_of_load<'s>(
 ) -> Result<Place, ContactError> {
     let value = check_load(field, value, averages.laws().adhesive)?;
     let target = target(averages, value * area)?;
-    let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
-    // Where no height reaches the falling part of the law, the force falls with the separation.
+    // Above a separation from which the heights meet only a rising law, a load is carried once.
+    let subtracts = averages.laws().law(Quantity::Force).is_some_and(|law| law.is_signed());
     if target.load > 0.0
-        && falls.hides_above(0.0)
+        && !subtracts
         && let Ok(place) = target.newton(&mut Force(averages))
-        && falls.hides_above(place.s)
+        && averages.rises_above(place.s)?
     {
         return Ok(place);
     }
+    let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
     target.first(&ForceAt { guide: &|s| averages.guide(s), falls: &falls })
 }
 

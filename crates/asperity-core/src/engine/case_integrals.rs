@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
+use asperity_quadrature::{Density, Moments, Nearby, QuadratureError, Sampler};
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::channel::Units;
@@ -154,6 +154,18 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
             Ok(Moments::NONE.plus(factor, &moments))
         });
         all_parts(parts, base, at)
+    }
+
+    fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
+        let law = self.laws.law(Quantity::Force);
+        let law = law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?;
+        // Each sample of an angle average is an integral; unless parts are subtracted it rises,
+        // as scenes that are compiled verify.
+        let costly = |part: &Part| part.form.unprepared().is_some();
+        if !law.is_signed() && law.parts.iter().any(costly) {
+            return Ok(true);
+        }
+        Ok(Falls::rises_above(law, self.scene, s))
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {

@@ -121,6 +121,7 @@ fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<V
 struct RunIntegrals {
     base: Quantity,
     moments: Vec<Moments>,
+    factor: f64,
 }
 
 /// A run whose integrals are made together; `None`, with nothing done, if any is refused.
@@ -140,14 +141,15 @@ fn together(
     for base in quantities.iter().flat_map(|quantity| prepared.laws_of(*quantity)) {
         if made.iter().all(|made| made.base != base) {
             let mut moments = vec![Moments::NONE; s.len()];
-            prepared.channel(base).ok()?.total.run(&s, has_slope, &mut moments)?;
-            made.push(RunIntegrals { base, moments });
+            let channel = prepared.channel(base).ok()?;
+            channel.total.run(&s, has_slope, &mut moments)?;
+            made.push(RunIntegrals { base, moments, factor: channel.units.factor });
         }
     }
     for (k, (place, at)) in places.iter().zip(run).enumerate() {
         let known = made.iter().map(|made| {
-            let (base, moments) = (made.base, made.moments[k]);
-            LawIntegral { base, moments, has_slope }
+            let RunIntegrals { base, factor, .. } = *made;
+            LawIntegral { base, moments: made.moments[k], factor, has_slope }
         });
         let mut row = Row::<_>::with(&mut averages, (*place, *at), has_slope, known);
         for (column, quantity) in columns.iter_mut().zip(quantities) {

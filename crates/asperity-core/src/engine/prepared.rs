@@ -115,6 +115,20 @@ impl<'p> Averages<'p> for &'p Prepared {
         found.map_err(integral_failed(base, at))
     }
 
+    #[inline]
+    fn settled(
+        &mut self,
+        base: Quantity,
+        (s, at): (f64, At),
+        slope: bool,
+    ) -> Result<(Moments, f64), ContactError> {
+        let Channel { total, units, .. } = self.channel(base)?;
+        match if slope { total.at(s) } else { total.value(s) } {
+            Ok(moments) => Ok((moments, units.factor)),
+            Err(error) => Err(integral_failed(base, at)(error)),
+        }
+    }
+
     fn parts(
         &mut self,
         base: Quantity,
@@ -124,6 +138,11 @@ impl<'p> Averages<'p> for &'p Prepared {
         let parts = self.channel(base)?.parts().iter();
         let integrals = parts.map(|part| if slope { part.at(s) } else { part.value(s) });
         all_parts(integrals, base, at)
+    }
+
+    fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
+        let falls = self.channel(Quantity::Force)?.falls();
+        Ok(falls.is_none_or(|falls| falls.hides_above(s)))
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {

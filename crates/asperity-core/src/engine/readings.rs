@@ -66,6 +66,7 @@ impl Reading<'_> {
         Evaluation { scaled, size, ..radii }.held(radii.size, quantity)
     }
 
+    #[inline]
     fn value(
         &self,
         base: Quantity,
@@ -76,6 +77,7 @@ impl Reading<'_> {
         Evaluation::of_value(&moments, factor, self.place).held(moments.sizes[0], base)
     }
 
+    #[inline]
     fn slope(
         &self,
         quantity: Quantity,

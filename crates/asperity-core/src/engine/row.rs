@@ -17,6 +17,7 @@ const LAWS: usize = 5;
 pub(crate) struct LawIntegral {
     pub(crate) base: Quantity,
     pub(crate) moments: Moments,
+    pub(crate) factor: f64,
     pub(crate) has_slope: bool,
 }
 
@@ -106,17 +107,21 @@ impl<A, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
 }
 
 impl<'s, A: Averages<'s>, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
+    /// The integral and its factor, and whether it has a slope.
     #[inline]
-    fn make(&mut self, base: Quantity, slope: bool) -> Result<LawIntegral, ContactError> {
-        self.averages.settle(base, self.place)?;
-        let mut made = |has_slope| {
-            let moments = self.averages.integral(base, self.place, has_slope)?;
-            Ok(LawIntegral { base, moments, has_slope })
-        };
-        match made(slope || self.slopes) {
+    fn make(
+        &mut self,
+        base: Quantity,
+        slope: bool,
+    ) -> Result<((Moments, f64), bool), ContactError> {
+        let has_slope = slope || self.slopes;
+        match self.averages.settled(base, self.place, has_slope) {
+            Ok(made) => Ok((made, has_slope)),
             // A value does not fail for a slope that it does not need.
-            Err(_) if self.slopes && !slope => made(false),
-            made => made,
+            Err(_) if has_slope && !slope => {
+                Ok((self.averages.settled(base, self.place, false)?, false))
+            }
+            Err(error) => Err(error),
         }
     }
 }
@@ -124,14 +129,14 @@ impl<'s, A: Averages<'s>, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
 impl<'s, A: Averages<'s>, const MEMORY: usize> Integrals for AtPlace<'_, A, MEMORY> {
     #[inline]
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
-        let factor = self.averages.units(base)?.factor;
         let serves = |made: &&LawIntegral| made.base == base && (made.has_slope || !slope);
         if let Some(made) = self.made.iter().flatten().find(serves) {
-            return Ok((made.moments, factor));
+            return Ok((made.moments, made.factor));
         }
-        let made = self.make(base, slope)?;
-        self.keep(made);
-        Ok((made.moments, factor))
+        let (made, has_slope) = self.make(base, slope)?;
+        let (moments, factor) = made;
+        self.keep(LawIntegral { base, moments, factor, has_slope });
+        Ok(made)
     }
 
     fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError> {

@@ -27,8 +27,7 @@ impl Falls {
     /// `None` where the force never rises with the separation.
     pub(crate) fn of(law: &Law, scene: &Scene, tolerance: Tolerance) -> Option<Self> {
         let scale = law.interference_unit / scene.surface.asperity_height_std;
-        let range = ((1e-3 / scale).min(1e-3), -2.0 * LOWEST / scale);
-        let variation = Variation::new(law, range);
+        let variation = Variation::new(law, range(scale));
         let first = variation.falls? * scale;
         let heights = marks(&scene.heights, scene.surface.asperity_height_std);
         let mut places = vec![LOWEST, 0.0];
@@ -53,6 +52,15 @@ impl Falls {
 }
 
 impl Falls {
+    /// Whether, from this separation on, the heights meet only a rising part of a law.
+    pub(crate) fn rises_above(law: &Law, scene: &Scene, s: f64) -> bool {
+        let scale = law.interference_unit / scene.surface.asperity_height_std;
+        let highest = farthest(&scene.heights, scene.surface.asperity_height_std);
+        let met = (highest - s.min(0.0)) / scale - law.begins;
+        let (least, most) = range(scale);
+        Variation::new(law, (least, most.min(met.max(2.0 * least)))).falls.is_none()
+    }
+
     /// Whether, from this separation on, no height reaches what falls.
     pub(crate) fn hides_above(&self, s: f64) -> bool {
         s.min(0.0) >= self.unseen
@@ -83,6 +91,11 @@ impl ForceAt<'_> {
     pub(crate) fn places(&self, below: f64) -> impl Iterator<Item = f64> {
         self.falls.places.iter().copied().filter(move |s| *s < below)
     }
+}
+
+/// The x at which a law is searched for falls, with an interference unit of `scale` σ_z.
+fn range(scale: f64) -> (f64, f64) {
+    ((1e-3 / scale).min(1e-3), -2.0 * LOWEST / scale)
 }
 
 /// Heights [σ_z] at which a density may have kinks, and its middle.
