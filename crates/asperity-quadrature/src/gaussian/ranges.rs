@@ -111,6 +111,8 @@ pub(crate) const SEGMENTS: usize = NEGATIVE + POSITIVE;
 pub(crate) fn locate(s: f64) -> usize {
     // From 64 to 128 the highest six bits of the mantissa count the units.
     let below = ((s + 128.0).to_bits() >> 46).wrapping_sub(FIRST_BELOW);
+    // The sum rounds -1e-20 up to the range above zero, whose rules have another scale.
+    let below = below.min(NEGATIVE as u64 - 1);
     let above = ((s + OFFSET).to_bits() >> 50).wrapping_sub(FIRST).wrapping_add(NEGATIVE as u64);
     let index = if s < 0.0 { below } else { above };
     if (LOWEST..=HIGHEST).contains(&s) { index as usize } else { SEGMENTS }
@@ -145,7 +147,7 @@ mod tests {
                 "{s} {low} {high}"
             );
         }
-        assert!(locate(HIGHEST) < SEGMENTS && locate(-1e-300) <= NEGATIVE);
+        assert!(locate(HIGHEST) < SEGMENTS && locate(-1e-300) == NEGATIVE - 1);
         for nowhere in [-64.5, 2e9, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(locate(nowhere), SEGMENTS);
         }
