@@ -57,7 +57,7 @@ impl GapRoughness {
 /// What a correlation says.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct Correlated {
+pub struct CorrelationValue {
     /// h \[W/(m² K)\], per nominal area.
     pub conductance: f64,
     /// p/H, or √2 p/(E m): what the correlation is a power of.
@@ -74,18 +74,18 @@ const ELASTIC: RangeInclusive<f64> = 1e-5..=0.012;
 
 /// Plasticity index from which on contacts count as plastic, below it as elastic: Greenwood &
 /// Williamson 1966 put the change between 0.6 and 1.
-const YIELDS: f64 = 1.0;
+const PLASTIC_FROM: f64 = 1.0;
 
 fn correlated(
     factor: f64,
     conductivity: f64,
     roughness: &GapRoughness,
     (relative_pressure, exponent, fitted): (f64, f64, RangeInclusive<f64>),
-) -> Result<Correlated, ContactError> {
+) -> Result<CorrelationValue, ContactError> {
     let conductivity = positive("thermal_conductivity", conductivity)?;
     let conductance = factor * conductivity * roughness.ratio()? * relative_pressure.powf(exponent);
     let holds = fitted.contains(&relative_pressure);
-    Ok(Correlated { conductance, relative_pressure, holds })
+    Ok(CorrelationValue { conductance, relative_pressure, holds })
 }
 
 /// Plastic contacts, Cooper, Mikic & Yovanovich: `conductivity` is 2k₁k₂/(k₁+k₂) \[W/(m K)\],
@@ -98,7 +98,7 @@ pub fn cooper_mikic_yovanovich(
     roughness: &GapRoughness,
     pressure: f64,
     hardness: f64,
-) -> Result<Correlated, ContactError> {
+) -> Result<CorrelationValue, ContactError> {
     let relative = positive("pressure", pressure)? / positive("hardness", hardness)?;
     correlated(1.25, conductivity, roughness, (relative, 0.95, PLASTIC))
 }
@@ -112,7 +112,7 @@ pub fn mikic_elastic(
     roughness: &GapRoughness,
     pressure: f64,
     modulus: f64,
-) -> Result<Correlated, ContactError> {
+) -> Result<CorrelationValue, ContactError> {
     let slope = positive("mean_slope", roughness.mean_slope)?;
     let stiffness = positive("equivalent_modulus", modulus)? * slope;
     let relative = 2f64.sqrt() * positive("pressure", pressure)? / stiffness;
@@ -151,7 +151,7 @@ impl Correlation {
         }
     }
 
-    /// What it is a power of, [`Correlated::relative_pressure`].
+    /// What it is a power of, [`CorrelationValue::relative_pressure`].
     #[must_use]
     pub fn relative_pressure(self) -> &'static str {
         match self {
@@ -161,7 +161,7 @@ impl Correlation {
     }
 
     /// From where to where in [`relative_pressure`](Self::relative_pressure) it
-    /// [holds](Correlated::holds).
+    /// [holds](CorrelationValue::holds).
     #[must_use]
     pub fn range(self) -> [f64; 2] {
         let range = if self == Self::MikicElastic { ELASTIC } else { PLASTIC };
@@ -175,11 +175,11 @@ impl Correlation {
     pub fn foreign(self, scene: &Scene) -> Option<f64> {
         let index = scene.plasticity_index().ok()?;
         let plastic = self == Self::CooperMikicYovanovich;
-        ((index >= YIELDS) != plastic).then_some(index)
+        ((index >= PLASTIC_FROM) != plastic).then_some(index)
     }
 
     /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its
-    /// gap: it does not [hold](Correlated::holds) where the scene's contacts are [of the other
+    /// gap: it does not [hold](CorrelationValue::holds) where the scene's contacts are [of the other
     /// kind](Self::foreign).
     ///
     /// # Errors
@@ -190,7 +190,7 @@ impl Correlation {
         scene: &Scene,
         roughness: &GapRoughness,
         pressure: f64,
-    ) -> Result<Correlated, ContactError> {
+    ) -> Result<CorrelationValue, ContactError> {
         let (field, reason) = ("thermal_conductivity", format!("{} needs it", self.citation()));
         let conductivity = scene.interface.thermal_conductivity;
         let conductivity = conductivity.ok_or(ContactError::Missing { field, reason })?;
@@ -203,7 +203,7 @@ impl Correlation {
                 mikic_elastic(conductivity, roughness, pressure, asperity.equivalent_modulus)
             }
         }?;
-        Ok(Correlated { holds: found.holds && self.foreign(scene).is_none(), ..found })
+        Ok(CorrelationValue { holds: found.holds && self.foreign(scene).is_none(), ..found })
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use asperity_core::{At, ContactError, QuadratureError};
 use asperity_quadrature::{fallible, gauss_kronrod};
 
-use crate::one::{Asked, Loading, MOST};
+use crate::asperity_laws::{AsperityLaws, MAX_SAMPLES, UnloadingQuantity};
 use crate::{Joint, UnloadingLaw, Work};
 
 /// Classes of interferences between two kinks of the law, by equal ratios,
@@ -100,7 +100,7 @@ impl Joint {
                 continue;
             }
             let places: Vec<f64> = (0..=CLASSES).map(|k| place + end(k) / sigma).collect();
-            let above = self.retreated(Asked::Contacts, 0.0, &places)?;
+            let above = self.retreated(UnloadingQuantity::Contacts, 0.0, &places)?;
             for (gain, ends) in gains.iter().zip(above.windows(2)) {
                 created += gain.max(0.0) * (ends[0].value() - ends[1].value());
             }
@@ -109,13 +109,14 @@ impl Joint {
     }
 }
 
-impl Loading {
+impl AsperityLaws {
     /// The work on one asperity pressed to w \[m\], and what it returns \[J\].
     pub(crate) fn works(&self, w: f64, tolerance: f64) -> Result<[f64; 2], QuadratureError> {
         let mut breaks: Vec<f64> = self.breaks().into_iter().filter(|x| *x < w).collect();
         breaks.push(w);
         let force = |x| self.force.value(x);
-        let spent = fallible(force, |force| gauss_kronrod(force, &breaks, tolerance, MOST))??;
-        Ok([spent.value, self.answer(w, f64::INFINITY, None, Asked::Returned)?])
+        let spent =
+            fallible(force, |force| gauss_kronrod(force, &breaks, tolerance, MAX_SAMPLES))??;
+        Ok([spent.value, self.answer(w, f64::INFINITY, None, UnloadingQuantity::Returned)?])
     }
 }

@@ -7,12 +7,12 @@ use asperity_core::{
     Quantity, Request, Scene, Separation, SeparationUnit, Tolerance,
 };
 
-use crate::one::{Asked, Loading, Retreated};
+use crate::asperity_laws::{AsperityLaws, RetreatModel, UnloadingQuantity};
 use crate::{Unloading, UnloadingLaw};
 
 /// Units in the last place that the place of the first contact that lasts may be off by: δ is some
 /// ten operations, as steep as a root at least. 26 were seen.
-const FIRST_ROUNDED: f64 = 40.0;
+const FIRST_ROUNDING_ULPS: f64 = 40.0;
 
 /// The first closing, and the way back from any closest approach.
 #[derive(Debug, Clone)]
@@ -20,7 +20,7 @@ pub struct Joint {
     source: Citation,
     name: String,
     virgin: Arc<dyn Contact>,
-    loading: Arc<Loading>,
+    loading: Arc<AsperityLaws>,
     tolerance: Tolerance,
 }
 
@@ -36,19 +36,19 @@ impl Joint {
         law: UnloadingLaw,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let loading = Loading::new(model, scene.asperity()?, law, tolerance)?;
-        let asked = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let loading = AsperityLaws::new(model, scene.asperity()?, law, tolerance)?;
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         Ok(Self {
             source: *model.citation(),
             name: model.name().into(),
-            virgin: model.compile(scene, &asked)?.into(),
+            virgin: model.compile(scene, &request)?.into(),
             loading: Arc::new(loading),
             tolerance,
         })
     }
 
     /// The same to this tolerance, unless its own is the larger one.
-    pub(crate) fn roughly(&self, tolerance: Tolerance) -> Self {
+    pub(crate) fn with_tolerance_at_least(&self, tolerance: Tolerance) -> Self {
         let tolerance = if self.tolerance > tolerance { self.tolerance } else { tolerance };
         Self { tolerance, ..self.clone() }
     }
@@ -88,7 +88,7 @@ impl Joint {
         }
     }
 
-    pub(crate) fn loading(&self) -> &Loading {
+    pub(crate) fn loading(&self) -> &AsperityLaws {
         &self.loading
     }
 
@@ -138,11 +138,12 @@ impl Joint {
     /// mean of the asperity heights\].
     pub(crate) fn retreated(
         &self,
-        asked: Asked,
+        quantity: UnloadingQuantity,
         retreat: f64,
         closest: &[f64],
     ) -> Result<Vec<Evaluation>, ContactError> {
-        let model = Retreated::new((&self.source, &self.name), &self.loading, asked, retreat)?;
+        let model =
+            RetreatModel::new((&self.source, &self.name), &self.loading, quantity, retreat)?;
         let scene = self.scene();
         let lost = |place: f64| {
             nothing_above(scene, place + model.first / scene.surface.asperity_height_std)
@@ -161,7 +162,8 @@ impl Joint {
             // The first contact that lasts is known as well as δ is, and the tail falls as steeply
             // as that of a Gaussian density.
             let first = model.first / scene.surface.asperity_height_std;
-            found.error += FIRST_ROUNDED * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
+            found.error +=
+                FIRST_ROUNDING_ULPS * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
             Ok(found)
         };
         closest.iter().map(next).collect()

@@ -65,13 +65,13 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+mod asperity_laws;
 pub mod conductance;
+mod contact_range;
 mod energy_gain;
 mod joint;
-mod lasting;
-mod left;
-mod one;
 mod path;
+mod remaining;
 mod root;
 mod slip;
 mod strips;
@@ -79,9 +79,9 @@ mod table;
 mod unloading;
 mod work;
 
+pub use asperity_laws::restitution;
 pub use energy_gain::EnergyGain;
 pub use joint::Joint;
-pub use one::restitution;
 pub use path::{Path, Point};
 pub use slip::{PartialSlip, coefficient_of_friction};
 pub use table::{JointTable, Memory, Reply};

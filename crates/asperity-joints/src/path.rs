@@ -3,7 +3,7 @@
 use asperity_core::{At, ContactError, Quantity};
 use serde::Serialize;
 
-use crate::one::Asked;
+use crate::asperity_laws::UnloadingQuantity;
 use crate::{Joint, Unloading};
 
 /// One point of a path.
@@ -103,7 +103,7 @@ fn retraced(
     closest: f64,
 ) -> Result<Point, ContactError> {
     let retreat = separation - closest;
-    let of = |asked| Ok(curve.of(asked, retreat)?.value());
-    let (force, stiffness) = (of(Asked::Force)?, of(Asked::Stiffness)?);
+    let of = |quantity| Ok(curve.of(quantity, retreat)?.value());
+    let (force, stiffness) = (of(UnloadingQuantity::Force)?, of(UnloadingQuantity::Stiffness)?);
     Ok(Point { separation, way, closest, force, stiffness })
 }

@@ -4,11 +4,11 @@ use asperity_core::ContactError;
 use asperity_quadrature::{bracketed_root, fallible};
 
 /// Nothing is looked for beyond this \[σ_z\].
-pub(crate) const FARTHEST: f64 = 1e4;
+pub(crate) const MAX_DISTANCE: f64 = 1e4;
 
 /// Where `f` falls to 0, from between two places on, and twice as far each time up to the farthest;
 /// the first place where it is no more than that already, and `None` where it is not yet.
-pub(crate) fn falls_to_0(
+pub(crate) fn falling_root(
     f: impl Fn(f64) -> Result<f64, ContactError>,
     (mut low, mut high): (f64, f64),
     farthest: f64,

@@ -3,14 +3,14 @@
 use asperity_core::{ContactError, Evaluation, positive};
 
 use crate::Unloading;
-use crate::one::Asked;
-use crate::root::{FARTHEST, falls_to_0};
+use crate::asperity_laws::UnloadingQuantity;
+use crate::root::{MAX_DISTANCE, falling_root};
 
 /// Beyond this retreat \[σ_z\] the integrals leave what a double can hold.
-const MOST_RETREAT: f64 = 1e100;
+const MAX_RETREAT: f64 = 1e100;
 
 /// No coefficient of friction is larger: more is one in per cent.
-const MOST_FRICTION: f64 = 10.0;
+const MAX_FRICTION: f64 = 10.0;
 
 /// A coefficient of friction, if it is one.
 ///
@@ -18,7 +18,7 @@ const MOST_FRICTION: f64 = 10.0;
 /// [`ContactError::OutOfRange`] unless it is above 0 and at most 10.
 pub fn coefficient_of_friction(friction: f64) -> Result<f64, ContactError> {
     let field = "friction";
-    if friction > MOST_FRICTION {
+    if friction > MAX_FRICTION {
         let required = "a coefficient of friction, at most 10 (one of 20 % is 0.2),";
         return Err(ContactError::OutOfRange { field, value: friction, required });
     }
@@ -54,7 +54,7 @@ impl PartialSlip {
     /// # Errors
     /// Those of [`Unloading::force`].
     pub fn force(&self, shift: f64) -> Result<Evaluation, ContactError> {
-        self.scaled(self.friction, Asked::Released, ("shift", shift))
+        self.scaled(self.friction, UnloadingQuantity::Released, ("shift", shift))
     }
 
     /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\]
@@ -82,7 +82,7 @@ impl PartialSlip {
     /// Those of [`force`](Self::force).
     pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
         let factor = self.friction / self.retreat_per_shift;
-        self.scaled(factor, Asked::Loss, ("amplitude", amplitude))
+        self.scaled(factor, UnloadingQuantity::Loss, ("amplitude", amplitude))
     }
 
     /// The loss factor of a cycle between ±`amplitude` \[m\]: what it [loses](Self::loss) over 2π
@@ -130,8 +130,8 @@ impl PartialSlip {
         let wanted = share * self.friction * whole;
         let missing = |shift: f64| Ok(wanted - self.force(shift)?.value());
         let sigma = self.normal.scene().surface.asperity_height_std;
-        let farthest = FARTHEST * sigma / self.retreat_per_shift;
-        let found = falls_to_0(missing, (low, 4.0 * low), farthest)?;
+        let farthest = MAX_DISTANCE * sigma / self.retreat_per_shift;
+        let found = falling_root(missing, (low, 4.0 * low), farthest)?;
         // So near to 1 the integrals do not tell the share from all.
         let required = "a share that is reached within 1e4 asperity_height_std of retreat, as one farther from 1 is,";
         found.ok_or(ContactError::OutOfRange { field: "share", value: share, required })
@@ -140,7 +140,7 @@ impl PartialSlip {
     fn scaled(
         &self,
         factor: f64,
-        asked: Asked,
+        quantity: UnloadingQuantity,
         (field, shift): (&'static str, f64),
     ) -> Result<Evaluation, ContactError> {
         if !(shift >= 0.0 && shift.is_finite()) {
@@ -148,11 +148,11 @@ impl PartialSlip {
             return Err(ContactError::OutOfRange { field, value: shift, required });
         }
         let retreat = self.retreat_per_shift * shift;
-        if retreat > MOST_RETREAT * self.normal.scene().surface.asperity_height_std {
+        if retreat > MAX_RETREAT * self.normal.scene().surface.asperity_height_std {
             let required = "one that stands for at most 1e100 asperity_height_std of retreat (4 G/(mu E) times it)";
             return Err(ContactError::OutOfRange { field, value: shift, required });
         }
-        let mut found = self.normal.of(asked, retreat)?;
+        let mut found = self.normal.of(quantity, retreat)?;
         found.scaled *= factor;
         found.size *= factor;
         Ok(found)

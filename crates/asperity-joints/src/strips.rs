@@ -5,7 +5,7 @@
 use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, positive};
 use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
-use crate::one::Asked;
+use crate::asperity_laws::UnloadingQuantity;
 use crate::{Joint, JointTable};
 
 /// Terms in each direction.
@@ -13,13 +13,13 @@ const TERMS: usize = 8;
 /// Strips are this wide at first \[σ_z\].
 const STRIP: f64 = 0.5;
 /// A strip or cell is halved no more often than this.
-const DEEPEST: u32 = 14;
+const MAX_HALVINGS: u32 = 14;
 /// No joint is tabulated over more than this \[σ_z\]: metres and multiples were mixed up.
-const WIDEST: f64 = 1000.0;
+const MAX_WIDTH: f64 = 1000.0;
 /// Where contact is left after as long a retreat as this \[σ_z\], it never ends.
-const FARTHEST: f64 = 1e8;
+const MAX_DISTANCE: f64 = 1e8;
 /// Integrals to this part of the table's tolerance are good enough for it.
-const ENOUGH: f64 = 0.1;
+const ERROR_SHARE: f64 = 0.1;
 /// Retreats shorter than this part of σ_z leave no contact behind.
 const NEGLIGIBLE: f64 = 1e-6;
 
@@ -64,7 +64,7 @@ impl Joint {
         let tolerance = positive("tolerance", tolerance)?;
         let width = positive("open, less deepest,", open - deepest)?;
         let sigma = self.scene().surface.asperity_height_std;
-        if width > WIDEST * sigma {
+        if width > MAX_WIDTH * sigma {
             let (field, required) =
                 ("open, less deepest,", "at most 1000 asperity_height_std, in m,");
             return Err(ContactError::OutOfRange { field, value: width, required });
@@ -95,9 +95,11 @@ impl Joint {
             .map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma)
             .collect();
         // Forces that are nearly gone need not be known to the tolerance of the joint.
-        let rough = self.roughly(Tolerance::new(ENOUGH * tolerance)?);
-        let at = |u: f64| match self.retreated(Asked::Force, u, &places) {
-            Err(ContactError::Integral { .. }) => rough.retreated(Asked::Force, u, &places),
+        let rough = self.with_tolerance_at_least(Tolerance::new(ERROR_SHARE * tolerance)?);
+        let at = |u: f64| match self.retreated(UnloadingQuantity::Force, u, &places) {
+            Err(ContactError::Integral { .. }) => {
+                rough.retreated(UnloadingQuantity::Force, u, &places)
+            }
             found => found,
         };
         // What is smaller than this at the largest c, too, is nothing.
@@ -109,7 +111,7 @@ impl Joint {
         let mut last = sigma;
         while !nothing(&values(at(last)?), &start) {
             last *= 1.5;
-            if last > FARTHEST * sigma {
+            if last > MAX_DISTANCE * sigma {
                 let required = "one that the force falls below within 1e8 asperity_height_std";
                 return Err(ContactError::OutOfRange {
                     field: "tolerance",
@@ -143,7 +145,7 @@ impl Joint {
                 Err(ContactError::Integral { quantity, at, source })
             };
             if by_closest > aim {
-                if depth == DEEPEST {
+                if depth == MAX_HALVINGS {
                     return too_deep(by_closest);
                 }
                 let middle = 0.5 * (from + to);
@@ -151,7 +153,7 @@ impl Joint {
                 return self.strips((middle, to), tolerance, depth + 1, strips);
             }
             if by_retreat > aim {
-                if halved == DEEPEST {
+                if halved == MAX_HALVINGS {
                     return too_deep(by_retreat);
                 }
                 let middle = 0.5 * (low + high);

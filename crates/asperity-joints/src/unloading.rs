@@ -9,8 +9,8 @@ use asperity_core::{
 };
 
 use crate::Joint;
-use crate::one::Asked;
-use crate::root::{FARTHEST, falls_to_0};
+use crate::asperity_laws::UnloadingQuantity;
+use crate::root::{MAX_DISTANCE, falling_root};
 
 /// How an asperity comes back; equations and sources stand at the head of this crate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -114,7 +114,7 @@ impl Unloading {
     /// # Errors
     /// [`ContactError::OutOfRange`], [`ContactError::Integral`].
     pub fn force(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Force, retreat)
+        self.of(UnloadingQuantity::Force, retreat)
     }
 
     /// The real contact area \[m²\] after going back by `retreat` \[m\].
@@ -126,7 +126,7 @@ impl Unloading {
             let what = "an area in unloading by etsion: its fit of the area is left out".into();
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
-        self.of(Asked::Area, retreat)
+        self.of(UnloadingQuantity::Area, retreat)
     }
 
     /// How many asperities still touch after going back by `retreat` \[m\], on average: below 1,
@@ -135,7 +135,7 @@ impl Unloading {
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn contacts(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Contacts, retreat)
+        self.of(UnloadingQuantity::Contacts, retreat)
     }
 
     /// The retreat \[m\] from which on fewer than one asperity touches on average: where contact
@@ -148,9 +148,9 @@ impl Unloading {
     pub fn last_contact(&self) -> Result<f64, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
         // Logarithms: the number falls faster than any power.
-        let contacts = self.at_least_roughly(Asked::Contacts)?;
+        let contacts = self.at_least_roughly(UnloadingQuantity::Contacts)?;
         let over_one = |u: f64| Ok(contacts(u)?.ln_value());
-        let found = falls_to_0(over_one, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
+        let found = falling_root(over_one, (0.0, 0.1 * sigma), MAX_DISTANCE * sigma)?;
         match found {
             Some(retreat) => Ok(retreat),
             None => Err(ContactError::OutOfRange {
@@ -165,11 +165,14 @@ impl Unloading {
     /// to 1e-6.
     fn at_least_roughly(
         &self,
-        asked: Asked,
+        quantity: UnloadingQuantity,
     ) -> Result<impl Fn(f64) -> Result<Evaluation, ContactError>, ContactError> {
-        let rough = Self { joint: self.joint.roughly(Tolerance::new(ROUGH)?), ..self.clone() };
-        Ok(move |u| match self.of(asked, u) {
-            Err(ContactError::Integral { .. }) => rough.of(asked, u),
+        let rough = Self {
+            joint: self.joint.with_tolerance_at_least(Tolerance::new(ROUGH)?),
+            ..self.clone()
+        };
+        Ok(move |u| match self.of(quantity, u) {
+            Err(ContactError::Integral { .. }) => rough.of(quantity, u),
             found => found,
         })
     }
@@ -179,9 +182,9 @@ impl Unloading {
     pub(crate) fn retreat_to(&self, load: f64) -> Result<f64, ContactError> {
         let load = positive("load", load)?;
         let sigma = self.scene().surface.asperity_height_std;
-        let force = self.at_least_roughly(Asked::Force)?;
+        let force = self.at_least_roughly(UnloadingQuantity::Force)?;
         let over = |u: f64| Ok(force(u)?.ln_value() - load.ln());
-        let found = falls_to_0(over, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
+        let found = falling_root(over, (0.0, 0.1 * sigma), MAX_DISTANCE * sigma)?;
         let required = "a load that is left within 1e4 asperity_height_std of retreat";
         found.ok_or(ContactError::OutOfRange { field: "load", value: load, required })
     }
@@ -191,7 +194,7 @@ impl Unloading {
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn stiffness(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Stiffness, retreat)
+        self.of(UnloadingQuantity::Stiffness, retreat)
     }
 
     /// What of the force \[N\] at the closest approach a retreat \[m\] releases: to the digit for
@@ -200,7 +203,7 @@ impl Unloading {
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn released(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Released, retreat)
+        self.of(UnloadingQuantity::Released, retreat)
     }
 
     /// The work \[J\] that going back by `retreat` \[m\] gives back: all that there is for an
@@ -209,18 +212,27 @@ impl Unloading {
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn returned(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Returned, retreat)
+        self.of(UnloadingQuantity::Returned, retreat)
     }
 
-    pub(crate) fn of(&self, asked: Asked, retreat: f64) -> Result<Evaluation, ContactError> {
-        if !(retreat >= 0.0 && (retreat.is_finite() || asked == Asked::Returned)) {
+    pub(crate) fn of(
+        &self,
+        quantity: UnloadingQuantity,
+        retreat: f64,
+    ) -> Result<Evaluation, ContactError> {
+        if !(retreat >= 0.0 && (retreat.is_finite() || quantity == UnloadingQuantity::Returned)) {
             let required = "a finite number, at least 0,";
             return Err(ContactError::OutOfRange { field: "retreat", value: retreat, required });
         }
-        if retreat == 0.0 && matches!(asked, Asked::Released | Asked::Loss | Asked::Returned) {
+        if retreat == 0.0
+            && matches!(
+                quantity,
+                UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
+            )
+        {
             return Ok(Evaluation::new(0.0, 0.0));
         }
-        let found = self.joint.retreated(asked, retreat, &[self.place])?.into_iter().next();
+        let found = self.joint.retreated(quantity, retreat, &[self.place])?.into_iter().next();
         found.ok_or(ContactError::NotRequested { quantity: Quantity::Force })
     }
 

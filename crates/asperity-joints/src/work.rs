@@ -4,10 +4,10 @@ use asperity_core::{At, ContactError, Evaluation, Quantity};
 use asperity_quadrature::{Estimate, fallible, gauss_kronrod};
 
 use crate::Joint;
-use crate::one::MOST;
+use crate::asperity_laws::MAX_SAMPLES;
 
 /// No force is looked at beyond this separation \[σ_z\].
-const FARTHEST: f64 = 1e8;
+const MAX_DISTANCE: f64 = 1e8;
 
 /// What closing as far as some place for the first time takes, and what opening gives back.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +76,7 @@ impl Joint {
                 let relative = if work > 0.0 { (error + panel.value) / work } else { 0.0 };
                 return Ok(Evaluation::new(work, relative + self.tolerance().relative()));
             }
-            if from > FARTHEST * sigma {
+            if from > MAX_DISTANCE * sigma {
                 let field = "share of the work beyond 1e8 asperity_height_std";
                 let required = "next to none, as heights with a lighter tail leave it,";
                 return Err(ContactError::OutOfRange {
@@ -95,7 +95,7 @@ impl Joint {
         let force =
             |d| Ok::<_, ContactError>(self.virgin().evaluate(quantity, At::metres(d))?.value());
         let goal = self.tolerance().relative();
-        let work = fallible(force, |force| gauss_kronrod(force, &[to, from], goal, MOST))?;
+        let work = fallible(force, |force| gauss_kronrod(force, &[to, from], goal, MAX_SAMPLES))?;
         let at = At::metres(to);
         work.map_err(|source| ContactError::Integral { quantity, at, source })
     }

@@ -38,11 +38,11 @@ impl Interferences {
         while above(s + reach)? > REST * all && reach < 1e6 {
             reach *= 1.3;
         }
-        let begins = law.begins * law.interference_unit;
+        let onset = law.onset * law.interference_unit;
         let (mut bins, mut total, mut outer) = (vec![], 0.0, all);
         for k in 0..BINS {
             let inner = above(s + reach * (k + 1) as f64 / BINS as f64)?;
-            let w = begins + reach * sigma * (k as f64 + 0.5) / BINS as f64;
+            let w = onset + reach * sigma * (k as f64 + 0.5) / BINS as f64;
             let force = (outer - inner) * law.value(w).map_err(failed)?;
             bins.push((w, force));
             (total, outer) = (total + force, inner);

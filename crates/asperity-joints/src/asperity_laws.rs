@@ -9,12 +9,12 @@ use asperity_core::{
 };
 
 use crate::UnloadingLaw;
-use crate::lasting::{lasting, turns};
-use crate::left::Left;
+use crate::contact_range::{contact_range, recovery_extrema};
+use crate::remaining::RemainingFraction;
 
 /// What is asked of the asperity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Asked {
+pub(crate) enum UnloadingQuantity {
     /// The force that is left \[N\].
     Force,
     /// The area that is left \[m²\].
@@ -33,7 +33,7 @@ pub(crate) enum Asked {
 
 /// The loading laws of one asperity, and how it comes back.
 #[derive(Debug)]
-pub(crate) struct Loading {
+pub(crate) struct AsperityLaws {
     pub(crate) force: Law,
     pub(crate) area: Law,
     pub(crate) asperity: Asperity,
@@ -48,7 +48,7 @@ pub(crate) struct Loading {
 const SAME_LAW: f64 = 1e-12;
 
 /// At one interference w.
-struct Pressed {
+struct PeakState {
     force: f64,
     area: f64,
     /// δ: how far the flat goes back until the contact is lost.
@@ -56,7 +56,7 @@ struct Pressed {
     exponent: f64,
 }
 
-impl Loading {
+impl AsperityLaws {
     /// The laws of a model whose asperities are upright and do not stick.
     pub(crate) fn new(
         model: &(impl ContactModel + ?Sized),
@@ -91,7 +91,9 @@ impl Loading {
             let mut found = vec![];
             for pair in loading.breaks().windows(2) {
                 let of = |source| loading.refused(model.name(), pair[0], &source);
-                found.extend(turns(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?);
+                found.extend(
+                    recovery_extrema(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?,
+                );
             }
             loading.turns = found;
         }
@@ -104,7 +106,7 @@ impl Loading {
     }
 
     /// The asperity pressed to w \[m\].
-    fn pressed(&self, w: f64) -> Result<Pressed, QuadratureError> {
+    fn pressed(&self, w: f64) -> Result<PeakState, QuadratureError> {
         let Asperity { equivalent_modulus: e, radius, .. } = self.asperity;
         let (force, area) = (self.force.value(w)?, self.area.value(w)?);
         let x = w / self.critical;
@@ -112,16 +114,16 @@ impl Loading {
             UnloadingLaw::Etsion if x > 1.0 => {
                 let residual = (1.0 - x.powf(-0.28)) * (1.0 - x.powf(-0.69));
                 let exponent = 1.5 * x.powf(-0.0331);
-                Pressed { force, area, recovered: w * (1.0 - residual), exponent }
+                PeakState { force, area, recovered: w * (1.0 - residual), exponent }
             }
             UnloadingLaw::Brake => {
                 let recovered = force / (4.0 / 3.0 * e * (radius * w).sqrt());
                 let elastic = force / (4.0 / 3.0 * e * recovered);
-                Pressed { force, area: PI * elastic * elastic, recovered, exponent: 1.5 }
+                PeakState { force, area: PI * elastic * elastic, recovered, exponent: 1.5 }
             }
             UnloadingLaw::Hertz | UnloadingLaw::Etsion => {
                 let recovered = 0.75 * force / (e * (area / PI).sqrt());
-                Pressed { force, area, recovered, exponent: 1.5 }
+                PeakState { force, area, recovered, exponent: 1.5 }
             }
         })
     }
@@ -132,23 +134,23 @@ impl Loading {
         w: f64,
         u: f64,
         left: Option<f64>,
-        asked: Asked,
+        quantity: UnloadingQuantity,
     ) -> Result<f64, QuadratureError> {
-        let Pressed { force, area, recovered, exponent: n } = self.pressed(w)?;
+        let PeakState { force, area, recovered, exponent: n } = self.pressed(w)?;
         if force == 0.0 {
             return Ok(0.0);
         }
         let y = u / recovered;
         let left = left.unwrap_or(1.0 - y).max(0.0);
-        Ok(match asked {
-            Asked::Force => force * left.powf(n),
-            Asked::Area => area * left,
-            Asked::Contacts => f64::from(y < 1.0),
-            Asked::Stiffness => n * force * left.powf(n - 1.0) / recovered,
-            Asked::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
-            Asked::Released => force,
-            Asked::Loss => force * recovered * loss(y, n),
-            Asked::Returned => {
+        Ok(match quantity {
+            UnloadingQuantity::Force => force * left.powf(n),
+            UnloadingQuantity::Area => area * left,
+            UnloadingQuantity::Contacts => f64::from(y < 1.0),
+            UnloadingQuantity::Stiffness => n * force * left.powf(n - 1.0) / recovered,
+            UnloadingQuantity::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
+            UnloadingQuantity::Released => force,
+            UnloadingQuantity::Loss => force * recovered * loss(y, n),
+            UnloadingQuantity::Returned => {
                 let all = force * recovered / (n + 1.0);
                 if y < 1.0 { -all * ((n + 1.0) * (-y).ln_1p()).exp_m1() } else { all }
             }
@@ -195,8 +197,12 @@ impl Loading {
     }
 
     /// What is left of contacts from `low` on, where that has just lasted to u.
-    fn left_from(&self, ends: [f64; 2], u: f64) -> Result<Option<Left>, QuadratureError> {
-        Left::new(ends, u, |w| self.recovered(w))
+    fn left_from(
+        &self,
+        ends: [f64; 2],
+        u: f64,
+    ) -> Result<Option<RemainingFraction>, QuadratureError> {
+        RemainingFraction::new(ends, u, |w| self.recovered(w))
     }
 }
 
@@ -235,7 +241,7 @@ pub fn restitution(
     tolerance: Tolerance,
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
-    let loading = Loading::new(model, *asperity, law, tolerance)?;
+    let loading = AsperityLaws::new(model, *asperity, law, tolerance)?;
     let failed = |source: QuadratureError| loading.refused(model.name(), w, &source);
     let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
     if spent < f64::MIN_POSITIVE {
@@ -253,11 +259,11 @@ fn refused(model: &str, place: &str, length: f64, source: &QuadratureError) -> C
 }
 
 /// Samples of one integral, at most.
-pub(crate) const MOST: usize = 100_000;
+pub(crate) const MAX_SAMPLES: usize = 100_000;
 
 /// What is asked of one asperity after a retreat, as the force of a model of its own.
 #[derive(Debug)]
-pub(crate) struct Retreated<'u> {
+pub(crate) struct RetreatModel<'u> {
     pub(crate) source: &'u Citation,
     pub(crate) name: &'u str,
     /// The first interference \[m\] that counts.
@@ -266,27 +272,30 @@ pub(crate) struct Retreated<'u> {
     law: Law,
 }
 
-impl<'u> Retreated<'u> {
+impl<'u> RetreatModel<'u> {
     pub(crate) fn new(
         (source, name): (&'u Citation, &'u str),
-        loading: &Arc<Loading>,
-        asked: Asked,
+        loading: &Arc<AsperityLaws>,
+        quantity: UnloadingQuantity,
         u: f64,
     ) -> Result<Self, ContactError> {
         let (unit, value_unit) = (loading.force.interference_unit, loading.force.value_unit);
-        let value_unit = match asked {
-            Asked::Area => loading.area.value_unit,
-            Asked::Contacts => 1.0,
-            Asked::Stiffness => value_unit / unit,
-            Asked::Loss | Asked::Returned => value_unit * unit,
-            Asked::Force | Asked::Released => value_unit,
+        let value_unit = match quantity {
+            UnloadingQuantity::Area => loading.area.value_unit,
+            UnloadingQuantity::Contacts => 1.0,
+            UnloadingQuantity::Stiffness => value_unit / unit,
+            UnloadingQuantity::Loss | UnloadingQuantity::Returned => value_unit * unit,
+            UnloadingQuantity::Force | UnloadingQuantity::Released => value_unit,
         };
         let failed = |source: QuadratureError| refused(name, "after a retreat of", u, &source);
-        let whole = matches!(asked, Asked::Released | Asked::Loss | Asked::Returned);
+        let whole = matches!(
+            quantity,
+            UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
+        );
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let found = lasting(&|w| loading.recovered(w), [low, high], u).map_err(failed)?;
+            let found = contact_range(&|w| loading.recovered(w), [low, high], u).map_err(failed)?;
             match found {
                 Some([from, to]) if !whole => ranges.push((from, to)),
                 // What has lost contact has released all there was.
@@ -299,7 +308,7 @@ impl<'u> Retreated<'u> {
         // Counted from the first contact that is left: it may be far beyond what the heights at the
         // closest approach would be followed to.
         let first = ranges.first().map_or(0.0, |(low, _)| *low);
-        let mut law = Law::in_units(unit, value_unit).beginning_at(first / unit);
+        let mut law = Law::in_units(unit, value_unit).with_onset(first / unit);
         for (low, high) in ranges {
             // Where the first contact that lasts is at a kink, it lasts longer than just so.
             let near = match u > 0.0 && low <= first && !whole {
@@ -310,7 +319,7 @@ impl<'u> Retreated<'u> {
             let sample = move |x: &[f64], out: &mut [f64]| {
                 for (out, x) in out.iter_mut().zip(x) {
                     let left = near.as_ref().and_then(|near| near.at(x * unit));
-                    *out = loading.answer(first + x * unit, u, left, asked)? / value_unit;
+                    *out = loading.answer(first + x * unit, u, left, quantity)? / value_unit;
                 }
                 Ok(())
             };
@@ -322,7 +331,7 @@ impl<'u> Retreated<'u> {
     }
 }
 
-impl Described for Retreated<'_> {
+impl Described for RetreatModel<'_> {
     fn citation(&self) -> &Citation {
         self.source
     }
@@ -332,7 +341,7 @@ impl Described for Retreated<'_> {
     }
 }
 
-impl AsperityModel for Retreated<'_> {
+impl AsperityModel for RetreatModel<'_> {
     fn law(
         &self,
         _: &Asperity,

@@ -8,11 +8,11 @@ const NODES: usize = 12;
 /// How far it is followed, in ln w,
 const SPAN: f64 = 0.25;
 /// or so many times an eighth of that, where a kink below is near.
-const SHORTER: i32 = 5;
+const MAX_SHORTENINGS: i32 = 5;
 /// Rounding of δ, in units of its last place.
-const ROUNDED: f64 = 8.0;
+const ROUNDING_ULPS: f64 = 8.0;
 /// δ is met at the first contact that lasts but for rounding, unless it jumps there.
-const MET: f64 = 1e-12;
+const ONSET_ROUNDING: f64 = 1e-12;
 
 /// 1 - u/δ(w) for w beyond the one with δ = u.
 ///
@@ -20,14 +20,14 @@ const MET: f64 = 1e-12;
 /// keeps no digit next to 0. Far in the tail of the heights that is where all of the force comes
 /// from.
 #[derive(Debug, Clone)]
-pub(crate) struct Left {
+pub(crate) struct RemainingFraction {
     first: f64,
     span: f64,
     /// p at the nodes.
     exponents: [f64; NODES],
 }
 
-impl Left {
+impl RemainingFraction {
     /// From `first`, where δ grows to u, on to `high` at most; none where δ jumps beyond u, or is
     /// no smooth function there.
     pub(crate) fn new(
@@ -35,11 +35,11 @@ impl Left {
         u: f64,
         recovered: impl Fn(f64) -> Result<f64, QuadratureError>,
     ) -> Result<Option<Self>, QuadratureError> {
-        if (recovered(first)? / u - 1.0).abs() > MET {
+        if (recovered(first)? / u - 1.0).abs() > ONSET_ROUNDING {
             return Ok(None);
         }
         let ln = |s: f64| Ok::<_, QuadratureError>((recovered(first * s.exp())? / u).ln());
-        for shorter in 0..SHORTER {
+        for shorter in 0..MAX_SHORTENINGS {
             let span = (high / first).ln().min(SPAN) / 8f64.powi(shorter);
             let mut left = Self { first, span, exponents: [0.0; NODES] };
             for (exponent, node) in left.exponents.iter_mut().zip(nodes()) {
@@ -50,7 +50,7 @@ impl Left {
                 let s = span * v;
                 off = off.max((ln(s)? - s * left.exponent(v)).abs());
             }
-            if off <= ROUNDED * f64::EPSILON {
+            if off <= ROUNDING_ULPS * f64::EPSILON {
                 return Ok(Some(left));
             }
         }
@@ -86,21 +86,22 @@ fn nodes() -> impl Iterator<Item = f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::Left;
+    use super::RemainingFraction;
 
     #[test]
     fn a_difference_next_to_nothing_keeps_its_digits() {
         // δ = √w + w/10 from w = 2 on: δ - u in closed form.
         let delta = |w: f64| w.sqrt() + 0.1 * w;
         let u = delta(2.0);
-        let left = Left::new([2.0, f64::INFINITY], u, |w| Ok(delta(w))).unwrap().unwrap();
+        let left =
+            RemainingFraction::new([2.0, f64::INFINITY], u, |w| Ok(delta(w))).unwrap().unwrap();
         for beyond in [1e-18, 1e-12, 1e-6, 1e-3, 0.1, 0.5] {
             let grown = beyond / ((2.0_f64 + beyond).sqrt() + 2f64.sqrt()) + 0.1 * beyond;
             let (found, wanted) = (left.at(beyond).unwrap(), grown / (u + grown));
             assert!((found / wanted - 1.0).abs() < 3e-13, "{beyond}: {found} {wanted}");
         }
         assert!(left.at(1.0).is_none(), "too far");
-        let jumps = Left::new([2.0, 3.0], 0.9 * u, |w| Ok(delta(w))).unwrap();
+        let jumps = RemainingFraction::new([2.0, 3.0], 0.9 * u, |w| Ok(delta(w))).unwrap();
         assert!(jumps.is_none());
     }
 }

@@ -7,7 +7,7 @@ use asperity_core::QuadratureError;
 use asperity_quadrature::{fallible, highest, last_place};
 
 /// δ is looked at so many places of a range for where it turns,
-const LOOKS: i32 = 128;
+const SAMPLES: i32 = 128;
 /// over so many powers of ten, where the range has no end.
 const DECADES: f64 = 6.0;
 /// What δ changes by less than this is rounding.
@@ -17,14 +17,17 @@ const ROUNDING: f64 = 1e-12;
 type Way<'d> = &'d dyn Fn(f64) -> Result<f64, QuadratureError>;
 
 /// Where δ turns between two neighbouring breaks, ascending.
-pub(crate) fn turns(delta: Way<'_>, range: [f64; 2]) -> Result<Vec<f64>, QuadratureError> {
+pub(crate) fn recovery_extrema(
+    delta: Way<'_>,
+    range: [f64; 2],
+) -> Result<Vec<f64>, QuadratureError> {
     let [low, high] = finite(range, 0.0);
     // Not at the ends themselves, where δ may jump.
-    let place = |k: i32| low * (high / low).powf((f64::from(k) + 0.5) / f64::from(LOOKS));
+    let place = |k: i32| low * (high / low).powf((f64::from(k) + 0.5) / f64::from(SAMPLES));
     let mut turns = vec![];
     // Where the last step up or down began, and which of them it was.
     let (mut step, mut before) = (None, (place(0), delta(place(0))?));
-    for k in 1..LOOKS {
+    for k in 1..SAMPLES {
         let here = (place(k), delta(place(k))?);
         if (here.1 - before.1).abs() <= ROUNDING * before.1 {
             continue;
@@ -46,7 +49,7 @@ fn turn(delta: Way<'_>, [from, to]: [f64; 2], most: bool) -> Result<f64, Quadrat
 }
 
 /// The part of a range on which δ > u, if δ only grows there, or only falls.
-pub(crate) fn lasting(
+pub(crate) fn contact_range(
     delta: Way<'_>,
     range: [f64; 2],
     u: f64,
@@ -102,19 +105,19 @@ mod tests {
     fn contacts_last_where_the_way_back_is_longer_also_when_it_turns() {
         // δ = 4 w/(1 + w)²: up to 1 at w = 1, and down again.
         let delta = |w: f64| Ok(4.0 * w / (1.0 + w) / (1.0 + w));
-        let turns = turns(&delta, [1e-3, f64::INFINITY]).unwrap();
+        let turns = recovery_extrema(&delta, [1e-3, f64::INFINITY]).unwrap();
         assert!(turns.len() == 1 && (turns[0] - 1.0).abs() < 1e-7, "{turns:?}");
         // δ = 8/9 at w = 1/2 and 2.
         let u = 8.0 / 9.0;
-        let up = lasting(&delta, [1e-3, 1.0], u).unwrap().unwrap();
+        let up = contact_range(&delta, [1e-3, 1.0], u).unwrap().unwrap();
         assert!((up[0] - 0.5).abs() < 1e-14 && up[1].total_cmp(&1.0).is_eq(), "{up:?}");
-        let down = lasting(&delta, [1.0, f64::INFINITY], u).unwrap().unwrap();
+        let down = contact_range(&delta, [1.0, f64::INFINITY], u).unwrap().unwrap();
         assert!(down[0].total_cmp(&1.0).is_eq() && (down[1] - 2.0).abs() < 1e-14, "{down:?}");
-        assert!(lasting(&delta, [1e-3, 0.4], u).unwrap().is_none());
-        assert!(lasting(&delta, [2.5, f64::INFINITY], u).unwrap().is_none());
+        assert!(contact_range(&delta, [1e-3, 0.4], u).unwrap().is_none());
+        assert!(contact_range(&delta, [2.5, f64::INFINITY], u).unwrap().is_none());
         // Far retreats of what only grows.
         let root = |w: f64| Ok(1e-3 * w.sqrt());
-        let far = lasting(&root, [1.0, f64::INFINITY], 10.0).unwrap().unwrap();
+        let far = contact_range(&root, [1.0, f64::INFINITY], 10.0).unwrap().unwrap();
         assert!((far[0] / 1e8 - 1.0).abs() < 1e-14, "{far:?}");
     }
 }
