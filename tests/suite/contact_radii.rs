@@ -117,7 +117,7 @@ fn contacts_that_are_no_upright_circles_and_missing_inputs_are_refused_by_name()
                 "{} cannot give sums of contact radii, as unloading and conductance need them: ",
                 model.name()
             );
-            assert!(message.starts_with(&begins) && message.contains("angles"), "{message}");
+            assert!(message.starts_with(&begins) && message.contains("inclined"), "{message}");
         }
     }
     let fields = [

@@ -179,7 +179,7 @@ fn options_of_the_lateral_models_are_checked() {
         ..LateralOptions::default()
     };
     let given = |zeta, xi| LateralOptions {
-        displacement: Displacement::Given { zeta, xi },
+        displacement: Displacement::LoadCase { zeta, xi },
         ..LateralOptions::default()
     };
     for id in ["gao", "at", "at-additive", "at-overlap"] {

@@ -44,14 +44,14 @@
 //!
 //! # Example
 //! ```
-//! use asperity_bem::{BoundaryElements, Given, RandomSurface};
+//! use asperity_bem::{BoundaryElements, LoadCase, RandomSurface};
 //!
 //! // 100 µm square of steel-like roughness: rms gradient 0.1, 2 to 16 waves per side.
 //! let surface = RandomSurface::new(2.0, 4.0, 16.0)?.side(1e-4)?.gradient(0.1)?.seed(1);
 //! let elastic = BoundaryElements::new(surface.heights(128)?, 115e9)?;
 //! let soft = elastic.clone().hardness(3e9)?;
 //! for pressure in [20e6, 200e6] {
-//!     let given = Given::MeanPressure(pressure);
+//!     let given = LoadCase::MeanPressure(pressure);
 //!     let (elastic, soft) = (elastic.solve(given)?, soft.solve(given)?);
 //!     assert!(soft.area > elastic.area && soft.mean_gap < elastic.mean_gap);
 //!     println!("{:.2} % of the area in {} patches", 100.0 * soft.area, soft.patches.len());
@@ -79,4 +79,4 @@ pub use height_map::HeightMap;
 pub use model::Bem;
 pub use random_surface::RandomSurface;
 pub use solution::{EDGE_SHARE, Solution};
-pub use solver::{BoundaryElements, Given, Progress};
+pub use solver::{BoundaryElements, LoadCase, Progress};

@@ -1,4 +1,5 @@
-//! One asperity that was pressed to w and has come back by u: again a law of w.
+//! Laws of one asperity: loading to w, and force, area and work after a retreat u, again as laws of
+//! w.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -12,26 +13,26 @@ use crate::UnloadingLaw;
 use crate::contact_range::{contact_range, recovery_extrema};
 use crate::remaining::RemainingFraction;
 
-/// What is asked of the asperity.
+/// A quantity of one asperity after a retreat u.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum UnloadingQuantity {
-    /// The force that is left \[N\].
+    /// The remaining force \[N\].
     Force,
-    /// The area that is left \[m²\].
+    /// The remaining area \[m²\].
     Area,
     /// -dF/du \[N/m\].
     Stiffness,
-    /// The force at u = 0 less the one that is left \[N\], without cancellation.
+    /// The force at u = 0 minus the remaining force \[N\], without cancellation.
     Released,
-    /// 8 ∫₀ᵘ released du - 4 u released \[J\], likewise.
+    /// 8 ∫₀ᵘ released du - 4 u released \[J\], without cancellation.
     Loss,
-    /// 1 where the contact has lasted.
+    /// 1 for asperities in contact, 0 for others.
     Contacts,
-    /// ∫₀ᵘ force du \[J\]: the work that comes back, all of it for an infinite u.
+    /// The work returned, ∫₀ᵘ force du \[J\]; u may be infinite.
     Returned,
 }
 
-/// The loading laws of one asperity, and how it comes back.
+/// The loading laws of one asperity with its unloading law.
 #[derive(Debug)]
 pub(crate) struct AsperityLaws {
     pub(crate) force: Law,
@@ -40,24 +41,24 @@ pub(crate) struct AsperityLaws {
     pub(crate) unloading: UnloadingLaw,
     /// w_c \[m\]; infinite where nothing yields.
     pub(crate) critical: f64,
-    /// Where δ turns \[m\].
+    /// Interferences of the extrema of δ \[m\].
     turns: Vec<f64>,
 }
 
-/// Laws that differ by less than this are the same but for rounding.
+/// Relative difference below which two laws are equal within rounding.
 const SAME_LAW: f64 = 1e-12;
 
-/// At one interference w.
+/// State of an asperity at its largest interference w.
 struct PeakState {
     force: f64,
     area: f64,
-    /// δ: how far the flat goes back until the contact is lost.
+    /// δ: the retreat at which the contact is lost \[m\].
     recovered: f64,
     exponent: f64,
 }
 
 impl AsperityLaws {
-    /// The laws of a model whose asperities are upright and do not stick.
+    /// The laws of a model of upright asperities without adhesion.
     pub(crate) fn new(
         model: &(impl ContactModel + ?Sized),
         asperity: Asperity,
@@ -69,16 +70,16 @@ impl AsperityLaws {
             what: format!("unloading and partial slip: {what}"),
         };
         if model.validity().angles {
-            return Err(unsupported("its contacts lie at all angles"));
+            return Err(unsupported("its contacts are inclined"));
         }
         if model.validity().adhesive {
             return Err(unsupported(
-                "contacts that stick come back on a curve of their own (for jkr the model jkr-separation), and small vibrations by unloading-stiffness",
+                "with adhesion, use the model jkr-separation for the unloading curve of jkr, or the quantity unloading-stiffness for small vibrations",
             ));
         }
         let one = model
             .asperity_model()
-            .ok_or_else(|| unsupported("only models of equal, upright asperities have them"))?;
+            .ok_or_else(|| unsupported("these need a model of equal, upright asperities"))?;
         let law_of = |quantity| {
             let found = one.law(&asperity, quantity, tolerance)?;
             found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
@@ -105,7 +106,7 @@ impl AsperityLaws {
         Ok(self.pressed(w)?.recovered)
     }
 
-    /// The asperity pressed to w \[m\].
+    /// The state at interference w \[m\].
     fn pressed(&self, w: f64) -> Result<PeakState, QuadratureError> {
         let Asperity { equivalent_modulus: e, radius, .. } = self.asperity;
         let (force, area) = (self.force.value(w)?, self.area.value(w)?);
@@ -128,7 +129,7 @@ impl AsperityLaws {
         })
     }
 
-    /// `left` is 1 - u/δ, where that is known better than from δ.
+    /// A quantity at w after a retreat u; `left` replaces 1 - u/δ where it is more accurate.
     pub(crate) fn answer(
         &self,
         w: f64,
@@ -157,7 +158,7 @@ impl AsperityLaws {
         })
     }
 
-    /// Where a formula changes \[m\], from 0 to infinity.
+    /// Interferences at which a formula changes \[m\], from 0 to infinity.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         let mut breaks = vec![0.0];
         for law in [&self.force, &self.area] {
@@ -173,8 +174,8 @@ impl AsperityLaws {
         breaks
     }
 
-    /// The interference \[m\] below which an asperity comes back as it went: the end of the first
-    /// range of the law, if it is Hertz' there.
+    /// The interference \[m\] below which unloading retraces loading: the end of the first range of
+    /// the law if that range is Hertzian, otherwise 0.
     pub(crate) fn elastic_limit(&self) -> f64 {
         let end = self.breaks()[1];
         if !self.critical.is_finite() || end == f64::INFINITY {
@@ -191,12 +192,12 @@ impl AsperityLaws {
         if hertz { end } else { 0.0 }
     }
 
-    /// The error of one asperity pressed to w \[m\].
+    /// The error for one asperity at interference w \[m\].
     pub(crate) fn refused(&self, model: &str, w: f64, source: &QuadratureError) -> ContactError {
-        refused(model, "pressed to", w, source)
+        refused(model, "interference", w, source)
     }
 
-    /// What is left of contacts from `low` on, where that has just lasted to u.
+    /// The remaining fraction between two interferences, the lower of which has δ = u.
     fn left_from(
         &self,
         ends: [f64; 2],
@@ -206,7 +207,7 @@ impl AsperityLaws {
     }
 }
 
-/// 8 ∫₀ʸ (1 - (1-t)ⁿ) dt - 4 y (1 - (1-y)ⁿ), t and y at most 1 where they stand under a power.
+/// 8 ∫₀ʸ (1 - (1-t)ⁿ) dt - 4 y (1 - (1-y)ⁿ), with t and y limited to 1 in the powers.
 fn loss(y: f64, n: f64) -> f64 {
     if y >= 1.0 {
         return 4.0 * y - 8.0 / (n + 1.0);
@@ -216,7 +217,7 @@ fn loss(y: f64, n: f64) -> f64 {
         let integral = y - (1.0 - left.powf(n + 1.0)) / (n + 1.0);
         return 8.0 * integral - 4.0 * y * (1.0 - left.powf(n));
     }
-    // The binomial series, whose first term is none: it begins with y³.
+    // Binomial series from y³, as lower orders cancel.
     let (mut binomial, mut sum) = (-n * y, 0.0);
     for k in 2..20 {
         let k = f64::from(k);
@@ -226,9 +227,8 @@ fn loss(y: f64, n: f64) -> f64 {
     sum
 }
 
-/// Quasi-static restitution of one asperity: the speed with which a mass leaves it over the one
-/// with which it came, √(work that unloading gives back/work of loading), pressed to `interference`
-/// \[m\]. Waves and rates are left out.
+/// Quasi-static coefficient of restitution of one asperity loaded to `interference` \[m\]:
+/// √(work returned by unloading/work of loading). Stress waves and rate effects are ignored.
 ///
 /// # Errors
 /// Those of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an interference
@@ -245,30 +245,29 @@ pub fn restitution(
     let failed = |source: QuadratureError| loading.refused(model.name(), w, &source);
     let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
     if spent < f64::MIN_POSITIVE {
-        let required = "one whose work a double holds (2.2e-308 J)";
+        let required = "an interference with a work of loading of at least 2.2e-308 J";
         return Err(ContactError::OutOfRange { field: "interference", value: w, required });
     }
     Ok((returned / spent).sqrt())
 }
 
-/// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no
-/// place of the rough surface.
+/// The error of one asperity's law; `length` \[m\] is an interference or a retreat, named by
+/// `place`.
 fn refused(model: &str, place: &str, length: f64, source: &QuadratureError) -> ContactError {
-    let reason = format!("one asperity, {place} {length:e} m: {source}");
+    let reason = format!("one asperity at {place} {length:e} m: {source}");
     ContactError::Refused { model: model.into(), reason }
 }
 
-/// Samples of one integral, at most.
+/// Largest number of samples of one integral.
 pub(crate) const MAX_SAMPLES: usize = 100_000;
 
-/// What is asked of one asperity after a retreat, as the force of a model of its own.
+/// A quantity of one asperity after a retreat, as the force law of a model.
 #[derive(Debug)]
 pub(crate) struct RetreatModel<'u> {
     pub(crate) source: &'u Citation,
     pub(crate) name: &'u str,
-    /// The first interference \[m\] that counts.
+    /// The smallest interference \[m\] that contributes, the onset of the law.
     pub(crate) first: f64,
-    /// It begins with the first interference that has not lost contact.
     law: Law,
 }
 
@@ -287,7 +286,7 @@ impl<'u> RetreatModel<'u> {
             UnloadingQuantity::Loss | UnloadingQuantity::Returned => value_unit * unit,
             UnloadingQuantity::Force | UnloadingQuantity::Released => value_unit,
         };
-        let failed = |source: QuadratureError| refused(name, "after a retreat of", u, &source);
+        let failed = |source: QuadratureError| refused(name, "retreat", u, &source);
         let whole = matches!(
             quantity,
             UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
@@ -298,19 +297,19 @@ impl<'u> RetreatModel<'u> {
             let found = contact_range(&|w| loading.recovered(w), [low, high], u).map_err(failed)?;
             match found {
                 Some([from, to]) if !whole => ranges.push((from, to)),
-                // What has lost contact has released all there was.
+                // Asperities out of contact have released their whole force.
                 Some([from, to]) => ranges.extend([(low, from), (from, to), (to, high)]),
                 None if whole => ranges.push((low, high)),
                 None => {}
             }
         }
         ranges.retain(|(low, high)| high > low);
-        // Counted from the first contact that is left: it may be far beyond what the heights at the
-        // closest approach would be followed to.
+        // x starts at the first remaining contact, which may be far beyond the heights integrated
+        // at the closest approach.
         let first = ranges.first().map_or(0.0, |(low, _)| *low);
         let mut law = Law::in_units(unit, value_unit).with_onset(first / unit);
         for (low, high) in ranges {
-            // Where the first contact that lasts is at a kink, it lasts longer than just so.
+            // At a kink, δ of the first remaining contact may exceed u.
             let near = match u > 0.0 && low <= first && !whole {
                 true => loading.left_from([low, high], u).map_err(failed)?,
                 false => None,
@@ -357,7 +356,7 @@ mod tests {
     use super::loss;
 
     #[test]
-    fn the_series_of_the_loss_meets_the_formula() {
+    fn loss_series_and_closed_form_agree_where_they_meet() {
         for n in [1.5, 1.3] {
             let (below, above) = (loss(0.1, n), loss(0.1_f64.next_up(), n));
             assert!((below / above - 1.0).abs() < 1e-12, "{below} {above}");
