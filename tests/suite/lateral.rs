@@ -49,7 +49,7 @@ fn rows_of_the_reference_are_met_within_their_bounds() {
         let number = |k: usize| fields[k].parse::<f64>().unwrap();
         let displacement = match fields[11].split_once(' ') {
             Some((zeta, xi)) => {
-                Displacement::LoadCase { zeta: zeta.parse().unwrap(), xi: xi.parse().unwrap() }
+                Displacement::Given { zeta: zeta.parse().unwrap(), xi: xi.parse().unwrap() }
             }
             None => Displacement::Vertical,
         };
@@ -92,7 +92,7 @@ fn integrated_once_and_tabulated_agree_within_their_bounds() {
             u => 10f64.powf(5.0 * (u - 0.6)),
         };
         let given =
-            Displacement::LoadCase { zeta: size(share(k, 0.414_214)), xi: size(share(k, 0.732_051)) };
+            Displacement::Given { zeta: size(share(k, 0.414_214)), xi: size(share(k, 0.732_051)) };
         let options = LateralOptions {
             angle_density: harmonic([-0.5, -1.0, 2.0, 0.7][k as usize % 4]),
             displacement: if k % 2 == 0 { given } else { Displacement::Vertical },

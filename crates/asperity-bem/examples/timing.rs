@@ -11,7 +11,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::time::Instant;
 
-use asperity_bem::{Boundary, BoundaryElements, LoadCase, HeightMap};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);

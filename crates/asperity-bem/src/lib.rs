@@ -21,12 +21,10 @@
 //! # Valid for
 //! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`];
 //! [`HeightMap::half_grid`] shows how much depends on the grid. A periodic map whose edges do not
-//! meet is pressed by the steps along its seam: take them out by [`HeightMap::periodic_part`], or
-//! use [`Boundary::Free`].
+//! match has steps along its seam: use [`HeightMap::periodic_part`] or [`Boundary::Free`].
 //!
-//! The hardness is a cap of the pressure: it is the truth for a material of constant mean
-//! pressure H, not for elastic-plastic finite elements. A sphere starts to flow at Hertz' p_max =
-//! H.
+//! The hardness limits the pressure, which models a material of constant mean pressure H and
+//! differs from elastic-plastic finite elements. A sphere starts to yield at Hertz' p_max = H.
 //!
 //! Maps that are held while a contact of n x m pixels is solved, in arrays of n x m `f64`: 9 when
 //! it is periodic, 13 when it is free, and 2 in every answer. 2048 x 2048 periodic pixels take

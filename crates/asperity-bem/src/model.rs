@@ -9,7 +9,7 @@ use asperity_core::{
     Provenance, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
 };
 
-use crate::{BemError, Boundary, BoundaryElements, LoadCase, HeightMap, Solution};
+use crate::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
 
 /// Relative error of what was iterated to the usual tolerance: of the contact of these pixels, not
 /// of the surface between them.

@@ -1,17 +1,17 @@
-//! The answer: where the surfaces touch, how hard, and how far apart they are elsewhere.
+//! The solution of a contact: area, pressures and gaps.
 
 use std::f64::consts::{LN_2, PI};
 
 use crate::patches::patches;
 use asperity_core::{At, Diagnostic};
 
-use crate::{Boundary, LoadCase, HeightMap, note};
+use crate::{Boundary, HeightMap, LoadCase, note};
 
 /// A solved contact.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Solution {
-    /// What was asked for.
+    /// The load case.
     pub given: LoadCase,
     /// Mean pressure on the area of the map \[Pa\].
     pub mean_pressure: f64,

@@ -16,7 +16,7 @@ const MOST_TRIALS: usize = 60;
 /// Error of a mean gap, in tolerances of the residual times Sq.
 const GAP_ERROR: f64 = 10.0;
 
-/// What a contact is solved at.
+/// A load case: the prescribed pressure, load or gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LoadCase {
     /// Mean pressure on the area of the map \[Pa\].
@@ -102,7 +102,7 @@ impl BoundaryElements {
         Ok(self)
     }
 
-    /// Most iterations for one load; 1000 when nothing is said, where 15 to 60 are usual.
+    /// Largest number of iterations for one load; 1000 by default, 15 to 60 are usual.
     #[must_use]
     pub fn most_iterations(mut self, most_iterations: usize) -> Self {
         self.most_iterations = most_iterations;

@@ -64,8 +64,7 @@ impl Joint {
         let width = positive("open - deepest", open - deepest)?;
         let sigma = self.scene().surface.asperity_height_std;
         if width > MAX_WIDTH * sigma {
-            let (field, required) =
-                ("open - deepest", "at most 1000 asperity_height_std, in m,");
+            let (field, required) = ("open - deepest", "at most 1000 asperity_height_std, in m,");
             return Err(ContactError::OutOfRange { field, value: width, required });
         }
         // All contacts are elastic within the elastic limit of the highest asperity.

@@ -109,8 +109,18 @@ impl SceneFile {
             let profile = "of the profiles that were measured";
             check.add_number("measured_height_std", statistics.sq, "m", "Sq");
             check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
-            check.add_number("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights");
-            check.add_number("measured_slope", (2.0 * statistics.m2).sqrt(), "", "rms slope, likewise");
+            check.add_number(
+                "measured_kurtosis",
+                statistics.sku,
+                "",
+                "Sku, 3 for Gaussian heights",
+            );
+            check.add_number(
+                "measured_slope",
+                (2.0 * statistics.m2).sqrt(),
+                "",
+                "rms slope, likewise",
+            );
             check.add_number("measured_bandwidth", statistics.alpha, "", profile);
             check.add_number("pixel_size", *pixel_size, "m", "of the scan");
             check.extend(self.of_pixels(&check, *pixel_size));

@@ -306,8 +306,11 @@ mod tests {
             compare_with_bem(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
         let (_, state) = &found.models[0];
         assert!(state.area_fraction.is_some() && state.mean_gap.or(state.stiffness).is_none());
-        let told = found.missing[0].1.to_string();
-        assert!(told.starts_with("hurst_exponent is missing: the stiffness of Persson"), "{told}");
+        let message = found.missing[0].1.to_string();
+        assert!(
+            message.starts_with("hurst_exponent is missing: the stiffness of Persson"),
+            "{message}"
+        );
         assert!(found.refused.is_empty());
     }
 

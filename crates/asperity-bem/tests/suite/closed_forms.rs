@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use asperity_bem::{Boundary, BoundaryElements, LoadCase, HeightMap};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
 
 use crate::{MODULUS, close};
 

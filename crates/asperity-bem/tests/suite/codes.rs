@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::fs::File;
 
-use asperity_bem::{BoundaryElements, LoadCase, HeightMap, RandomSurface, Solution};
+use asperity_bem::{BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
 
 use crate::{MODULUS, UNIT, close};
 

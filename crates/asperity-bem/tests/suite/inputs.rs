@@ -1,6 +1,6 @@
 //! Input that cannot be answered is refused by name; input that looks odd is answered.
 
-use asperity_bem::{BemError, Boundary, BoundaryElements, LoadCase, HeightMap, RandomSurface};
+use asperity_bem::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 
 use crate::{MODULUS, UNIT, close, rough};
 
@@ -89,7 +89,8 @@ fn flat_maps() {
     close(solution.area, 1.0, 0.0);
     assert!(solution.pressures.iter().all(|&pressure| (pressure / UNIT - 1.0).abs() < 1e-12));
     assert!(solution.mean_gap.abs() < 1e-20);
-    let punch = solver.clone().boundary(Boundary::Free).solve(LoadCase::MeanPressure(UNIT)).unwrap();
+    let punch =
+        solver.clone().boundary(Boundary::Free).solve(LoadCase::MeanPressure(UNIT)).unwrap();
     assert!(punch.pressures[0] > 3.0 * UNIT && punch.pressures[15 * 31 + 15] < 0.6 * UNIT);
     refused(solver.solve(LoadCase::MeanGap(1e-9)), "nothing touches");
 }

@@ -1,6 +1,6 @@
 //! What holds for every contact, whatever the surface.
 
-use asperity_bem::{Boundary, BoundaryElements, LoadCase, HeightMap, Solution};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
 
 use crate::{MODULUS, UNIT, close, rough};
 

@@ -1,6 +1,6 @@
 //! Loads so light that deflections are far below the heights, and heights of any size.
 
-use asperity_bem::{BoundaryElements, LoadCase, HeightMap};
+use asperity_bem::{BoundaryElements, HeightMap, LoadCase};
 
 use crate::{MODULUS, UNIT, close, rough};
 
@@ -67,7 +67,8 @@ fn rough_maps_are_solved_at_any_load_with_a_hardness_too() {
         let pressure = UNIT / 10f64.powi(exponent);
         for solver in [&elastic, &soft] {
             for list in [&[pressure][..], &[0.1 * UNIT, pressure]] {
-                let given: Vec<LoadCase> = list.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
+                let given: Vec<LoadCase> =
+                    list.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
                 let solutions = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
                 close(solutions.last().unwrap().as_ref().unwrap().mean_pressure, pressure, 1e-12);
             }

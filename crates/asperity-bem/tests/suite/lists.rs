@@ -21,9 +21,9 @@ fn a_list_answers_in_its_own_order_and_keeps_what_can_be_solved() {
         LoadCase::MeanPressure(0.03 * UNIT),
         LoadCase::MeanGap(1.0),
     ];
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     let list = solver.solve_all(&given, |progress| {
-        told.push((progress.index, progress.done));
+        reported.push((progress.index, progress.done));
         GO_ON
     });
     for (given, solution) in given.iter().zip(&list) {
@@ -47,15 +47,16 @@ fn a_list_answers_in_its_own_order_and_keeps_what_can_be_solved() {
         }
     }
     // From the greatest load down, gaps last.
-    told.dedup_by_key(|(index, _)| *index);
-    assert_eq!(told.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [2, 5, 0, 4]);
-    assert!(told.is_sorted_by_key(|(_, done)| *done));
+    reported.dedup_by_key(|(index, _)| *index);
+    assert_eq!(reported.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [2, 5, 0, 4]);
+    assert!(reported.is_sorted_by_key(|(_, done)| *done));
 }
 
 #[test]
 fn a_warm_list_takes_fewer_iterations() {
     let solver = BoundaryElements::new(rough(128, 9), MODULUS).unwrap();
-    let given: Vec<_> = (0..8).map(|k| LoadCase::MeanPressure(0.1 * UNIT * 0.8_f64.powi(k))).collect();
+    let given: Vec<_> =
+        (0..8).map(|k| LoadCase::MeanPressure(0.1 * UNIT * 0.8_f64.powi(k))).collect();
     let warm = solver.solve_all(&given, |_| GO_ON);
     let warm: usize = warm.into_iter().map(|solution| solution.unwrap().iterations).sum();
     let cold: usize = given.iter().map(|&given| solver.solve(given).unwrap().iterations).sum();

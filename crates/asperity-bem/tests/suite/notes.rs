@@ -1,6 +1,6 @@
-//! What is not resolved says so.
+//! Diagnostics of unresolved maps and contacts.
 
-use asperity_bem::{Boundary, BoundaryElements, LoadCase, HeightMap, RandomSurface};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 
 use crate::{MODULUS, UNIT, rough};
 
@@ -11,7 +11,8 @@ fn short_waves_are_seen_in_both_boundaries() {
             let surface = RandomSurface::new(2.0, 4.0, 24.0).unwrap().gradient(0.1).unwrap();
             let map = surface.side(1e-4).unwrap().heights(n).unwrap();
             let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(boundary);
-            let solution = solver.tolerance(0.1).unwrap().solve(LoadCase::MeanPressure(UNIT)).unwrap();
+            let solution =
+                solver.tolerance(0.1).unwrap().solve(LoadCase::MeanPressure(UNIT)).unwrap();
             let found = solution.notes.iter().find(|note| note.code == "short-waves");
             let found = found.map(|note| note.value);
             assert_eq!(found.is_some(), short, "{n} {found:?}");

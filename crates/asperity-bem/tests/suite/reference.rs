@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use asperity_bem::{Boundary, BoundaryElements, LoadCase, HeightMap, RandomSurface};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 
 use crate::{MODULUS, close};
 

@@ -100,7 +100,7 @@ pub enum Beyond {
 impl Places {
     /// In the order of the command line; pressures are alike on the scan and on the nominal area.
     fn given(&self, nominal_area: f64) -> Vec<LoadCase> {
-        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> Given| {
+        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> LoadCase| {
             lists.iter().flat_map(|list| &list.0).map(|value| given(*value)).collect::<Vec<_>>()
         };
         let mut given = all(&self.pressures, &LoadCase::MeanPressure);
