@@ -64,8 +64,8 @@ pub struct CorrelationValue {
     pub conductance: f64,
     /// The base of the power law: p/H or √2 p/(E m).
     pub relative_pressure: f64,
-    /// Whether the power law is valid: within 1.6 % (plastic) or 2.1 % (elastic) of the theory it is
-    /// fitted to and, [for a scene](Correlation::at), with contacts of
+    /// Whether the power law is valid: within 1.6 % (plastic) or 2.1 % (elastic) of the theory it
+    /// is fitted to and, [for a scene](Correlation::at), with contacts of
     /// [its kind](Correlation::foreign).
     pub holds: bool,
 }
@@ -209,9 +209,9 @@ impl Correlation {
     }
 }
 
-/// The conductance h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean width
-/// `gap` Y \[m\], the separation of the mean planes of the surfaces, with gas parameter M \[m\], the
-/// temperature-jump distance: about 0.37 µm for air at 1 bar, 0 for liquids.
+/// The conductance h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean
+/// width `gap` Y \[m\], the separation of the mean planes of the surfaces, with gas parameter M
+/// \[m\], the temperature-jump distance: about 0.37 µm for air at 1 bar, 0 for liquids.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] for a negative number, or where Y + M is 0.

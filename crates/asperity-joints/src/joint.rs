@@ -134,8 +134,8 @@ impl Joint {
         Ok(found)
     }
 
-    /// A quantity after a retreat \[m\] from each of these closest approaches \[σ_z from the mean of
-    /// the asperity heights\].
+    /// A quantity after a retreat \[m\] from each of these closest approaches \[σ_z from the mean
+    /// of the asperity heights\].
     pub(crate) fn retreated(
         &self,
         quantity: UnloadingQuantity,
@@ -170,8 +170,8 @@ impl Joint {
     }
 }
 
-/// Whether the share of asperities above this height \[σ_z\] underflows: so far out, rounding of the
-/// height dominates the logarithms of the Gaussian and Weibull densities.
+/// Whether the share of asperities above this height \[σ_z\] underflows: so far out, rounding of
+/// the height dominates the logarithms of the Gaussian and Weibull densities.
 fn nothing_above(scene: &Scene, place: f64) -> bool {
     const LN_NOTHING: f64 = -1e4;
     let ln = match &scene.heights {

@@ -12,13 +12,14 @@
 //! brake     F/((4/3) E √(R w))                  1.5              π R_b δ     [seen]
 //! etsion    w [1 - (1-x^-.28)(1-x^-.69)]        1.5 x^-.0331     none        [recalled]
 //! ```
-//! x = w/w_c > 1 (Hertz otherwise), R_b = F²/[((4/3) E)² δ³]. For elastic asperities all three equal
-//! the loading curve, except that Etsion's fit starts at w_c: where a loading law stays Hertzian
-//! beyond w_c (JG, up to 1.9 w_c), Etsion's law dissipates up to 2 % of the work of such an asperity.
-//! The slope of Hertz' law at u = 0 is 2 E a exactly; Brake's area jumps there; Etsion's exponent of
-//! the area differs from finite elements by up to 12 % and is not used. The sum over the heights is
-//! the usual integral at the closest approach, with another law of w. Reloading retraces this curve
-//! to the closest approach and then follows the virgin curve; shakedown of the spheres is ignored.
+//! x = w/w_c > 1 (Hertz otherwise), R_b = F²/[((4/3) E)² δ³]. For elastic asperities all three
+//! equal the loading curve, except that Etsion's fit starts at w_c: where a loading law stays
+//! Hertzian beyond w_c (JG, up to 1.9 w_c), Etsion's law dissipates up to 2 % of the work of such
+//! an asperity. The slope of Hertz' law at u = 0 is 2 E a exactly; Brake's area jumps there;
+//! Etsion's exponent of the area differs from finite elements by up to 12 % and is not used. The
+//! sum over the heights is the usual integral at the closest approach, with another law of w.
+//! Reloading retraces this curve to the closest approach and then follows the virgin curve;
+//! shakedown of the spheres is ignored.
 //!
 //! # Cycles
 //! The closest approach is the only state variable: a [`Joint`] follows turning points
@@ -39,8 +40,9 @@
 //! ```text
 //! Q(u) = μ [F(0) - F(s)],     s = 4 G u/(μ E)
 //! ```
-//! and a cycle of amplitude ±D at constant separation dissipates W = 8 ∫₀ᴰ Q du - 4 Q(D) D (Masing).
-//! \[derived\] Varying normal loads are not covered, as Masing's rule does not hold for them.
+//! and a cycle of amplitude ±D at constant separation dissipates W = 8 ∫₀ᴰ Q du - 4 Q(D) D
+//! (Masing). \[derived\] Varying normal loads are not covered, as Masing's rule does not hold for
+//! them.
 //!
 //! Provenance of equations: \[seen\] in the source, \[recalled\] from memory, \[derived\] here.
 //!

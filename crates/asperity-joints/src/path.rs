@@ -38,7 +38,8 @@ impl Joint {
     /// point.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a turning point that is not finite; those of the evaluations.
+    /// [`ContactError::OutOfRange`] for a turning point that is not finite; those of the
+    /// evaluations.
     pub fn path(&self, turning_points: &[f64], steps: usize) -> Result<Path, ContactError> {
         let Some(&first) = turning_points.first() else {
             return Ok(Path { points: vec![], work: vec![] });

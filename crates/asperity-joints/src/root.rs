@@ -6,8 +6,8 @@ use asperity_quadrature::{bracketed_root, fallible};
 /// Largest retreat searched \[σ_z\].
 pub(crate) const MAX_DISTANCE: f64 = 1e4;
 
-/// The root of a falling `f`, searched from `low` in steps that double up to `farthest`; `low` where
-/// `f` is not positive there, `None` where `f` is still positive at the end.
+/// The root of a falling `f`, searched from `low` in steps that double up to `farthest`; `low`
+/// where `f` is not positive there, `None` where `f` is still positive at the end.
 pub(crate) fn falling_root(
     f: impl Fn(f64) -> Result<f64, ContactError>,
     (mut low, mut high): (f64, f64),

@@ -57,8 +57,8 @@ impl PartialSlip {
         self.scaled(self.friction, UnloadingQuantity::Released, ("shift", shift))
     }
 
-    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\] at `shift` \[m\]: from
-    /// -amplitude if `forth`, otherwise back from +amplitude.
+    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\] at `shift` \[m\]:
+    /// from -amplitude if `forth`, otherwise back from +amplitude.
     ///
     /// # Errors
     /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the
@@ -106,9 +106,9 @@ impl PartialSlip {
         Ok(loss / spring)
     }
 
-    /// The smallest shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1,
-    /// of its limit μ F. With unbounded heights some asperities stick at any shift; a share of 0.99
-    /// is nearly gross slip.
+    /// The smallest shift \[m\] at which the tangential force reaches a `share`, above 0 and below
+    /// 1, of its limit μ F. With unbounded heights some asperities stick at any shift; a share of
+    /// 0.99 is nearly gross slip.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a share out of range or a joint without force; those of

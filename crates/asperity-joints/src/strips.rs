@@ -51,10 +51,10 @@ impl Joint {
     /// asperity of bounded heights the force is exactly 0.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a number out of range and for ends more than 1000 σ_z apart;
-    /// [`ContactError::Integral`] with the error reached where the tolerance cannot be met (a
-    /// tolerance close to that of the joint, or jumps of the law with bounded heights); those of the
-    /// evaluations.
+    /// [`ContactError::OutOfRange`] for a number out of range and for ends more than 1000 σ_z
+    /// apart; [`ContactError::Integral`] with the error reached where the tolerance cannot be met
+    /// (a tolerance close to that of the joint, or jumps of the law with bounded heights); those of
+    /// the evaluations.
     pub fn table(
         &self,
         (deepest, open): (f64, f64),

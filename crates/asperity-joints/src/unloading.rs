@@ -137,13 +137,13 @@ impl Unloading {
         self.of(UnloadingQuantity::Contacts, retreat)
     }
 
-    /// The retreat \[m\] at which one asperity is in contact on average, the end of contact; 0 where
-    /// no more than one is in contact at the closest approach. Integrals that do not reach the
-    /// tolerance are accepted to 1e-6.
+    /// The retreat \[m\] at which one asperity is in contact on average, the end of contact; 0
+    /// where no more than one is in contact at the closest approach. Integrals that do not reach
+    /// the tolerance are accepted to 1e-6.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity is
-    /// in contact after 1e4 σ_z.
+    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity
+    /// is in contact after 1e4 σ_z.
     pub fn last_contact(&self) -> Result<f64, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
         // Logarithms, as the number falls faster than any power.
@@ -160,8 +160,8 @@ impl Unloading {
         }
     }
 
-    /// A quantity as a function of the retreat, to the tolerance of the joint or, where its integral
-    /// does not reach that, to 1e-6.
+    /// A quantity as a function of the retreat, to the tolerance of the joint or, where its
+    /// integral does not reach that, to 1e-6.
     fn at_least_roughly(
         &self,
         quantity: UnloadingQuantity,

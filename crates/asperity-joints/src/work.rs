@@ -51,8 +51,8 @@ impl Joint {
     ///
     /// # Errors
     /// Those of the contact's evaluations, [`ContactError::Integral`], and
-    /// [`ContactError::OutOfRange`] for heights with so heavy a tail that separations beyond 1e8 σ_z
-    /// contribute to the work.
+    /// [`ContactError::OutOfRange`] for heights with so heavy a tail that separations beyond 1e8
+    /// σ_z contribute to the work.
     pub fn work(&self, closest: At) -> Result<Work, ContactError> {
         let way = self.unloading(closest)?;
         let spent = self.spent(way.place())?;

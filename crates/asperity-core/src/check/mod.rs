@@ -84,7 +84,8 @@ impl Check {
 const DMT: f64 = 0.1;
 const JKR: f64 = 5.0;
 
-/// Distance of two atoms \[m\]; asperities with a smaller w_c are plastic from the onset of contact.
+/// Distance of two atoms \[m\]; asperities with a smaller w_c are plastic from the onset of
+/// contact.
 const ATOM: f64 = 3e-10;
 
 impl Scene {

@@ -30,8 +30,8 @@ impl Onset {
         f64::EPSILON * (self.shifted(s).abs() + 2.0 * self.0.abs())
     }
 
-    /// The integrals at [`shifted`](Self::shifted), slope included, with the effect of its rounding in
-    /// the bound.
+    /// The integrals at [`shifted`](Self::shifted), slope included, with the effect of its rounding
+    /// in the bound.
     #[inline]
     pub(crate) fn widened(self, s: f64, mut moments: Moments) -> Moments {
         if self.is_nonzero() && moments.sizes[0] > 0.0 {

@@ -36,8 +36,8 @@ where
     /// With the standard deviation `asperity_height_std` \[m\].
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a standard deviation that is not finite and above 0, and for
-    /// a distribution without finite mean and standard deviation.
+    /// [`ContactError::OutOfRange`] for a standard deviation that is not finite and above 0, and
+    /// for a distribution without finite mean and standard deviation.
     pub fn new(
         name: impl Into<String>,
         distribution: D,
