@@ -6,7 +6,7 @@ use crate::scenes::{model, named};
 
 type Change = (&'static str, fn(&mut Scene, f64));
 
-/// What was done, how, and words of what is said to it.
+/// A mistake, how it is made, and parts of its message.
 type Mistake = (&'static str, fn(&mut Scene), &'static [&'static str]);
 
 /// Every input of a scene, and how to multiply it.
@@ -78,7 +78,7 @@ fn unusual() -> Vec<(&'static str, Scene)> {
     ]
 }
 
-fn told(findings: &[Diagnostic]) -> Vec<String> {
+fn messages(findings: &[Diagnostic]) -> Vec<String> {
     findings.iter().map(|f| format!("{}: {f}", f.severity)).collect()
 }
 
@@ -103,7 +103,7 @@ fn a_thousand_a_million_and_a_billion_times_too_much_or_little_is_objected_to() 
                     _ => Severity::Warning,
                 };
                 if !found.iter().any(|finding| finding.severity <= enough) {
-                    missed.push(format!("{name}: {input} * {factor:e}: {:?}", told(&found)));
+                    missed.push(format!("{name}: {input} * {factor:e}: {:?}", messages(&found)));
                 }
             }
         }
@@ -119,7 +119,7 @@ fn good_scenes_are_passed_without_a_word() {
         // Indium, and gold in small asperities, yield at less than the size of an atom: so it is.
         let atomic =
             ["gold microswitch", "indium seal"].contains(&name) && found[0].code == "atomic";
-        assert!(found.is_empty() || atomic && found.len() == 1, "{name}: {:?}", told(&found));
+        assert!(found.is_empty() || atomic && found.len() == 1, "{name}: {:?}", messages(&found));
         scene.check().unwrap();
     }
     for name in ["at-paper", "mild", "severe"] {
@@ -127,7 +127,7 @@ fn good_scenes_are_passed_without_a_word() {
     }
 }
 
-/// What users have been seen to do, and what they are told.
+/// Observed mistakes of users and their messages.
 #[test]
 fn the_mistakes_of_a_trial_are_named_with_their_unit() {
     let right = || machined().swap_remove(0).1;
@@ -198,7 +198,7 @@ fn the_mistakes_of_a_trial_are_named_with_their_unit() {
     for (name, make, words) in mistakes {
         let mut scene = right();
         make(&mut scene);
-        let found = told(&scene.findings());
+        let found = messages(&scene.findings());
         let all = found.join("\n");
         assert!(words.iter().all(|word| all.contains(word)), "{name}: {found:#?}");
         assert!(found.len() <= 2, "{name}: {found:#?}");

@@ -114,10 +114,10 @@ fn contacts_that_are_no_upright_circles_and_missing_inputs_are_refused_by_name()
             assert!(matches!(refused, ContactError::Unsupported { .. }), "{refused}");
             let message = refused.to_string();
             let begins = format!(
-                "{} cannot give sums of contact radii, as unloading and conductance need them: ",
+                "{} cannot give sums of contact radii for unloading and conductance: ",
                 model.name()
             );
-            assert!(message.starts_with(&begins) && message.contains("angles"), "{message}");
+            assert!(message.starts_with(&begins) && message.contains("inclined"), "{message}");
         }
     }
     let fields = [

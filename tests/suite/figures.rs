@@ -1,4 +1,4 @@
-//! The committed figures are what the models say, and the guard that says so works.
+//! The committed figures equal the models, and the guard detects differences.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -28,7 +28,7 @@ fn request() -> Request {
     Request::new([Quantity::Force, Quantity::Area]).within(Tolerance::new(1e-3).unwrap())
 }
 
-/// The message says which field, what it is and what was required.
+/// The message names the field, its value and the requirement.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(answer: Result<T, ContactError>, field: &str, value: f64) {
     let message = answer.unwrap_err().to_string();

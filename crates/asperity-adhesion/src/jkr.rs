@@ -127,7 +127,7 @@ impl AsperityModel for JohnsonKendallRoberts {
         let r = asperity.radius;
         let strain = PI * work / (8.0 * asperity.equivalent_modulus * r);
         let last = 3.0 * r * (strain * strain).cbrt();
-        let law = |unit| Law::in_units(last, unit).beginning_at(self.branch.onset());
+        let law = |unit| Law::in_units(last, unit).with_onset(self.branch.onset());
         let all = 0.0..f64::INFINITY;
         Ok(Some(match quantity {
             // F/(π w_a R) = r⁶/6 - r³

@@ -11,7 +11,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::time::Instant;
 
-use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     for pressure in pressures {
         let start = Instant::now();
-        let solution = solver.solve(Given::MeanPressure(pressure))?;
+        let solution = solver.solve(LoadCase::MeanPressure(pressure))?;
         let seconds = start.elapsed().as_secs_f64();
         println!("{pressure:e} {seconds:.4} {} {}", solution.iterations, solution.pixel_area);
     }

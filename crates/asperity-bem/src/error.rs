@@ -36,7 +36,7 @@ pub enum BemError {
         /// What stands there.
         found: f64,
     },
-    /// A number lies where it means nothing.
+    /// An input is out of range.
     #[error("{field} is {found}: {required} was required")]
     OutOfRange {
         /// Name of the field.
@@ -46,7 +46,7 @@ pub enum BemError {
         /// What it should be.
         required: &'static str,
     },
-    /// The load is more than the surface carries when every pixel flows.
+    /// The load exceeds that of a fully plastic contact.
     #[error(
         "mean pressure is {pressure:e} Pa: less than the hardness, {hardness:e} Pa, was required"
     )]
@@ -56,7 +56,7 @@ pub enum BemError {
         /// Hardness \[Pa\].
         hardness: f64,
     },
-    /// The gap is more than the highest point leaves.
+    /// The gap exceeds the height of the highest point: there is no contact.
     #[error(
         "mean gap is {gap:e} m: less than the height of the highest point above the mean, {highest:e} m, was required (nothing touches)"
     )]
@@ -88,7 +88,7 @@ pub enum BemError {
         /// Loads that were tried.
         trials: usize,
     },
-    /// The caller's progress function said stop, at this load or at one before it.
+    /// The caller's progress function requested a stop, at this load or an earlier one.
     #[error("the solution was stopped by the caller")]
     Cancelled,
 }

@@ -1,4 +1,4 @@
-//! The half-space: deflections from pressures by Fourier transforms, and nearly back.
+//! The half-space: deflections from pressures by Fourier transforms, and an approximate inverse.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -10,16 +10,16 @@ use asperity_fft::{Complex64, ComplexToReal, Fft, RealToComplex};
 /// Rows and columns that move together between the layouts: 8 complex numbers are two cache lines.
 const BLOCK: usize = 8;
 
-/// What lies beyond the edges of the map.
+/// Boundary condition at the edges of the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Boundary {
-    /// The map again and again. Edges that do not meet press as steps: take the seam out first, by
+    /// Periodic repetition of the map. Edges that do not match make steps: use
     /// [`HeightMap::periodic_part`].
     #[default]
     Periodic,
-    /// A half-space that carries nothing: for scans whose edges do not meet, and for single
-    /// bodies. Four times the transforms.
+    /// A free half-space outside the map, for scans with edges that do not match and for single
+    /// bodies. Four times the cost of transforms.
     Free,
 }
 

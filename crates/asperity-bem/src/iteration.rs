@@ -11,9 +11,9 @@
 //!   Fletcher & Reeves' factors), so that nothing is restarted (as Bugnicourt and others 2018
 //!   \[recalled\]).
 //!
-//! Where almost all of the contact flows, too few pixels are left to say where the rigid surface
-//! stands. There, at a cold start and after a step that raised the energy, a step is made along
-//! the plain gradient of ALL pixels and shortened to the least energy.
+//! Where almost all of the contact is plastic, too few elastic pixels remain to locate the rigid
+//! surface. There, at a cold start and after a step that raised the energy, the next step follows
+//! the unpreconditioned gradient of all pixels and is shortened to the least energy.
 
 use crate::half_space::{Filter, HalfSpace};
 use crate::parallel::{number, reduce, sum, update};

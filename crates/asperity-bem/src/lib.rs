@@ -21,12 +21,10 @@
 //! # Valid for
 //! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`];
 //! [`HeightMap::half_grid`] shows how much depends on the grid. A periodic map whose edges do not
-//! meet is pressed by the steps along its seam: take them out by [`HeightMap::periodic_part`], or
-//! use [`Boundary::Free`].
+//! match has steps along its seam: use [`HeightMap::periodic_part`] or [`Boundary::Free`].
 //!
-//! The hardness is a cap of the pressure: it is the truth for a material of constant mean
-//! pressure H, not for elastic-plastic finite elements. A sphere starts to flow at Hertz' p_max =
-//! H.
+//! The hardness limits the pressure, which models a material of constant mean pressure H and
+//! differs from elastic-plastic finite elements. A sphere starts to yield at Hertz' p_max = H.
 //!
 //! Maps that are held while a contact of n x m pixels is solved, in arrays of n x m `f64`: 9 when
 //! it is periodic, 13 when it is free, and 2 in every answer. 2048 x 2048 periodic pixels take
@@ -44,14 +42,14 @@
 //!
 //! # Example
 //! ```
-//! use asperity_bem::{BoundaryElements, Given, RandomSurface};
+//! use asperity_bem::{BoundaryElements, LoadCase, RandomSurface};
 //!
 //! // 100 µm square of steel-like roughness: rms gradient 0.1, 2 to 16 waves per side.
 //! let surface = RandomSurface::new(2.0, 4.0, 16.0)?.side(1e-4)?.gradient(0.1)?.seed(1);
 //! let elastic = BoundaryElements::new(surface.heights(128)?, 115e9)?;
 //! let soft = elastic.clone().hardness(3e9)?;
 //! for pressure in [20e6, 200e6] {
-//!     let given = Given::MeanPressure(pressure);
+//!     let given = LoadCase::MeanPressure(pressure);
 //!     let (elastic, soft) = (elastic.solve(given)?, soft.solve(given)?);
 //!     assert!(soft.area > elastic.area && soft.mean_gap < elastic.mean_gap);
 //!     println!("{:.2} % of the area in {} patches", 100.0 * soft.area, soft.patches.len());
@@ -79,4 +77,4 @@ pub use height_map::HeightMap;
 pub use model::Bem;
 pub use random_surface::RandomSurface;
 pub use solution::{EDGE_SHARE, Solution};
-pub use solver::{BoundaryElements, Given, Progress};
+pub use solver::{BoundaryElements, LoadCase, Progress};

@@ -9,7 +9,7 @@ use asperity_core::{
     Provenance, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
 };
 
-use crate::{BemError, Boundary, BoundaryElements, Given, HeightMap, Solution};
+use crate::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
 
 /// Relative error of what was iterated to the usual tolerance: of the contact of these pixels, not
 /// of the surface between them.
@@ -123,7 +123,7 @@ impl ContactModel for Bem {
         };
         // Before anything is solved.
         request.quantities.iter().try_for_each(|q| contact.check_asked(*q, &QUANTITIES))?;
-        let given: Vec<Given> =
+        let given: Vec<LoadCase> =
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
         let all = given.into_iter().zip(all);
@@ -150,7 +150,7 @@ struct Summary {
     gap: f64,
 }
 
-type Solved = (Given, Result<Summary, BemError>);
+type Solved = (LoadCase, Result<Summary, BemError>);
 
 fn summary(solution: Result<Solution, BemError>) -> Result<Summary, BemError> {
     match solution {
@@ -176,15 +176,15 @@ impl fmt::Debug for OnScene {
 }
 
 impl OnScene {
-    fn given(&self, at: At) -> Result<Given, ContactError> {
+    fn given(&self, at: At) -> Result<LoadCase, ContactError> {
         let metres = SeparationUnit::Metres;
         Ok(match at {
             At::Separation(separation) => {
                 let gap = separation.measured_in(metres, Datum::SurfaceMean, &self.scene)?;
-                Given::MeanGap(gap.value)
+                LoadCase::MeanGap(gap.value)
             }
-            At::Pressure(pressure) => Given::MeanPressure(pressure),
-            At::Load(load) => Given::MeanPressure(load / self.scene.nominal_area),
+            At::Pressure(pressure) => LoadCase::MeanPressure(pressure),
+            At::Load(load) => LoadCase::MeanPressure(load / self.scene.nominal_area),
             _ => return Err(self.unsupported(&format!("an answer at {at}"))),
         })
     }
@@ -193,7 +193,7 @@ impl OnScene {
         self.solved.lock().unwrap_or_else(PoisonError::into_inner).extend(more);
     }
 
-    fn solve(&self, given: Given) -> Result<Summary, ContactError> {
+    fn solve(&self, given: LoadCase) -> Result<Summary, ContactError> {
         let known = {
             let solved = self.solved.lock().unwrap_or_else(PoisonError::into_inner);
             solved.iter().find(|(other, _)| same(given, *other)).map(|(_, found)| found.clone())
@@ -207,11 +207,11 @@ impl OnScene {
     }
 }
 
-fn same(one: Given, other: Given) -> bool {
+fn same(one: LoadCase, other: LoadCase) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() <= SAME * b.abs();
     match (one, other) {
-        (Given::MeanPressure(a), Given::MeanPressure(b))
-        | (Given::MeanGap(a), Given::MeanGap(b)) => near(a, b),
+        (LoadCase::MeanPressure(a), LoadCase::MeanPressure(b))
+        | (LoadCase::MeanGap(a), LoadCase::MeanGap(b)) => near(a, b),
         _ => false,
     }
 }

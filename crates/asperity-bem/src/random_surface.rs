@@ -1,4 +1,4 @@
-//! Random surfaces that anybody can make again: a power law with a roll-off and random phases.
+//! Reproducible random surfaces: a power law with a roll-off and random phases.
 
 use std::f64::consts::TAU;
 
@@ -56,7 +56,7 @@ impl RandomSurface {
     pub const HURST: f64 = 0.8;
 
     /// A surface whose waves are counted per side: `longest` (the fewest), where it rolls off, and
-    /// `shortest` (the most). H = 0.8, side 1 m, gradient 1, seed 0 when nothing else is said.
+    /// `shortest` (the most). Defaults: H = 0.8, side 1 m, gradient 1, seed 0.
     ///
     /// # Errors
     /// [`BemError::OutOfRange`] unless 0 < longest <= roll-off <= shortest, when no wave lies

@@ -1,4 +1,4 @@
-//! The seam of a map that is repeated: how far its edges are from meeting, and a map without it.
+//! The seam of a periodic map: its step, and the periodic component of a map without the step.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

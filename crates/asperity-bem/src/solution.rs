@@ -1,18 +1,18 @@
-//! The answer: where the surfaces touch, how hard, and how far apart they are elsewhere.
+//! The solution of a contact: area, pressures and gaps.
 
 use std::f64::consts::{LN_2, PI};
 
 use crate::patches::patches;
 use asperity_core::{At, Diagnostic};
 
-use crate::{Boundary, Given, HeightMap, note};
+use crate::{Boundary, HeightMap, LoadCase, note};
 
 /// A solved contact.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Solution {
-    /// What was asked for.
-    pub given: Given,
+    /// The load case.
+    pub given: LoadCase,
     /// Mean pressure on the area of the map \[Pa\].
     pub mean_pressure: f64,
     /// Load on the area of the map \[N\].
@@ -62,7 +62,7 @@ pub(crate) struct Fields {
 
 impl Solution {
     pub(crate) fn new(
-        given: Given,
+        given: LoadCase,
         map: &HeightMap,
         boundary: Boundary,
         cap: f64,
@@ -79,9 +79,9 @@ impl Solution {
         let patches = patches(&touching, map.shape(), periodic);
         let mean_pressure = pressures.iter().sum::<f64>() / pixels;
         let at = match given {
-            Given::MeanPressure(pressure) => At::Pressure(pressure),
-            Given::Load(load) => At::Load(load),
-            Given::MeanGap(_) => At::Pressure(mean_pressure),
+            LoadCase::MeanPressure(pressure) => At::Pressure(pressure),
+            LoadCase::Load(load) => At::Load(load),
+            LoadCase::MeanGap(_) => At::Pressure(mean_pressure),
         };
         notes.extend(note::of_contact(at, count, patches.len()));
         Self {

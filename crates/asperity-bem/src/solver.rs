@@ -16,9 +16,9 @@ const MOST_TRIALS: usize = 60;
 /// Error of a mean gap, in tolerances of the residual times Sq.
 const GAP_ERROR: f64 = 10.0;
 
-/// What a contact is solved at.
+/// A load case: the prescribed pressure, load or gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Given {
+pub enum LoadCase {
     /// Mean pressure on the area of the map \[Pa\].
     MeanPressure(f64),
     /// Load on the area of the map \[N\].
@@ -102,7 +102,7 @@ impl BoundaryElements {
         Ok(self)
     }
 
-    /// Most iterations for one load; 1000 when nothing is said, where 15 to 60 are usual.
+    /// Largest number of iterations for one load; 1000 by default, 15 to 60 are usual.
     #[must_use]
     pub fn most_iterations(mut self, most_iterations: usize) -> Self {
         self.most_iterations = most_iterations;
@@ -115,7 +115,7 @@ impl BoundaryElements {
     /// [`BemError::OutOfRange`] when what is given is not a positive number,
     /// [`BemError::CannotBeCarried`] above the hardness, [`BemError::NothingTouches`] above the
     /// highest point, [`BemError::NotConverged`] when the tolerance was not reached.
-    pub fn solve(&self, given: Given) -> Result<Solution, BemError> {
+    pub fn solve(&self, given: LoadCase) -> Result<Solution, BemError> {
         let mut solutions = self.solve_all(&[given], |_| ControlFlow::Continue(()));
         solutions.pop().unwrap_or(Err(BemError::Cancelled))
     }
@@ -126,7 +126,7 @@ impl BoundaryElements {
     /// [`BemError::Cancelled`]. One that fails leaves the others as they are.
     pub fn solve_all(
         &self,
-        given: &[Given],
+        given: &[LoadCase],
         progress: impl FnMut(&Progress) -> ControlFlow<()>,
     ) -> Vec<Result<Solution, BemError>> {
         let mut solutions: Vec<_> = given.iter().map(|_| Err(BemError::Cancelled)).collect();
@@ -139,12 +139,12 @@ impl BoundaryElements {
     /// may be killed.
     pub fn solve_each(
         &self,
-        given: &[Given],
+        given: &[LoadCase],
         mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
         mut solved: impl FnMut(usize, Result<Solution, BemError>),
     ) {
         let mut run = Run::new(self);
-        let mut order: Vec<(usize, Given)> = given.iter().copied().enumerate().collect();
+        let mut order: Vec<(usize, LoadCase)> = given.iter().copied().enumerate().collect();
         order.sort_by(|(_, a), (_, b)| self.lightness(*a).total_cmp(&self.lightness(*b)));
         let mut stopped = false;
         for (done, &(index, given)) in order.iter().enumerate() {
@@ -161,11 +161,11 @@ impl BoundaryElements {
     }
 
     /// Grows as loads fall; all loads come before all gaps.
-    fn lightness(&self, given: Given) -> f64 {
+    fn lightness(&self, given: LoadCase) -> f64 {
         match given {
-            Given::MeanPressure(pressure) => -pressure,
-            Given::Load(load) => -load / self.map.area(),
-            Given::MeanGap(gap) => gap,
+            LoadCase::MeanPressure(pressure) => -pressure,
+            LoadCase::Load(load) => -load / self.map.area(),
+            LoadCase::MeanGap(gap) => gap,
         }
     }
 }
@@ -190,14 +190,14 @@ impl<'a> Run<'a> {
         Self { setup, space, rms_height: setup.map.rms_height(), resolution, last: None }
     }
 
-    fn solve(&mut self, given: Given, watch: Watch<'_>) -> Result<Solution, BemError> {
+    fn solve(&mut self, given: LoadCase, watch: Watch<'_>) -> Result<Solution, BemError> {
         let area = self.setup.map.area();
         let fields = match given {
-            Given::MeanPressure(pressure) => {
+            LoadCase::MeanPressure(pressure) => {
                 self.press(positive("mean pressure", pressure)?, watch)
             }
-            Given::Load(load) => self.press(positive("load", load)? / area, watch),
-            Given::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
+            LoadCase::Load(load) => self.press(positive("load", load)? / area, watch),
+            LoadCase::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
         }?;
         let BoundaryElements { map, boundary, .. } = self.setup;
         Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution.clone()))

@@ -1,10 +1,10 @@
-//! Memory is what the documentation says. One test, alone in its process: the peak is that of the
+//! Memory use equals the documentation. One test, alone in its process: the peak is that of the
 //! process.
 
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use asperity_bem::{Boundary, BoundaryElements, Given, RandomSurface};
+use asperity_bem::{Boundary, BoundaryElements, LoadCase, RandomSurface};
 
 /// Peak of the resident memory \[kB\].
 fn peak() -> f64 {
@@ -22,7 +22,7 @@ fn a_handful_of_maps() {
     for (boundary, most) in [(Boundary::Periodic, 12.0), (Boundary::Free, 18.0)] {
         let before = peak();
         let solver = solver.clone().boundary(boundary).tolerance(1e-4).unwrap();
-        solver.solve(Given::MeanPressure(0.01)).unwrap();
+        solver.solve(LoadCase::MeanPressure(0.01)).unwrap();
         let grown = maps(peak() - before);
         println!("{boundary:?}: {grown:.1} maps");
         assert!(grown < most, "{boundary:?}: {grown}");

@@ -1,7 +1,7 @@
 //! Contacts of a scan, one after another: what a table tells of each, and what deserves a word.
 
 use anyhow::Result;
-use asperity::bem::{Bem, BemError, Given, Solution};
+use asperity::bem::{Bem, BemError, LoadCase, Solution};
 use asperity::{Described, Diagnostics};
 
 use crate::interrupt;
@@ -25,7 +25,7 @@ impl From<&Solution> for Row {
         Self {
             // As it was given, to the digit.
             pressure: match solution.given {
-                Given::MeanPressure(pressure) => pressure,
+                LoadCase::MeanPressure(pressure) => pressure,
                 _ => solution.mean_pressure,
             },
             area: solution.area,
@@ -42,7 +42,7 @@ impl From<&Solution> for Row {
 /// Lists of contacts, solved.
 pub struct Run<'a> {
     pub scene: &'a LoadedScene,
-    pub given: &'a [Given],
+    pub given: &'a [LoadCase],
     /// Pressures of those that were solved, where they are kept.
     pub maps: Vec<Vec<f64>>,
     pub words: Vec<String>,

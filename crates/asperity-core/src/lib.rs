@@ -6,14 +6,14 @@
 //!
 //! A [`Law`] q is the response of one asperity to an interference w; [`Heights`] g describe the
 //! asperity heights; a [`Scene`] describes the surfaces in contact, a [`Request`] the quantities
-//! and the places. An [`AsperityModel`] supplies the law and nothing else. Data flows one way:
+//! and the places. An [`AsperityModel`] supplies only the law:
 //!
 //! ```text
 //! scene + request → model.law(asperity, quantity) → compiled → response
 //! ```
 //!
-//! This crate holds no model; diagnostics advise some by their ids. SI units everywhere;
-//! separations are multiples of σ_z.
+//! This crate contains no model; diagnostics recommend models by their ids. All units are SI;
+//! plain separations are multiples of σ_z.
 
 mod check;
 mod diagnostic;

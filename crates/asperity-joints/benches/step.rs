@@ -1,5 +1,5 @@
-//! What a step in time costs: on the virgin curve, on the way back from a table, and on the way
-//! back integrated anew. Paired in one run; `cargo bench -p asperity-joints`.
+//! Time of one step: on the virgin curve, in unloading from a table, and in unloading integrated
+//! anew. Paired in one run; `cargo bench -p asperity-joints`.
 
 use std::hint::black_box;
 
@@ -22,7 +22,7 @@ fn steps(c: &mut Criterion) -> Result<(), ContactError> {
     let joint = joint()?;
     let range = (-SIGMA, 5.0 * SIGMA);
     let table = joint.table(range, 1e-6)?;
-    // Closest approaches and retreats in an order that no branch predictor learns.
+    // Closest approaches and retreats in an order that defeats branch prediction.
     let places: Vec<(f64, f64)> = (0..1024)
         .map(|k| {
             let share = |prime: u32| f64::from(k * prime % 1024) / 1024.0;

@@ -1,5 +1,5 @@
-//! Correlations of thermal contact conductance, to be printed beside the models: per nominal area,
-//! for nominally flat rough surfaces.
+//! Correlations of thermal contact conductance per nominal area of nominally flat rough surfaces,
+//! for comparison with the models.
 //!
 //! ```text
 //! Cooper, Mikic & Yovanovich 1969, plastic    h = 1.25 k (m/σ) (p/H)^0.95            [seen]
@@ -7,13 +7,15 @@
 //! gas in the gap                              h = k_g/(Y + M)                        [seen]
 //! constriction factor                         ψ = (1 - √(A/A_n))^1.5                 [recalled]
 //! ```
-//! σ and m are those of the gap: the root sum squares of both surfaces' standard deviations of
-//! heights and mean absolute slopes; m = √(2 m₂/π) for Gaussian slopes of profiles. \[derived\]
+//! σ and m are combined values: root sum squares of both surfaces' standard deviations of heights
+//! and mean absolute slopes; m = √(2 m₂/π) for Gaussian slopes of profiles. \[derived\]
 //!
 //! Both power laws are fits to the contact of two Gaussian surfaces (bearing area at λσ;
-//! conductance e^(-λ²/2) k (m/σ)/(2√(2π) ψ)). Computed here, the plastic one is within 1.6 % of
-//! that on p/H = 10⁻⁶ to 0.023, the elastic one within 2.1 % on √2 p/(E m) = 10⁻⁵ to 0.012 (and 5 %
-//! off at 10⁻⁶). \[derived\]
+//! conductance e^(-λ²/2) k (m/σ)/(2√(2π) ψ)). The plastic law is within 1.6 % of this theory for
+//! p/H = 10⁻⁶ to 0.023, the elastic law within 2.1 % for √2 p/(E m) = 10⁻⁵ to 0.012 (5 % at 10⁻⁶).
+//! \[derived\]
+//!
+//! Provenance of equations: \[seen\] in the source, \[recalled\] from memory, \[derived\] here.
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -21,7 +23,7 @@ use std::ops::RangeInclusive;
 use asperity_core::{ContactError, ProfileMoments, Scene, positive};
 use serde::Serialize;
 
-/// The roughness of a gap, as the correlations take it.
+/// The combined roughness of a gap, input of the correlations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GapRoughness {
     /// σ \[m\], > 0: standard deviation of the surface heights.
@@ -31,14 +33,14 @@ pub struct GapRoughness {
 }
 
 impl GapRoughness {
-    /// That of profiles with these moments, of one surface or of both together
-    /// ([`ProfileMoments::plus`]), with Gaussian slopes.
+    /// The roughness of Gaussian profiles with these moments, of one surface or combined
+    /// ([`ProfileMoments::plus`]).
     #[must_use]
     pub fn of(moments: &ProfileMoments) -> Self {
         Self { height_std: moments.m0.sqrt(), mean_slope: (2.0 * moments.m2 / PI).sqrt() }
     }
 
-    /// The gap between two such surfaces.
+    /// The combined roughness of two surfaces.
     #[must_use]
     pub fn between(first: &Self, second: &Self) -> Self {
         Self {
@@ -54,65 +56,66 @@ impl GapRoughness {
     }
 }
 
-/// What a correlation says.
+/// The result of a correlation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct Correlated {
+pub struct CorrelationValue {
     /// h \[W/(m² K)\], per nominal area.
     pub conductance: f64,
-    /// p/H, or √2 p/(E m): what the correlation is a power of.
+    /// The base of the power law: p/H or √2 p/(E m).
     pub relative_pressure: f64,
-    /// Whether the power is near the theory it is fitted to there: within 1.6 % of it for plastic
-    /// contacts, 2.1 % for elastic ones; and, [of a scene](Correlation::at), its contacts are of
-    /// [that kind](Correlation::foreign).
+    /// Whether the power law is valid: within 1.6 % (plastic) or 2.1 % (elastic) of the theory it
+    /// is fitted to and, [for a scene](Correlation::at), with contacts of
+    /// [its kind](Correlation::foreign).
     pub holds: bool,
 }
 
-/// Relative pressures at which the power laws are near their theories: plastic and elastic.
+/// Relative pressures at which the power laws are valid: plastic and elastic.
 const PLASTIC: RangeInclusive<f64> = 1e-6..=0.023;
 const ELASTIC: RangeInclusive<f64> = 1e-5..=0.012;
 
-/// Plasticity index from which on contacts count as plastic, below it as elastic: Greenwood &
-/// Williamson 1966 put the change between 0.6 and 1.
-const YIELDS: f64 = 1.0;
+/// Plasticity index from which contacts count as plastic; Greenwood & Williamson 1966 give a
+/// transition between 0.6 and 1.
+const PLASTIC_FROM: f64 = 1.0;
 
 fn correlated(
     factor: f64,
     conductivity: f64,
     roughness: &GapRoughness,
     (relative_pressure, exponent, fitted): (f64, f64, RangeInclusive<f64>),
-) -> Result<Correlated, ContactError> {
+) -> Result<CorrelationValue, ContactError> {
     let conductivity = positive("thermal_conductivity", conductivity)?;
     let conductance = factor * conductivity * roughness.ratio()? * relative_pressure.powf(exponent);
     let holds = fitted.contains(&relative_pressure);
-    Ok(Correlated { conductance, relative_pressure, holds })
+    Ok(CorrelationValue { conductance, relative_pressure, holds })
 }
 
 /// Plastic contacts, Cooper, Mikic & Yovanovich: `conductivity` is 2k₁k₂/(k₁+k₂) \[W/(m K)\],
-/// `pressure` p and `hardness` H of the softer body (micro-hardness where it is known) \[Pa\].
+/// `pressure` p and `hardness` H of the softer body (micro-hardness if available) \[Pa\].
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] naming what is not above 0.
+/// [`ContactError::OutOfRange`] for an input that is not above 0.
 pub fn cooper_mikic_yovanovich(
     conductivity: f64,
     roughness: &GapRoughness,
     pressure: f64,
     hardness: f64,
-) -> Result<Correlated, ContactError> {
+) -> Result<CorrelationValue, ContactError> {
     let relative = positive("pressure", pressure)? / positive("hardness", hardness)?;
     correlated(1.25, conductivity, roughness, (relative, 0.95, PLASTIC))
 }
 
-/// Elastic contacts, Mikic: as above, with the equivalent `modulus` E \[Pa\].
+/// Elastic contacts, Mikic: `conductivity` is 2k₁k₂/(k₁+k₂) \[W/(m K)\], with `pressure` p and the
+/// equivalent `modulus` E \[Pa\].
 ///
 /// # Errors
-/// [`ContactError::OutOfRange`] naming what is not above 0.
+/// [`ContactError::OutOfRange`] for an input that is not above 0.
 pub fn mikic_elastic(
     conductivity: f64,
     roughness: &GapRoughness,
     pressure: f64,
     modulus: f64,
-) -> Result<Correlated, ContactError> {
+) -> Result<CorrelationValue, ContactError> {
     let slope = positive("mean_slope", roughness.mean_slope)?;
     let stiffness = positive("equivalent_modulus", modulus)? * slope;
     let relative = 2f64.sqrt() * positive("pressure", pressure)? / stiffness;
@@ -123,14 +126,14 @@ pub fn mikic_elastic(
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Correlation {
-    /// [`cooper_mikic_yovanovich`]: contacts that yield.
+    /// [`cooper_mikic_yovanovich`]: plastic contacts.
     CooperMikicYovanovich,
-    /// [`mikic_elastic`]: contacts that do not.
+    /// [`mikic_elastic`]: elastic contacts.
     MikicElastic,
 }
 
 impl Correlation {
-    /// Both of them.
+    /// All correlations.
     pub const ALL: [Self; 2] = [Self::CooperMikicYovanovich, Self::MikicElastic];
 
     /// Short name in lower case.
@@ -142,7 +145,7 @@ impl Correlation {
         }
     }
 
-    /// Who, when, and for which contacts.
+    /// Authors, year and kind of contacts.
     #[must_use]
     pub fn citation(self) -> &'static str {
         match self {
@@ -151,7 +154,7 @@ impl Correlation {
         }
     }
 
-    /// What it is a power of, [`Correlated::relative_pressure`].
+    /// The base of the power law, [`CorrelationValue::relative_pressure`].
     #[must_use]
     pub fn relative_pressure(self) -> &'static str {
         match self {
@@ -160,37 +163,36 @@ impl Correlation {
         }
     }
 
-    /// From where to where in [`relative_pressure`](Self::relative_pressure) it
-    /// [holds](Correlated::holds).
+    /// Range of [`relative_pressure`](Self::relative_pressure) in which the power law is
+    /// [valid](CorrelationValue::holds).
     #[must_use]
     pub fn range(self) -> [f64; 2] {
         let range = if self == Self::MikicElastic { ELASTIC } else { PLASTIC };
         [*range.start(), *range.end()]
     }
 
-    /// The plasticity index of a scene whose contacts are not those of the correlation: below 1 for
-    /// plastic contacts, above 1 for elastic ones. Nothing without a hardness, which leaves nothing
-    /// to judge by.
+    /// The plasticity index of a scene outside the correlation's range: below 1 for the plastic
+    /// correlation, at least 1 for the elastic one. `None` inside the range or without a hardness.
     #[must_use]
     pub fn foreign(self, scene: &Scene) -> Option<f64> {
         let index = scene.plasticity_index().ok()?;
         let plastic = self == Self::CooperMikicYovanovich;
-        ((index >= YIELDS) != plastic).then_some(index)
+        ((index >= PLASTIC_FROM) != plastic).then_some(index)
     }
 
-    /// Under a mean `pressure` \[Pa\] on the nominal area of a scene, with the roughness of its
-    /// gap: it does not [hold](Correlated::holds) where the scene's contacts are [of the other
-    /// kind](Self::foreign).
+    /// The conductance of a scene under a mean `pressure` \[Pa\] on the nominal area, with the
+    /// roughness of its gap; not [valid](CorrelationValue::holds) where the scene's contacts are
+    /// [of the other kind](Self::foreign).
     ///
     /// # Errors
     /// [`ContactError::Missing`] without a thermal conductivity or, for plastic contacts, a
-    /// hardness; [`ContactError::OutOfRange`] naming what is not above 0.
+    /// hardness; [`ContactError::OutOfRange`] for an input that is not above 0.
     pub fn at(
         self,
         scene: &Scene,
         roughness: &GapRoughness,
         pressure: f64,
-    ) -> Result<Correlated, ContactError> {
+    ) -> Result<CorrelationValue, ContactError> {
         let (field, reason) = ("thermal_conductivity", format!("{} needs it", self.citation()));
         let conductivity = scene.interface.thermal_conductivity;
         let conductivity = conductivity.ok_or(ContactError::Missing { field, reason })?;
@@ -203,13 +205,13 @@ impl Correlation {
                 mikic_elastic(conductivity, roughness, pressure, asperity.equivalent_modulus)
             }
         }?;
-        Ok(Correlated { holds: found.holds && self.foreign(scene).is_none(), ..found })
+        Ok(CorrelationValue { holds: found.holds && self.foreign(scene).is_none(), ..found })
     }
 }
 
-/// h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean width `gap` Y
-/// \[m\], the separation of the mean planes of the surfaces, with gas parameter M \[m\]: the jump
-/// of temperature at the walls, some free paths; 0 for liquids.
+/// The conductance h_g \[W/(m² K)\] of a gas of `conductivity` k_g \[W/(m K)\] in a gap of mean
+/// width `gap` Y \[m\], the separation of the mean planes of the surfaces, with gas parameter M
+/// \[m\], the temperature-jump distance: about 0.37 µm for air at 1 bar, 0 for liquids.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] for a negative number, or where Y + M is 0.
@@ -228,8 +230,8 @@ pub fn gap_conductance(
     Ok(positive("thermal_conductivity", conductivity)? / width)
 }
 
-/// ψ: what sums of contacts that lie close to each other are divided by, at real over nominal area
-/// A/A_n.
+/// The constriction factor ψ, by which the conductance of isolated contacts is divided, at
+/// real over nominal area A/A_n.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] unless 0 ≤ A/A_n < 1.
@@ -245,7 +247,7 @@ pub fn constriction_factor(area_fraction: f64) -> Result<f64, ContactError> {
 mod tests {
     use super::*;
 
-    /// ½ erfc(λ/√2), by a long sum of the Gaussian: nothing of the fits.
+    /// ½ erfc(λ/√2) as a sum of the Gaussian density, independent of the fits.
     fn bearing(lambda: f64) -> f64 {
         let steps = 20_000;
         let width = 10.0 / f64::from(steps);
@@ -257,14 +259,14 @@ mod tests {
     }
 
     #[test]
-    fn the_power_laws_are_near_the_theories_that_they_fit() {
+    fn power_laws_are_within_the_stated_errors_of_their_theories() {
         let one = GapRoughness { height_std: 1.0, mean_slope: 1.0 };
         let mut worst = [0.0_f64; 2];
         for k in 0..=60 {
             let lambda = 2.0 + 2.74 * f64::from(k) / 60.0;
             let (bears, falls) = (bearing(lambda), (-0.5 * lambda * lambda).exp());
             let plastic = falls / (2.0 * (2.0 * PI).sqrt() * constriction_factor(bears).unwrap());
-            // Half the bearing area touches, and contacts of a given number are smaller by √2.
+            // Elastic contacts have half the bearing area, and radii smaller by √2.
             let half = constriction_factor(0.5 * bears).unwrap();
             let elastic = falls / (4.0 * PI.sqrt() * half);
             let found = [
@@ -284,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pair_of_metals_has_the_published_number() {
+    fn conductance_of_a_metal_pair_equals_the_published_value() {
         let one = GapRoughness { height_std: 1e-6, mean_slope: 0.1 };
         let both = GapRoughness::between(&one, &one);
         let conductivity = 2.0 * 50.0 * 100.0 / 150.0;
@@ -303,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn contacts_of_the_other_kind_are_not_held() {
+    fn correlations_are_invalid_for_contacts_of_the_other_kind() {
         use asperity_core::{Interface, Surface};
         let mut interface = Interface::new(1.1e11, 0.3, 2e9);
         interface.thermal_conductivity = Some(50.0);
@@ -319,7 +321,7 @@ mod tests {
         };
         assert_eq!(holds(0.13), [false, true]);
         assert_eq!(holds(6.7), [true, false]);
-        // Without a hardness there is nothing to judge by.
+        // Without a hardness there is no plasticity index.
         let surface = Surface::from_plasticity_index(6.7, 0.04, 1e-6, &interface).unwrap();
         interface.hardness = None;
         let scene = Scene::new(interface, surface, 1e-4);
@@ -327,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_out_of_range_is_named_and_what_was_not_fitted_is_said() {
+    fn inputs_out_of_range_are_refused_and_extrapolation_is_marked_invalid() {
         let one = GapRoughness { height_std: 1e-6, mean_slope: 0.1 };
         let far = cooper_mikic_yovanovich(50.0, &one, 1e8, 1e9).unwrap();
         assert!(!far.holds && (far.relative_pressure - 0.1).abs() < 1e-15);

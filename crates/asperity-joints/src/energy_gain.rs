@@ -1,27 +1,27 @@
-//! Pairs of a loading law and an unloading law that create energy.
+//! Energy created by a pair of loading and unloading laws.
 
 use std::fmt;
 
 use asperity_core::{At, ContactError, QuadratureError};
 use asperity_quadrature::{fallible, gauss_kronrod};
 
-use crate::one::{Asked, Loading, MOST};
+use crate::asperity_laws::{AsperityLaws, MAX_SAMPLES, UnloadingQuantity};
 use crate::{Joint, UnloadingLaw, Work};
 
-/// Classes of interferences between two kinks of the law, by equal ratios,
+/// Classes of interference between two kinks of the law, in geometric steps.
 const CLASSES: u32 = 64;
-/// over so many powers of ten, beyond the last kink.
+/// Decades covered beyond the last kink.
 const DECADES: f64 = 4.0;
 /// Relative error of the work on one asperity: far below [`NEGLIGIBLE`].
 const TOLERANCE: f64 = 1e-6;
-/// Energy created by some asperities is no finding below this share of the work of loading.
+/// Share of the work of loading below which energy created by some asperities is not reported.
 const NEGLIGIBLE: f64 = 0.01;
 
 /// The finding that opening creates energy.
 ///
 /// An asperity whose loading law is steeper than Hertz' (AF above w_c), or jumps up (CEB and KE at
-/// w_c), has a residual interference w - δ below 0: by the unloading law it recovers by more than
-/// it was pressed, and returns more energy than pressing it took.
+/// w_c), has a residual interference w - δ below 0: it recovers by more than its interference and
+/// returns more energy than the work of loading.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct EnergyGain {
@@ -29,9 +29,9 @@ pub struct EnergyGain {
     pub model: String,
     /// The unloading law.
     pub law: UnloadingLaw,
-    /// Energy created over the work of loading: 0.6 for 60 %. What the rough contact returns beyond
-    /// the work, where that is more; or else what its asperities with a residual below 0 create, to
-    /// some per cent.
+    /// Energy created over the work of loading, 0.6 for 60 %: the net gain of the rough contact if
+    /// there is one; otherwise the energy created by asperities with a residual interference below
+    /// 0, accurate to some per cent.
     pub amount: f64,
     /// Whether the rough contact returns more than the work of loading.
     pub is_net: bool,
@@ -61,8 +61,9 @@ impl fmt::Display for EnergyGain {
 }
 
 impl Joint {
-    /// Whether opening from `closest` creates energy, given the [`work`](Self::work): more than 1 %
-    /// of it, or in all, beyond the errors of both works.
+    /// The energy gain of opening from `closest`, given the [`work`](Self::work): if the whole
+    /// contact gains energy beyond the error bounds, or some asperities create more than 1 % of the
+    /// work.
     ///
     /// # Errors
     /// Those of finding a load; [`ContactError::Integral`], [`ContactError::Refused`].
@@ -80,8 +81,8 @@ impl Joint {
         Ok((is_net || amount > NEGLIGIBLE).then_some(found))
     }
 
-    /// The energy \[J\] that asperities with a residual interference below 0 create, class by
-    /// class.
+    /// The energy \[J\] created by asperities with a residual interference below 0, summed over
+    /// classes of interference.
     fn created(&self, closest: At) -> Result<f64, ContactError> {
         let place = self.unloading(closest)?.place();
         let (loading, sigma) = (self.loading(), self.scene().surface.asperity_height_std);
@@ -100,7 +101,7 @@ impl Joint {
                 continue;
             }
             let places: Vec<f64> = (0..=CLASSES).map(|k| place + end(k) / sigma).collect();
-            let above = self.retreated(Asked::Contacts, 0.0, &places)?;
+            let above = self.retreated(UnloadingQuantity::Contacts, 0.0, &places)?;
             for (gain, ends) in gains.iter().zip(above.windows(2)) {
                 created += gain.max(0.0) * (ends[0].value() - ends[1].value());
             }
@@ -109,13 +110,14 @@ impl Joint {
     }
 }
 
-impl Loading {
-    /// The work on one asperity pressed to w \[m\], and what it returns \[J\].
+impl AsperityLaws {
+    /// The work of loading one asperity to w \[m\], and the work it returns \[J\].
     pub(crate) fn works(&self, w: f64, tolerance: f64) -> Result<[f64; 2], QuadratureError> {
         let mut breaks: Vec<f64> = self.breaks().into_iter().filter(|x| *x < w).collect();
         breaks.push(w);
         let force = |x| self.force.value(x);
-        let spent = fallible(force, |force| gauss_kronrod(force, &breaks, tolerance, MOST))??;
-        Ok([spent.value, self.answer(w, f64::INFINITY, None, Asked::Returned)?])
+        let spent =
+            fallible(force, |force| gauss_kronrod(force, &breaks, tolerance, MAX_SAMPLES))??;
+        Ok([spent.value, self.answer(w, f64::INFINITY, None, UnloadingQuantity::Returned)?])
     }
 }

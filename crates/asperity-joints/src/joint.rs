@@ -1,4 +1,4 @@
-//! A model's contact on a scene, to be closed and opened.
+//! A joint: a model's contact on a scene, closed and opened.
 
 use std::sync::Arc;
 
@@ -7,48 +7,48 @@ use asperity_core::{
     Quantity, Request, Scene, Separation, SeparationUnit, Tolerance,
 };
 
-use crate::one::{Asked, Loading, Retreated};
+use crate::asperity_laws::{AsperityLaws, RetreatModel, UnloadingQuantity};
 use crate::{Unloading, UnloadingLaw};
 
-/// Units in the last place that the place of the first contact that lasts may be off by: δ is some
-/// ten operations, as steep as a root at least. 26 were seen.
-const FIRST_ROUNDED: f64 = 40.0;
+/// Bound on the error of the first remaining interference, in units of the last place: δ takes some
+/// ten operations and grows at least as a square root; the largest error observed is 26.
+const FIRST_ROUNDING_ULPS: f64 = 40.0;
 
-/// The first closing, and the way back from any closest approach.
+/// First loading of a contact, and unloading from any closest approach.
 #[derive(Debug, Clone)]
 pub struct Joint {
     source: Citation,
     name: String,
     virgin: Arc<dyn Contact>,
-    loading: Arc<Loading>,
+    loading: Arc<AsperityLaws>,
     tolerance: Tolerance,
 }
 
 impl Joint {
-    /// A model's contact on a scene, which comes back as `law` says.
+    /// A model's contact on a scene, with an unloading law.
     ///
     /// # Errors
-    /// [`ContactError::Unsupported`] for models that have no law of an asperity, one spread over
-    /// angles, or adhesion; those of the model.
+    /// [`ContactError::Unsupported`] for models without an asperity law, with inclined contacts or
+    /// with adhesion; those of the model.
     pub fn new(
         model: &(impl ContactModel + ?Sized),
         scene: &Scene,
         law: UnloadingLaw,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        let loading = Loading::new(model, scene.asperity()?, law, tolerance)?;
-        let asked = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        let loading = AsperityLaws::new(model, scene.asperity()?, law, tolerance)?;
+        let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         Ok(Self {
             source: *model.citation(),
             name: model.name().into(),
-            virgin: model.compile(scene, &asked)?.into(),
+            virgin: model.compile(scene, &request)?.into(),
             loading: Arc::new(loading),
             tolerance,
         })
     }
 
-    /// The same to this tolerance, unless its own is the larger one.
-    pub(crate) fn roughly(&self, tolerance: Tolerance) -> Self {
+    /// The same joint with the larger of two tolerances, its own and this one.
+    pub(crate) fn with_tolerance_at_least(&self, tolerance: Tolerance) -> Self {
         let tolerance = if self.tolerance > tolerance { self.tolerance } else { tolerance };
         Self { tolerance, ..self.clone() }
     }
@@ -65,7 +65,7 @@ impl Joint {
         self.virgin.scene()
     }
 
-    /// How the asperities come back.
+    /// The unloading law.
     #[must_use]
     pub fn law(&self) -> UnloadingLaw {
         self.loading.unloading
@@ -75,12 +75,12 @@ impl Joint {
         self.tolerance
     }
 
-    /// Whether any asperity comes back another way than it went.
+    /// Whether any asperity unloads on another curve than it was loaded on.
     pub(crate) fn yields(&self) -> bool {
         self.loading.critical.is_finite()
     }
 
-    /// Height of the highest asperity above the mean \[m\]; infinite for heights without an end.
+    /// Height of the highest asperity above the mean \[m\]; infinite for unbounded heights.
     pub(crate) fn highest(&self) -> f64 {
         match &self.scene().heights {
             HeightDistribution::Other(heights) => heights.heights().support().1,
@@ -88,7 +88,7 @@ impl Joint {
         }
     }
 
-    pub(crate) fn loading(&self) -> &Loading {
+    pub(crate) fn loading(&self) -> &AsperityLaws {
         &self.loading
     }
 
@@ -96,7 +96,7 @@ impl Joint {
         &self.name
     }
 
-    /// The way back from a closest approach: of a load, the largest separation that carries it.
+    /// Unloading from a closest approach; for a load, from the largest separation that carries it.
     ///
     /// # Errors
     /// Those of finding a load.
@@ -104,9 +104,9 @@ impl Joint {
         Unloading::of_joint(self.clone(), self.virgin.separation(closest)?)
     }
 
-    /// Where a history turns, as separations \[m\] from the mean of the asperity heights for
-    /// [`path`](Self::path): loads beyond the largest so far are met on the virgin curve, smaller
-    /// ones on the way back from the closest approach.
+    /// The turning points of a history as separations \[m\] from the mean of the asperity heights,
+    /// for [`path`](Self::path): loads above the largest so far lie on the virgin curve, smaller
+    /// loads on the unloading curve from the closest approach.
     ///
     /// # Errors
     /// Those of finding a load; [`ContactError::OutOfRange`] for a load that is not above 0.
@@ -134,15 +134,16 @@ impl Joint {
         Ok(found)
     }
 
-    /// What is asked after a retreat \[m\] from each of these closest approaches \[σ_z from the
-    /// mean of the asperity heights\].
+    /// A quantity after a retreat \[m\] from each of these closest approaches \[σ_z from the mean
+    /// of the asperity heights\].
     pub(crate) fn retreated(
         &self,
-        asked: Asked,
+        quantity: UnloadingQuantity,
         retreat: f64,
         closest: &[f64],
     ) -> Result<Vec<Evaluation>, ContactError> {
-        let model = Retreated::new((&self.source, &self.name), &self.loading, asked, retreat)?;
+        let model =
+            RetreatModel::new((&self.source, &self.name), &self.loading, quantity, retreat)?;
         let scene = self.scene();
         let lost = |place: f64| {
             nothing_above(scene, place + model.first / scene.surface.asperity_height_std)
@@ -158,18 +159,19 @@ impl Joint {
             let missing = ContactError::NotRequested { quantity: Quantity::Force };
             let mut found =
                 rows.next().unwrap_or_else(|| Err(missing.into())).map_err(|error| *error)?;
-            // The first contact that lasts is known as well as δ is, and the tail falls as steeply
-            // as that of a Gaussian density.
+            // The error of the first remaining interference is that of δ; the tail is assumed to
+            // fall as steeply as a Gaussian density.
             let first = model.first / scene.surface.asperity_height_std;
-            found.error += FIRST_ROUNDED * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
+            found.error +=
+                FIRST_ROUNDING_ULPS * f64::EPSILON * first * ((place + first).max(0.0) + 1.0);
             Ok(found)
         };
         closest.iter().map(next).collect()
     }
 }
 
-/// Whether no double holds how many asperities are higher than this \[σ_z\]: so far out, places
-/// have no digits for the logarithms of Gauss' and Weibull's densities.
+/// Whether the share of asperities above this height \[σ_z\] underflows: so far out, rounding of
+/// the height dominates the logarithms of the Gaussian and Weibull densities.
 fn nothing_above(scene: &Scene, place: f64) -> bool {
     const LN_NOTHING: f64 = -1e4;
     let ln = match &scene.heights {

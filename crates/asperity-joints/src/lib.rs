@@ -1,51 +1,54 @@
-//! What a joint does after it was closed: unloading, cycles, and partial slip under a tangential
-//! force; and the correlations of its thermal conductance ([`conductance`]).
+//! Unloading, cycles and partial slip of closed joints, and correlations of their thermal
+//! conductance ([`conductance`]).
 //!
 //! # Unloading
-//! Each asperity has been pressed to its own w, with force F, area A = π a². When the flat has gone
-//! back by u, the asperity carries, with δ the way back to where its contact is lost,
+//! At the closest approach each asperity has an interference w, force F and area A = π a². After a
+//! retreat u, with δ the retreat at which the asperity loses contact, it carries
 //! ```text
-//! force F (1 - u/δ)ⁿ       area A' (1 - u/δ)       for u < δ, nothing beyond
+//! force F (1 - u/δ)ⁿ       area A' (1 - u/δ)       for u < δ, 0 beyond
 //!
 //! law       δ                                   n                A'
 //! hertz     3F/(4 E a)                          1.5              A           [seen]
 //! brake     F/((4/3) E √(R w))                  1.5              π R_b δ     [seen]
 //! etsion    w [1 - (1-x^-.28)(1-x^-.69)]        1.5 x^-.0331     none        [recalled]
 //! ```
-//! x = w/w_c > 1 (Hertz otherwise), R_b = F²/[((4/3) E)² δ³]. Where the asperity is elastic, all of
-//! them are its loading curve; but Etsion's fit counts from w_c, and where a loading law stays
-//! Hertz' for longer (JG, up to 1.9 w_c) it loses up to 2 % of the work of such an asperity. Hertz'
-//! slope at u = 0 is 2 E a exactly; with Brake's the area jumps there; Etsion's own exponent of the
-//! area misses finite elements by up to 12 % and is left out. The sum over the heights at the
-//! closest approach is the usual integral, with another law of w in it. Coming closer again
-//! retraces this to the closest approach, and then follows the virgin curve; that spheres shake
-//! down within cycles is ignored.
+//! x = w/w_c > 1 (Hertz otherwise), R_b = F²/[((4/3) E)² δ³]. For elastic asperities all three
+//! equal the loading curve, except that Etsion's fit starts at w_c: where a loading law stays
+//! Hertzian beyond w_c (JG, up to 1.9 w_c), Etsion's law dissipates up to 2 % of the work of such
+//! an asperity. The slope of Hertz' law at u = 0 is 2 E a exactly; Brake's area jumps there;
+//! Etsion's exponent of the area differs from finite elements by up to 12 % and is not used. The
+//! sum over the heights is the usual integral at the closest approach, with another law of w.
+//! Reloading retraces this curve to the closest approach and then follows the virgin curve;
+//! shakedown of the spheres is ignored.
 //!
 //! # Cycles
-//! All that the contact remembers is its closest approach: a [`Joint`] goes through turning points
-//! ([`Joint::path`]; loads become such by [`Joint::turning_points`]), and [`Joint::table`] answers
-//! force and slope of a step in some tens of nanoseconds. The asperity gives back F δ/(n+1) of the
-//! work that pressed it to w, so that what yielding has taken for good ([`Work::lost`]) is again an
-//! integral over the heights, and a cycle between fixed separations loses it once. Where a loading
-//! law is steeper than Hertz' (AF) or jumps up (CEB, KE), the asperity recovers by more than w and
-//! creates energy: [`Joint::energy_gain`] is the finding. Loss factors are what is lost over 2π
-//! times what was put in ([`Work::loss_factor`], [`PartialSlip::loss_factor`]). Heights without an
-//! end touch at any retreat, in numbers: contact ends where fewer than one asperity is left
-//! ([`Unloading::last_contact`]). √(work back/work spent) of one asperity is its [`restitution`].
-//! \[derived\]
+//! The closest approach is the only state variable: a [`Joint`] follows turning points
+//! ([`Joint::path`]; [`Joint::turning_points`] converts loads), and [`Joint::table`] returns force
+//! and stiffness of a step in some tens of nanoseconds. Each asperity returns F δ/(n+1) of its work
+//! of loading, so that the dissipated energy ([`Work::lost`]) is also an integral over the heights;
+//! a cycle between fixed separations dissipates it once, in the first cycle. Where a loading law is
+//! steeper than Hertz' (AF) or jumps up (CEB, KE), the asperity recovers by more than w and creates
+//! energy, reported by [`Joint::energy_gain`]. Loss factors are the dissipated energy over 2π times
+//! the energy supplied ([`Work::loss_factor`], [`PartialSlip::loss_factor`]). Unbounded heights
+//! leave a finite average number of contacts at any retreat: contact ends where fewer than one
+//! asperity is left ([`Unloading::last_contact`]). [`restitution`] of one asperity is
+//! √(work returned/work spent). \[derived\]
 //!
 //! # Partial slip
-//! Asperities that answer elastically, friction μ, constant separation: Cattaneo's and Mindlin's
-//! contact makes the tangential force the part of the normal one that a retreat by s releases,
+//! For asperities with elastic tangential response, friction μ and constant separation, Cattaneo's
+//! and Mindlin's contact gives the tangential force as the normal force released by a retreat s,
 //! ```text
 //! Q(u) = μ [F(0) - F(s)],     s = 4 G u/(μ E)
 //! ```
-//! and amplitudes ±D at constant separation lose W = 8 ∫₀ᴰ Q du - 4 Q(D) D a cycle (Masing).
-//! \[derived\] Varying normal loads are not covered: there, Masing's rule fails.
+//! and a cycle of amplitude ±D at constant separation dissipates W = 8 ∫₀ᴰ Q du - 4 Q(D) D
+//! (Masing). \[derived\] Varying normal loads are not covered, as Masing's rule does not hold for
+//! them.
+//!
+//! Provenance of equations: \[seen\] in the source, \[recalled\] from memory, \[derived\] here.
 //!
 //! # Source
-//! Hertz' unloading as code that cites Jackson 2010 has it; Brake 2015 in two public codes; Etsion,
-//! Kligerman & Kadin 2005; Mindlin 1949.
+//! Hertz' unloading from public code that cites Jackson 2010; Brake 2015 from two public codes;
+//! Etsion, Kligerman & Kadin 2005; Mindlin 1949.
 //!
 //! # Example
 //! ```
@@ -65,13 +68,13 @@
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 
+mod asperity_laws;
 pub mod conductance;
+mod contact_range;
 mod energy_gain;
 mod joint;
-mod lasting;
-mod left;
-mod one;
 mod path;
+mod remaining;
 mod root;
 mod slip;
 mod strips;
@@ -79,9 +82,9 @@ mod table;
 mod unloading;
 mod work;
 
+pub use asperity_laws::restitution;
 pub use energy_gain::EnergyGain;
 pub use joint::Joint;
-pub use one::restitution;
 pub use path::{Path, Point};
 pub use slip::{PartialSlip, coefficient_of_friction};
 pub use table::{JointTable, Memory, Reply};

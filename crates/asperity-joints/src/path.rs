@@ -1,9 +1,9 @@
-//! A history of turning points: the virgin curve, back, forth again on the same way, and on.
+//! A history of turning points: virgin loading, unloading, reloading on the same curve.
 
 use asperity_core::{At, ContactError, Quantity};
 use serde::Serialize;
 
-use crate::one::Asked;
+use crate::asperity_laws::UnloadingQuantity;
 use crate::{Joint, Unloading};
 
 /// One point of a path.
@@ -12,33 +12,33 @@ use crate::{Joint, Unloading};
 pub struct Point {
     /// The separation \[m\] from the mean of the asperity heights.
     pub separation: f64,
-    /// The way between turning points on which it was reached, from 1; 0 at the first of them.
+    /// Number of the leg between two turning points, from 1; 0 at the first turning point.
     pub way: usize,
-    /// The smallest separation so far \[m\], this one included: all that the contact remembers.
+    /// The smallest separation so far \[m\], this one included: the state of the contact.
     pub closest: f64,
-    /// \[N\].
+    /// The normal force \[N\].
     pub force: f64,
-    /// -dF/dd \[N/m\], of the way on which the point was reached.
+    /// -dF/dd \[N/m\] on the leg of the point.
     pub stiffness: f64,
 }
 
-/// What a history of separations makes of a joint.
+/// The response of a joint to a history of separations.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Path {
-    /// All points, in the order in which they are passed; where the way meets the virgin curve
-    /// again there is one.
+    /// All points in the order of the history, with one where reloading reaches the virgin curve.
     pub points: Vec<Point>,
-    /// The work \[J\] put in on each way between turning points; below 0 where it comes back.
+    /// The work \[J\] done on the joint on each leg; below 0 where the joint returns work.
     pub work: Vec<f64>,
 }
 
 impl Joint {
     /// The path through turning points: separations \[m\] from the mean of the asperity heights,
-    /// with `steps` points on each way, at least one. The contact is new at the first of them.
+    /// with `steps` points on each leg, at least one. The contact is virgin at the first turning
+    /// point.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a turning point that is no finite number; those of the
+    /// [`ContactError::OutOfRange`] for a turning point that is not finite; those of the
     /// evaluations.
     pub fn path(&self, turning_points: &[f64], steps: usize) -> Result<Path, ContactError> {
         let Some(&first) = turning_points.first() else {
@@ -60,7 +60,7 @@ impl Joint {
                 k => from + (to - from) * k as f64 / steps.max(1) as f64,
             };
             let mut places: Vec<f64> = (1..=steps.max(1)).map(at).collect();
-            // Where the way meets the virgin curve again.
+            // The point at which reloading reaches the virgin curve.
             if to < closest && closest < from {
                 places.push(closest);
                 places.sort_by(|a, b| b.total_cmp(a));
@@ -96,14 +96,14 @@ impl Joint {
     }
 }
 
-/// A point above the closest approach, or on it.
+/// A point at or above the closest approach.
 fn retraced(
     (curve, way): (&Unloading, usize),
     separation: f64,
     closest: f64,
 ) -> Result<Point, ContactError> {
     let retreat = separation - closest;
-    let of = |asked| Ok(curve.of(asked, retreat)?.value());
-    let (force, stiffness) = (of(Asked::Force)?, of(Asked::Stiffness)?);
+    let of = |quantity| Ok(curve.of(quantity, retreat)?.value());
+    let (force, stiffness) = (of(UnloadingQuantity::Force)?, of(UnloadingQuantity::Stiffness)?);
     Ok(Point { separation, way, closest, force, stiffness })
 }

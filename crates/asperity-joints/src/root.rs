@@ -1,14 +1,14 @@
-//! Where something that falls reaches 0, by functions that may fail.
+//! Roots of falling functions that may fail.
 
 use asperity_core::ContactError;
 use asperity_quadrature::{bracketed_root, fallible};
 
-/// Nothing is looked for beyond this \[σ_z\].
-pub(crate) const FARTHEST: f64 = 1e4;
+/// Largest retreat searched \[σ_z\].
+pub(crate) const MAX_DISTANCE: f64 = 1e4;
 
-/// Where `f` falls to 0, from between two places on, and twice as far each time up to the farthest;
-/// the first place where it is no more than that already, and `None` where it is not yet.
-pub(crate) fn falls_to_0(
+/// The root of a falling `f`, searched from `low` in steps that double up to `farthest`; `low`
+/// where `f` is not positive there, `None` where `f` is still positive at the end.
+pub(crate) fn falling_root(
     f: impl Fn(f64) -> Result<f64, ContactError>,
     (mut low, mut high): (f64, f64),
     farthest: f64,
@@ -22,6 +22,6 @@ pub(crate) fn falls_to_0(
             return Ok(None);
         }
     }
-    // An infinite fall (the logarithm of nothing) is as good as any.
+    // Minus infinity, the logarithm of 0, is replaced by a finite value.
     fallible(|x| Ok(f(x)?.max(-f64::MAX)), |f| bracketed_root(f, low, high))
 }

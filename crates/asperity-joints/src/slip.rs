@@ -3,29 +3,29 @@
 use asperity_core::{ContactError, Evaluation, positive};
 
 use crate::Unloading;
-use crate::one::Asked;
-use crate::root::{FARTHEST, falls_to_0};
+use crate::asperity_laws::UnloadingQuantity;
+use crate::root::{MAX_DISTANCE, falling_root};
 
-/// Beyond this retreat \[σ_z\] the integrals leave what a double can hold.
-const MOST_RETREAT: f64 = 1e100;
+/// Retreat \[σ_z\] beyond which the integrals may overflow.
+const MAX_RETREAT: f64 = 1e100;
 
-/// No coefficient of friction is larger: more is one in per cent.
-const MOST_FRICTION: f64 = 10.0;
+/// Largest coefficient of friction; larger numbers are probably in per cent.
+const MAX_FRICTION: f64 = 10.0;
 
-/// A coefficient of friction, if it is one.
+/// Returns a coefficient of friction if it is in range.
 ///
 /// # Errors
 /// [`ContactError::OutOfRange`] unless it is above 0 and at most 10.
 pub fn coefficient_of_friction(friction: f64) -> Result<f64, ContactError> {
     let field = "friction";
-    if friction > MOST_FRICTION {
+    if friction > MAX_FRICTION {
         let required = "a coefficient of friction, at most 10 (one of 20 % is 0.2),";
         return Err(ContactError::OutOfRange { field, value: friction, required });
     }
     positive(field, friction)
 }
 
-/// A closed joint that is sheared, from virgin or in cycles.
+/// Partial slip of a closed joint, on first shearing or in cycles.
 #[derive(Debug, Clone)]
 pub struct PartialSlip {
     normal: Unloading,
@@ -35,8 +35,8 @@ pub struct PartialSlip {
 }
 
 impl PartialSlip {
-    /// A joint with coefficient of friction μ, whose asperities answer tangential forces as
-    /// elastically as unloading.
+    /// A joint with coefficient of friction μ, whose asperities respond elastically to tangential
+    /// forces, as in unloading.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] unless μ > 0 and at most 10, [`ContactError::Missing`] without
@@ -54,11 +54,11 @@ impl PartialSlip {
     /// # Errors
     /// Those of [`Unloading::force`].
     pub fn force(&self, shift: f64) -> Result<Evaluation, ContactError> {
-        self.scaled(self.friction, Asked::Released, ("shift", shift))
+        self.scaled(self.friction, UnloadingQuantity::Released, ("shift", shift))
     }
 
-    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\], at `shift` \[m\]
-    /// between them: on the way back from +amplitude, or forth from -amplitude.
+    /// The tangential force \[N\] in a steady cycle between ±`amplitude` \[m\] at `shift` \[m\]:
+    /// from -amplitude if `forth`, otherwise back from +amplitude.
     ///
     /// # Errors
     /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the
@@ -66,38 +66,37 @@ impl PartialSlip {
     pub fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
         if shift.is_nan() || shift.abs() > amplitude {
-            let required = "a shift within the amplitude";
+            let required = "between -amplitude and amplitude";
             return Err(ContactError::OutOfRange { field: "shift", value: shift, required });
         }
-        // The way back is the way forth, turned round.
+        // Both branches are point-symmetric.
         let turned = if forth { -shift } else { shift };
         let end = self.force(amplitude)?.value();
         let back = end - 2.0 * self.force(0.5 * (amplitude - turned))?.value();
         Ok(if forth { -back } else { back })
     }
 
-    /// The energy \[J\] that a cycle between ±`amplitude` \[m\] loses.
+    /// The energy \[J\] dissipated by a cycle between ±`amplitude` \[m\].
     ///
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
         let factor = self.friction / self.retreat_per_shift;
-        self.scaled(factor, Asked::Loss, ("amplitude", amplitude))
+        self.scaled(factor, UnloadingQuantity::Loss, ("amplitude", amplitude))
     }
 
-    /// The loss factor of a cycle between ±`amplitude` \[m\]: what it [loses](Self::loss) over 2π
-    /// times the energy Q D/2 of a spring that is as stiff, from 0 for the smallest to 4/π in gross
-    /// slip.
+    /// The loss factor of a cycle between ±`amplitude` D \[m\]: the energy
+    /// [dissipated](Self::loss)/(π Q D), from 0 for small amplitudes to 4/π in gross slip.
     ///
     /// # Errors
     /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is
-    /// above 0 and a double holds the loss.
+    /// above 0 and the loss at least 2.2e-308 J.
     pub fn loss_factor(&self, amplitude: f64) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
         let (loss, force) = (self.loss(amplitude)?.value(), self.force(amplitude)?.value());
         let spring = std::f64::consts::PI * force * amplitude;
         if loss < f64::MIN_POSITIVE || spring < f64::MIN_POSITIVE {
-            let required = "an amplitude whose loss is no less than a double holds (2.2e-308 J)";
+            let required = "an amplitude with a loss of at least 2.2e-308 J";
             return Err(ContactError::OutOfRange {
                 field: "amplitude",
                 value: amplitude,
@@ -107,12 +106,12 @@ impl PartialSlip {
         Ok(loss / spring)
     }
 
-    /// The first shift \[m\] at which the tangential force reaches a `share`, above 0 and below 1,
-    /// of its limit μ F. Heights without an end leave something sticking at any shift: at 0.99,
-    /// say, everything all but slides.
+    /// The smallest shift \[m\] at which the tangential force reaches a `share`, above 0 and below
+    /// 1, of its limit μ F. With unbounded heights some asperities stick at any shift; a share of
+    /// 0.99 is nearly gross slip.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`], for a joint without a force too; those of
+    /// [`ContactError::OutOfRange`] for a share out of range or a joint without force; those of
     /// [`force`](Self::force).
     pub fn shift_at(&self, share: f64) -> Result<f64, ContactError> {
         if !(share > 0.0 && share < 1.0) {
@@ -121,7 +120,7 @@ impl PartialSlip {
         }
         let whole = self.normal.force(0.0)?.value();
         let slope = self.normal.stiffness(0.0)?.value() * self.retreat_per_shift;
-        // The force bends down: no earlier than its first slope says, rounding aside.
+        // The force is concave: its initial slope bounds the shift from below.
         let low = 0.5 * share * whole / slope;
         if !(low > 0.0 && low.is_finite()) {
             let required = "a force above 0 at the closest approach";
@@ -130,17 +129,17 @@ impl PartialSlip {
         let wanted = share * self.friction * whole;
         let missing = |shift: f64| Ok(wanted - self.force(shift)?.value());
         let sigma = self.normal.scene().surface.asperity_height_std;
-        let farthest = FARTHEST * sigma / self.retreat_per_shift;
-        let found = falls_to_0(missing, (low, 4.0 * low), farthest)?;
-        // So near to 1 the integrals do not tell the share from all.
-        let required = "a share that is reached within 1e4 asperity_height_std of retreat, as one farther from 1 is,";
+        let farthest = MAX_DISTANCE * sigma / self.retreat_per_shift;
+        let found = falling_root(missing, (low, 4.0 * low), farthest)?;
+        // Close to 1 the share is within the errors of the integrals.
+        let required = "a smaller share, reached within a retreat of 1e4 asperity_height_std,";
         found.ok_or(ContactError::OutOfRange { field: "share", value: share, required })
     }
 
     fn scaled(
         &self,
         factor: f64,
-        asked: Asked,
+        quantity: UnloadingQuantity,
         (field, shift): (&'static str, f64),
     ) -> Result<Evaluation, ContactError> {
         if !(shift >= 0.0 && shift.is_finite()) {
@@ -148,11 +147,11 @@ impl PartialSlip {
             return Err(ContactError::OutOfRange { field, value: shift, required });
         }
         let retreat = self.retreat_per_shift * shift;
-        if retreat > MOST_RETREAT * self.normal.scene().surface.asperity_height_std {
-            let required = "one that stands for at most 1e100 asperity_height_std of retreat (4 G/(mu E) times it)";
+        if retreat > MAX_RETREAT * self.normal.scene().surface.asperity_height_std {
+            let required = "a smaller one, with a retreat 4 G/(mu E) times it of at most 1e100 asperity_height_std,";
             return Err(ContactError::OutOfRange { field, value: shift, required });
         }
-        let mut found = self.normal.of(asked, retreat)?;
+        let mut found = self.normal.of(quantity, retreat)?;
         found.scaled *= factor;
         found.size *= factor;
         Ok(found)

@@ -1,32 +1,31 @@
-//! The way back as a table of two numbers, the closest approach c and the separation d ≥ c: strips
-//! of c and cells of d - c with products of Chebyshev polynomials, halved until these have
-//! converged.
+//! The unloading force as a table over the closest approach c and the separation d ≥ c: strips of c
+//! and cells of d - c with products of Chebyshev polynomials, halved until these converge.
 
 use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, positive};
 use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
-use crate::one::Asked;
+use crate::asperity_laws::UnloadingQuantity;
 use crate::{Joint, JointTable};
 
 /// Terms in each direction.
 const TERMS: usize = 8;
-/// Strips are this wide at first \[σ_z\].
+/// Initial width of strips \[σ_z\].
 const STRIP: f64 = 0.5;
-/// A strip or cell is halved no more often than this.
-const DEEPEST: u32 = 14;
-/// No joint is tabulated over more than this \[σ_z\]: metres and multiples were mixed up.
-const WIDEST: f64 = 1000.0;
-/// Where contact is left after as long a retreat as this \[σ_z\], it never ends.
-const FARTHEST: f64 = 1e8;
-/// Integrals to this part of the table's tolerance are good enough for it.
-const ENOUGH: f64 = 0.1;
-/// Retreats shorter than this part of σ_z leave no contact behind.
+/// Largest number of times that a strip or cell is halved.
+const MAX_HALVINGS: u32 = 14;
+/// Largest width of a table \[σ_z\]; wider ranges probably mix up metres and multiples of σ_z.
+const MAX_WIDTH: f64 = 1000.0;
+/// Largest retreat searched for the end of contact \[σ_z\].
+const MAX_DISTANCE: f64 = 1e8;
+/// Tolerance of the integrals over that of the table.
+const ERROR_SHARE: f64 = 0.1;
+/// Retreat \[σ_z\] below which the search for the end of contact stops.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// All closest approaches of a range.
+/// A range of closest approaches.
 #[derive(Debug, Clone)]
 pub(crate) struct Strip {
-    /// Where the range begins, and two over its length \[m, 1/m\].
+    /// Start of the range \[m\], and 2 over its length \[1/m\].
     pub(crate) from: f64,
     pub(crate) scale: f64,
     /// Ascending in u.
@@ -38,38 +37,37 @@ pub(crate) struct Strip {
 pub(crate) struct Cell {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// Of Tᵢ(c) Tⱼ(u), the j together.
+    /// Coefficients of Tᵢ(c) Tⱼ(u), `terms[i][j]`.
     pub(crate) terms: [[f64; TERMS]; TERMS],
-    /// No force of the cell is below this \[N\]: 0, unless the model's own are.
+    /// Lower limit of the force \[N\]: 0, or minus infinity if the model has tensile forces.
     pub(crate) least: f64,
 }
 
 impl Joint {
     /// A table for closest approaches from `deepest` to `open` \[m from the mean of the asperity
-    /// heights\]; forces on the way back are within `tolerance` (1e-6, say) of the force at the
-    /// closest approach, and read 0 where they are smaller than that; they are below 0 only where
-    /// the model's own are. Contacts that have come no closer than `open` answer as if nothing had
-    /// ever yielded. Beyond the highest asperity of heights with an end the force is exactly 0.
+    /// heights\]. Errors of unloading forces are within `tolerance` (for example 1e-6) times the
+    /// force at the closest approach; smaller forces are 0, and forces are below 0 only where the
+    /// model's are. Contacts that stay more open than `open` are elastic. Beyond the highest
+    /// asperity of bounded heights the force is exactly 0.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] naming a number that is none of these, and ends more than 1000
-    /// σ_z apart; [`ContactError::Integral`] with the error that was reached, where the tolerance
-    /// cannot be met (one near that of the joint itself, jumps of the law under heights with an
-    /// end); those of the evaluations.
+    /// [`ContactError::OutOfRange`] for a number out of range and for ends more than 1000 σ_z
+    /// apart; [`ContactError::Integral`] with the error reached where the tolerance cannot be met
+    /// (a tolerance close to that of the joint, or jumps of the law with bounded heights); those of
+    /// the evaluations.
     pub fn table(
         &self,
         (deepest, open): (f64, f64),
         tolerance: f64,
     ) -> Result<JointTable, ContactError> {
         let tolerance = positive("tolerance", tolerance)?;
-        let width = positive("open, less deepest,", open - deepest)?;
+        let width = positive("open - deepest", open - deepest)?;
         let sigma = self.scene().surface.asperity_height_std;
-        if width > WIDEST * sigma {
-            let (field, required) =
-                ("open, less deepest,", "at most 1000 asperity_height_std, in m,");
+        if width > MAX_WIDTH * sigma {
+            let (field, required) = ("open - deepest", "at most 1000 asperity_height_std, in m,");
             return Err(ContactError::OutOfRange { field, value: width, required });
         }
-        // Nearer to the highest asperity than its elastic limit, nothing yields.
+        // All contacts are elastic within the elastic limit of the highest asperity.
         let highest = self.highest();
         let open = open.min(highest - self.loading().elastic_limit());
         let width = (open - deepest).max(0.0);
@@ -82,7 +80,7 @@ impl Joint {
         Ok(JointTable::new(self.clone(), strips, (deepest, open, highest)))
     }
 
-    /// The strips that serve a range of closest approaches \[m\].
+    /// Appends the strips of a range of closest approaches \[m\].
     fn strips(
         &self,
         (from, to): (f64, f64),
@@ -94,13 +92,15 @@ impl Joint {
         let places: Vec<f64> = chebyshev_roots(TERMS)
             .map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma)
             .collect();
-        // Forces that are nearly gone need not be known to the tolerance of the joint.
-        let rough = self.roughly(Tolerance::new(ENOUGH * tolerance)?);
-        let at = |u: f64| match self.retreated(Asked::Force, u, &places) {
-            Err(ContactError::Integral { .. }) => rough.retreated(Asked::Force, u, &places),
+        // Small remaining forces need only the tolerance of the table.
+        let rough = self.with_tolerance_at_least(Tolerance::new(ERROR_SHARE * tolerance)?);
+        let at = |u: f64| match self.retreated(UnloadingQuantity::Force, u, &places) {
+            Err(ContactError::Integral { .. }) => {
+                rough.retreated(UnloadingQuantity::Force, u, &places)
+            }
             found => found,
         };
-        // What is smaller than this at the largest c, too, is nothing.
+        // Forces below this share at every c are negligible.
         let nothing = |forces: &[f64; TERMS], start: &[f64; TERMS]| {
             forces.iter().zip(start).all(|(force, start)| *force <= 0.2 * tolerance * start)
         };
@@ -109,8 +109,8 @@ impl Joint {
         let mut last = sigma;
         while !nothing(&values(at(last)?), &start) {
             last *= 1.5;
-            if last > FARTHEST * sigma {
-                let required = "one that the force falls below within 1e8 asperity_height_std";
+            if last > MAX_DISTANCE * sigma {
+                let required = "larger, as the force stays above it up to 1e8 asperity_height_std,";
                 return Err(ContactError::OutOfRange {
                     field: "tolerance",
                     value: tolerance,
@@ -118,11 +118,11 @@ impl Joint {
                 });
             }
         }
-        // Where nothing touches, nothing is left at any retreat.
+        // Without contact at the closest approach, the last retreat shrinks to the limit.
         while last > NEGLIGIBLE * sigma && nothing(&values(at(0.5 * last)?), &start) {
             last *= 0.5;
         }
-        // The smallest force of a strip is what its errors are held against.
+        // Errors are measured against the smallest force of the strip.
         let smallest = start.iter().filter(|force| **force > 0.0);
         let aim = 0.3 * tolerance * smallest.fold(whole, |m: f64, f| m.min(*f));
         let mut cells = vec![];
@@ -134,7 +134,7 @@ impl Joint {
             }
             let terms = transformed(&samples);
             let [by_closest, by_retreat] = tails(&terms);
-            // As a part of the smallest force at a closest approach.
+            // Relative to the smallest force at a closest approach.
             let too_deep = |tail: f64| {
                 let (asked, reached) = (tolerance, tolerance * tail / aim);
                 let evaluations = TERMS * TERMS;
@@ -143,7 +143,7 @@ impl Joint {
                 Err(ContactError::Integral { quantity, at, source })
             };
             if by_closest > aim {
-                if depth == DEEPEST {
+                if depth == MAX_HALVINGS {
                     return too_deep(by_closest);
                 }
                 let middle = 0.5 * (from + to);
@@ -151,7 +151,7 @@ impl Joint {
                 return self.strips((middle, to), tolerance, depth + 1, strips);
             }
             if by_retreat > aim {
-                if halved == DEEPEST {
+                if halved == MAX_HALVINGS {
                     return too_deep(by_retreat);
                 }
                 let middle = 0.5 * (low + high);
@@ -173,7 +173,7 @@ fn values(found: Vec<asperity_core::Evaluation>) -> [f64; TERMS] {
     values
 }
 
-/// From samples at the nodes, `samples[u][c]`, to the coefficients, `terms[c][u]`.
+/// Coefficients `terms[c][u]` from samples at the nodes, `samples[u][c]`.
 fn transformed(samples: &[[f64; TERMS]; TERMS]) -> [[f64; TERMS]; TERMS] {
     let along: Vec<Vec<f64>> = samples.iter().map(|column| chebyshev_terms(column)).collect();
     let mut terms = [[0.0; TERMS]; TERMS];
@@ -184,7 +184,7 @@ fn transformed(samples: &[[f64; TERMS]; TERMS]) -> [[f64; TERMS]; TERMS] {
     terms
 }
 
-/// The size of the last two terms along c, and along u.
+/// Sums of the last two terms along c and along u.
 fn tails(terms: &[[f64; TERMS]; TERMS]) -> [f64; 2] {
     let of = |pick: &dyn Fn(usize, usize) -> f64| -> f64 {
         (TERMS - 2..TERMS)
@@ -196,7 +196,7 @@ fn tails(terms: &[[f64; TERMS]; TERMS]) -> [f64; 2] {
 }
 
 impl Cell {
-    /// The force and its fall with the retreat; c from -1 to 1.
+    /// The force and its negative slope by the retreat; c from -1 to 1.
     #[inline]
     pub(crate) fn at(&self, c: f64, retreat: f64) -> (f64, f64) {
         let mut along = self.terms[0];
@@ -207,7 +207,7 @@ impl Cell {
         }
         let scale = 2.0 / (self.to - self.from);
         let v = (retreat - self.from) * scale - 1.0;
-        // T' is n U of one order less.
+        // Tₙ' = n Uₙ₋₁.
         let (mut value, mut slope) = (along[0], 0.0);
         let (mut t, mut u) = ([1.0, v], [0.0, 1.0]);
         for (n, term) in along.iter().enumerate().skip(1) {
@@ -216,7 +216,7 @@ impl Cell {
             t = [t[1], 2.0 * v * t[1] - t[0]];
             u = [u[1], 2.0 * v * u[1] - u[0]];
         }
-        // The polynomial may be below by its error.
+        // Interpolation errors may take the polynomial below the limit.
         if value <= self.least { (self.least, 0.0) } else { (value, -slope * scale) }
     }
 }

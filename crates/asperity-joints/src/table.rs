@@ -1,6 +1,6 @@
-//! Force and slope for codes that step in time: one number of state, some tens of nanoseconds.
+//! Force and stiffness for time-stepping codes: one state variable, some tens of nanoseconds.
 //!
-//! The way back is tabulated (`strips`); the virgin curve is the compiled contact itself.
+//! The unloading curves are tabulated (`strips`); the virgin curve is the compiled contact.
 
 use asperity_core::{At, ContactError};
 
@@ -19,17 +19,17 @@ pub struct JointTable {
     open: f64,
     /// The highest asperity \[m\].
     highest: f64,
-    /// 1/σ_z: multiples of σ_z are what the virgin curve is quickest at.
+    /// 1/σ_z, as the virgin curve is fastest for multiples of σ_z.
     per_metre: f64,
 }
 
-/// What a step answers.
+/// The response of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reply {
     /// The force \[N\].
     pub force: f64,
-    /// -dF/dd \[N/m\], of the way that is being followed. It is the slope of a polynomial of the force,
-    /// and known less well: to 1e-3 of the closest approach's, say, where forces are to 1e-6.
+    /// -dF/dd \[N/m\] of the present curve, the slope of a polynomial for the force. Its error is
+    /// about 1e-3 of the stiffness at the closest approach for a table with a tolerance of 1e-6.
     pub stiffness: f64,
     /// The closest approach \[m\], this step included.
     pub closest: f64,
@@ -51,12 +51,12 @@ impl JointTable {
         Memory { table: self, closest: f64::INFINITY }
     }
 
-    /// Force and stiffness at a separation \[m\] of a contact that had come as close as `closest`
-    /// \[m\], infinite for a new one: the next step's `closest` stands in the reply.
+    /// Force and stiffness at a separation \[m\] of a contact with the closest approach `closest`
+    /// \[m\], infinite for a new contact; the reply contains `closest` for the next step.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a separation or a closest approach below the deepest of the
-    /// table, or none.
+    /// [`ContactError::OutOfRange`] for a separation or a closest approach that is NaN or below the
+    /// deepest of the table.
     #[inline]
     pub fn at(&self, separation: f64, closest: f64) -> Result<Reply, ContactError> {
         if separation < closest || closest >= self.open {
@@ -85,17 +85,17 @@ impl JointTable {
     }
 }
 
-/// Names the separation where it is the new closest approach, and else what came as that.
+/// The error for a separation if it is the new closest approach, otherwise for `closest`.
 fn out_of_range(separation: f64, closest: f64) -> ContactError {
-    let required = "a number, at least the deepest separation of the table,";
+    let required = "at least the deepest separation of the table";
     let is_step = separation.is_nan() || separation <= closest;
     let (field, value) = if is_step { ("separation", separation) } else { ("closest", closest) };
     ContactError::OutOfRange { field, value, required }
 }
 
-/// A contact with what it remembers: its closest approach.
+/// A contact with its state variable, the closest approach.
 ///
-/// A mass that falls on a rough surface, and bounces off with less energy each time:
+/// A mass that falls on a rough surface and rebounds:
 /// ```
 /// use asperity_core::{Interface, Scene, Surface, Tolerance};
 /// use asperity_joints::{Joint, UnloadingLaw};
@@ -118,7 +118,7 @@ fn out_of_range(separation: f64, closest: f64) -> ContactError {
 ///     }
 ///     before = speed;
 /// }
-/// // Yielding takes its part at the first bounce; later ones are elastic, as they are no deeper.
+/// // The first impact dissipates energy; later ones are elastic, as they are less deep.
 /// let start = mass * (gravity * 8e-6 + 0.5 * 0.01 * 0.01);
 /// assert!(energies.len() > 2 && energies[0] < 0.6 * start, "{energies:?}");
 /// assert!((energies[1] / energies[0] - 1.0).abs() < 1e-2, "{energies:?}");
@@ -131,10 +131,10 @@ pub struct Memory<'t> {
 }
 
 impl Memory<'_> {
-    /// Goes to a separation \[m\] from the mean of the asperity heights.
+    /// Moves to a separation \[m\] from the mean of the asperity heights.
     ///
     /// # Errors
-    /// Those of [`JointTable::at`]; the contact then stays as it was.
+    /// Those of [`JointTable::at`]; the contact is then unchanged.
     #[inline]
     pub fn step(&mut self, separation: f64) -> Result<Reply, ContactError> {
         let reply = self.table.at(separation, self.closest)?;

@@ -1,4 +1,4 @@
-//! A rough contact that has been closed, and opens again.
+//! Unloading of a rough contact from its closest approach.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,19 +9,19 @@ use asperity_core::{
 };
 
 use crate::Joint;
-use crate::one::Asked;
-use crate::root::{FARTHEST, falls_to_0};
+use crate::asperity_laws::UnloadingQuantity;
+use crate::root::{MAX_DISTANCE, falling_root};
 
-/// How an asperity comes back; equations and sources stand at the head of this crate.
+/// The unloading law of an asperity; the documentation of the crate gives equations and sources.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[non_exhaustive]
 pub enum UnloadingLaw {
     /// As a Hertzian contact of the force and area at the closest approach.
     #[default]
     Hertz,
-    /// Brake 2015: as a sphere of another radius; the area jumps where unloading begins.
+    /// Brake 2015: as a sphere of another radius; the area jumps at the start of unloading.
     Brake,
-    /// Etsion, Kligerman & Kadin 2005: fitted to finite elements; force and stiffness alone.
+    /// Etsion, Kligerman & Kadin 2005: a fit to finite elements, for force and stiffness only.
     Etsion,
 }
 
@@ -55,11 +55,10 @@ impl FromStr for UnloadingLaw {
     }
 }
 
-/// What contacts or force may be off where a place is looked for and their integral does not reach
-/// the tolerance.
+/// Tolerance of searches where the integrals do not reach that of the joint.
 const ROUGH: f64 = 1e-6;
 
-/// A contact that has come to its closest approach, and now goes back.
+/// Unloading of a contact from its closest approach.
 #[derive(Debug, Clone)]
 pub struct Unloading {
     joint: Joint,
@@ -69,8 +68,8 @@ pub struct Unloading {
 }
 
 impl Unloading {
-    /// A model's contact on a scene, closed for the first time as far as `closest` says: of a
-    /// load, the largest separation that carries it.
+    /// A model's contact on a scene, first closed to `closest`; for a load, to the largest
+    /// separation that carries it.
     ///
     /// # Errors
     /// Those of [`Joint::new`] and [`Joint::unloading`].
@@ -102,125 +101,135 @@ impl Unloading {
         self.joint.scene()
     }
 
-    /// How the asperities come back.
+    /// The unloading law.
     #[must_use]
     pub fn law(&self) -> UnloadingLaw {
         self.joint.law()
     }
 
-    /// The force \[N\] after going back by `retreat` \[m\], at least 0; 0
-    /// where no double holds how many contacts are left.
+    /// The force \[N\] after a `retreat` \[m\] of at least 0; 0 where the number of contacts
+    /// underflows.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`], [`ContactError::Integral`].
     pub fn force(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Force, retreat)
+        self.of(UnloadingQuantity::Force, retreat)
     }
 
-    /// The real contact area \[m²\] after going back by `retreat` \[m\].
+    /// The real contact area \[m²\] after a `retreat` \[m\].
     ///
     /// # Errors
     /// Those of [`force`](Self::force), and [`ContactError::Unsupported`] for Etsion's law.
     pub fn area(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         if self.law() == UnloadingLaw::Etsion {
-            let what = "an area in unloading by etsion: its fit of the area is left out".into();
+            let what = "an area in unloading by etsion: use hertz or brake".into();
             return Err(ContactError::Unsupported { model: self.name().into(), what });
         }
-        self.of(Asked::Area, retreat)
+        self.of(UnloadingQuantity::Area, retreat)
     }
 
-    /// How many asperities still touch after going back by `retreat` \[m\], on average: below 1,
-    /// most surfaces have parted.
+    /// The average number of asperities in contact after a `retreat` \[m\]; below 1, most
+    /// realisations have lost contact.
     ///
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn contacts(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Contacts, retreat)
+        self.of(UnloadingQuantity::Contacts, retreat)
     }
 
-    /// The retreat \[m\] from which on fewer than one asperity touches on average: where contact
-    /// ends. 0 where no more than one has touched. Where integrals do not reach the tolerance on
-    /// the way there, 1e-6 is enough.
+    /// The retreat \[m\] at which one asperity is in contact on average, the end of contact; 0
+    /// where no more than one is in contact at the closest approach. Integrals that do not reach
+    /// the tolerance are accepted to 1e-6.
     ///
     /// # Errors
     /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity
-    /// touches after 1e4 σ_z.
+    /// is in contact after 1e4 σ_z.
     pub fn last_contact(&self) -> Result<f64, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
-        // Logarithms: the number falls faster than any power.
-        let contacts = self.at_least_roughly(Asked::Contacts)?;
+        // Logarithms, as the number falls faster than any power.
+        let contacts = self.at_least_roughly(UnloadingQuantity::Contacts)?;
         let over_one = |u: f64| Ok(contacts(u)?.ln_value());
-        let found = falls_to_0(over_one, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
+        let found = falling_root(over_one, (0.0, 0.1 * sigma), MAX_DISTANCE * sigma)?;
         match found {
             Some(retreat) => Ok(retreat),
             None => Err(ContactError::OutOfRange {
                 field: "contacts",
                 value: contacts(0.0)?.value(),
-                required: "so few that one is left within 1e4 asperity_height_std of retreat",
+                required: "at most 1 within a retreat of 1e4 asperity_height_std",
             }),
         }
     }
 
-    /// What is asked after a retreat, to the tolerance or, where its integral does not reach that,
-    /// to 1e-6.
+    /// A quantity as a function of the retreat, to the tolerance of the joint or, where its
+    /// integral does not reach that, to 1e-6.
     fn at_least_roughly(
         &self,
-        asked: Asked,
+        quantity: UnloadingQuantity,
     ) -> Result<impl Fn(f64) -> Result<Evaluation, ContactError>, ContactError> {
-        let rough = Self { joint: self.joint.roughly(Tolerance::new(ROUGH)?), ..self.clone() };
-        Ok(move |u| match self.of(asked, u) {
-            Err(ContactError::Integral { .. }) => rough.of(asked, u),
+        let rough = Self {
+            joint: self.joint.with_tolerance_at_least(Tolerance::new(ROUGH)?),
+            ..self.clone()
+        };
+        Ok(move |u| match self.of(quantity, u) {
+            Err(ContactError::Integral { .. }) => rough.of(quantity, u),
             found => found,
         })
     }
 
-    /// The retreat \[m\] that leaves a force \[N\], smaller than that at the closest approach.
-    /// Where integrals do not reach the tolerance on the way there, 1e-6 is enough.
+    /// The retreat \[m\] with a remaining force \[N\] below that at the closest approach. Integrals
+    /// that do not reach the tolerance are accepted to 1e-6.
     pub(crate) fn retreat_to(&self, load: f64) -> Result<f64, ContactError> {
         let load = positive("load", load)?;
         let sigma = self.scene().surface.asperity_height_std;
-        let force = self.at_least_roughly(Asked::Force)?;
+        let force = self.at_least_roughly(UnloadingQuantity::Force)?;
         let over = |u: f64| Ok(force(u)?.ln_value() - load.ln());
-        let found = falls_to_0(over, (0.0, 0.1 * sigma), FARTHEST * sigma)?;
-        let required = "a load that is left within 1e4 asperity_height_std of retreat";
+        let found = falling_root(over, (0.0, 0.1 * sigma), MAX_DISTANCE * sigma)?;
+        let required = "a load reached within a retreat of 1e4 asperity_height_std";
         found.ok_or(ContactError::OutOfRange { field: "load", value: load, required })
     }
 
-    /// -dF/du \[N/m\] after going back by `retreat` \[m\]: at 0, by Hertz' law, the sum of 2 E a.
+    /// -dF/du \[N/m\] after a `retreat` \[m\]; at 0 with Hertz' law, the sum of 2 E a.
     ///
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn stiffness(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Stiffness, retreat)
+        self.of(UnloadingQuantity::Stiffness, retreat)
     }
 
-    /// What of the force \[N\] at the closest approach a retreat \[m\] releases: to the digit for
-    /// small ones too.
+    /// The force \[N\] released by a retreat \[m\], without cancellation for small retreats.
     ///
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn released(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Released, retreat)
+        self.of(UnloadingQuantity::Released, retreat)
     }
 
-    /// The work \[J\] that going back by `retreat` \[m\] gives back: all that there is for an
-    /// infinite one.
+    /// The work \[J\] returned by a `retreat` \[m\], which may be infinite.
     ///
     /// # Errors
     /// Those of [`force`](Self::force).
     pub fn returned(&self, retreat: f64) -> Result<Evaluation, ContactError> {
-        self.of(Asked::Returned, retreat)
+        self.of(UnloadingQuantity::Returned, retreat)
     }
 
-    pub(crate) fn of(&self, asked: Asked, retreat: f64) -> Result<Evaluation, ContactError> {
-        if !(retreat >= 0.0 && (retreat.is_finite() || asked == Asked::Returned)) {
+    pub(crate) fn of(
+        &self,
+        quantity: UnloadingQuantity,
+        retreat: f64,
+    ) -> Result<Evaluation, ContactError> {
+        if !(retreat >= 0.0 && (retreat.is_finite() || quantity == UnloadingQuantity::Returned)) {
             let required = "a finite number, at least 0,";
             return Err(ContactError::OutOfRange { field: "retreat", value: retreat, required });
         }
-        if retreat == 0.0 && matches!(asked, Asked::Released | Asked::Loss | Asked::Returned) {
+        if retreat == 0.0
+            && matches!(
+                quantity,
+                UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
+            )
+        {
             return Ok(Evaluation::new(0.0, 0.0));
         }
-        let found = self.joint.retreated(asked, retreat, &[self.place])?.into_iter().next();
+        let found = self.joint.retreated(quantity, retreat, &[self.place])?.into_iter().next();
         found.ok_or(ContactError::NotRequested { quantity: Quantity::Force })
     }
 

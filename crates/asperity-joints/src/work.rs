@@ -1,45 +1,45 @@
-//! The work of closing a joint for the first time, and what opening gives back of it.
+//! The work of first closing a joint, and the work returned by opening.
 
 use asperity_core::{At, ContactError, Evaluation, Quantity};
 use asperity_quadrature::{Estimate, fallible, gauss_kronrod};
 
 use crate::Joint;
-use crate::one::MOST;
+use crate::asperity_laws::MAX_SAMPLES;
 
-/// No force is looked at beyond this separation \[σ_z\].
-const FARTHEST: f64 = 1e8;
+/// Largest separation integrated \[σ_z\].
+const MAX_DISTANCE: f64 = 1e8;
 
-/// What closing as far as some place for the first time takes, and what opening gives back.
+/// The work of first closing to a closest approach, and the work returned by opening.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Work {
-    /// The work \[J\] of first closing, from no contact on.
+    /// The work \[J\] of first closing from no contact.
     pub spent: Evaluation,
-    /// The work \[J\] that opening gives back.
+    /// The work \[J\] returned by opening.
     pub returned: Evaluation,
 }
 
 impl Work {
-    /// The work \[J\] that yielding has taken for good: what is spent less what comes back, with a
-    /// bound relative to both. A cycle between fixed separations loses it once; after that, it
-    /// retraces. 0 where nothing can yield.
+    /// The energy \[J\] dissipated by plastic deformation: work spent minus work returned, with an
+    /// error bound relative to both. A cycle between fixed separations dissipates it in the first
+    /// cycle only. 0 for elastic models.
     ///
-    /// Below 0 where the pair of loading and unloading laws creates energy; no such value goes
-    /// without an [`EnergyGain`](crate::EnergyGain) by [`Joint::energy_gain`].
+    /// Below 0 where the pair of loading and unloading laws creates energy, which
+    /// [`Joint::energy_gain`] reports as an [`EnergyGain`](crate::EnergyGain).
     #[must_use]
     pub fn lost(&self) -> Evaluation {
         self.spent.less(&self.returned)
     }
 
-    /// What is [lost](Self::lost) over 2π times what was spent.
+    /// The loss factor: energy [dissipated](Self::lost)/(2π × work spent).
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] where no work that a double holds is spent.
+    /// [`ContactError::OutOfRange`] where the work spent is below 2.2e-308 J.
     pub fn loss_factor(&self) -> Result<f64, ContactError> {
         let spent = self.spent.value();
         if spent < f64::MIN_POSITIVE {
             let (field, required) =
-                ("work of closing", "a closest approach at which a double holds it (2.2e-308 J)");
+                ("work of closing", "at least 2.2e-308 J, at a closer approach,");
             return Err(ContactError::OutOfRange { field, value: spent, required });
         }
         Ok(self.lost().value() / (2.0 * std::f64::consts::PI * spent))
@@ -47,24 +47,24 @@ impl Work {
 }
 
 impl Joint {
-    /// The work of first closing, from no contact to `closest`, and of opening again.
+    /// The work of first closing from no contact to `closest`, and the work returned by opening.
     ///
     /// # Errors
     /// Those of the contact's evaluations, [`ContactError::Integral`], and
-    /// [`ContactError::OutOfRange`] under heights with a tail so heavy that work is left beyond 1e8
-    /// σ_z.
+    /// [`ContactError::OutOfRange`] for heights with so heavy a tail that separations beyond 1e8
+    /// σ_z contribute to the work.
     pub fn work(&self, closest: At) -> Result<Work, ContactError> {
         let way = self.unloading(closest)?;
         let spent = self.spent(way.place())?;
-        // What never yields goes back as it came.
+        // Elastic contacts return all of the work.
         let returned = if self.yields() { way.returned(f64::INFINITY)? } else { spent };
         Ok(Work { spent, returned })
     }
 
-    /// The work of first closing to a place \[σ_z from the mean of the asperity heights\].
+    /// The work of first closing to a separation \[σ_z from the mean of the asperity heights\].
     fn spent(&self, place: f64) -> Result<Evaluation, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
-        // Twice as far each time, until nothing is left.
+        // Panels double in length until their work is negligible.
         let (mut from, mut step) = (sigma * place, sigma);
         let (mut work, mut error) = (0.0, 0.0);
         loop {
@@ -72,13 +72,13 @@ impl Joint {
             (work, error) = (work + panel.value, error + panel.error);
             (from, step) = (from + step, 2.0 * step);
             if panel.value <= 1e-3 * self.tolerance().relative() * work {
-                // What is left is less than the last panel; forces are known to the tolerance.
+                // The rest is less than the last panel; forces have the error of the tolerance.
                 let relative = if work > 0.0 { (error + panel.value) / work } else { 0.0 };
                 return Ok(Evaluation::new(work, relative + self.tolerance().relative()));
             }
-            if from > FARTHEST * sigma {
+            if from > MAX_DISTANCE * sigma {
                 let field = "share of the work beyond 1e8 asperity_height_std";
-                let required = "next to none, as heights with a lighter tail leave it,";
+                let required = "about 0, for which the heights need a lighter tail,";
                 return Err(ContactError::OutOfRange {
                     field,
                     value: panel.value / work,
@@ -95,7 +95,7 @@ impl Joint {
         let force =
             |d| Ok::<_, ContactError>(self.virgin().evaluate(quantity, At::metres(d))?.value());
         let goal = self.tolerance().relative();
-        let work = fallible(force, |force| gauss_kronrod(force, &[to, from], goal, MOST))?;
+        let work = fallible(force, |force| gauss_kronrod(force, &[to, from], goal, MAX_SAMPLES))?;
         let at = At::metres(to);
         work.map_err(|source| ContactError::Integral { quantity, at, source })
     }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use asperity::bem::{Bem, BemError, Boundary, Given, Solution};
+use asperity::bem::{Bem, BemError, Boundary, LoadCase, Solution};
 use asperity::{ContactState, Described, Diagnostics, Model, Truth};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError};
@@ -124,11 +124,11 @@ pub(crate) fn bem<'py>(
     let elements = bem.elements(&interface).map_err(refused)?;
     let area = scan.area(&bem);
     let of = |value| match given {
-        "gap" => Given::MeanGap(value),
-        "load" => Given::MeanPressure(value / area),
-        _ => Given::MeanPressure(value),
+        "gap" => LoadCase::MeanGap(value),
+        "load" => LoadCase::MeanPressure(value / area),
+        _ => LoadCase::MeanPressure(value),
     };
-    let all: Vec<Given> = values.into_iter().map(of).collect();
+    let all: Vec<LoadCase> = values.into_iter().map(of).collect();
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
     let (mut notes, mut failed, mut failures) = (Diagnostics::default(), None, BTreeMap::new());
     interruptible(py, |stop| {

@@ -264,7 +264,7 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
     for call in (lambda: table.step(-0.6, 1.0), lambda: table.history([1.0, -0.6])):
         with pytest.raises(ValueError, match="at least the deepest separation of the table"):
             call()
-    for ends, said in [((1.0, 0.0), "open, less deepest"), ((0.0, float("nan")), "open")]:
+    for ends, said in [((1.0, 0.0), "open - deepest"), ((0.0, float("nan")), "open")]:
         with pytest.raises(ValueError, match=said):
             ke.joint_table(scene, *ends)
 

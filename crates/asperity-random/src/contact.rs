@@ -52,7 +52,7 @@ impl RandomAsperities {
         if !quantities.iter().any(of_radii) {
             return Ok(());
         }
-        let what = "sums of contact radii, as unloading and conductance need them: only models of equal, upright asperities have them";
+        let what = "sums of contact radii for unloading and conductance: these need a model of equal, upright asperities";
         Err(ContactError::Unsupported { model: self.name.clone(), what: what.into() })
     }
 

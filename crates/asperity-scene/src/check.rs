@@ -107,12 +107,22 @@ impl SceneFile {
         }
         if let Some(Measured { statistics, pixel_size }) = &self.measured {
             let profile = "of the profiles that were measured";
-            check.say("measured_height_std", statistics.sq, "m", "Sq");
-            check.say("measured_skewness", statistics.ssk, "", "Ssk");
-            check.say("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights");
-            check.say("measured_slope", (2.0 * statistics.m2).sqrt(), "", "rms slope, likewise");
-            check.say("measured_bandwidth", statistics.alpha, "", profile);
-            check.say("pixel_size", *pixel_size, "m", "of the scan");
+            check.add_number("measured_height_std", statistics.sq, "m", "Sq");
+            check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
+            check.add_number(
+                "measured_kurtosis",
+                statistics.sku,
+                "",
+                "Sku, 3 for Gaussian heights",
+            );
+            check.add_number(
+                "measured_slope",
+                (2.0 * statistics.m2).sqrt(),
+                "",
+                "rms slope, likewise",
+            );
+            check.add_number("measured_bandwidth", statistics.alpha, "", profile);
+            check.add_number("pixel_size", *pixel_size, "m", "of the scan");
             check.extend(self.of_pixels(&check, *pixel_size));
         }
         check.findings = self.accepted(check.findings);

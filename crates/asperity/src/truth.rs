@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::bem::{Bem, BemError, Given, Progress, Solution};
+use crate::bem::{Bem, BemError, LoadCase, Progress, Solution};
 use crate::{
     At, Check, Contact, ContactError, ContactModel, Datum, Diagnostic, Model, Quantity, Request,
     Scene, SeparationUnit, ranking,
@@ -96,8 +96,8 @@ pub fn compare_with_bem(
 ) -> Result<Vec<Result<Truth, BemError>>, ContactError> {
     crate::positive("nominal_area", scene.nominal_area)?;
     let elements = bem.elements(&scene.interface)?;
-    let around = |p: &f64| [1.0 - STEP, 1.0, 1.0 + STEP].map(|k| Given::MeanPressure(k * p));
-    let given: Vec<Given> = pressures.iter().flat_map(around).collect();
+    let around = |p: &f64| [1.0 - STEP, 1.0, 1.0 + STEP].map(|k| LoadCase::MeanPressure(k * p));
+    let given: Vec<LoadCase> = pressures.iter().flat_map(around).collect();
     let mut solved: Vec<Result<Kept, BemError>> =
         given.iter().map(|_| Err(BemError::Cancelled)).collect();
     elements.solve_each(&given, progress, |index, solution| {
@@ -234,7 +234,7 @@ mod tests {
         let elements = bem.elements(&scene.interface).unwrap();
         for found in all.iter().flatten() {
             let [light, here, heavy] = [0.99, 1.0, 1.01]
-                .map(|k| elements.solve(Given::MeanPressure(k * found.pressure)).unwrap());
+                .map(|k| elements.solve(LoadCase::MeanPressure(k * found.pressure)).unwrap());
             let near = |a: Option<f64>, b: f64, within: f64| (a.unwrap() / b - 1.0).abs() < within;
             assert!(near(found.bem.area_fraction, here.area, 1e-9));
             assert!(near(found.bem.mean_gap, here.mean_gap, 1e-5));
@@ -306,8 +306,11 @@ mod tests {
             compare_with_bem(&scene, &bem, &[1e8], &persson, |_| GO_ON).unwrap().remove(0).unwrap();
         let (_, state) = &found.models[0];
         assert!(state.area_fraction.is_some() && state.mean_gap.or(state.stiffness).is_none());
-        let told = found.missing[0].1.to_string();
-        assert!(told.starts_with("hurst_exponent is missing: the stiffness of Persson"), "{told}");
+        let message = found.missing[0].1.to_string();
+        assert!(
+            message.starts_with("hurst_exponent is missing: the stiffness of Persson"),
+            "{message}"
+        );
         assert!(found.refused.is_empty());
     }
 

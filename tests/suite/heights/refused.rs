@@ -51,17 +51,17 @@ impl Heights for Own {
 /// The errors of a density for value and tangent, prepared and not.
 fn refusals(heights: Own) -> Vec<String> {
     let scene = scene(HeightDistribution::other(heights));
-    let mut said = vec![];
+    let mut messages = vec![];
     for (id, separation) in [("gw", -1.0), ("gw", 0.1), ("ke", -30.0), ("jg", 0.1)] {
         let asked = [Quantity::Force, Quantity::Tangent];
         let found = compiled(&model(id), &scene, &asked, 1e-10);
-        said.extend(asked.map(|q| found.evaluate(q, separation).unwrap_err().to_string()));
+        messages.extend(asked.map(|q| found.evaluate(q, separation).unwrap_err().to_string()));
         let model = model(id);
         let sweep = Sweep::new(&*model, &asked, Tolerance::new(1e-10).unwrap());
         let once = sweep.evaluate(&Case::new(scene.clone(), separation));
-        said.push(once.unwrap_err().to_string());
+        messages.push(once.unwrap_err().to_string());
     }
-    said
+    messages
 }
 
 #[test]
@@ -83,7 +83,7 @@ fn what_is_no_density_is_refused_by_name() {
         (Own::new(|_| 0.0, -infinite, infinite), "it is zero everywhere"),
         (Own::new(half, -1.0, 2.0), "its integral is 1.5"),
         (Own::new(|z| (-z.abs()).exp(), -infinite, infinite), "its integral is 2."),
-        // Poles: not integrable, or inside without a word.
+        // Poles: not integrable, or inside the support and undeclared.
         (Own::new(|z| 0.5 / z, 0.0, 1.0), "it has a pole at 0"),
         (Own::new(|z| 0.1 * (z - PI / 10.0).abs().powf(-0.8), -0.7, 1.3), "it has a pole at"),
     ];

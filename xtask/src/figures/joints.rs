@@ -3,7 +3,7 @@
 
 use anyhow::Result;
 use asperity::joints::conductance::{
-    Correlated, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
+    CorrelationValue, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
 };
 use asperity::{Asperity, At, ContactModel, Model, Quantity, Request, Scene, Tolerance, linspace};
 use rayon::prelude::*;
@@ -107,7 +107,7 @@ pub fn conductance() -> Result<Table> {
     let all = solved(&scene, &[Quantity::ThermalConductance])?.into_iter().map(per_area);
     let mut curves: Vec<(&str, Vec<Option<f64>>)> = CIRCULAR.into_iter().zip(all).collect();
     let reference = curves[KE].1.clone();
-    let held = |found: Correlated| found.holds.then_some(found.conductance);
+    let held = |found: CorrelationValue| found.holds.then_some(found.conductance);
     for (id, ..) in CORRELATIONS {
         let of = |p: f64| match id {
             "cmy" => cooper_mikic_yovanovich(CONDUCTIVITY, &roughness, p, hardness),

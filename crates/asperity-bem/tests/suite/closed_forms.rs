@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase};
 
 use crate::{MODULUS, close};
 
@@ -17,7 +17,7 @@ fn westergaards_wave() {
     let full = PI * MODULUS * amplitude;
     let solver = BoundaryElements::new(map, MODULUS).unwrap();
     for share in [0.05, 0.3, 0.7, 0.95] {
-        let solution = solver.solve(Given::MeanPressure(share * full)).unwrap();
+        let solution = solver.solve(LoadCase::MeanPressure(share * full)).unwrap();
         let half_width = share.sqrt().asin() / PI;
         // A pixel more or less at each of the two edges.
         assert!((solution.pixel_area - 2.0 * half_width).abs() <= 2.0 / n as f64);
@@ -31,7 +31,7 @@ fn westergaards_wave() {
         close(solution.pressures[0], exact(0.0), 2e-3);
     }
     // All of it: the pressure is the mean and the wave.
-    let solution = solver.solve(Given::MeanPressure(1.5 * full)).unwrap();
+    let solution = solver.solve(LoadCase::MeanPressure(1.5 * full)).unwrap();
     close(solution.pixel_area, 1.0, 0.0);
     assert!(solution.mean_gap.abs() < 1e-8 * amplitude);
     close(solution.pressures[0], 2.5 * full, 1e-9);
@@ -52,7 +52,7 @@ fn hertzs_sphere_with_free_edges() {
         let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
         let area = map.area();
         let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
-        let solution = solver.solve(Given::Load(load)).unwrap();
+        let solution = solver.solve(LoadCase::Load(load)).unwrap();
         close(solution.load, load, 1e-12);
         let middle = (n / 2) * n + n / 2;
         let exact_area = PI * contact.powi(2);
@@ -84,7 +84,7 @@ fn one_pixel_of_a_free_map_sinks_as_loves_rectangle() {
     heights[2 * columns + 1] = 1e-6;
     let map = HeightMap::new(heights, [rows, columns], [dy, dx]).unwrap();
     let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
-    let solution = solver.solve(Given::Load(1e-3)).unwrap();
+    let solution = solver.solve(LoadCase::Load(1e-3)).unwrap();
     assert_eq!(solution.patches, [1]);
     // Deflection at the middle of an a x b rectangle under the force F: [recalled]
     // 2F/(π E a b) (a asinh(b/a) + b asinh(a/b)).

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::fs::File;
 
-use asperity_bem::{BoundaryElements, Given, HeightMap, RandomSurface, Solution};
+use asperity_bem::{BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
 
 use crate::{MODULUS, UNIT, close};
 
@@ -53,7 +53,7 @@ fn contacts_are_those_of_tamaas_and_contact_mechanics() {
         if !row["hardness"].is_empty() {
             solver = solver.hardness(number(row, "hardness")).unwrap();
         }
-        let found = solver.solve(Given::MeanPressure(number(row, "pressure"))).unwrap();
+        let found = solver.solve(LoadCase::MeanPressure(number(row, "pressure"))).unwrap();
         let pixels = number(row, "pixels") as i64;
         let plastic = number(row, "plastic") / (n * n) as f64;
         compare(&found, row, number(row, "area"), pixels, plastic, number(row, "mean_gap"));
@@ -76,7 +76,7 @@ fn every_row_of_the_study() {
         if !row["H_over_E"].is_empty() {
             solver = solver.hardness(number(row, "H_over_E")).unwrap();
         }
-        let found = solver.solve(Given::MeanPressure(number(row, "p_over_E"))).unwrap();
+        let found = solver.solve(LoadCase::MeanPressure(number(row, "p_over_E"))).unwrap();
         let pixels = counted(number(row, "area_pix"), n * n);
         let plastic = number(row, "plastic_area");
         compare(&found, row, number(row, "area_corr"), pixels, plastic, number(row, "mean_gap"));

@@ -1,6 +1,6 @@
 //! Input that cannot be answered is refused by name; input that looks odd is answered.
 
-use asperity_bem::{BemError, Boundary, BoundaryElements, Given, HeightMap, RandomSurface};
+use asperity_bem::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 
 use crate::{MODULUS, UNIT, close, rough};
 
@@ -33,21 +33,21 @@ fn maps() {
 fn loads() {
     let solver = BoundaryElements::new(rough(32, 1), MODULUS).unwrap();
     for value in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        refused(solver.solve(Given::MeanPressure(value)), "mean pressure is");
-        refused(solver.solve(Given::Load(value)), "load is");
-        refused(solver.solve(Given::MeanGap(value)), "mean gap is");
+        refused(solver.solve(LoadCase::MeanPressure(value)), "mean pressure is");
+        refused(solver.solve(LoadCase::Load(value)), "load is");
+        refused(solver.solve(LoadCase::MeanGap(value)), "mean gap is");
         refused(BoundaryElements::new(rough(32, 1), value), "equivalent modulus is");
         refused(solver.clone().hardness(value), "hardness is");
         refused(solver.clone().tolerance(value), "tolerance is");
     }
     let soft = solver.clone().hardness(UNIT).unwrap();
     for pressure in [UNIT, 2.0 * UNIT] {
-        refused(soft.solve(Given::MeanPressure(pressure)), "less than the hardness");
+        refused(soft.solve(LoadCase::MeanPressure(pressure)), "less than the hardness");
     }
-    let highest = solver.solve(Given::MeanPressure(1e-3 * UNIT)).unwrap().mean_gap * 100.0;
-    refused(solver.solve(Given::MeanGap(highest)), "nothing touches");
+    let highest = solver.solve(LoadCase::MeanPressure(1e-3 * UNIT)).unwrap().mean_gap * 100.0;
+    refused(solver.solve(LoadCase::MeanGap(highest)), "nothing touches");
     let hasty = solver.most_iterations(3);
-    let error = hasty.solve(Given::MeanPressure(0.1 * UNIT)).unwrap_err();
+    let error = hasty.solve(LoadCase::MeanPressure(0.1 * UNIT)).unwrap_err();
     assert!(
         matches!(error, BemError::NotConverged { iterations: 3, residual, .. } if residual > 1e-8)
     );
@@ -85,13 +85,14 @@ fn surfaces() {
 fn flat_maps() {
     let map = HeightMap::new(vec![0.1; 30 * 31], [30, 31], [1e-6; 2]).unwrap();
     let solver = BoundaryElements::new(map, MODULUS).unwrap();
-    let solution = solver.solve(Given::MeanPressure(UNIT)).unwrap();
+    let solution = solver.solve(LoadCase::MeanPressure(UNIT)).unwrap();
     close(solution.area, 1.0, 0.0);
     assert!(solution.pressures.iter().all(|&pressure| (pressure / UNIT - 1.0).abs() < 1e-12));
     assert!(solution.mean_gap.abs() < 1e-20);
-    let punch = solver.clone().boundary(Boundary::Free).solve(Given::MeanPressure(UNIT)).unwrap();
+    let punch =
+        solver.clone().boundary(Boundary::Free).solve(LoadCase::MeanPressure(UNIT)).unwrap();
     assert!(punch.pressures[0] > 3.0 * UNIT && punch.pressures[15 * 31 + 15] < 0.6 * UNIT);
-    refused(solver.solve(Given::MeanGap(1e-9)), "nothing touches");
+    refused(solver.solve(LoadCase::MeanGap(1e-9)), "nothing touches");
 }
 
 /// Two by two pixels, and one row of waves.
@@ -100,9 +101,9 @@ fn the_least_maps() {
     let map = HeightMap::new(vec![0.0, 0.0, 0.0, 1e-6], [2, 2], [1e-6; 2]).unwrap();
     for boundary in [Boundary::Periodic, Boundary::Free] {
         let solver = BoundaryElements::new(map.clone(), MODULUS).unwrap().boundary(boundary);
-        let light = solver.solve(Given::MeanPressure(1e-3 * MODULUS)).unwrap();
+        let light = solver.solve(LoadCase::MeanPressure(1e-3 * MODULUS)).unwrap();
         assert_eq!(light.patches, [1]);
-        let heavy = solver.solve(Given::MeanPressure(10.0 * MODULUS)).unwrap();
+        let heavy = solver.solve(LoadCase::MeanPressure(10.0 * MODULUS)).unwrap();
         assert_eq!(heavy.patches, [4]);
     }
 }

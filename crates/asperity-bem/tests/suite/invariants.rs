@@ -1,6 +1,6 @@
 //! What holds for every contact, whatever the surface.
 
-use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap, Solution};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
 
 use crate::{MODULUS, UNIT, close, rough};
 
@@ -35,7 +35,7 @@ fn pressure_or_gap_never_both() {
         for (way, solver) in all_ways(map).into_iter().enumerate() {
             let hardness = if way % 2 == 1 { HARDNESS } else { f64::INFINITY };
             for share in [1e-4, 0.02, 0.29] {
-                let solution = solver.solve(Given::MeanPressure(share * UNIT)).unwrap();
+                let solution = solver.solve(LoadCase::MeanPressure(share * UNIT)).unwrap();
                 close(solution.mean_pressure, share * UNIT, 1e-11);
                 let little = 1e-5 * map.rms_height();
                 for (&pressure, &gap) in solution.pressures.iter().zip(&solution.gaps) {
@@ -56,7 +56,7 @@ fn the_digits_do_not_depend_on_the_number_of_threads() {
     for solver in all_ways(&rough(128, 4)) {
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| bits(&solver.solve(Given::MeanPressure(0.05 * UNIT)).unwrap()))
+            pool.install(|| bits(&solver.solve(LoadCase::MeanPressure(0.05 * UNIT)).unwrap()))
         };
         assert!(on(1) == on(3));
     }
@@ -90,7 +90,7 @@ fn shifted_turned_and_scaled_contacts_are_the_same() {
     )
     .unwrap();
     let at = |i: usize, j: usize| (i % rows) * columns + j % columns;
-    let given = Given::MeanPressure(0.04 * UNIT);
+    let given = LoadCase::MeanPressure(0.04 * UNIT);
     for (way, solver) in all_ways(&map).into_iter().enumerate() {
         let required = solver.solve(given).unwrap();
         let with = |heights: Vec<f64>, shape, pixel, units: f64| {
@@ -109,7 +109,7 @@ fn shifted_turned_and_scaled_contacts_are_the_same() {
 
         let heights = map.heights().iter().map(|h| h * 1e9 + 77.0).collect();
         let scaled = with(heights, [rows, columns], [2e3, 1e3], 1e-6);
-        let found = scaled.solve(Given::MeanPressure(0.04 * UNIT * 1e-6)).unwrap();
+        let found = scaled.solve(LoadCase::MeanPressure(0.04 * UNIT * 1e-6)).unwrap();
         same(&found, &required, 1e-9, 1e6, |i| i);
 
         if way < 2 {
@@ -126,7 +126,7 @@ fn a_hardness_out_of_reach_changes_nothing() {
     let map = rough(64, 6);
     let elastic = BoundaryElements::new(map, MODULUS).unwrap();
     let hard = elastic.clone().hardness(100.0 * UNIT).unwrap();
-    let given = Given::MeanPressure(0.02 * UNIT);
+    let given = LoadCase::MeanPressure(0.02 * UNIT);
     let (a, b) = (elastic.solve(given).unwrap(), hard.solve(given).unwrap());
     assert_eq!(a.patches, b.patches);
     assert_eq!((a.plastic_area, b.plastic_area), (0.0, 0.0));
@@ -142,7 +142,7 @@ fn soft_and_hard_extremes_end_quickly() {
         [(1e-4, 3.3e-5), (1e-4, 0.99e-4), (0.1, 0.099), (3.0, 1.5), (1e3, 1e-7), (1e3, 20.0)]
     {
         let solver = elastic.clone().hardness(hardness * UNIT).unwrap().most_iterations(80);
-        let solution = solver.solve(Given::MeanPressure(share * UNIT)).unwrap();
+        let solution = solver.solve(LoadCase::MeanPressure(share * UNIT)).unwrap();
         close(solution.mean_pressure, share * UNIT, 1e-10);
     }
 }

@@ -1,6 +1,6 @@
 //! Loads so light that deflections are far below the heights, and heights of any size.
 
-use asperity_bem::{BoundaryElements, Given, HeightMap};
+use asperity_bem::{BoundaryElements, HeightMap, LoadCase};
 
 use crate::{MODULUS, UNIT, close, rough};
 
@@ -19,7 +19,7 @@ fn waves(size: f64) -> HeightMap {
 /// Balance, and contact where pressure is and nowhere else, as parts of what one pixel under all of
 /// the load is pressed in by.
 fn holds(solver: &BoundaryElements, map: &HeightMap, pressures: &[f64]) {
-    let given: Vec<Given> = pressures.iter().map(|p| Given::MeanPressure(*p)).collect();
+    let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
     let solutions = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
     for (pressure, solution) in pressures.iter().zip(solutions) {
         let solution = solution.unwrap();
@@ -45,12 +45,12 @@ fn any_load_is_in_balance_alone_and_after_a_heavy_one() {
 fn heights_of_any_size_have_the_same_contact() {
     let one = BoundaryElements::new(waves(1e-6), MODULUS).unwrap();
     for light in [1e8, 1e2, 1e-4] {
-        let of_one = one.solve(Given::MeanPressure(light)).unwrap();
+        let of_one = one.solve(LoadCase::MeanPressure(light)).unwrap();
         for size in [1e-12, 1e-6, 1e3] {
             let map = waves(1e-6 * size);
             let solver = BoundaryElements::new(map.clone(), MODULUS).unwrap();
             holds(&solver, &map, &[light * size]);
-            let found = solver.solve(Given::MeanPressure(light * size)).unwrap();
+            let found = solver.solve(LoadCase::MeanPressure(light * size)).unwrap();
             close(found.pixel_area, of_one.pixel_area, 1e-12);
             // Both are iterated to 1e-8 of Sq.
             close(found.mean_gap, size * of_one.mean_gap, 1e-7);
@@ -67,7 +67,8 @@ fn rough_maps_are_solved_at_any_load_with_a_hardness_too() {
         let pressure = UNIT / 10f64.powi(exponent);
         for solver in [&elastic, &soft] {
             for list in [&[pressure][..], &[0.1 * UNIT, pressure]] {
-                let given: Vec<Given> = list.iter().map(|p| Given::MeanPressure(*p)).collect();
+                let given: Vec<LoadCase> =
+                    list.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
                 let solutions = solver.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
                 close(solutions.last().unwrap().as_ref().unwrap().mean_pressure, pressure, 1e-12);
             }

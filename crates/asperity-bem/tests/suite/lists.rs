@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_bem::{BemError, Boundary, BoundaryElements, Given};
+use asperity_bem::{BemError, Boundary, BoundaryElements, LoadCase};
 
 use crate::{MODULUS, UNIT, close, rough};
 
@@ -13,28 +13,28 @@ fn a_list_answers_in_its_own_order_and_keeps_what_can_be_solved() {
     let solver = BoundaryElements::new(rough(64, 8), MODULUS).unwrap().hardness(UNIT).unwrap();
     let area = rough(64, 8).area();
     let given = [
-        Given::MeanPressure(0.01 * UNIT),
-        Given::MeanPressure(f64::NAN),
-        Given::Load(0.1 * UNIT * area),
-        Given::MeanPressure(2.0 * UNIT),
-        Given::MeanGap(4e-7),
-        Given::MeanPressure(0.03 * UNIT),
-        Given::MeanGap(1.0),
+        LoadCase::MeanPressure(0.01 * UNIT),
+        LoadCase::MeanPressure(f64::NAN),
+        LoadCase::Load(0.1 * UNIT * area),
+        LoadCase::MeanPressure(2.0 * UNIT),
+        LoadCase::MeanGap(4e-7),
+        LoadCase::MeanPressure(0.03 * UNIT),
+        LoadCase::MeanGap(1.0),
     ];
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     let list = solver.solve_all(&given, |progress| {
-        told.push((progress.index, progress.done));
+        reported.push((progress.index, progress.done));
         GO_ON
     });
     for (given, solution) in given.iter().zip(&list) {
         match (given, solution) {
-            (Given::MeanPressure(p), Err(error)) if p.is_nan() => {
+            (LoadCase::MeanPressure(p), Err(error)) if p.is_nan() => {
                 assert!(matches!(error, BemError::OutOfRange { field: "mean pressure", .. }));
             }
-            (Given::MeanPressure(_), Err(error)) => {
+            (LoadCase::MeanPressure(_), Err(error)) => {
                 assert!(matches!(error, BemError::CannotBeCarried { .. }));
             }
-            (Given::MeanGap(_), Err(error)) => {
+            (LoadCase::MeanGap(_), Err(error)) => {
                 assert!(matches!(error, BemError::NothingTouches { .. }));
             }
             (given, solution) => {
@@ -47,15 +47,16 @@ fn a_list_answers_in_its_own_order_and_keeps_what_can_be_solved() {
         }
     }
     // From the greatest load down, gaps last.
-    told.dedup_by_key(|(index, _)| *index);
-    assert_eq!(told.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [2, 5, 0, 4]);
-    assert!(told.is_sorted_by_key(|(_, done)| *done));
+    reported.dedup_by_key(|(index, _)| *index);
+    assert_eq!(reported.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [2, 5, 0, 4]);
+    assert!(reported.is_sorted_by_key(|(_, done)| *done));
 }
 
 #[test]
 fn a_warm_list_takes_fewer_iterations() {
     let solver = BoundaryElements::new(rough(128, 9), MODULUS).unwrap();
-    let given: Vec<_> = (0..8).map(|k| Given::MeanPressure(0.1 * UNIT * 0.8_f64.powi(k))).collect();
+    let given: Vec<_> =
+        (0..8).map(|k| LoadCase::MeanPressure(0.1 * UNIT * 0.8_f64.powi(k))).collect();
     let warm = solver.solve_all(&given, |_| GO_ON);
     let warm: usize = warm.into_iter().map(|solution| solution.unwrap().iterations).sum();
     let cold: usize = given.iter().map(|&given| solver.solve(given).unwrap().iterations).sum();
@@ -65,7 +66,7 @@ fn a_warm_list_takes_fewer_iterations() {
 #[test]
 fn a_stopped_list_keeps_what_is_done() {
     let solver = BoundaryElements::new(rough(64, 10), MODULUS).unwrap();
-    let given = [0.01, 0.03, 0.1].map(|share| Given::MeanPressure(share * UNIT));
+    let given = [0.01, 0.03, 0.1].map(|share| LoadCase::MeanPressure(share * UNIT));
     let list = solver.solve_all(&given, |progress| {
         if progress.index == 1 && progress.iterations == 5 { ControlFlow::Break(()) } else { GO_ON }
     });
@@ -77,7 +78,7 @@ fn a_stopped_list_keeps_what_is_done() {
 #[test]
 fn answers_come_as_they_are_done() {
     let solver = BoundaryElements::new(rough(32, 11), MODULUS).unwrap();
-    let given = [0.01, 0.1, 0.03].map(|share| Given::MeanPressure(share * UNIT));
+    let given = [0.01, 0.1, 0.03].map(|share| LoadCase::MeanPressure(share * UNIT));
     let mut order = Vec::new();
     solver.solve_each(&given, |_| GO_ON, |index, solution| order.push((index, solution.is_ok())));
     assert_eq!(order, [(1, true), (2, true), (0, true)]);
@@ -95,10 +96,10 @@ fn mean_gaps_are_met() {
     ];
     for solver in ways {
         for gap in [0.999 * highest, 2.0 * sq, 0.5 * sq, 0.01 * sq] {
-            let solution = solver.solve(Given::MeanGap(gap)).unwrap();
+            let solution = solver.solve(LoadCase::MeanGap(gap)).unwrap();
             assert!((solution.mean_gap - gap).abs() <= 1e-7 * sq);
             // The load that was found has this gap.
-            let again = solver.solve(Given::MeanPressure(solution.mean_pressure)).unwrap();
+            let again = solver.solve(LoadCase::MeanPressure(solution.mean_pressure)).unwrap();
             assert!((again.mean_gap - gap).abs() <= 3e-7 * sq);
         }
     }

@@ -1,6 +1,6 @@
 //! `bem` as a model: the solver's answers under the names that all models share.
 
-use asperity_bem::{Bem, Boundary, Given};
+use asperity_bem::{Bem, Boundary, LoadCase};
 use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Separation, Surface};
 
 use crate::{MODULUS, UNIT, close, rough};
@@ -17,7 +17,7 @@ fn answers_are_those_of_the_solver() {
     for elastic in [true, false] {
         let bem = Bem::new(rough(64, 1), Boundary::Periodic, elastic);
         let elements = bem.elements(&scene().interface).unwrap();
-        let direct = elements.solve(Given::MeanPressure(0.05 * UNIT)).unwrap();
+        let direct = elements.solve(LoadCase::MeanPressure(0.05 * UNIT)).unwrap();
         assert_eq!(direct.plastic_area > 0.0, !elastic);
         let quantities =
             [Quantity::Force, Quantity::AreaFraction, Quantity::Area, Quantity::MeanPressure];

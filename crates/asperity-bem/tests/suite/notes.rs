@@ -1,6 +1,6 @@
-//! What is not resolved says so.
+//! Diagnostics of unresolved maps and contacts.
 
-use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap, RandomSurface};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 
 use crate::{MODULUS, UNIT, rough};
 
@@ -11,7 +11,8 @@ fn short_waves_are_seen_in_both_boundaries() {
             let surface = RandomSurface::new(2.0, 4.0, 24.0).unwrap().gradient(0.1).unwrap();
             let map = surface.side(1e-4).unwrap().heights(n).unwrap();
             let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(boundary);
-            let solution = solver.tolerance(0.1).unwrap().solve(Given::MeanPressure(UNIT)).unwrap();
+            let solution =
+                solver.tolerance(0.1).unwrap().solve(LoadCase::MeanPressure(UNIT)).unwrap();
             let found = solution.notes.iter().find(|note| note.code == "short-waves");
             let found = found.map(|note| note.value);
             assert_eq!(found.is_some(), short, "{n} {found:?}");
@@ -27,7 +28,7 @@ fn short_waves_are_seen_in_both_boundaries() {
 #[test]
 fn few_pixels_and_few_patches_are_counted() {
     let solver = BoundaryElements::new(rough(128, 2), MODULUS).unwrap();
-    let notes = |share: f64| solver.solve(Given::MeanPressure(share * UNIT)).unwrap().notes;
+    let notes = |share: f64| solver.solve(LoadCase::MeanPressure(share * UNIT)).unwrap().notes;
     let light = notes(1e-4);
     let codes: Vec<_> = light.iter().map(|note| note.code).collect();
     assert_eq!(codes, ["few-pixels", "few-patches"]);
@@ -43,7 +44,7 @@ fn half_the_grid_tells_how_far_the_answer_depends_on_it() {
         RandomSurface::new(2.0, 4.0, 8.0).unwrap().gradient(0.1).unwrap().heights(256).unwrap();
     let area = |map| {
         let solver = BoundaryElements::new(map, 1.0).unwrap();
-        let solution = solver.solve(Given::MeanPressure(5e-3)).unwrap();
+        let solution = solver.solve(LoadCase::MeanPressure(5e-3)).unwrap();
         [solution.area, solution.pixel_area]
     };
     let [half, fine] = [area(map.half_grid().unwrap()), area(map)];
@@ -59,7 +60,7 @@ fn edges_that_do_not_meet_are_seen_where_the_map_is_repeated() {
     let cut = HeightMap::new(cut, [90, 100], whole.pixel()).unwrap();
     let noted = |map: HeightMap, boundary| {
         let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(boundary);
-        let solution = solver.tolerance(0.1).unwrap().solve(Given::MeanPressure(UNIT)).unwrap();
+        let solution = solver.tolerance(0.1).unwrap().solve(LoadCase::MeanPressure(UNIT)).unwrap();
         solution.notes.iter().any(|note| note.code == "seam" && note.value > 3.0)
     };
     assert!(noted(cut.clone(), Boundary::Periodic));

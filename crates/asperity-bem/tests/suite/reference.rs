@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use asperity_bem::{Boundary, BoundaryElements, Given, HeightMap, RandomSurface};
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface};
 
 use crate::{MODULUS, close};
 
@@ -31,7 +31,7 @@ fn every_row_of_the_dense_solver() {
         if !row["hardness"].is_empty() {
             solver = solver.hardness(number("hardness")).unwrap();
         }
-        let found = solver.solve(Given::MeanPressure(number("pressure"))).unwrap();
+        let found = solver.solve(LoadCase::MeanPressure(number("pressure"))).unwrap();
         let pixels = count("rows") * columns;
         let counted = |share: f64| (share * pixels as f64).round() as usize;
         assert_eq!(counted(found.pixel_area), count("pixels"), "{line}");

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::Diagnostics;
-use asperity::bem::{Bem, Boundary, Given};
+use asperity::bem::{Bem, Boundary, LoadCase};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -99,13 +99,13 @@ pub enum Beyond {
 
 impl Places {
     /// In the order of the command line; pressures are alike on the scan and on the nominal area.
-    fn given(&self, nominal_area: f64) -> Vec<Given> {
-        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> Given| {
+    fn given(&self, nominal_area: f64) -> Vec<LoadCase> {
+        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> LoadCase| {
             lists.iter().flat_map(|list| &list.0).map(|value| given(*value)).collect::<Vec<_>>()
         };
-        let mut given = all(&self.pressures, &Given::MeanPressure);
-        given.extend(all(&self.loads, &|load| Given::MeanPressure(load / nominal_area)));
-        given.extend(all(&self.gaps, &Given::MeanGap));
+        let mut given = all(&self.pressures, &LoadCase::MeanPressure);
+        given.extend(all(&self.loads, &|load| LoadCase::MeanPressure(load / nominal_area)));
+        given.extend(all(&self.gaps, &LoadCase::MeanGap));
         given
     }
 }
@@ -199,7 +199,7 @@ impl BemCommand {
     }
 
     /// What does not go together on the command line.
-    fn check(&self, given: &[Given]) {
+    fn check(&self, given: &[LoadCase]) {
         let refuse =
             |text: &str| crate::input::usage_error("bem", ErrorKind::ArgumentConflict, text);
         if self.picture.is_some() && given.len() > 1 {

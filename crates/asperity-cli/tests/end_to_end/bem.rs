@@ -1,6 +1,6 @@
 //! `bem`: the scan of a scene, pixel by pixel.
 
-use asperity::bem::{Boundary, Given};
+use asperity::bem::{Boundary, LoadCase};
 
 use crate::bench::{Bench, NO_SHEAR, Run, cells, column};
 
@@ -78,7 +78,7 @@ fn rows_are_those_of_the_library() {
         let file = bench.scene("scan.toml");
         let elements =
             file.bem(boundary, elastic).unwrap().elements(&file.scene.interface).unwrap();
-        let given = [1e7, 2e9, 1e8].map(Given::MeanPressure);
+        let given = [1e7, 2e9, 1e8].map(LoadCase::MeanPressure);
         let found = elements.solve_all(&given, |_| std::ops::ControlFlow::Continue(()));
         let found: Vec<_> = found.into_iter().map(Result::unwrap).collect();
         let of = |of: &dyn Fn(&asperity::bem::Solution) -> f64| found.iter().map(of).collect();

@@ -1,5 +1,5 @@
-//! An answer that is looked at before it is believed: how deep the asperities are pressed, how many
-//! there are, and whether the model is made for that.
+//! Plausibility of an answer: interferences, number of contacts, and the range of validity of the
+//! model.
 
 use super::interferences::Interferences;
 use super::{Check, Scene};
@@ -9,32 +9,31 @@ use crate::{
     Request, Separation, SeparationUnit, Severity, Tolerance,
 };
 
-/// Enough for the numbers of a diagnostic.
+/// Tolerance of the numbers in diagnostics.
 const TOLERANCE: f64 = 1e-6;
-/// Asperities that cover more of the nominal area feel each other.
+/// Area fractions (warning, error) above which asperities interact.
 const CROWDED: [f64; 2] = [0.1, 0.5];
-/// An average of fewer contacts says little about one surface.
+/// Number of contacts below which a single realisation differs much from the average.
 const FEW: f64 = 30.0;
-/// w/R beyond which an asperity is no longer a cap that is pressed a little.
+/// w/R (warning, error) beyond which an asperity is no spherical cap under small deformation.
 const DEEP: [f64; 2] = [0.3, 1.0];
-/// Fewer of the contacts than this carry no per cent of a load.
+/// Share of the contacts that carries less than one per cent of the load.
 const NEGLIGIBLE: f64 = 1e-6;
-/// p/H of the models that go on rising where contacts are plastic (JG, AF) is still below this.
+/// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.
 const PLASTIC: f64 = 1.5;
-/// Share of the force by asperities that yield, which an elastic law does not know.
+/// Share of the force on yielding asperities (note, warning), which an elastic law ignores.
 const YIELDS: [f64; 2] = [0.02, 0.1];
-/// Share of the force that a law is known to miss.
+/// Share of the force in the range of a known defect of the law.
 const MISSED: f64 = 0.2;
-/// Share of the force beyond what a law was fitted to.
+/// Share of the force beyond the fitted range of a law.
 const BEYOND: f64 = 0.02;
 
 impl Check {
-    /// What follows from a scene, a model and a place: the numbers of [`Scene::check`], those of
-    /// the answer, and what is unusual about either.
+    /// Derived numbers and findings of a scene ([`Scene::check`]) and of a model's answer at a
+    /// place.
     ///
     /// # Errors
-    /// [`ContactError`] naming what the scene or the model is refused for, and why there is no
-    /// answer at this place.
+    /// [`ContactError`] with the reason why the scene, the model or the place is refused.
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
         let mut check = scene.check()?;
         let answer = Self::of_answer(model, scene, at, true)?;
@@ -44,8 +43,8 @@ impl Check {
         Ok(check)
     }
 
-    /// What is unusual about the answers at these places, each finding once: where the surfaces are
-    /// closest, and at the lightest of the loads. A place that has no answer has no findings.
+    /// Findings of the answers at these places, each once: at the smallest separation, and at the
+    /// smallest and largest loads. Places without an answer have no findings.
     #[must_use]
     pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Diagnostics {
         let mut check = Self::default();
@@ -58,7 +57,7 @@ impl Check {
         check.findings.into_iter().map(|found| found.in_rows(1)).collect()
     }
 
-    /// Leaves out what a model of the whole surface knows nothing of.
+    /// Removes findings about asperities for models of the whole surface.
     pub fn keep_for(&mut self, model: &dyn ContactModel) {
         let findings = std::mem::take(&mut self.findings);
         self.findings = findings.for_asperities(model.validity().asperities);
@@ -80,8 +79,8 @@ impl Check {
         (area_fraction > 1.0).then_some(found)
     }
 
-    /// With all numbers, or with those alone that warnings come of: models over angles are then
-    /// answered without their tables, and depths are looked at where they may matter.
+    /// All numbers if `whole`, otherwise only those with warnings: models with inclined contacts
+    /// are then solved without tables, and interferences only where they may matter.
     fn of_answer(
         model: &dyn ContactModel,
         scene: &Scene,
@@ -100,12 +99,12 @@ impl Check {
         }
         let contact = model.compile(scene, &request)?;
         let from = crate::Datum::AsperityMean;
-        let known = |at: At| -> Result<(Separation, f64), ContactError> {
+        let contacts_at = |at: At| -> Result<(Separation, f64), ContactError> {
             let found = contact.separation(at)?.measured_in(SeparationUnit::Sigma, from, scene)?;
             Ok((found, contact.evaluate(Quantity::Contacts, found)?.value()))
         };
-        // A theory of the whole surface knows no single contacts.
-        let (place, contacts) = match known(at) {
+        // Theories of the whole surface have no number of contacts.
+        let (place, contacts) = match contacts_at(at) {
             Ok((found, contacts)) => (Some(found), Some(contacts)),
             Err(ContactError::Unsupported { .. } | ContactError::Missing { .. }) => (None, None),
             Err(error) => return Err(error),
@@ -125,7 +124,7 @@ impl Check {
         Ok(check)
     }
 
-    /// What force \[N\], area \[m²\] and number of contacts say.
+    /// Numbers and findings from force \[N\], area \[m²\] and number of contacts.
     fn of_totals(
         model: &dyn ContactModel,
         scene: &Scene,
@@ -136,34 +135,34 @@ impl Check {
         let mut check = Self::default();
         let fraction = area / scene.nominal_area;
         let sigma = scene.surface.asperity_height_std;
-        check.say("load", force, "N", "normal force");
-        check.say("pressure", force / scene.nominal_area, "Pa", "load over A_n");
+        check.add_number("load", force, "N", "normal force");
+        check.add_number("pressure", force / scene.nominal_area, "Pa", "load over A_n");
         if let Some(Separation { value, .. }) = place {
             let meaning = "d/sigma_z, from the mean of the asperity heights";
-            check.say("separation_over_sigma", value, "", meaning);
+            check.add_number("separation_over_sigma", value, "", meaning);
             let meaning = "d, from the mean of the asperity heights";
-            check.say("separation", value * sigma, "m", meaning);
+            check.add_number("separation", value * sigma, "m", meaning);
         }
-        check.say("area", area, "m2", format!("real area of contact, by {}", model.name()));
-        check.say("area_fraction", fraction, "", "real over nominal area");
+        check.add_number("area", area, "m2", format!("real area of contact, by {}", model.name()));
+        check.add_number("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
         check.extend(sticks(model, scene));
         if let Some(contacts) = contacts {
-            check.say("contacts", contacts, "", "asperities that touch");
+            check.add_number("contacts", contacts, "", "asperities that touch");
             if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
                 check.extend([few(model, at, contacts)]);
             }
             if contacts > 0.0 && area > 0.0 {
                 let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
-                check.say("contact_radius", radius, "m", "of a contact of mean area");
+                check.add_number("contact_radius", radius, "m", "of a contact of mean area");
             }
         }
         let mean = force / area;
         if mean > 0.0 {
-            check.say("mean_pressure", mean, "Pa", "load over real area");
+            check.add_number("mean_pressure", mean, "Pa", "load over real area");
             if let Ok((Some(hardness), ..)) = scene.interface.check() {
-                check.say("mean_pressure_over_hardness", mean / hardness, "", "p/H");
-                // The depth shows what yields.
+                check.add_number("mean_pressure_over_hardness", mean / hardness, "", "p/H");
+                // Models with a limited range report yielding by interference.
                 if model.validity().holds_to.is_none() {
                     check.extend(above_hardness(model, at, mean / hardness));
                 }
@@ -172,11 +171,11 @@ impl Check {
         check
     }
 
-    /// Diagnostics of the depths to which the asperities are pressed.
+    /// Numbers and diagnostics from the interferences of the asperities.
     fn of_depths(&mut self, model: &dyn ContactModel, scene: &Scene, at: At, deep: &Interferences) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
-        self.say("interference", w, "m", "w beyond which 1 % of the load is carried");
-        self.say("interference_over_radius", w / r, "", "w/R of it");
+        self.add_number("interference", w, "m", "w beyond which 1 % of the load is carried");
+        self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > DEEP[0] * r {
             let severity = if w > DEEP[1] * r { Severity::Error } else { Severity::Warning };
             let deep = Diagnostic::warning("deep", "interference_over_radius", w / r)
@@ -191,9 +190,9 @@ impl Check {
         else {
             return;
         };
-        self.say("interference_over_critical", w / critical, "", "w/w_c of it");
+        self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
-        self.say("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
+        self.add_number("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
         if let Some(misses) = model.validity().known_defect {
             let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
             self.extend(missed(model, at, from - to, &misses));
@@ -208,8 +207,7 @@ impl Check {
     }
 }
 
-/// Whether enough asperities are pressed deeper than caps may be for it to matter: counted, which
-/// is cheap.
+/// Whether a relevant share of the contacts is deeper than spherical caps allow, by counting.
 fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool {
     let surface = &contact.scene().surface;
     let depth = DEEP[0] * surface.asperity_radius / surface.asperity_height_std;
@@ -219,7 +217,7 @@ fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool 
 
 const HIDDEN: f64 = Scene::HIDES_ADHESION;
 
-/// Adhesion that a scene has and a model ignores, or that is beyond the model's range.
+/// A warning if the model ignores the scene's adhesion or is outside its range of adhesion.
 fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
     let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
     let Some([least, most]) = model.validity().tabor else {
@@ -238,7 +236,7 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
     (!(least..=most).contains(&tabor)).then_some(found)
 }
 
-/// A load on yielding asperities, by a model without yielding.
+/// A finding for a load on yielding asperities with an elastic model.
 fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
     let name = model.name();
     let remedy = match model.validity().adhesive {
@@ -260,7 +258,7 @@ fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
     (share > YIELDS[0]).then_some(found)
 }
 
-/// A load that is carried where a law is known to be off.
+/// A finding for a load in the range of a known defect of the law.
 fn missed(
     model: &dyn ContactModel,
     at: At,
@@ -273,12 +271,14 @@ fn missed(
         .usual([0.0, MISSED])
         .of_model(model.name())
         .at(at)
-        .fact(format!("asperities pressed from {from} to {to} w_c carry {percent} % of the force"))
+        .fact(format!(
+            "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
+        ))
         .advice(format!("{} {summary}", model.name()));
     (share > MISSED).then_some(found)
 }
 
-/// A load that is carried beyond what a law was fitted to; `x` is the largest w/w_c that matters.
+/// A finding for a load beyond the fitted range of a law; `x` is the largest relevant w/w_c.
 fn beyond_fit(
     model: &dyn ContactModel,
     at: At,
@@ -291,7 +291,9 @@ fn beyond_fit(
         .usual([0.0, holds_to])
         .of_model(name)
         .at(at)
-        .fact(format!("asperities pressed beyond {limit} w_c carry {percent} % of the force"))
+        .fact(format!(
+            "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
+        ))
         .advice(format!("beyond this interference {name} assumes full plasticity"));
     (share > BEYOND).then_some(found)
 }
@@ -308,7 +310,7 @@ fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Diagnostic
     Some(found.usual([0.0, CROWDED[0]]).of_model(model.name()).at(at).advice(advice))
 }
 
-/// A mean pressure that no contact carries.
+/// A warning for a mean pressure that exceeds any hardness.
 fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Diagnostic> {
     let found = Diagnostic::warning("above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
@@ -325,11 +327,11 @@ fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Diagnostic {
     found.usual([FEW, f64::INFINITY]).of_model(model.name()).at(at).advice(advice)
 }
 
-/// The closest place and, of loads, the lightest.
+/// The smallest separation, and the smallest and largest loads and pressures.
 fn extremes(places: &[At], scene: &Scene) -> Vec<At> {
     let mut found: Vec<At> = vec![];
     let number = |at: &At| match at {
-        // One that is no place is refused elsewhere.
+        // Invalid separations are refused elsewhere.
         At::Separation(place) => place
             .measured_in(SeparationUnit::Metres, Datum::AsperityMean, scene)
             .map_or(f64::NEG_INFINITY, |place| -place.value),

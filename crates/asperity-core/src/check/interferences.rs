@@ -1,22 +1,22 @@
-//! How deep the asperities are pressed that carry the load.
+//! Interferences of the asperities that carry the load.
 
 use crate::{Contact, ContactError, Law, Quantity, Separation};
 
-/// Bins over the interferences that matter.
+/// Number of bins of interference.
 const BINS: usize = 600;
-/// The asperities beyond the last bin are so few of those that touch.
+/// Share of the contacts beyond the last bin.
 const REST: f64 = 1e-7;
 
-/// The force of the asperities by their interference \[m\].
+/// Distribution of the force over the interference of the asperities \[m\].
 pub(crate) struct Interferences {
     /// Middle of each bin, and the share of the force that it carries.
     bins: Vec<(f64, f64)>,
 }
 
 impl Interferences {
-    /// By counting: as many asperities are pressed deeper than w as touch at d + w. Good to a per
-    /// cent, which is enough to say how much of a load lies beyond a limit. `None` where the force
-    /// is not above 0, or nothing touches.
+    /// The distribution by counting, accurate to about one per cent: the asperities with an
+    /// interference above w are the contacts at d + w. `None` without contact or with a force of at
+    /// most 0.
     ///
     /// `place` is in multiples of σ_z from the mean of the asperity heights.
     pub(crate) fn of(
@@ -38,11 +38,11 @@ impl Interferences {
         while above(s + reach)? > REST * all && reach < 1e6 {
             reach *= 1.3;
         }
-        let begins = law.begins * law.interference_unit;
+        let onset = law.onset * law.interference_unit;
         let (mut bins, mut total, mut outer) = (vec![], 0.0, all);
         for k in 0..BINS {
             let inner = above(s + reach * (k + 1) as f64 / BINS as f64)?;
-            let w = begins + reach * sigma * (k as f64 + 0.5) / BINS as f64;
+            let w = onset + reach * sigma * (k as f64 + 0.5) / BINS as f64;
             let force = (outer - inner) * law.value(w).map_err(failed)?;
             bins.push((w, force));
             (total, outer) = (total + force, inner);

@@ -1,38 +1,37 @@
-//! Whether moduli and hardnesses are those of any material.
+//! Plausibility of moduli, hardnesses and other material numbers.
 
 use super::units::{CONDUCTIVITIES, ENERGIES, PRESSURES, RESISTIVITIES, Unit, likely, likely_unit};
 use crate::diagnostic::short;
 use crate::{Body, Diagnostic, Diagnostics, Interface, Severity};
 
-/// From soft gels to diamond \[Pa\].
+/// E from soft gels to diamond \[Pa\].
 const MODULUS: [f64; 2] = [3e4, 1.3e12];
-/// From soft plastics, where there is a hardness at all, to diamond \[Pa\].
+/// H from soft plastics to diamond \[Pa\].
 const HARDNESS: [f64; 2] = [1e5, 1.5e11];
 /// H/E: from indium and lead to ceramics and hard plastics.
 const RATIO: [f64; 2] = [3e-4, 0.3];
-/// H/E above this is of no stiff material: a modulus was given in the place of a hardness.
+/// H/E of a stiff material above which the hardness is probably a modulus.
 const NO_HARDNESS: f64 = 2.0 * RATIO[1];
-/// Below this modulus \[Pa\], a hardness says no more than "does not yield" and may be anything
-/// near E.
+/// Modulus \[Pa\] below which materials do not yield and the hardness may be any number near E.
 const RUBBER: f64 = 1e8;
-/// No metal has a lower modulus \[Pa\], and what has is a plastic or softer ...
+/// Modulus \[Pa\] below which a material is a polymer or softer.
 const PLASTIC: f64 = 3e9;
-/// ... and those have H/E above this.
+/// Smallest H/E of polymers.
 const PLASTIC_RATIO: f64 = 0.02;
-/// G/E of two bodies is (1-ν)/(2(2-ν)), 0.17 to 0.25, where they are alike.
+/// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
 /// H/S_y.
 const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
-/// w_a \[J/m²\], from surfaces in a liquid to metals that weld.
+/// w_a \[J/m²\], from surfaces in a liquid to cold-welding metals.
 const ADHESION: [f64; 2] = [1e-3, 5.0];
 /// k \[W/(m K)\], from aerogels to diamond.
 const CONDUCTIVITY: [f64; 2] = [0.01, 3000.0];
-/// ρ \[Ω m\] of what conducts: from cold copper to carbon and lean composites.
+/// ρ \[Ω m\] of conductors, from cold copper to carbon and composites.
 const RESISTIVITY: [f64; 2] = [1e-9, 1e-2];
 /// S = 0.454 + 0.41 ν.
 const PRESSURE_FACTOR: [f64; 2] = [0.2, 1.2];
 
-/// The numbers of one material, or of two together, with the name of the modulus.
+/// Numbers of one material or of an interface, with the name of the modulus.
 struct Material {
     modulus: (&'static str, f64),
     hardness: Option<f64>,
@@ -40,7 +39,7 @@ struct Material {
 }
 
 impl Body {
-    /// What is unusual about these numbers for any material.
+    /// Findings of numbers outside the range of any material.
     #[must_use]
     pub fn findings(&self) -> Diagnostics {
         let modulus = ("youngs_modulus", self.youngs_modulus);
@@ -52,7 +51,7 @@ impl Body {
 }
 
 impl Interface {
-    /// What is unusual about these numbers for any two materials.
+    /// Findings of numbers outside the range of any two materials.
     #[must_use]
     pub fn findings(&self) -> Diagnostics {
         let modulus = ("equivalent_modulus", self.equivalent_modulus);
@@ -60,7 +59,7 @@ impl Interface {
         let mut found = Material { modulus, hardness, yield_strength }.findings();
         if let Some(shear) = self.equivalent_shear_modulus {
             let usual = SHEAR_RATIO.map(|ratio| ratio * self.equivalent_modulus);
-            // Where the modulus is objected to, the ratio says nothing new.
+            // A finding about the modulus already explains the ratio.
             if found.is_empty() && !within(shear, usual) {
                 let share = short(shear / self.equivalent_modulus);
                 let meaning = format!(
@@ -92,7 +91,7 @@ impl Interface {
     }
 }
 
-/// Conductivity and resistivity: never an error, as no force depends on them.
+/// Findings of conductivity and resistivity: warnings at most, as no force depends on them.
 fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Diagnostic> {
     let check = |field, value: f64, usual, units: &[Unit], si| {
         let unit = likely_unit(value, units, si, |x| within(x, usual));
@@ -119,7 +118,7 @@ impl Material {
         found
     }
 
-    /// Of modulus and hardness: which of them is of no material, or not of the other's.
+    /// Findings of modulus and hardness, each by itself and in proportion to the other.
     fn sizes(&self) -> Vec<Diagnostic> {
         let (modulus_field, modulus) = self.modulus;
         let (strength_field, strength) = match (self.hardness, self.yield_strength) {
@@ -176,8 +175,8 @@ impl Material {
     }
 }
 
-/// Units in which modulus and strength would be those of a material: one of them alone in another
-/// unit than Pa before both in the same before each in one of its own.
+/// Units in which modulus and strength are plausible, tried in order: one of them in another unit
+/// than Pa, both in the same unit, each in its own unit.
 fn meant(modulus: f64, strength: Option<f64>) -> Option<(Option<Unit>, Option<Unit>)> {
     let units = || PRESSURES.iter().map(|unit| Some(*unit));
     let alone = units().map(|u| (u, None)).chain(units().map(|u| (None, u)));
@@ -190,7 +189,7 @@ fn meant(modulus: f64, strength: Option<f64>) -> Option<(Option<Unit>, Option<Un
         .find(|(e, h)| plausible(times(modulus, *e), strength.map(|value| times(value, *h))))
 }
 
-/// Whether there may be a material of this modulus and hardness.
+/// Whether a material may have this modulus and hardness.
 fn plausible(modulus: f64, strength: Option<f64>) -> bool {
     within(modulus, MODULUS)
         && strength.is_none_or(|h| within(h, HARDNESS) && within(h / modulus, ratios(modulus)))
@@ -199,7 +198,7 @@ fn plausible(modulus: f64, strength: Option<f64>) -> bool {
 /// H/E of materials with this modulus.
 fn ratios(modulus: f64) -> [f64; 2] {
     match modulus {
-        // Any hardness near E says that rubber does not yield.
+        // The hardness of elastomers is a placeholder near E.
         e if e < RUBBER => [PLASTIC_RATIO, 10.0 * RATIO[1]],
         e if e < PLASTIC => [PLASTIC_RATIO, RATIO[1]],
         _ => RATIO,
@@ -210,12 +209,12 @@ pub(crate) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
     (from..=to).contains(&value)
 }
 
-/// Ten times beyond what is usual is no rarity but a mistake.
+/// An error ten times outside the usual range, otherwise a warning.
 pub(crate) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
     if value < 0.1 * from || value > 10.0 * to { Severity::Error } else { Severity::Warning }
 }
 
-/// A number that no material has.
+/// A finding for a number outside the usual range of materials.
 fn unusual(field: &'static str, value: f64, usual: [f64; 2]) -> Diagnostic {
     Diagnostic::warning("unusual-size", field, value).usual(usual).severity(severity(value, usual))
 }

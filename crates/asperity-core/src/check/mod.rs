@@ -1,5 +1,5 @@
-//! A scene that is looked at before it is believed: what follows from its numbers, and which of
-//! them are those of no surface, no material, or of none that a model is made for.
+//! Plausibility of a scene: derived numbers, and findings of numbers outside the range of
+//! materials, surfaces and models.
 
 mod answer;
 mod interferences;
@@ -24,11 +24,11 @@ pub struct DerivedNumber {
     pub value: f64,
     /// Its SI unit; empty for pure numbers.
     pub unit: &'static str,
-    /// What it is, with its formula.
+    /// Its meaning and formula.
     pub meaning: Cow<'static, str>,
 }
 
-/// What a look at a scene, or at an answer, has shown.
+/// Derived numbers and findings of a scene or an answer.
 ///
 /// ```
 /// use asperity_core::{Interface, Scene, Severity, Surface};
@@ -44,10 +44,10 @@ pub struct DerivedNumber {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[non_exhaustive]
 pub struct Check {
-    /// What follows from the inputs.
+    /// Numbers derived from the inputs.
     #[serde(serialize_with = "as_map")]
     pub numbers: Vec<DerivedNumber>,
-    /// What is unusual, most severe first.
+    /// Unusual numbers, most severe first.
     pub findings: Diagnostics,
 }
 
@@ -69,7 +69,7 @@ impl Check {
     }
 
     /// Adds a number.
-    pub fn say(
+    pub fn add_number(
         &mut self,
         name: &'static str,
         value: f64,
@@ -80,87 +80,88 @@ impl Check {
     }
 }
 
-/// Tabor's parameter up to which DMT holds, and from which on JKR does.
+/// Largest Tabor parameter of DMT, and smallest of JKR.
 const DMT: f64 = 0.1;
 const JKR: f64 = 5.0;
 
-/// Below this w_c \[m\] asperities would yield before they approach by the distance of two atoms.
+/// Distance of two atoms \[m\]; asperities with a smaller w_c are plastic from the onset of
+/// contact.
 const ATOM: f64 = 3e-10;
 
 impl Scene {
-    /// What follows from the scene, and what is unusual about it. Sizes are held against those of
-    /// engineering materials and surfaces, from elastomers to ceramics and from micro-machines to
-    /// blasted steel; where a power of ten explains one that is not, the likely unit is named.
+    /// Derived numbers and findings of the scene. Usual ranges cover engineering materials and
+    /// surfaces, from elastomers to ceramics and from micro-machines to blasted steel; a finding
+    /// names the likely unit if a power of ten explains the number.
     ///
     /// # Errors
-    /// [`ContactError`] naming an input that is no scene's: a negative length, say.
+    /// [`ContactError`] for an invalid input, for example a negative length.
     pub fn check(&self) -> Result<Check, ContactError> {
         let asperity = self.asperity()?;
         let surface = &self.surface;
         let mut check = Check::default();
         let (r, sigma) = (surface.asperity_radius, surface.asperity_height_std);
-        check.say("equivalent_modulus", asperity.equivalent_modulus, "Pa", "E");
+        check.add_number("equivalent_modulus", asperity.equivalent_modulus, "Pa", "E");
         if let Some(shear) = asperity.equivalent_shear_modulus {
-            check.say("equivalent_shear_modulus", shear, "Pa", "G");
+            check.add_number("equivalent_shear_modulus", shear, "Pa", "G");
         }
         if let (Some(hardness), Some(yields)) = (asperity.hardness, asperity.yield_strength) {
             let ratio = hardness / asperity.equivalent_modulus;
-            check.say("hardness", hardness, "Pa", "H of the softer body");
-            check.say("yield_strength", yields, "Pa", "S_y of the softer body");
-            check.say("hardness_over_modulus", ratio, "", "H/E");
-            // Where asperities never yield there is none.
+            check.add_number("hardness", hardness, "Pa", "H of the softer body");
+            check.add_number("yield_strength", yields, "Pa", "S_y of the softer body");
+            check.add_number("hardness_over_modulus", ratio, "", "H/E");
+            // Elastic asperities have no critical interference.
             if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
-                check.say("critical_interference", w, "m", "w_c = (pi S H/(2 E))^2 R");
-                check.say("critical_force", f, "N", "F_c = (2/3) pi R w_c S H");
+                check.add_number("critical_interference", w, "m", "w_c = (pi S H/(2 E))^2 R");
+                check.add_number("critical_force", f, "N", "F_c = (2/3) pi R w_c S H");
                 let index = (sigma / w).sqrt();
-                let meaning = "psi = sqrt(sigma_z/w_c), as Chang, Etsion & Bogy have it";
-                check.say("plasticity_index", index, "", meaning);
+                let meaning = "psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy";
+                check.add_number("plasticity_index", index, "", meaning);
             }
         }
         if let (Some(work), Some(tabor)) = (asperity.work_of_adhesion, asperity.tabor_parameter()) {
-            check.say("work_of_adhesion", work, "J/m2", "w_a");
+            check.add_number("work_of_adhesion", work, "J/m2", "w_a");
             let meaning = "(R w_a^2/(E^2 z0^3))^(1/3), z0 = 0.3 nm: dmt below 0.1, jkr above 5";
-            check.say("tabor_parameter", tabor, "", meaning);
+            check.add_number("tabor_parameter", tabor, "", meaning);
             if let Some(stiff) = self.adhesion_parameter() {
                 let meaning =
                     "theta = E sigma_z^1.5/(w_a sqrt(R)): above 10 roughness hides adhesion";
-                check.say("adhesion_parameter", stiff, "", meaning);
+                check.add_number("adhesion_parameter", stiff, "", meaning);
             }
         }
         let moments = surface.moments();
         let gaussian = "of an isotropic Gaussian surface with these asperities";
-        check.say("asperity_radius", r, "m", "R");
-        check.say("asperity_density", surface.asperity_density, "1/m2", "eta");
-        check.say("asperity_height_std", sigma, "m", "sigma_z, of the asperities");
+        check.add_number("asperity_radius", r, "m", "R");
+        check.add_number("asperity_density", surface.asperity_density, "1/m2", "eta");
+        check.add_number("asperity_height_std", sigma, "m", "sigma_z, of the asperities");
         if let HeightDistribution::Weibull(heights) = &self.heights {
             let meaning =
                 "of the asperity heights, which a Weibull density has; 0 for a Gaussian one";
-            check.say("asperity_height_skewness", heights.skewness(), "", meaning);
+            check.add_number("asperity_height_skewness", heights.skewness(), "", meaning);
         }
-        check.say("surface_height_std", moments.m0.sqrt(), "m", gaussian);
-        check.say("rms_slope", surface.rms_slope(), "", gaussian);
-        check.say("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
-        check.say(
+        check.add_number("surface_height_std", moments.m0.sqrt(), "m", gaussian);
+        check.add_number("rms_slope", surface.rms_slope(), "", gaussian);
+        check.add_number("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
+        check.add_number(
             "roughness_parameter",
             surface.roughness_parameter(),
             "",
             "beta_z = eta R sigma_z",
         );
-        check.say("height_std_over_radius", sigma / r, "", "sigma_z/R");
-        check.say(
+        check.add_number("height_std_over_radius", sigma / r, "", "sigma_z/R");
+        check.add_number(
             "mean_plane_offset",
             self.mean_plane_offset(),
             "m",
             "of the asperities above the mean plane",
         );
-        check.say("nominal_area", self.nominal_area, "m2", "A_n");
-        check.say("asperities", self.asperities(), "", "eta A_n");
+        check.add_number("nominal_area", self.nominal_area, "m2", "A_n");
+        check.add_number("asperities", self.asperities(), "", "eta A_n");
         check.extend(self.findings());
         Ok(check)
     }
 
-    /// What is unusual about the numbers of the scene, by themselves and for each other; nothing
-    /// for most scenes. Cheap enough to be asked of every scene of a study.
+    /// Unusual numbers of the scene, alone and in combination; none for most scenes. Cheap enough
+    /// for every scene of a study.
     #[must_use]
     pub fn findings(&self) -> Diagnostics {
         let mut found = self.interface.findings();
@@ -171,7 +172,7 @@ impl Scene {
         if let (true, Ok(w)) = (found.is_empty(), critical)
             && w < ATOM
         {
-            let advice = "below the distance of two atoms (0.3 nm) contacts are plastic from the first touch";
+            let advice = "below the distance of two atoms (0.3 nm) contacts are plastic from the onset of contact";
             let atomic = Diagnostic::note("atomic", "critical_interference", w);
             found.push(atomic.usual([ATOM, f64::INFINITY]).unit("m").advice(advice));
         }
@@ -179,7 +180,7 @@ impl Scene {
         found
     }
 
-    /// Which models know the scene's work of adhesion, and which of them is made for it.
+    /// A note on the models with adhesion that fit the scene.
     fn which_adhesion(&self) -> Option<Diagnostic> {
         let tabor = self.asperity().ok()?.tabor_parameter().filter(|tabor| *tabor > 0.0)?;
         let theta = self.adhesion_parameter()?;

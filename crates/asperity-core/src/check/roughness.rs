@@ -1,23 +1,23 @@
-//! Whether the asperities, and how many there are, are those of any surface.
+//! Plausibility of asperity sizes and numbers.
 
 use super::materials::{severity, within};
 use super::units::{AREAS, DENSITIES, LENGTHS, Unit, likely_unit};
 use crate::diagnostic::{FEW_ASPERITIES, short};
 use crate::{Diagnostic, Diagnostics, Scene, Severity, Surface};
 
-/// R \[m\]: from a sharp tip to a lens.
+/// R \[m\], from a sharp tip to a lens.
 const RADIUS: [f64; 2] = [2e-9, 5e-2];
-/// η \[1/m²\]: from the stones of asphalt, a centimetre apart, to atomic corrugation.
+/// η \[1/m²\], from the stones of asphalt, a centimetre apart, to atomic corrugation.
 const DENSITY: [f64; 2] = [5e3, 1e16];
-/// σ_z \[m\]: from cleaved mica to the texture of asphalt.
+/// σ_z \[m\], from cleaved mica to the texture of asphalt.
 const HEIGHT_STD: [f64; 2] = [3e-11, 2e-3];
-/// β this many times beyond its usual range is a warning.
+/// Factor outside the usual range from which β is a warning.
 const RARE: f64 = 5.0;
-/// A_n \[m²\]: from the tip of an instrument to a large flange.
+/// A_n \[m²\], from the tip of an instrument to a large flange.
 const AREA: [f64; 2] = [1e-16, 0.03];
-/// Beyond this \[m²\] there is no joint, but perhaps a landing pad.
+/// Largest plausible A_n of a joint \[m²\].
 const FIELD: f64 = 1.0;
-/// Fewer asperities than the first are no population, and fewer than the second a small one.
+/// Numbers of asperities below which the average is meaningless, and uncertain.
 const POPULATION: [f64; 2] = [30.0, 300.0];
 
 impl Surface {
@@ -27,7 +27,7 @@ impl Surface {
         (2.0 * self.moments().m2).sqrt()
     }
 
-    /// What is unusual about these numbers for any surface.
+    /// Findings of numbers outside the range of any surface.
     #[must_use]
     pub fn findings(&self) -> Diagnostics {
         if makes_sense(self) {
@@ -53,7 +53,7 @@ impl Surface {
                 s.asperity_density = x;
             }),
         ];
-        // The number that is farthest from the middle of its range is to blame.
+        // The number farthest from the middle of its range is reported.
         let distance = |found: &Diagnostic| {
             let ([from, to], value) = (found.usual, found.value);
             ((value / from).ln() + (value / to).ln()).abs() / (to / from).ln()
@@ -70,13 +70,13 @@ impl Surface {
         found.into_iter().collect()
     }
 
-    /// Numbers that are ten times beyond their ranges are mistakes, others may be rare.
+    /// The most severe of the criteria: numbers ten times outside their ranges are errors.
     fn severity(&self) -> Severity {
         let sizes = self.criteria().into_iter().map(|(_, value, usual, ..)| severity(value, usual));
         sizes.min().unwrap_or(Severity::Warning)
     }
 
-    /// All lengths in the same other unit.
+    /// A finding if all lengths are plausible in another common unit.
     fn in_one_unit(&self) -> Option<Diagnostic> {
         let scaled = |unit: f64| Self {
             asperity_radius: unit * self.asperity_radius,
@@ -99,7 +99,7 @@ impl Surface {
         Some(found)
     }
 
-    /// What is checked: field, value, usual range, unit and advice.
+    /// Criteria: field, value, usual range, unit and advice.
     fn criteria(&self) -> [(&'static str, f64, [f64; 2], &'static str, &'static str); 6] {
         let ratio = self.asperity_height_std / self.asperity_radius;
         let beta = self.roughness_parameter();
@@ -126,14 +126,14 @@ impl Surface {
         ]
     }
 
-    /// Each number by itself, where no unit explains it.
+    /// Findings of each number alone, without a likely unit.
     fn apart(&self) -> Vec<Diagnostic> {
         let unusual = |(_, value, usual, ..): &(_, f64, [f64; 2], _, _)| !within(*value, *usual);
         let found = |(field, value, usual, unit, advice)| {
             let found = Diagnostic::warning(CODE, field, value).usual(usual);
             let severity = match field {
                 "roughness_parameter" if found.excess() > RARE => Severity::Warning,
-                // Laws still hold.
+                // The laws remain valid.
                 "roughness_parameter" => Severity::Note,
                 _ => severity(value, usual),
             };
@@ -142,7 +142,7 @@ impl Surface {
         self.criteria().into_iter().filter(unusual).map(found).collect()
     }
 
-    /// Which combination is unusual where each number alone is not.
+    /// The unusual combination of numbers that are usual alone.
     fn together(&self) -> String {
         let (name, value, [from, to]) = match self.roughness_parameter() {
             beta if within(beta, Self::USUAL_ROUGHNESS) => {
@@ -166,7 +166,7 @@ fn makes_sense(surface: &Surface) -> bool {
         && surface.rms_slope() <= 1.0
 }
 
-/// What is unusual about the nominal area, by itself and for these asperities.
+/// A finding for an unusual nominal area, alone or for its number of asperities.
 pub(crate) fn of_area(scene: &Scene) -> Option<Diagnostic> {
     let (area, density) = (scene.nominal_area, scene.surface.asperity_density);
     let usual = [AREA[0].max(POPULATION[1] / density), AREA[1]];
@@ -174,7 +174,7 @@ pub(crate) fn of_area(scene: &Scene) -> Option<Diagnostic> {
         return None;
     }
     let unit = likely_unit(area, AREAS, "m2", |a| within(a, [1000.0 / density, AREA[1]]));
-    // Another unit is of the area itself.
+    // A likely unit refers to the area alone.
     let few = within(area, AREA) && unit.is_none();
     let (severity, meaning) = match area {
         a if a > FIELD => (severity(a, [0.0, FIELD]), "no joint is so large".to_string()),

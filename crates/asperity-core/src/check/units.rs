@@ -1,29 +1,29 @@
-//! Numbers that would be usual in another unit.
+//! Likely units of numbers outside their usual range.
 
 use crate::diagnostic::short;
 
-/// A unit that people mean when they forget that plain numbers are SI: its name, and how many SI
-/// units it is. The likeliest stands first.
+/// A unit that users may give in place of SI: name, and value in SI units. Lists start with the
+/// likeliest.
 pub(crate) type Unit = (&'static str, f64);
 
-/// Of moduli and strengths \[Pa\].
+/// Units of moduli and strengths \[Pa\].
 pub(crate) const PRESSURES: &[Unit] = &[("GPa", 1e9), ("MPa", 1e6), ("kPa", 1e3)];
-/// Of works of adhesion \[J/m²\].
+/// Units of works of adhesion \[J/m²\].
 pub(crate) const ENERGIES: &[Unit] = &[("mJ/m2", 1e-3)];
-/// Of thermal conductivities \[W/(m K)\].
+/// Units of thermal conductivities \[W/(m K)\].
 pub(crate) const CONDUCTIVITIES: &[Unit] = &[("mW/(m K)", 1e-3), ("W/(mm K)", 1e3)];
-/// Of electrical resistivities \[Ω m\].
+/// Units of electrical resistivities \[Ω m\].
 pub(crate) const RESISTIVITIES: &[Unit] =
     &[("uohm cm", 1e-8), ("nohm m", 1e-9), ("ohm mm2/m", 1e-6)];
-/// Of lengths \[m\].
+/// Units of lengths \[m\].
 pub(crate) const LENGTHS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
-/// Of asperity densities \[1/m²\].
+/// Units of asperity densities \[1/m²\].
 pub(crate) const DENSITIES: &[Unit] =
     &[("1/mm2", 1e6), ("1/um2", 1e12), ("1/cm2", 1e4), ("1/nm2", 1e18)];
-/// Of areas \[m²\].
+/// Units of areas \[m²\].
 pub(crate) const AREAS: &[Unit] = &[("mm2", 1e-6), ("cm2", 1e-4), ("um2", 1e-12)];
 
-/// The unit that a value probably has: the first in which it makes sense.
+/// Advice with the first unit in which a value is plausible.
 pub(crate) fn likely_unit(
     value: f64,
     units: &[Unit],

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{Diagnostic, FEW_ASPERITIES, ROUGHNESS_PARAMETER, Severity};
 
-/// A code, and those that have the same cause and add nothing beside it.
+/// A code, and the codes with the same cause that it replaces.
 const SAME_CAUSE: [(&str, &[&str]); 3] = [
     ("above-nominal", &["area-above-nominal", "crowded"]),
     ("crowded", &["area-above-nominal"]),
@@ -37,8 +37,8 @@ const SAME_CAUSE: [(&str, &[&str]); 3] = [
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Adds one, most severe first. Of the same code, field, quantity and law of one model, from
-    /// one origin, rows are counted and the worst is kept.
+    /// Adds a diagnostic; the most severe come first. Diagnostics with the same code, field, model,
+    /// quantity, law and origin merge: rows are counted and the worst is kept.
     pub fn push(&mut self, new: Diagnostic) {
         match self.0.iter_mut().find(|known| known.has_cause_of(&new)) {
             Some(known) => {
@@ -61,23 +61,22 @@ impl Diagnostics {
         self
     }
 
-    /// Those that matter at least as much: `at_least(Severity::Error)` is what a quiet program
-    /// shows, `at_least(Severity::Warning)` leaves out notes.
+    /// Diagnostics of at least this severity: `at_least(Severity::Warning)` leaves out notes.
     #[must_use]
     pub fn at_least(mut self, least: Severity) -> Self {
         self.0.retain(|found| found.severity <= least);
         self
     }
 
-    /// Without what concerns asperities alone, unless `asperities` are used.
+    /// Without diagnostics about asperities unless `asperities` is set.
     #[must_use]
     pub fn for_asperities(mut self, asperities: bool) -> Self {
         self.0.retain(|found| asperities || !found.is_of_asperities());
         self
     }
 
-    /// One diagnostic for each cause: of several models the worst, with the names of the others,
-    /// and nothing that follows from another one here.
+    /// One diagnostic for each cause: the worst of several models with the names of the others, and
+    /// none that follows from another diagnostic.
     #[must_use]
     pub fn by_cause(self) -> Self {
         let mut kept: Vec<Diagnostic> = vec![];
@@ -97,7 +96,7 @@ impl Diagnostics {
             let same = |(code, others): &(&str, &[&str])| {
                 others.contains(&found.code) && kept.iter().any(|other| other.code == *code)
             };
-            // β of a scan and of the asperities made of it.
+            // β of a scan and of the asperities derived from it.
             scan && found.code != ROUGHNESS_PARAMETER && found.field == "roughness_parameter"
                 || SAME_CAUSE.iter().any(same)
         };
@@ -119,7 +118,7 @@ impl Diagnostic {
             && (&self.law, &self.origin) == (&other.law, &other.origin)
     }
 
-    /// Adds another model that shows the same; the worse one comes first.
+    /// Adds another model with the same finding; the worse one comes first.
     fn add_model(&mut self, mut other: Self) {
         if other.excess() > self.excess() {
             std::mem::swap(self, &mut other);

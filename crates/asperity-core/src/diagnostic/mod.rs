@@ -1,4 +1,4 @@
-//! The one type of every warning, finding and note, from a scan to an answer.
+//! Diagnostics: errors, warnings and notes about scans, scenes, laws and answers.
 
 mod collection;
 mod json;
@@ -11,7 +11,7 @@ use serde::Serialize;
 pub use self::collection::Diagnostics;
 use crate::{At, Quantity};
 
-/// How much a diagnostic matters.
+/// Severity of a diagnostic, the most severe first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
@@ -36,8 +36,8 @@ impl fmt::Display for Severity {
 /// Something unusual about an input, a scan, a law or an answer: the number, its usual range, the
 /// consequence and the remedy. Results stand unless the severity is [`Severity::Error`].
 ///
-/// The text is `origin: model: fact where: advice`; what is not set is left out, and the fact is
-/// the number with its usual range unless another one is given.
+/// The text is `origin: model: fact where: advice`, without parts that are not set; the default
+/// fact is the number with its usual range.
 ///
 /// ```
 /// use asperity_core::{At, Diagnostic};
@@ -54,7 +54,7 @@ impl fmt::Display for Severity {
 pub struct Diagnostic {
     /// Its kind, in lower case with dashes: `unusual-size`, `crowded`.
     pub code: &'static str,
-    /// How much it matters.
+    /// Its severity.
     pub severity: Severity,
     /// The input or number concerned, by its name in scene files and tables.
     pub field: Cow<'static, str>,
@@ -70,13 +70,13 @@ pub struct Diagnostic {
     pub quantity: Option<Quantity>,
     /// The law, or the part of one, by its name.
     pub law: Option<String>,
-    /// Where it was worst or, if all places are alike, first, in the caller's units.
+    /// The worst place or, if all places are equal, the first, in the caller's units.
     pub at: Option<At>,
-    /// Number of rows that show it.
+    /// Number of rows with this diagnostic.
     pub count: usize,
-    /// Where the inputs come from: a line of a scene file, a grid.
+    /// Origin of the inputs: a line of a scene file, a grid.
     pub origin: Option<String>,
-    /// Other models that show the same, less severely.
+    /// Other models with the same, less severe finding.
     pub also: Vec<String>,
     fact: Option<Cow<'static, str>>,
     advice: Cow<'static, str>,
@@ -177,13 +177,13 @@ impl Diagnostic {
         Self { at: Some(at), ..self }
     }
 
-    /// In so many rows, of which `at` is the worst or the first.
+    /// With the number of rows; `at` is the worst or the first of them.
     #[must_use]
     pub fn in_rows(self, count: usize) -> Self {
         Self { count, ..self }
     }
 
-    /// Of inputs that come from here: a line of a scene file, a grid.
+    /// With the origin of the inputs: a line of a scene file, a grid.
     #[must_use]
     pub fn from_origin(self, origin: impl Into<String>) -> Self {
         Self { origin: Some(origin.into()), ..self }
@@ -195,13 +195,13 @@ impl Diagnostic {
         Self { fact: Some(fact.into()), ..self }
     }
 
-    /// With what it means, and what to do.
+    /// With the meaning and the remedy.
     #[must_use]
     pub fn advice(self, advice: impl Into<Cow<'static, str>>) -> Self {
         Self { advice: advice.into(), ..self }
     }
 
-    /// The same of a field that stands in a section: `body[1].hardness`.
+    /// With the field prefixed by its section: `body[1].hardness`.
     #[must_use]
     pub fn within(self, section: &str) -> Self {
         Self { field: format!("{section}.{}", self.field).into(), ..self }
@@ -213,7 +213,7 @@ impl Diagnostic {
         self.to_string()
     }
 
-    /// How many times beyond its usual range the value is: 1 at the bound, infinite where no ratio
+    /// Ratio of the value to the bound of its usual range: 1 at the bound, infinite where no ratio
     /// exists.
     #[must_use]
     pub fn excess(&self) -> f64 {
@@ -226,7 +226,7 @@ impl Diagnostic {
         }
     }
 
-    /// Whether it concerns asperities alone, which
+    /// Whether the diagnostic concerns only asperities, which
     /// [models of the whole surface](crate::Validity::asperities) do not use.
     #[must_use]
     pub fn is_of_asperities(&self) -> bool {
@@ -241,7 +241,7 @@ impl Diagnostic {
         CODES.contains(&self.code) || shape.contains(&&*self.field)
     }
 
-    /// Whether it is a limit of one model, which others may not have.
+    /// Whether the diagnostic is a limit of one model.
     #[must_use]
     pub fn is_of_model(&self) -> bool {
         ["yields", "above-hardness", "fit-misses", "sticks", "tabor"].contains(&self.code)
@@ -299,7 +299,7 @@ impl Diagnostic {
     }
 }
 
-/// A number in a sentence: four digits, plain where that is short.
+/// A number with four digits for messages, without an exponent from 1e-3 to 1e5.
 #[must_use]
 pub fn short(x: f64) -> String {
     let four: f64 = format!("{x:.3e}").parse().unwrap_or(x);

@@ -9,7 +9,7 @@ use crate::response::row_check::CANCELLED;
 use crate::{At, Contact, ContactError, Quantity};
 
 /// Values that fall back together to one at a time, if one of them has to.
-const TOGETHER: usize = 16_384;
+const FALLBACK_BLOCK: usize = 16_384;
 /// Below this, slopes are small differences of large integrals and each is held to its tolerance.
 const DEEP: f64 = -8.0;
 
@@ -50,7 +50,8 @@ pub(crate) fn fill(
     check(quantities, separations, columns)?;
     let mut report = FillReport::NONE;
     for (quantity, column) in quantities.iter().zip(columns) {
-        for (s, values) in separations.chunks(TOGETHER).zip(column.chunks_mut(TOGETHER)) {
+        for (s, values) in separations.chunks(FALLBACK_BLOCK).zip(column.chunks_mut(FALLBACK_BLOCK))
+        {
             let filled = prepared.and_then(|prepared| multiple(prepared, *quantity, s, values));
             report = report.with(match filled {
                 Some(filled) => filled,

@@ -20,7 +20,7 @@ use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, 
 const SETTLED: f64 = 1e-3;
 
 /// How the integral of one part is obtained.
-enum Source {
+enum PartIntegral {
     /// It recurs: rules for any scale.
     Shared(Rc<LocalShape>),
     /// Made for one s, and kept for its neighbourhood.
@@ -33,7 +33,7 @@ struct LawIntegrals<'c> {
     law: &'c Law,
     units: Units,
     /// Part by part, for Gaussian heights; none for others.
-    sources: Vec<Source>,
+    sources: Vec<PartIntegral>,
 }
 
 /// The integrals of one case.
@@ -53,7 +53,7 @@ impl<'c> CaseIntegrals<'c> {
         laws: &'c Laws,
         tolerance: Tolerance,
     ) -> Result<Self, ContactError> {
-        Self::new(scene, laws, tolerance, |_, _| Source::Alone(None))
+        Self::new(scene, laws, tolerance, |_, _| PartIntegral::Alone(None))
     }
 
     /// The integrals of a case among others: functions in the laws of its neighbours recur, and so
@@ -74,8 +74,8 @@ impl<'c> CaseIntegrals<'c> {
                 matches!(part.form, Formula::Powers(_)) || neighbours.iter().flatten().any(recurs);
             place += 1;
             match shared {
-                true => Source::Shared(shapes.shape(place - 1, part)),
-                false => Source::Alone(None),
+                true => PartIntegral::Shared(shapes.shape(place - 1, part)),
+                false => PartIntegral::Alone(None),
             }
         })
     }
@@ -85,7 +85,7 @@ impl<'c> CaseIntegrals<'c> {
         scene: &'c Scene,
         laws: &'c Laws,
         tolerance: Tolerance,
-        mut source: impl FnMut((usize, usize), &Part) -> Source,
+        mut source: impl FnMut((usize, usize), &Part) -> PartIntegral,
     ) -> Result<Self, ContactError> {
         let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
         let mut law_integrals = Vec::with_capacity(laws.laws.len());
@@ -148,7 +148,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
             });
             return all_parts(parts, base, at);
         }
-        let s = units.begins.seen(s);
+        let s = units.onset.shifted(s);
         let parts = law.parts.iter().zip(&mut of_law.sources).map(|(part, source)| {
             let (factor, moments) = source.at(part, (s, units.scale), slope, tolerance)?;
             Ok(Moments::NONE.plus(factor, &moments))
@@ -189,7 +189,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     }
 }
 
-impl Source {
+impl PartIntegral {
     /// The integral of a part at s and a scale, and its factor.
     fn at(
         &mut self,
@@ -216,12 +216,12 @@ impl LawIntegrals<'_> {
         scene: &Scene,
         tolerance: Tolerance,
     ) -> Result<Moments, QuadratureError> {
-        let (Units { scale, begins, .. }, relative) = (self.units, tolerance.relative());
+        let (Units { scale, onset, .. }, relative) = (self.units, tolerance.relative());
         if self.sources.is_empty() {
             let integral = HeightIntegral::new(self.law.density(), self.law, scene, relative);
             return integral.once(s, slope);
         }
-        let (given, s, slope) = (s, begins.seen(s), slope || begins.elsewhere());
+        let (given, s, slope) = (s, onset.shifted(s), slope || onset.is_nonzero());
         let mut sum = Moments::NONE;
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
             let (factor, m) = source.at(part, (s, scale), slope, relative)?;
@@ -230,15 +230,15 @@ impl LawIntegrals<'_> {
         if slope {
             sum = with_slope_within(sum, || self.law.density(), (scale, s), relative);
         }
-        Ok(begins.widened(given, sum))
+        Ok(onset.widened(given, sum))
     }
 
     /// Makes integrals anew that were made too far from s for their bounds to hold; returns whether
     /// there were any.
     fn settle(&mut self, s: f64, tolerance: Tolerance) -> Result<bool, QuadratureError> {
-        let (mut moved, s) = (false, self.units.begins.seen(s));
+        let (mut moved, s) = (false, self.units.onset.shifted(s));
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {
-            let Source::Alone(made) = source else { continue };
+            let PartIntegral::Alone(made) = source else { continue };
             if !made.as_ref().is_some_and(|made| (made.from() - s).abs() <= SETTLED) {
                 *made = Some(alone(part, self.units.scale, s, tolerance.relative())?);
                 moved = true;

@@ -33,8 +33,8 @@ pub(crate) struct Units {
     pub(crate) factor: f64,
     /// Interference unit over σ_z.
     pub(crate) scale: f64,
-    /// Where the law begins.
-    pub(crate) begins: Onset,
+    /// Where the law onset.
+    pub(crate) onset: Onset,
 }
 
 impl Units {
@@ -47,8 +47,8 @@ impl Units {
         let held = |x: &f64| *x > 0.0 && x.is_finite();
         match [factor, factor / height_std].into_iter().find(|x| !held(x)) {
             Some(scale) => Err(ContactError::Scale { quantity: base, scale }),
-            None if SCALES.contains(&scale) && (law.begins * scale).is_finite() => {
-                Ok(Self { factor, scale, begins: Onset(law.begins * scale) })
+            None if SCALES.contains(&scale) && (law.onset * scale).is_finite() => {
+                Ok(Self { factor, scale, onset: Onset(law.onset * scale) })
             }
             None => Err(ContactError::Ratio { ratio: scale }),
         }

@@ -15,14 +15,14 @@ use crate::{HeightDistribution, Law, Scene};
 /// dimensionless s.
 #[derive(Debug)]
 pub(crate) struct HeightIntegral {
-    /// Where the density begins.
-    begins: Onset,
-    over: Over,
+    /// Where the density onset.
+    onset: Onset,
+    over: HeightKind,
 }
 
-/// The same, of s as seen from where the density begins.
+/// The same, of s as seen from where the density onset.
 #[derive(Debug)]
-enum Over {
+enum HeightKind {
     Gaussian(Gaussian),
     Exponential(Exponential),
     Other(Other),
@@ -37,36 +37,38 @@ impl HeightIntegral {
         let over = match &scene.heights {
             HeightDistribution::Gaussian => {
                 let integral = ShiftedGaussian::new(density.clone(), scale, tolerance);
-                Over::Gaussian(Gaussian { integral, density, scale, tolerance })
+                HeightKind::Gaussian(Gaussian { integral, density, scale, tolerance })
             }
-            HeightDistribution::Exponential => Over::Exponential(Exponential {
+            HeightDistribution::Exponential => HeightKind::Exponential(Exponential {
                 density: density.clone(),
                 scale,
-                below: Followed::new(Overlap::new(density, scale, tolerance)),
+                below: OverlapIntegral::new(Overlap::new(density, scale, tolerance)),
                 finer: OnceLock::new(),
                 above: OnceLock::new(),
                 tolerance,
             }),
-            HeightDistribution::Weibull(heights) => Over::Other(Other {
-                integral: Followed::new(Overlap::new(density, scale, tolerance)),
+            HeightDistribution::Weibull(heights) => HeightKind::Other(Other {
+                integral: OverlapIntegral::new(Overlap::new(density, scale, tolerance)),
                 height_std: 1.0,
                 error: heights.sampled.heights().error(),
                 heights: heights.sampled.clone(),
             }),
-            HeightDistribution::Other(heights) => Over::Other(Other {
-                integral: Followed::new(Overlap::new(density, interference_unit, tolerance)),
+            HeightDistribution::Other(heights) => HeightKind::Other(Other {
+                integral: OverlapIntegral::new(Overlap::new(density, interference_unit, tolerance)),
                 height_std,
                 heights: heights.clone(),
                 error: heights.heights().error(),
             }),
         };
-        Self { begins: Onset(law.begins * scale), over }
+        Self { onset: Onset(law.onset * scale), over }
     }
 
     /// Terms of the polynomial for s; `None` where there is none.
     pub(crate) fn terms(&self, s: f64) -> Result<Option<usize>, QuadratureError> {
         match &self.over {
-            Over::Gaussian(heights) => heights.integral.terms(self.begins.seen(s)).map(Some),
+            HeightKind::Gaussian(heights) => {
+                heights.integral.terms(self.onset.shifted(s)).map(Some)
+            }
             _ => Ok(None),
         }
     }
@@ -74,7 +76,7 @@ impl HeightIntegral {
     /// Number of samples of the density for rules.
     pub(crate) fn samples(&self) -> usize {
         match &self.over {
-            Over::Gaussian(heights) => heights.integral.evaluations(),
+            HeightKind::Gaussian(heights) => heights.integral.evaluations(),
             _ => 0,
         }
     }
@@ -83,8 +85,8 @@ impl HeightIntegral {
     #[inline]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match &self.over {
-            Over::Gaussian(heights) if !self.begins.elsewhere() => heights.integral.value(s),
-            _ => self.answer(s, Asked { slope: false, many: true }),
+            HeightKind::Gaussian(heights) if !self.onset.is_nonzero() => heights.integral.value(s),
+            _ => self.answer(s, Extent { slope: false, many: true }),
         }
     }
 
@@ -96,14 +98,14 @@ impl HeightIntegral {
         column: Column,
         out: &mut [f64],
     ) -> Option<ColumnAccuracy> {
-        let Over::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        integral.fill(s, Column { shift: self.begins.0, ..column }, out).ok()
+        let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
+        integral.fill(s, Column { shift: self.onset.0, ..column }, out).ok()
     }
 
     /// [`value`](Self::value), or with `slopes` [`at`](Self::at), at each s into `out`, which is as
     /// long: `None` for heights where that saves nothing, or if any s is refused.
     pub(crate) fn run(&self, s: &[f64], slopes: bool, out: &mut [Moments]) -> Option<()> {
-        let Over::Gaussian(_) = &self.over else { return None };
+        let HeightKind::Gaussian(_) = &self.over else { return None };
         for (s, out) in s.iter().zip(out) {
             *out = if slopes { self.at(*s) } else { self.value(*s) }.ok()?;
         }
@@ -112,57 +114,58 @@ impl HeightIntegral {
 
     /// d²I/ds², for Gaussian heights.
     pub(crate) fn curvature(&self, s: f64) -> Option<Result<Curvature, QuadratureError>> {
-        let Over::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
-        let found = integral.curvature(self.begins.seen(s));
-        Some(found.map(|found| self.begins.widened_curvature(s, found)))
+        let HeightKind::Gaussian(Gaussian { integral, .. }) = &self.over else { return None };
+        let found = integral.curvature(self.onset.shifted(s));
+        Some(found.map(|found| self.onset.widened_curvature(s, found)))
     }
 
     /// I(s) and -dI/ds, from what is prepared for many s.
     pub(crate) fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        self.answer(s, Asked { slope: true, many: true })
+        self.answer(s, Extent { slope: true, many: true })
     }
 
     /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to
     /// the sizes: to guide a search. Without a slope (NaN), signs and bounds remain.
     pub(crate) fn guide(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let asked = Asked { slope: true, many: true };
+        let extent = Extent { slope: true, many: true };
         let found = match &self.over {
-            Over::Exponential(integral) if self.begins.seen(s) < 0.0 => {
+            HeightKind::Exponential(integral) if self.onset.shifted(s) < 0.0 => {
                 let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
-                let found = integral.by_parts(&integral.below, weight, self.begins.seen(s), asked);
-                found.map(|found| self.begins.widened(s, found))
+                let found =
+                    integral.by_parts(&integral.below, weight, self.onset.shifted(s), extent);
+                found.map(|found| self.onset.widened(s, found))
             }
-            _ => self.answer(s, asked),
+            _ => self.answer(s, extent),
         };
         found.or_else(|_| Ok(Moments { slope: f64::NAN, ..self.value(s)? }))
     }
 
     /// I(s), and -dI/ds if `slope` is set, with nothing prepared for other s.
     pub(crate) fn once(&self, s: f64, slope: bool) -> Result<Moments, QuadratureError> {
-        self.answer(s, Asked { slope, many: false })
+        self.answer(s, Extent { slope, many: false })
     }
 
     #[inline]
-    fn answer(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
-        let seen = self.begins.seen(s);
-        let ask = |asked: Asked| match &self.over {
-            Over::Gaussian(heights) => heights.at(seen, asked),
-            Over::Exponential(integral) => integral.at(seen, asked),
-            Over::Other(integral) => integral.at(seen, asked),
+    fn answer(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
+        let seen = self.onset.shifted(s);
+        let integrate = |extent: Extent| match &self.over {
+            HeightKind::Gaussian(heights) => heights.at(seen, extent),
+            HeightKind::Exponential(integral) => integral.at(seen, extent),
+            HeightKind::Other(integral) => integral.at(seen, extent),
         };
-        if asked.slope || !self.begins.elsewhere() {
-            return Ok(self.begins.widened(s, ask(asked)?));
+        if extent.slope || !self.onset.is_nonzero() {
+            return Ok(self.onset.widened(s, integrate(extent)?));
         }
         // The slope bounds the effect of a rounded s on the value: roughly is enough.
-        let found = ask(Asked { slope: true, ..asked });
-        let found = found.or_else(|_| ask(Asked { slope: false, many: false }))?;
-        Ok(self.begins.widened(s, found))
+        let found = integrate(Extent { slope: true, ..extent });
+        let found = found.or_else(|_| integrate(Extent { slope: false, many: false }))?;
+        Ok(self.onset.widened(s, found))
     }
 }
 
 /// The extent of a question to an integral.
 #[derive(Debug, Clone, Copy)]
-struct Asked {
+struct Extent {
     slope: bool,
     /// Whether others nearby will follow.
     many: bool,
@@ -171,7 +174,7 @@ struct Asked {
 /// Below this s a slope is a small difference of large integrals: so much finer an integral of so
 /// much finer a law has enough digits left, to s = -64 or so.
 const DEEP: f64 = -8.0;
-const DEEPER: f64 = 0.01;
+const FINER_BELOW: f64 = 0.01;
 
 /// `found`, an integral at s with its slope; if that misses the tolerance, one that meets it, if
 /// there is one.
@@ -185,7 +188,7 @@ pub(crate) fn with_slope_within(
     if s >= DEEP || found.slope_within(s, tolerance).is_ok() {
         return found;
     }
-    let finer = DEEPER * tolerance;
+    let finer = FINER_BELOW * tolerance;
     let made = Nearby::new(&density().finer(finer), scale, s, finer).map(|made| made.at(s));
     made.ok().filter(|made| made.slope_within(s, tolerance).is_ok()).unwrap_or(found)
 }
@@ -201,9 +204,9 @@ struct Gaussian {
 
 impl Gaussian {
     #[inline]
-    fn at(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
+    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(s)?;
-        if !asked.slope {
+        if !extent.slope {
             return Ok(found);
         }
         let Self { density, scale, tolerance, .. } = self;
@@ -213,18 +216,18 @@ impl Gaussian {
 
 /// An integral over heights whose density is followed, directly or by its cells.
 #[derive(Debug)]
-pub(crate) struct Followed {
+pub(crate) struct OverlapIntegral {
     overlap: Arc<Overlap>,
     cells: OnceLock<Cells>,
 }
 
-impl Followed {
+impl OverlapIntegral {
     fn new(overlap: Overlap) -> Self {
         Self { overlap: Arc::new(overlap), cells: OnceLock::new() }
     }
 
-    fn at(&self, weight: &Arc<Weight>, d: f64, asked: Asked) -> Result<Moments, QuadratureError> {
-        let Asked { slope, many } = asked;
+    fn at(&self, weight: &Arc<Weight>, d: f64, extent: Extent) -> Result<Moments, QuadratureError> {
+        let Extent { slope, many } = extent;
         if many {
             let make = || Cells::new(self.overlap.clone(), weight.clone());
             self.cells.get_or_init(make).at(d, slope)
@@ -249,18 +252,18 @@ const FINER: f64 = 1e-3;
 pub(crate) struct Exponential {
     density: Density,
     scale: f64,
-    below: Followed,
+    below: OverlapIntegral,
     /// For slopes that are small differences of the values of `below`.
-    finer: OnceLock<Followed>,
+    finer: OnceLock<OverlapIntegral>,
     above: OnceLock<Result<Moments, QuadratureError>>,
     tolerance: f64,
 }
 
 impl Exponential {
-    fn at(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
+    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
         if s < 0.0 {
-            return self.below(weight, s, asked);
+            return self.below(weight, s, extent);
         }
         let at_zero = self.above.get_or_init(|| self.below.overlap.at(weight, 0.0, false));
         let Moments { value, sizes: [size, _], ln_scale, error, .. } =
@@ -272,29 +275,29 @@ impl Exponential {
         &self,
         weight: &Arc<Weight>,
         s: f64,
-        asked: Asked,
+        extent: Extent,
     ) -> Result<Moments, QuadratureError> {
-        if !asked.slope || self.density.knows_slope() {
-            return self.below.at(weight, s, asked);
+        if !extent.slope || self.density.knows_slope() {
+            return self.below.at(weight, s, extent);
         }
-        let found = self.by_parts(&self.below, weight, s, asked)?;
+        let found = self.by_parts(&self.below, weight, s, extent)?;
         if found.slope_within(s, self.tolerance).is_ok() {
             return Ok(found);
         }
         let finer = || Overlap::new(self.density.clone(), self.scale, FINER * self.tolerance);
-        let finer = self.finer.get_or_init(|| Followed::new(finer()));
-        self.by_parts(finer, weight, s, asked)
+        let finer = self.finer.get_or_init(|| OverlapIntegral::new(finer()));
+        self.by_parts(finer, weight, s, extent)
     }
 
     /// By parts: moving the surface moves the lowest asperity, which is at -s.
     fn by_parts(
         &self,
-        integral: &Followed,
+        integral: &OverlapIntegral,
         weight: &Arc<Weight>,
         s: f64,
-        asked: Asked,
+        extent: Extent,
     ) -> Result<Moments, QuadratureError> {
-        let found = integral.at(weight, s, Asked { slope: false, ..asked })?;
+        let found = integral.at(weight, s, Extent { slope: false, ..extent })?;
         let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
         let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
         Ok(Moments { slope: found.value - lowest, sizes, ..found })
@@ -304,7 +307,7 @@ impl Exponential {
 /// Any other heights: in metres, or in units of σ_z.
 #[derive(Debug)]
 pub(crate) struct Other {
-    integral: Followed,
+    integral: OverlapIntegral,
     /// σ_z in the unit of the heights.
     height_std: f64,
     heights: Arc<OtherHeights>,
@@ -312,8 +315,8 @@ pub(crate) struct Other {
 }
 
 impl Other {
-    fn at(&self, s: f64, asked: Asked) -> Result<Moments, QuadratureError> {
-        let found = self.integral.at(&self.heights.weight()?, s * self.height_std, asked)?;
+    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
+        let found = self.integral.at(&self.heights.weight()?, s * self.height_std, extent)?;
         Ok(Moments {
             slope: found.slope * self.height_std,
             sizes: [found.sizes[0], found.sizes[1] * self.height_std],

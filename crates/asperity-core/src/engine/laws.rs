@@ -81,8 +81,9 @@ fn make(
     if base == Quantity::Contacts {
         // Every asperity within reach is a contact; with adhesion, wherever there is an area.
         return Ok(match model.validity().adhesive {
-            true => area()
-                .map(|area| Law::counting(area.interference_unit).beginning_at(area.begins))?,
+            true => {
+                area().map(|area| Law::counting(area.interference_unit).with_onset(area.onset))?
+            }
             false => Law::counting(asperity.radius),
         });
     }

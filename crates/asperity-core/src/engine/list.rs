@@ -12,7 +12,7 @@ use crate::response::{Cell, respond};
 use crate::{At, ContactError, HeightDistribution, Quantity, Request, Response, Scene, Share};
 
 /// Rows whose integrals are made together: they stay in the fastest memory.
-const TOGETHER: usize = 256;
+const ROWS_PER_RUN: usize = 256;
 /// Rows for which nothing is worth preparing: a rule costs some ten of them.
 const FEW: usize = 4;
 /// Series in the separation, for other heights, begin anew at every break of the density; each
@@ -105,7 +105,7 @@ fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<V
     let new = || Vec::with_capacity(places.len());
     let mut columns: Vec<Vec<Cell>> = quantities.iter().map(|_| new()).collect();
     let requested = quantities.iter().all(|q| (&prepared).check_requested(*q).is_ok());
-    for run in places.chunks(TOGETHER) {
+    for run in places.chunks(ROWS_PER_RUN) {
         if requested && together(prepared, quantities, run, &mut columns).is_some() {
             continue;
         }

@@ -15,26 +15,26 @@ pub(crate) struct Onset(pub(crate) f64);
 impl Onset {
     /// Whether the onset is not at w = 0.
     #[inline]
-    pub(crate) fn elsewhere(self) -> bool {
+    pub(crate) fn is_nonzero(self) -> bool {
         self.0 != 0.0
     }
 
     /// A separation, counted from the onset.
     #[inline]
-    pub(crate) fn seen(self, s: f64) -> f64 {
+    pub(crate) fn shifted(self, s: f64) -> f64 {
         s + self.0
     }
 
     /// Bound on the rounding of a separation counted from the onset.
     fn rounding(self, s: f64) -> f64 {
-        f64::EPSILON * (self.seen(s).abs() + 2.0 * self.0.abs())
+        f64::EPSILON * (self.shifted(s).abs() + 2.0 * self.0.abs())
     }
 
-    /// The integrals at [`seen`](Self::seen), slope included, with the effect of its rounding in
-    /// the bound.
+    /// The integrals at [`shifted`](Self::shifted), slope included, with the effect of its rounding
+    /// in the bound.
     #[inline]
     pub(crate) fn widened(self, s: f64, mut moments: Moments) -> Moments {
-        if self.elsewhere() && moments.sizes[0] > 0.0 {
+        if self.is_nonzero() && moments.sizes[0] > 0.0 {
             // The slope's own slope is one more power of s.
             moments.error += self.rounding(s) * (moments.sizes[1] / moments.sizes[0] + 1.0);
         }
@@ -43,8 +43,8 @@ impl Onset {
 
     /// The same of a second derivative, whose own slope is three powers of s to its two.
     pub(crate) fn widened_curvature(self, s: f64, mut curvature: Curvature) -> Curvature {
-        if self.elsewhere() {
-            curvature.error += self.rounding(s) * (self.seen(s).max(0.0) + 3.0);
+        if self.is_nonzero() {
+            curvature.error += self.rounding(s) * (self.shifted(s).max(0.0) + 3.0);
         }
         curvature
     }

@@ -119,7 +119,7 @@ fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, 
             let (least, most) = terms.unwrap_or((n, n));
             terms = Some((least.min(n), most.max(n)));
         }
-        farthest = farthest.max(reach(channel.units.begins.seen(s)));
+        farthest = farthest.max(reach(channel.units.onset.shifted(s)));
     }
     let method = match prepared.scene.heights {
         HeightDistribution::Gaussian => Method::Polynomials,

@@ -6,7 +6,7 @@ use crate::engine::worker::{Question, Worker};
 use crate::{Case, ContactError, ContactModel, Evaluation, Quantity, Tolerance};
 
 /// Cases handed to a thread at a time.
-const TOGETHER: usize = 256;
+const CASES_PER_RUN: usize = 256;
 /// Cases of a stream that are held in memory.
 const HELD: usize = 16_384;
 
@@ -60,13 +60,13 @@ impl<'m> Sweep<'m> {
     /// Every case on all cores, in order. The digits do not depend on the number of threads.
     #[must_use]
     pub fn evaluate_all(&self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
-        map_runs(cases, TOGETHER, |cases| self.worker().run(cases))
+        map_runs(cases, CASES_PER_RUN, |cases| self.worker().run(cases))
     }
 
     /// For every case its separation d/σ_z: that of its load, the largest that carries it.
     #[must_use]
     pub fn separations(&self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        map_runs(cases, TOGETHER, |cases| self.worker().separations(cases))
+        map_runs(cases, CASES_PER_RUN, |cases| self.worker().separations(cases))
     }
 
     /// Every case on all cores, delivered in order with its number; however many there are, some

@@ -13,11 +13,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::WeibullHeights;
 
-/// A density of heights z \[m\] about the plane that separations are measured from: the mean of
-/// the asperity heights, unless a density says otherwise.
+/// A density of heights z \[m\] about the plane from which separations are measured: the mean of
+/// the asperity heights, unless a density defines another plane.
 ///
-/// It is in metres whatever the scene's `asperity_height_std` is, which then is only the unit of
-/// separations. Derivatives are not needed: the engine samples the density itself.
+/// Heights are in metres; the scene's `asperity_height_std` is only the unit of separations.
+/// Derivatives are not needed, as the engine samples the density.
 ///
 /// ```
 /// use asperity_core::{HeightDistribution, Heights};
@@ -54,19 +54,19 @@ pub trait Heights: fmt::Debug + Send + Sync {
 
     /// Heights \[m\] inside the support at which the density or its slope jumps, or that are poles.
     ///
-    /// Undeclared kinks and jumps are found, at a cost in time; undeclared poles are refused. A
-    /// pole, at an end of the support or a break, is a power above -0.95 of the distance.
+    /// Undeclared kinks and jumps are found but cost time; undeclared poles are refused. A pole, at
+    /// an end of the support or a break, is a power above -0.95 of the distance.
     fn breaks(&self) -> &[f64] {
         &[]
     }
 
-    /// Relative error of the density, if it is itself an approximation.
+    /// Relative error of the density if it is an approximation.
     fn error(&self) -> f64 {
         0.0
     }
 }
 
-/// User-defined heights with their sampled density, which scenes that share the heights share.
+/// User-defined heights with their sampled density, shared by scenes with these heights.
 #[derive(Debug)]
 pub struct OtherHeights {
     heights: Arc<dyn Heights>,
@@ -78,7 +78,7 @@ impl OtherHeights {
         Self { heights: Arc::new(heights), weight: OnceLock::new() }
     }
 
-    /// The heights themselves.
+    /// The user-defined heights.
     #[must_use]
     pub fn heights(&self) -> &dyn Heights {
         &*self.heights

@@ -8,16 +8,16 @@ use statrs::statistics::{Distribution, Max, Min};
 use crate::error::positive;
 use crate::{ContactError, Heights};
 
-/// Bound on the relative error of the densities of statrs: 3e-14 was measured, from its logarithm
-/// of the gamma function.
+/// Bound on the relative error of statrs densities; the largest measured error is 3e-14, from the
+/// logarithm of the gamma function.
 const STATRS: f64 = 1e-13;
 
 /// A statrs distribution, shifted to mean 0 and scaled to a standard deviation in metres:
 /// separations are measured from the mean of the asperity heights.
 ///
 /// The heights keep that standard deviation on every scene; the scene's `asperity_height_std` is
-/// only its unit of separations. Kinks inside the support (those of
-/// `Laplace` and `Triangular`) are found by the engine.
+/// only its unit of separations. The engine finds kinks inside the support (`Laplace`,
+/// `Triangular`).
 #[derive(Clone)]
 pub struct StandardisedHeights<D> {
     name: String,
@@ -36,8 +36,8 @@ where
     /// With the standard deviation `asperity_height_std` \[m\].
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] if that is not a finite number above 0, or if the distribution
-    /// has no finite mean and standard deviation.
+    /// [`ContactError::OutOfRange`] for a standard deviation that is not finite and above 0, and
+    /// for a distribution without finite mean and standard deviation.
     pub fn new(
         name: impl Into<String>,
         distribution: D,

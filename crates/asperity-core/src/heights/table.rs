@@ -6,8 +6,8 @@ use crate::{ContactError, Heights};
 /// A density given at heights in metres: linear between the points, zero outside them, normalised.
 ///
 /// Two points at the same height make a step. Heights are in metres about the mean of the table,
-/// from which separations are measured, whatever the scene's `asperity_height_std` is: that is
-/// only the unit of separations, for which the table's standard deviation is the natural choice.
+/// from which separations are measured. The scene's `asperity_height_std` is only the unit of
+/// separations; the table's standard deviation is the natural choice.
 ///
 /// ```
 /// use asperity_core::{HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
@@ -39,9 +39,9 @@ impl TabulatedHeights {
     /// Points (height \[m\], density \[1/m\]), ascending; the density is normalised.
     ///
     /// # Errors
-    /// [`ContactError::InTable`] naming the point that is not finite, not ascending or negative,
-    /// and [`ContactError::OutOfRange`] when there are fewer than two points, or the table's
-    /// integral or standard deviation is not a finite number above 0.
+    /// [`ContactError::InTable`] for a point that is not finite, not ascending or negative;
+    /// [`ContactError::OutOfRange`] for fewer than two points, and for an integral or standard
+    /// deviation that is not finite and above 0.
     pub fn new(name: impl Into<String>, points: &[(f64, f64)]) -> Result<Self, ContactError> {
         check(points)?;
         let segments = || points.windows(2).map(|pair| (pair[0], pair[1]));
@@ -102,8 +102,8 @@ impl TabulatedHeights {
         self.integral
     }
 
-    /// The piece that holds a height above the mean \[m\]: the distances to its ends \[m\] and the
-    /// densities there; `None` outside the table.
+    /// Distances \[m\] and densities of the two points around a height above the mean \[m\]; `None`
+    /// outside the table.
     fn piece(&self, z: f64) -> Option<[(f64, f64); 2]> {
         let count = self.heights.len();
         let after = self.heights.partition_point(|height| *height <= z);
@@ -146,8 +146,7 @@ impl Heights for TabulatedHeights {
     }
 
     fn ln_density(&self, z: f64) -> f64 {
-        // Weighted with both distances, not with a slope: relatively exact next to an end where the
-        // density is 0.
+        // Weights by both distances are accurate close to an end with density 0.
         self.piece(z).map_or(f64::NEG_INFINITY, |[(a, f), (b, g)]| ((f * b + g * a) / (a + b)).ln())
     }
 
@@ -166,7 +165,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mean_and_standard_deviation_are_those_of_known_densities() {
+    fn mean_and_standard_deviation_equal_closed_forms() {
         // Triangular on a, c, b: (a+b+c)/3 and (a²+b²+c²-ab-ac-bc)/18.
         let (a, c, b) = (1e-6, 2e-6, 5e-6);
         let triangle = TabulatedHeights::new("t", &[(a, 0.0), (c, 7.0), (b, 0.0)]).unwrap();
@@ -180,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn the_density_is_normalised_and_about_its_mean() {
+    fn density_is_normalised_about_its_mean() {
         let points = [(-1e-6, 0.0), (0.0, 1.0), (0.0, 3.0), (1e-6, 3.0), (2e-6, 0.0), (3e-6, 0.0)];
         let table = TabulatedHeights::new("steps", &points).unwrap();
         let (low, high) = table.support();

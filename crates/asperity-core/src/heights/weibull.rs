@@ -1,4 +1,4 @@
-//! Skewed heights: Weibull's density of a given skewness.
+//! Skewed heights: the Weibull density with a given skewness.
 
 use std::sync::Arc;
 
@@ -19,11 +19,11 @@ const SHAPES: [f64; 2] = [1.0 / 64.0, 1.0];
 /// ```
 ///
 /// A one-parameter description of worn or machined surfaces: skewness below 0 for worn peaks,
-/// above 0 for sharp ones; at 2 the heights are exponential. Published for asymmetric heights of
-/// asperities \[recalled\]; other densities of the same skewness differ in the upper tail, which
-/// makes the contact. Error bounds refer to the density with [`shape`](Self::shape), whose
-/// skewness is the requested one to 1e-12. The skewness is that of the asperities, not the Ssk of
-/// the surface, which includes the valleys.
+/// above 0 for sharp peaks; at 2 the heights are exponential. Published for asymmetric asperity
+/// heights \[recalled from memory\]; other densities of the same skewness differ in the upper tail,
+/// which determines the contact. Error bounds refer to the density with [`shape`](Self::shape),
+/// whose skewness equals the requested one to 1e-12. The skewness is that of the asperities, not
+/// the Ssk of the surface, which includes the valleys.
 ///
 /// ```
 /// use asperity_core::WeibullHeights;
@@ -47,11 +47,11 @@ struct Skewness {
 }
 
 impl WeibullHeights {
-    /// Range of the skewness: the limit of Weibull's density is -1.14, and above 2 the density is
+    /// Range of the skewness: Weibull densities have at least -1.14, and above 2 the density is
     /// infinite at the lowest asperity.
     pub const SKEWNESS: [f64; 2] = [-1.0, 2.0];
 
-    /// With this skewness.
+    /// Heights with this skewness.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] outside [`Self::SKEWNESS`].
@@ -121,7 +121,7 @@ struct Standard {
 
 impl Standard {
     fn new(inverse_shape: f64) -> Self {
-        // 1 + u is exact: near 1, the rounding would show in ln Γ.
+        // 1 + u must be exact, as its rounding affects ln Γ near 1.
         let u = 1.0 + inverse_shape - 1.0;
         let spread = ln_square_over_mean(u).exp_m1().sqrt();
         Self { shape: 1.0 / u, spread, ln_scale: libm::lgamma(1.0 + u) / u }
@@ -174,7 +174,7 @@ impl Heights for Standard {
         (-1.0 / self.spread, f64::INFINITY)
     }
 
-    /// In addition to the rounding of its logarithm, which the engine includes.
+    /// Error in addition to the rounding of the logarithm, which the engine includes.
     fn error(&self) -> f64 {
         4.0 * f64::EPSILON
     }
@@ -186,7 +186,7 @@ mod tests {
     use std::f64::consts::{LN_2, PI};
 
     #[test]
-    fn mean_deviation_and_skewness_are_those_asked_for() {
+    fn moments_equal_the_requested_ones() {
         for skewness in [-1.0, -0.9, -0.3, 0.0, 0.4, 1.0, 1.9, 2.0] {
             let heights = WeibullHeights::new(skewness).unwrap();
             // Σ over equal probabilities, by the inverse of the distribution: t = (-ln p)^(1/k).
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn variances_are_those_of_mpmath() {
+    fn variances_equal_mpmath() {
         // ln Γ(1 + 2u) - 2 ln Γ(1 + u).
         for (u, wanted) in [
             (0.015625, 0.000_392_644_409_698_071_03),
@@ -219,7 +219,7 @@ mod tests {
             (1.0, LN_2),
         ] {
             let error = (ln_square_over_mean(u) / wanted - 1.0).abs();
-            // 128 sums leave some ulps.
+            // 128 terms accumulate some ulps.
             assert!(error < 4e-15, "{u}: {error:e}");
         }
     }
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn the_middle_of_the_density_is_where_it_should_be() {
+    fn median_of_shape_2_equals_the_closed_form() {
         // k = 2: t = √(ln 2) is the median; m = √π/2, s² = 1 - π/4.
         let standard = Standard::new(0.5);
         let median = (LN_2.sqrt() - 0.5 * PI.sqrt()) / (1.0 - 0.25 * PI).sqrt();

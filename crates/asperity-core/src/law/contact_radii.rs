@@ -71,23 +71,23 @@ pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<()
     })
 }
 
-/// The law a(w) of a contact's radius, from that of its area.
+/// The law a(w) of the contact radius, from the area law.
 pub(crate) fn law(model: &dyn AsperityModel, area: &Law) -> Result<Law, ContactError> {
     let not_circles = |reason: &str| ContactError::Unsupported {
         model: model.name().into(),
-        what: format!("sums of contact radii, as unloading and conductance need them: {reason}"),
+        what: format!("sums of contact radii for unloading and conductance: {reason}"),
     };
     if model.validity().angles {
         return Err(not_circles(
-            "its contacts lie at all angles, and only those of upright asperities are circles whose radii follow from the area",
+            "its contacts are inclined, and contact radii follow from the area only for upright asperities",
         ));
     }
-    // As a function first, so that overlaps are refused in one place.
+    // The conversion as a function refuses overlaps.
     let unit = (area.value_unit / PI).sqrt();
     let mut radii =
         area.map("radius of a circle", unit, |area| (area / PI).sqrt()).ok_or_else(|| {
             not_circles(
-                "only models of equal, upright asperities have it, not those whose radii are spread (-random) or parts of whose area overlap",
+                "these need a model of equal, upright asperities, without random radii (-random) or overlapping parts of the area law",
             )
         })?;
     for (radius, area) in radii.parts.iter_mut().zip(&area.parts) {

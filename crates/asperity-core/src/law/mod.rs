@@ -62,7 +62,7 @@ pub struct Part {
 }
 
 /// The response of one asperity to an interference w: q(w) = `value_unit` · Σ sign · part(x), with
-/// x = w/`interference_unit` - `begins`.
+/// x = w/`interference_unit` - `onset`.
 #[derive(Debug, Clone)]
 pub struct Law {
     /// The unit of interferences \[m\].
@@ -71,7 +71,7 @@ pub struct Law {
     pub value_unit: f64,
     /// Interference at which x = 0, in interference units: 0 for most laws, below 0 if adhesion
     /// keeps an asperity in contact while it is pulled away.
-    pub begins: f64,
+    pub onset: f64,
     /// The parts; their ranges may overlap, as those of lateral models do.
     pub parts: Vec<Part>,
 }
@@ -82,13 +82,13 @@ impl Law {
     pub fn in_units(interference_unit: f64, value_unit: f64) -> Self {
         // Most laws have at most four.
         let parts = Vec::with_capacity(4);
-        Self { interference_unit, value_unit, begins: 0.0, parts }
+        Self { interference_unit, value_unit, onset: 0.0, parts }
     }
 
     /// Measures x from this interference, in interference units; the law is 0 below it.
     #[must_use]
-    pub fn beginning_at(self, begins: f64) -> Self {
-        Self { begins, ..self }
+    pub fn with_onset(self, onset: f64) -> Self {
+        Self { onset, ..self }
     }
 
     /// Adds an elastic part.
@@ -184,7 +184,7 @@ impl Law {
     #[must_use]
     pub fn kinks(&self) -> Vec<f64> {
         let mut kinks = self.density().breaks(0.0, f64::INFINITY);
-        kinks.iter_mut().for_each(|x| *x += self.begins);
+        kinks.iter_mut().for_each(|x| *x += self.onset);
         kinks
     }
 
@@ -194,7 +194,7 @@ impl Law {
     /// # Errors
     /// Any error of a part's function.
     pub fn value(&self, interference: f64) -> Result<f64, QuadratureError> {
-        let x = interference / self.interference_unit - self.begins;
+        let x = interference / self.interference_unit - self.onset;
         if x <= 0.0 {
             return Ok(0.0);
         }

@@ -35,13 +35,13 @@ pub fn check(
     let adhesive = model.validity().adhesive;
     for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
         let Some(law) = model.law(asperity, quantity, tolerance)? else { continue };
-        let begins = law.begins * law.interference_unit;
-        let wanted = *first.get_or_insert(if adhesive { begins } else { 0.0 });
-        if begins.total_cmp(&wanted).is_ne() {
+        let onset = law.onset * law.interference_unit;
+        let wanted = *first.get_or_insert(if adhesive { onset } else { 0.0 });
+        if onset.total_cmp(&wanted).is_ne() {
             let advice = "start it at 0 or, with adhesion, where the force starts";
-            let begins = error("begins", "begins", law.begins, quantity);
-            let fact = format!("the law of {quantity} starts at x = {}", short(law.begins));
-            findings.push(begins.fact(fact).advice(advice));
+            let finding = error("begins", "begins", law.onset, quantity);
+            let fact = format!("the law of {quantity} starts at x = {}", short(law.onset));
+            findings.push(finding.fact(fact).advice(advice));
         }
         // Adhesion makes contacts jump into being.
         if quantity != Quantity::Stiffness && !adhesive {
@@ -124,7 +124,7 @@ fn falls(law: &Law, claimed: bool) -> Option<Diagnostic> {
     // A law may be flat; rounding may not count as falling.
     let falls = |pair: &(f64, f64)| shape(law, pair.1) < shape(law, pair.0) * (1.0 - 1e-12);
     let mut points: Vec<f64> = grid().collect();
-    let kinks = law.kinks().into_iter().map(|k| k - law.begins);
+    let kinks = law.kinks().into_iter().map(|k| k - law.onset);
     points.extend(kinks.flat_map(|k| [k * (1.0 - 1e-9), k]));
     points.sort_by(f64::total_cmp);
     let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
@@ -255,7 +255,7 @@ mod tests {
         assert!(soft.contains("tends to 0.5"), "{soft}");
         let offset = findings(|| Law::in_units(1.0, 1.0).elastic(0.0..1e9, [Power::new(1.0, 0.0)]));
         assert!(offset.contains("at x = 0 it must vanish"), "{offset}");
-        let early = findings(|| hertz().beginning_at(-1.0));
+        let early = findings(|| hertz().with_onset(-1.0));
         assert!(
             early.contains("force starts at x = -1") && early.contains("area starts"),
             "{early}"

@@ -92,7 +92,7 @@ impl Response {
 pub(crate) type Cell = Result<Evaluation, Box<ContactError>>;
 
 /// Rows that are held before they join their columns.
-const TOGETHER: usize = 8192;
+const ROWS_PER_BLOCK: usize = 8192;
 
 /// Puts columns of runs of rows together, with their diagnostics. `behind` returns the value whose
 /// sign a logarithm or share hides, where it may be negative; `adhesive` if adhesion makes it so.
@@ -108,7 +108,7 @@ pub(crate) fn respond(
         Column { quantity: *quantity, rows, shares: None }
     };
     let mut columns: Vec<Column> = request.quantities.iter().map(new).collect();
-    for places in request.at.chunks(TOGETHER) {
+    for places in request.at.chunks(ROWS_PER_BLOCK) {
         for (column, cells) in columns.iter_mut().zip(cells(places)) {
             column.rows.extend(cells);
         }

@@ -1,6 +1,5 @@
-//! Histories, works and tables of joints, against sums over steps, finite elements and the way back
-//! itself.
-#![allow(clippy::float_cmp, reason = "what a contact remembers is the very number it was given")]
+//! Histories, works and tables of joints, against sums over steps, finite elements and unloading.
+#![allow(clippy::float_cmp, reason = "a contact stores its closest approach unchanged")]
 
 use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{
@@ -19,12 +18,12 @@ fn joint(model: &dyn ContactModel, law: UnloadingLaw) -> Joint {
 }
 
 #[test]
-fn a_history_follows_the_virgin_curve_goes_back_and_retraces() {
+fn histories_follow_the_virgin_curve_and_retrace_unloading() {
     for law in UnloadingLaw::ALL {
         let joint = joint(&KogutEtsion, law);
         let turns = [4.0, 1.0, 2.0, 0.5, 3.0, 0.0].map(|s| s * SIGMA);
         let path = joint.path(&turns, 10).unwrap();
-        // Two ways meet the virgin curve again, at 1 and at 0.5, once between steps.
+        // Two legs reach the virgin curve again, at 1 and at 0.5, once between steps.
         let met = path.points.windows(2).filter(|p| p[1].separation == p[1].closest);
         assert!(met.count() > 10 && path.points.len() >= 52, "{}", path.points.len());
         let virgin = |d: f64| {
@@ -42,11 +41,11 @@ fn a_history_follows_the_virgin_curve_goes_back_and_retraces() {
             assert!((point.force / wanted - 1.0).abs() < 1e-10, "{law} {d}");
             assert!(point.force <= virgin(d) * (1.0 + 1e-10), "{law} {d}");
         }
-        // Forth again is back again: the same points, the other way round.
+        // Reloading passes the points of unloading in reverse order.
         let twice = joint.path(&[4.0, 0.5, 2.0, 0.5, 2.0].map(|s| s * SIGMA), 8).unwrap();
         for k in 0..=8 {
             let [a, b, c] = [16 - k, 16 + k, 32 - k].map(|k| twice.points[k]);
-            // The turning point belongs to the virgin curve on one of the ways.
+            // The turning point belongs to the virgin curve on one of the legs.
             let stiff = k == 8 || (a.stiffness / b.stiffness - 1.0).abs() < 1e-9;
             assert!((a.force / b.force - 1.0).abs() < 1e-9 && stiff, "{law} {k}");
             assert!((b.force / c.force - 1.0).abs() < 1e-9);
@@ -56,7 +55,7 @@ fn a_history_follows_the_virgin_curve_goes_back_and_retraces() {
 }
 
 #[test]
-fn the_work_of_each_way_is_the_area_under_its_points() {
+fn the_work_of_each_leg_is_the_area_under_its_points() {
     let models: [&dyn ContactModel; 2] = [&KogutEtsion, &ChangEtsionBogy];
     for (law, model) in UnloadingLaw::ALL.into_iter().flat_map(|law| models.map(|m| (law, m))) {
         let joint = joint(model, law);
@@ -75,11 +74,11 @@ fn the_work_of_each_way_is_the_area_under_its_points() {
             }
         }
         for (found, sum) in path.work.iter().zip(&sums) {
-            // Slopes at the turning points are those of the way before: one trapezium of 400.
+            // Slopes at the turning points are those of the leg before: one trapezium of 400.
             assert!((found / sum - 1.0).abs() < 1e-4, "{law}: {:?} {sums:?}", path.work);
         }
-        // What the whole history takes is what the closest approach has cost, but for the force
-        // that was there at its beginning and is left at its end.
+        // The work of the history is the loss at the closest approach, corrected for the work
+        // before its start and the work left at its end.
         let lost = joint.work(At::metres(0.2 * SIGMA)).unwrap().lost().value();
         let before = joint.work(At::metres(turns[0])).unwrap().spent.value();
         let way = joint.unloading(At::metres(0.2 * SIGMA)).unwrap();
@@ -87,13 +86,13 @@ fn the_work_of_each_way_is_the_area_under_its_points() {
             - way.returned(5.8 * SIGMA).unwrap().value();
         let total: f64 = path.work.iter().sum();
         assert!(((total + before - rest) / lost - 1.0).abs() < 1e-9, "{law}: {total} {lost}");
-        // CEB's force jumps up by half at w_c: by Brake's law more comes back than was spent.
+        // CEB's force jumps up by half at w_c, so that Brake's law returns more than was spent.
         assert_eq!(lost > 0.0, model.id() == "ke" || law != UnloadingLaw::Brake, "{law}: {lost}");
     }
 }
 
 #[test]
-fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
+fn elastic_joints_dissipate_nothing_and_equal_closed_forms() {
     for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential] {
         let mut scene = with_index(0.5);
         scene.heights = heights.clone();
@@ -106,8 +105,7 @@ fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
         let returned = joint.unloading(at).unwrap().returned(f64::INFINITY).unwrap();
         let known = work.spent.relative_error() + returned.relative_error();
         assert!((returned.value() / spent - 1.0).abs() < known && known < 1e-10);
-        // Where nothing touches that a double holds, there is no factor, and no number in its
-        // place.
+        // The loss factor of a work that underflows is refused.
         let nothing = joint.work(At::sigmas(800.0)).unwrap();
         let refused = nothing.loss_factor().unwrap_err().to_string();
         assert!(refused.starts_with("work of closing is 0.0"), "{refused}");
@@ -120,20 +118,19 @@ fn elastic_joints_lose_nothing_and_closed_forms_are_met() {
 }
 
 #[test]
-fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
+fn restitution_of_one_asperity_equals_finite_elements() {
     let asperity = with_index(2.0).asperity().unwrap();
     let critical = asperity.critical_interference().unwrap();
     let of =
         |x: f64, law| restitution(&KogutEtsion, &asperity, x * critical, law, tight()).unwrap();
-    // By mpmath from KE's powers; finite elements have 0.697. (0.698 has been said of these laws
-    // too.)
+    // By mpmath from KE's powers; finite elements give 0.697.
     let found = of(20.0, UnloadingLaw::Etsion);
     assert!((found / 0.697_378_230_482_933 - 1.0).abs() < 1e-11, "{found}");
     for law in UnloadingLaw::ALL {
         assert!((of(0.7, law) - 1.0).abs() < 1e-10, "{law}");
         assert!(of(5.0, law) < 1.0 && of(50.0, law) < of(5.0, law), "{law}");
     }
-    // JG is elastic up to 1.9 w_c, and goes back as it came but by Etsion's fit, which begins at
+    // JG is elastic up to 1.9 w_c and retraces loading, except with Etsion's fit, which starts at
     // w_c.
     for law in [UnloadingLaw::Hertz, UnloadingLaw::Brake] {
         let of = |x: f64| {
@@ -149,8 +146,8 @@ fn the_restitution_of_one_asperity_is_that_of_finite_elements() {
 }
 
 #[test]
-fn tables_end_where_nothing_touches() {
-    // Heights that end 2 σ_z above their mean: beyond, no retreat is the last contact.
+fn tables_return_0_beyond_the_highest_asperity() {
+    // Heights end 2 σ_z above their mean.
     let scene = flat(2.0);
     let tolerance = Tolerance::new(1e-8).unwrap();
     let joint = Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, tolerance).unwrap();
@@ -195,7 +192,7 @@ fn tables_open_past_the_last_asperity() {
 }
 
 #[test]
-fn no_force_of_a_table_is_below_0() {
+fn forces_of_a_table_are_at_least_0() {
     for (model, index) in [(&KogutEtsion as &dyn ContactModel, 2.0), (&ChangEtsionBogy, 1.5)] {
         let scene = with_index(index);
         let joint = Joint::new(model, &scene, UnloadingLaw::Hertz, Tolerance::default()).unwrap();
@@ -213,7 +210,7 @@ fn no_force_of_a_table_is_below_0() {
 }
 
 #[test]
-fn tables_answer_as_the_way_back_does() {
+fn tables_equal_unloading_within_their_tolerance() {
     let cases: [(&dyn ContactModel, f64, UnloadingLaw); 4] = [
         (&KogutEtsion, 2.0, UnloadingLaw::Hertz),
         (&KogutEtsion, 8.0, UnloadingLaw::Etsion),
@@ -239,13 +236,13 @@ fn tables_answer_as_the_way_back_does() {
             assert_eq!(reply.closest, closest);
         }
         assert!(force_worst < tolerance, "{} {law}: {force_worst:e}", model.name());
-        // A derivative of the table loses some digits.
+        // Differentiation of the polynomials loses some digits.
         assert!(slope_worst < 1e-3, "{} {law}: {slope_worst:e}", model.name());
     }
 }
 
 #[test]
-fn memories_step_and_what_is_no_place_is_refused() {
+fn contacts_step_and_invalid_separations_are_refused() {
     let joint = joint(&KogutEtsion, UnloadingLaw::Hertz);
     let table = joint.table((-SIGMA, 4.0 * SIGMA), 1e-6).unwrap();
     let mut contact = table.new_contact();
@@ -258,7 +255,7 @@ fn memories_step_and_what_is_no_place_is_refused() {
         assert_eq!(contact.closest(), closest * SIGMA);
         let (force, tangent) = virgin(s);
         if s == closest {
-            // The separation is rounded once more.
+            // The separation is rounded twice.
             assert!((reply.force / force - 1.0).abs() < 1e-13, "{s}");
             assert!((reply.stiffness / tangent - 1.0).abs() < 1e-13, "{s}");
         } else {
@@ -277,7 +274,7 @@ fn memories_step_and_what_is_no_place_is_refused() {
 }
 
 #[test]
-fn loads_are_turning_points_on_the_curve_they_are_met_on() {
+fn loads_become_turning_points_on_the_present_curve() {
     let joint = joint(&KogutEtsion, UnloadingLaw::Hertz);
     let turns = [At::Load(1.0), At::Load(10.0), At::Pressure(2.0 / 3e-5), At::Load(12.0)];
     let points = joint.turning_points(&turns).unwrap();
@@ -286,7 +283,7 @@ fn loads_are_turning_points_on_the_curve_they_are_met_on() {
         let last = path.points.iter().rfind(|point| point.way == way).unwrap();
         assert!((last.force / wanted - 1.0).abs() < 1e-9, "{way}: {}", last.force);
     }
-    // Half open, the surfaces are closer than where they first carried as much.
+    // In unloading, the surfaces are closer than at the same load on the virgin curve.
     let virgin = joint.virgin().separation(At::Load(2.0)).unwrap().value * SIGMA;
     assert!(points[2] < virgin && points[2] > points[1]);
     let refused = joint.turning_points(&[At::Load(10.0), At::Load(-1.0)]).unwrap_err().to_string();
@@ -298,7 +295,7 @@ fn contact_ends_where_one_asperity_is_left() {
     for law in UnloadingLaw::ALL {
         let joint = joint(&GreenwoodWilliamson, law);
         let way = joint.unloading(At::from(1.0)).unwrap();
-        // Elastic asperities touch as they did on the way there.
+        // Elastic asperities keep their number of contacts from loading.
         let request = asperity_core::Request::new([Quantity::Contacts]);
         let virgin = GreenwoodWilliamson.compile(joint.scene(), &request).unwrap();
         let wanted = virgin.evaluate(Quantity::Contacts, 1.7).unwrap().value();

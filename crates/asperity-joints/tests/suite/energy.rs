@@ -1,4 +1,4 @@
-//! Pairs of laws that create energy, and those that do not.
+//! Pairs of loading and unloading laws, with and without an energy gain.
 
 use asperity_af::AbdoFarhang;
 use asperity_ceb::ChangEtsionBogy;
@@ -27,7 +27,7 @@ fn gain(
 }
 
 #[test]
-fn no_loss_is_below_0_without_a_finding_of_its_amount() {
+fn negative_losses_are_reported_with_their_amount() {
     let (af, jg) = (AbdoFarhang::default(), JacksonGreen::default());
     let models: [&dyn ContactModel; 6] =
         [&GreenwoodWilliamson, &ChangEtsionBogy, &ZhaoMaiettaChang, &KogutEtsion, &jg, &af];
@@ -48,7 +48,7 @@ fn no_loss_is_below_0_without_a_finding_of_its_amount() {
 }
 
 #[test]
-fn the_amounts_of_steep_laws_and_of_jumps() {
+fn energy_gains_of_steep_laws_and_of_jumps() {
     let af = AbdoFarhang::default();
     let cases: [(&dyn ContactModel, UnloadingLaw, f64); 3] = [
         (&af, UnloadingLaw::Hertz, 0.60),
@@ -62,9 +62,9 @@ fn the_amounts_of_steep_laws_and_of_jumps() {
         let begins = format!("{} by {law}: opening returns ", model.name());
         assert!(text.starts_with(&begins) && text.contains("create energy"), "{text}");
     }
-    // Where the joint loses energy all the same, a part of its asperities creates some.
+    // Some asperities create energy although the joint dissipates energy.
     let part = gain(&ChangEtsionBogy, UnloadingLaw::Brake, (2.0, 0.0)).1.unwrap();
     assert!(!part.is_net && part.to_string().contains("the loss is too small by"), "{part}");
-    // Elastic contacts return what they took.
+    // Elastic contacts return the work of loading.
     assert!(gain(&GreenwoodWilliamson, UnloadingLaw::Brake, (0.7, -3.0)).1.is_none());
 }

@@ -1,6 +1,6 @@
-//! Unloading and partial slip against `tests/reference/engineering.csv` (its far tails are those of
-//! `engineering_tails.py` beside it), curves that have closed
-//! forms, and sums over asperities that know nothing of the engine.
+//! Unloading and partial slip against `tests/reference/engineering.csv` (far tails by
+//! `engineering_tails.py` in the same folder), closed forms, and sums over asperities that are
+//! independent of the engine.
 
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ fn close(found: &Evaluation, wanted: f64, within: f64, what: &str) {
 }
 
 #[test]
-fn every_row_of_the_reference_is_met() {
+fn reference_rows_are_reproduced() {
     let rows = include_str!("../../../../tests/reference/engineering.csv").lines().skip(1);
     let (mut count, mut failures) = (0, vec![]);
     for line in rows.filter(|line| !line.contains(",,,")) {
@@ -59,7 +59,7 @@ fn every_row_of_the_reference_is_met() {
         };
         let found = found.unwrap();
         let (error, bound) = ((found.value() / value - 1.0).abs(), found.relative_error());
-        // The file's own accuracy is about 1e-12, and 9e-12 far out; bounds are held to another.
+        // The file is accurate to about 1e-12, and 9e-12 in far tails.
         if error.is_nan() || error > 1e-11 {
             failures.push(format!("{line}: {error:.1e}, bound {bound:.1e}"));
         }
@@ -86,13 +86,13 @@ fn errors_are_below_their_bounds() {
             let way = Unloading::new(&*model, &scene, closest, law, tolerance).unwrap();
             for (found, wanted) in [(way.force(retreat), force), (way.area(retreat), area)] {
                 let found = found.unwrap();
-                // What no normal number holds is known to as many digits as it has.
+                // Subnormal numbers have fewer digits.
                 if wanted < 1e-300 {
                     assert!((found.value() - wanted).abs() < 1e-300, "{line}");
                     continue;
                 }
                 let (error, bound) = ((found.value() / wanted - 1.0).abs(), found.relative_error());
-                // 30 σ_z out, no double tells a place well enough for more than 1e-11.
+                // Rounding of a separation of 30 σ_z limits the accuracy to 1e-11.
                 let within = tolerance.relative().max(1e-11);
                 if error.is_nan() || error > bound || bound > within {
                     failures.push(format!("{line} {tolerance:?}: {error:.1e}, bound {bound:.1e}"));
@@ -106,7 +106,7 @@ fn errors_are_below_their_bounds() {
 }
 
 #[test]
-fn elastic_asperities_go_back_as_they_came_by_every_law_and_any_heights() {
+fn elastic_unloading_retraces_loading_for_every_law_and_any_heights() {
     for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential] {
         let mut scene = named("severe");
         scene.heights = heights;
@@ -130,7 +130,7 @@ fn elastic_asperities_go_back_as_they_came_by_every_law_and_any_heights() {
 }
 
 #[test]
-fn unloading_begins_at_the_virgin_curve_with_twice_e_times_the_radii() {
+fn initial_unloading_stiffness_is_the_sum_of_2_e_a() {
     let scene = named("at-paper");
     for id in ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"] {
         let asked = [Quantity::Force, Quantity::Area, Quantity::UnloadingStiffness];
@@ -143,7 +143,7 @@ fn unloading_begins_at_the_virgin_curve_with_twice_e_times_the_radii() {
             let wanted = virgin.evaluate(quantity, 0.5).unwrap().value();
             close(&found.unwrap(), wanted, 1e-11, &format!("{id} {quantity}"));
         }
-        // -dF/du is the slope of the force, and what is released is missing.
+        // -dF/du is the slope of the force, and force plus released force is constant.
         let [low, high] = [0.2e-6, 0.2002e-6].map(|u| joint.force(u).unwrap().value());
         close(&joint.stiffness(0.2001e-6).unwrap(), (low - high) / 0.0002e-6, 1e-6, id);
         let all = joint.force(0.0).unwrap().value();
@@ -190,7 +190,7 @@ fn slip_is_the_direct_sum_of_cattaneo_mindlin_asperities() {
 }
 
 #[test]
-fn slip_and_losses_of_greenwood_and_williamson_have_the_reference_numbers() {
+fn slip_and_losses_of_greenwood_and_williamson_equal_the_reference() {
     // nu = 0.3 on both sides: 4 G/E = 0.8235294...; d = 1.5 sigma, mu = 0.2.
     let mut interface = Interface::new(115.4e9, 0.3, 2e9);
     interface.equivalent_shear_modulus = Some(115.4e9 * 0.7 / 1.7 / 2.0);
@@ -217,16 +217,16 @@ fn slip_and_losses_of_greenwood_and_williamson_have_the_reference_numbers() {
         let unit = limit * per_retreat * sigma;
         let amplitude = s * per_retreat * sigma;
         close(&slip.loss(amplitude).unwrap(), wanted * unit, printed, &format!("loss at {s}"));
-        // Over π Q D, by its definition.
+        // Definition of the loss factor: loss over π Q D.
         let spring = PI * slip.force(amplitude).unwrap().value() * amplitude;
         let factor = slip.loss_factor(amplitude).unwrap();
         assert!((factor * spring / (wanted * unit) - 1.0).abs() < printed, "{factor}");
-        // The loop closes, and holds that area: trapezia between its two branches.
+        // The loop closes and encloses the loss: trapezia between its two branches.
         let of = |x: f64, forth| slip.loop_force(x * amplitude, amplitude, forth).unwrap();
         for end in [-1.0, 1.0] {
             assert!((of(end, true) - of(end, false)).abs() < 1e-10 * limit);
         }
-        // x = sin makes the square-root ends smooth.
+        // The substitution x = sin smooths the square-root ends.
         let steps = 400;
         let area: f64 = (1..steps)
             .map(|k| {
@@ -241,7 +241,7 @@ fn slip_and_losses_of_greenwood_and_williamson_have_the_reference_numbers() {
 
 /// For exponential heights Q = μ F (1 - e^(-s/σ)).
 #[test]
-fn a_share_of_sliding_is_reached_where_the_closed_form_reaches_it() {
+fn shift_at_a_share_of_sliding_equals_the_closed_form() {
     let mut scene = named("severe");
     scene.heights = HeightDistribution::Exponential;
     let sigma = scene.surface.asperity_height_std;
@@ -253,7 +253,7 @@ fn a_share_of_sliding_is_reached_where_the_closed_form_reaches_it() {
         let slip = PartialSlip::new(&joint, friction).unwrap();
         for share in [1e-3_f64, 0.5, 0.99, 1.0 - 1e-9] {
             let wanted = -sigma * (-share).ln_1p() * friction / moduli;
-            // Near the limit, the share leaves the shift to fewer digits.
+            // Near the limit, the shift is ill-conditioned in the share.
             let within = 1e-11 / (1.0 - share);
             let error = (slip.shift_at(share).unwrap() / wanted - 1.0).abs();
             assert!(error < within, "{share}: {error:.1e}");
@@ -266,13 +266,13 @@ fn a_share_of_sliding_is_reached_where_the_closed_form_reaches_it() {
 }
 
 #[test]
-fn what_cannot_be_told_is_refused_by_name() {
+fn unsupported_models_and_inputs_are_refused_by_name() {
     let (scene, at, law) = (named("mild"), At::from(1.0), UnloadingLaw::Etsion);
     let refused = Unloading::new(&Gao::default(), &scene, at, law, tight()).unwrap_err();
     assert!(
         refused
             .to_string()
-            .starts_with("Gao cannot give unloading and partial slip: its contacts lie at all")
+            .starts_with("Gao cannot give unloading and partial slip: its contacts are inclined")
     );
     let joint = Unloading::new(&KogutEtsion, &scene, at, law, tight()).unwrap();
     let refused = joint.area(0.0).unwrap_err().to_string();

@@ -1,4 +1,4 @@
-//! What cannot be told ends in an error that names it, and in no number.
+//! Errors of joints: each names the input and gives no number.
 
 use asperity_ceb::ChangEtsionBogy;
 use asperity_core::{
@@ -11,8 +11,8 @@ use asperity_ke::KogutEtsion;
 use crate::scenes::{SIGMA, flat, named, tight, with_index};
 
 #[test]
-fn tables_that_miss_their_tolerance_say_by_how_much() {
-    // A step of the density leaves a kink for each jump of the law: no polynomial comes so near.
+fn tables_that_miss_their_tolerance_are_refused_with_the_error_reached() {
+    // A step of the density makes a kink for each jump of the law, which limits polynomials.
     let (mut scene, tolerance) = (flat(1.5), Tolerance::new(1e-6).unwrap());
     let points = [(-2.0, 0.1), (0.0, 0.1), (1e-6, 0.4), (2.0, 0.4)];
     let step = TabulatedHeights::new("step", &points.map(|(z, g)| (z * SIGMA, g / SIGMA))).unwrap();
@@ -29,13 +29,13 @@ fn tables_that_miss_their_tolerance_say_by_how_much() {
         }
         other => panic!("{other}"),
     }
-    // Multiples of σ_z where metres belong.
+    // Multiples of σ_z in place of metres.
     let refused = joint.table((-1.0, 3.0), 1e-6).unwrap_err().to_string();
-    assert!(refused.starts_with("open, less deepest, is 4.0: at most 1000"), "{refused}");
+    assert!(refused.starts_with("open - deepest is 4.0: at most 1000"), "{refused}");
 }
 
 #[test]
-fn steps_name_the_number_that_is_no_place_of_the_table() {
+fn steps_outside_the_table_are_refused_with_the_number() {
     let tolerance = Tolerance::default();
     let joint = Joint::new(&KogutEtsion, &with_index(2.0), UnloadingLaw::Hertz, tolerance).unwrap();
     let table = joint.table((0.0, 2.0 * SIGMA), 1e-7).unwrap();
@@ -51,7 +51,7 @@ fn steps_name_the_number_that_is_no_place_of_the_table() {
 }
 
 #[test]
-fn losses_are_refused_by_the_name_of_their_amplitude() {
+fn losses_at_invalid_amplitudes_are_refused_by_name() {
     let (scene, at) = (named("mild"), At::from(1.0));
     let joint =
         Unloading::new(&GreenwoodWilliamson, &scene, at, UnloadingLaw::Hertz, tight()).unwrap();
@@ -60,12 +60,12 @@ fn losses_are_refused_by_the_name_of_their_amplitude() {
         let refused = slip.loss(bad).unwrap_err().to_string();
         assert!(refused.starts_with("amplitude is"), "{refused}");
     }
-    // So small a share is reached where the first slope says, and rounds to no bracket's end.
+    // A small share is reached at the shift of the initial slope.
     let small = slip.shift_at(1e-13).unwrap();
     let slope = slip.force(1e-6 * small).unwrap().value() / (1e-6 * small);
     let wanted = 1e-13 * 0.2 * joint.force(0.0).unwrap().value() / slope;
     assert!((small / wanted - 1.0).abs() < 1e-6, "{small} {wanted}");
-    // So near to 1, rounding may leave a share that is never reached.
+    // Close to 1, a share may be unreachable by rounding.
     match slip.shift_at(1.0_f64.next_down()) {
         Ok(shift) => assert!(shift > 0.0 && shift.is_finite()),
         Err(refused) => assert!(refused.to_string().starts_with("share is"), "{refused}"),
@@ -95,8 +95,8 @@ impl Heights for Heavy {
 }
 
 #[test]
-fn work_that_has_no_end_is_refused() {
-    // F falls as d^(1.5-ν): its integral is finite from ν = 2.5 on.
+fn infinite_work_is_refused() {
+    // F falls as d^(1.5-ν), which has a finite integral for ν above 2.5.
     let mut scene = with_index(1.0);
     scene.heights = HeightDistribution::other(Heavy(2.2));
     let tolerance = Tolerance::new(1e-6).unwrap();

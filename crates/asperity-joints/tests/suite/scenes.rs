@@ -28,7 +28,7 @@ pub fn with_index(plasticity_index: f64) -> Scene {
     Scene::new(interface, surface, 3e-5)
 }
 
-/// The same with heights spread evenly from -2 to 2 σ_z.
+/// The scene of [`with_index`] with uniform heights from -2 to 2 σ_z.
 pub fn flat(plasticity_index: f64) -> Scene {
     let points = [(-2.0 * SIGMA, 0.25 / SIGMA), (2.0 * SIGMA, 0.25 / SIGMA)];
     let heights = TabulatedHeights::new("flat", &points).unwrap();
@@ -37,7 +37,7 @@ pub fn flat(plasticity_index: f64) -> Scene {
     scene
 }
 
-/// Closer than anything is compared.
+/// A tolerance below that of any comparison.
 pub fn tight() -> Tolerance {
     Tolerance::new(1e-12).unwrap()
 }

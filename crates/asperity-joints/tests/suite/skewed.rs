@@ -1,4 +1,4 @@
-//! Unloading where heights end steeply, or far from a Gaussian's tail.
+//! Unloading with heights that end steeply or have a tail far from Gaussian.
 
 use asperity_af::AbdoFarhang;
 use asperity_ceb::ChangEtsionBogy;
@@ -20,7 +20,7 @@ fn retreats() -> impl Iterator<Item = f64> {
 }
 
 #[test]
-fn what_never_yielded_goes_back_on_its_own_curve() {
+fn elastic_contacts_unload_on_the_loading_curve() {
     for skewness in [-0.9, -0.6, 0.6, 1.3] {
         let joint = joint(&GreenwoodWilliamson, skewness);
         for closest in [-1.0, 0.3, 2.0] {
@@ -35,7 +35,7 @@ fn what_never_yielded_goes_back_on_its_own_curve() {
                     let bound = found.relative_error() + wanted.relative_error() + 1e-12;
                     let (found, wanted) = (found.value(), wanted.value());
                     let error = (found - wanted).abs();
-                    // Where both underflow, there is nothing to be off by.
+                    // Both may underflow.
                     let close = error <= bound * wanted || found.max(wanted) <= 0.0;
                     assert!(close, "{skewness} {closest} {retreat}: {found} {wanted}");
                 }
@@ -45,7 +45,7 @@ fn what_never_yielded_goes_back_on_its_own_curve() {
 }
 
 #[test]
-fn what_has_yielded_opens_until_nothing_is_left() {
+fn plastic_contacts_open_to_zero_force() {
     let models: [&dyn ContactModel; 3] = [&AbdoFarhang::default(), &ChangEtsionBogy, &KogutEtsion];
     for skewness in [-0.9, -0.6, 0.6, 1.3] {
         for model in models {
@@ -80,7 +80,7 @@ fn flat_heights_open_up_to_the_last_contact() {
             let found = way.force(top - h).unwrap();
             let hertz = 8.0 / 15.0 * e * radius.sqrt() * h.powf(2.5);
             let wanted = scene.asperities() / (4.0 * SIGMA) * hertz;
-            // What the retreat itself, and the table's end, are rounded to.
+            // Rounding errors of the retreat and of the table's end.
             let rounding = 2.5 * 8.0 * f64::EPSILON * top / h;
             let error = (found.value() / wanted - 1.0).abs();
             assert!(
@@ -91,7 +91,7 @@ fn flat_heights_open_up_to_the_last_contact() {
         for model in [&ChangEtsionBogy as &dyn ContactModel, &KogutEtsion] {
             let joint = joint(model, 1e-9);
             let way = joint.unloading(At::metres(closest * SIGMA)).unwrap();
-            // To the last double at which anything touches.
+            // Bisection to the largest retreat with a force.
             let (mut touches, mut open) = (0.0, 4.0 * SIGMA);
             for _ in 0..80 {
                 let middle = 0.5 * (touches + open);

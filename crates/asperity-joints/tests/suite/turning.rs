@@ -1,4 +1,4 @@
-//! Laws whose way back δ is not the longer the deeper they were pressed.
+//! Laws with a recovered interference δ that decreases with the interference.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use asperity_jg::{GeometricHardness, JacksonGreen};
 use asperity_joints::{Unloading, UnloadingLaw};
 
 #[test]
-fn contacts_that_were_pressed_less_may_last_longer() {
+fn shallow_contacts_may_last_longer_than_deep_ones() {
     let model = JacksonGreen { hardness: GeometricHardness::Cosine };
     let interface = Interface::new(55.8e9, 0.33, 8.5e8);
     let scene = Scene::new(interface, Surface::new(6e-5, 3e8, 2e-6), 6.1e-4);
@@ -20,7 +20,7 @@ fn contacts_that_were_pressed_less_may_last_longer() {
         let radius = (area.value(w).unwrap() / PI).sqrt();
         0.75 * force.value(w).unwrap() / (asperity.equivalent_modulus * radius)
     };
-    // Up to some interference and down again.
+    // δ has a maximum.
     let places = || (1..2000).map(|k| 1e-8 * f64::from(k));
     let highest = places().fold(0.0, |m: f64, w| m.max(delta(w)));
     assert!(delta(2e-5) < 0.95 * highest);
@@ -43,7 +43,7 @@ fn contacts_that_were_pressed_less_may_last_longer() {
             .sum();
         let wanted = sum * step / 2e-6 / (2.0 * PI).sqrt() * scene.asperities();
         let found = way.force(u).unwrap().value();
-        // The midpoint rule leaves some 4e-11.
+        // The midpoint rule has an error of about 4e-11.
         assert!((found / wanted - 1.0).abs() < 2e-10, "{share}: {found} {wanted}");
     }
     assert!(way.force(1.001 * highest).unwrap().value() < 1e-20);

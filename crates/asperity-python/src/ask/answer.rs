@@ -16,7 +16,7 @@ use crate::convert::error::value_error;
 
 /// Rows that a thread walks through at a time: what their laws have in common is found among
 /// neighbours, and Ctrl-C waits for them.
-pub(crate) const TOGETHER: usize = 16;
+pub(crate) const ROWS_PER_TASK: usize = 16;
 /// The same for rows on one scene, most of which take no time.
 const ON_ONE: usize = 256;
 /// Fewer values are as quick one by one.
@@ -161,7 +161,7 @@ impl Question<'_> {
             (Source::Model(model), None) => {
                 let sweep = Sweep::new(*model, &self.request.quantities, self.request.tolerance);
                 let run = |range| self.on_many(model, &sweep, range);
-                stretches(py, &*pool(threads)?, len, TOGETHER, run, take)?;
+                stretches(py, &*pool(threads)?, len, ROWS_PER_TASK, run, take)?;
             }
         }
         Ok(answer)

@@ -9,7 +9,7 @@ use asperity::{
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::ask::answer::{Aspect, Question, Source, TOGETHER, walked};
+use crate::ask::answer::{Aspect, Question, ROWS_PER_TASK, Source, walked};
 use crate::ask::long::{pool, stretches};
 use crate::ask::rows::{Rows, View};
 use crate::check::of_rows;
@@ -75,7 +75,7 @@ pub(crate) fn separations<'py>(
     let request = &Request::new([asperity::Quantity::Force]).within(tolerance(rtol)?);
     let sweep = Sweep::new(model, &request.quantities, request.tolerance);
     // Nothing is prepared for a few.
-    let one = rows.one_scene().filter(|_| all || rows.len() > TOGETHER);
+    let one = rows.one_scene().filter(|_| all || rows.len() > ROWS_PER_TASK);
     let one = one.map(|scene| py.detach(|| model.compile(scene, request)));
     let one = one.transpose().map_err(|error| engine.raise(py, error))?;
     let user = |row, scene: &Scene, found| unit.of(found, rows.datum(row), scene);
@@ -112,7 +112,7 @@ pub(crate) fn separations<'py>(
     };
     let (mut values, mut counts, mut failed) = (vec![], vec![], vec![]);
     // All separations of a load take long: Ctrl-C is heard between fewer.
-    let together = if all { TOGETHER / 8 } else { TOGETHER };
+    let together = if all { ROWS_PER_TASK / 8 } else { ROWS_PER_TASK };
     stretches(py, &*pool(None)?, rows.len(), together, run, |found| {
         for (row, found) in found {
             counts.push(found.as_ref().map_or(0, Vec::len) as i64);
@@ -152,7 +152,7 @@ pub(crate) fn shares<'py>(
     };
     let mut columns: Vec<(String, Vec<f64>)> = vec![];
     let mut places = order.iter();
-    stretches(py, &*pool(None)?, rows.len(), TOGETHER, run, |found| {
+    stretches(py, &*pool(None)?, rows.len(), ROWS_PER_TASK, run, |found| {
         let found = found.map_err(|error| engine.raise(py, error))?;
         for (shares, row) in found.into_iter().zip(&mut places) {
             for Share { name, share, .. } in shares {

@@ -22,7 +22,7 @@ pub(crate) use unloading::Unloading;
 /// The unit of multiples of σ_z.
 pub(crate) const SIGMAS: Axis = Axis::Separation(SeparationUnit::Sigma);
 /// Rows that one thread does at a time: each is an integral of its own.
-const TOGETHER: usize = 4;
+const ROWS_PER_TASK: usize = 4;
 
 /// A float for a float, an array of the same shape for an array; `slipped` makes the warning about
 /// a number.
@@ -48,7 +48,7 @@ pub(crate) fn over<'py>(
         given[range].iter().map(|number| one(*number)).collect()
     };
     let mut values = Vec::with_capacity(given.len());
-    stretches(py, &*pool(None)?, given.len(), TOGETHER, run, |found| {
+    stretches(py, &*pool(None)?, given.len(), ROWS_PER_TASK, run, |found| {
         values.extend(found.map_err(raise)?);
         Ok(true)
     })?;

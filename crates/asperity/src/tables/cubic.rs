@@ -31,7 +31,7 @@ mod tests {
                 let least = (0..=1000)
                     .map(|t| slope(a, b, f64::from(t) / 1000.0))
                     .fold(f64::INFINITY, f64::min);
-                // Within what 1001 points can tell of a parabola.
+                // Within the resolution of 1001 points on a parabola.
                 if least.abs() > 1e-4 {
                     assert_eq!(is_monotone(a, b), least > 0.0, "{a} {b} {least}");
                 }

@@ -23,8 +23,7 @@ pub(crate) fn kinks(
         None => None,
     };
     // Onset of contact, and the kinks of the law, as interferences [m].
-    let mut interferences =
-        vec![law.as_ref().map_or(0.0, |law| law.begins * law.interference_unit)];
+    let mut interferences = vec![law.as_ref().map_or(0.0, |law| law.onset * law.interference_unit)];
     if let Some(law) = &law {
         interferences.extend(law.kinks().into_iter().map(|x| x * law.interference_unit));
     }

@@ -35,7 +35,7 @@ impl Falls {
             places.extend([2f64.powi(k), -2f64.powi(k)]);
         }
         for knot in &variation.knots {
-            let interference = (knot.x + law.begins) * scale;
+            let interference = (knot.x + law.onset) * scale;
             places.extend(heights.iter().map(|height| height - interference));
         }
         places.retain(|s| *s >= LOWEST);
@@ -44,9 +44,8 @@ impl Falls {
         let density = variation.density(law);
         let enough = tolerance.relative().max(ENOUGH);
         let variation = HeightIntegral::new(density, law, scene, enough);
-        let unseen = farthest(&scene.heights, scene.surface.asperity_height_std)
-            - first
-            - law.begins * scale;
+        let unseen =
+            farthest(&scene.heights, scene.surface.asperity_height_std) - first - law.onset * scale;
         Some(Self { unseen, variation, places })
     }
 }

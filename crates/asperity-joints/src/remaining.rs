@@ -1,45 +1,45 @@
-//! What is left of a contact next to the interference at which it is lost, without cancellation.
+//! Remaining fraction 1 - u/δ of a contact close to the interference at which it is lost, without
+//! cancellation.
 
 use asperity_core::QuadratureError;
 use asperity_quadrature::chebyshev_roots;
 
 /// Samples of the exponent.
 const NODES: usize = 12;
-/// How far it is followed, in ln w,
+/// Length of the interpolated range in ln w.
 const SPAN: f64 = 0.25;
-/// or so many times an eighth of that, where a kink below is near.
-const SHORTER: i32 = 5;
-/// Rounding of δ, in units of its last place.
-const ROUNDED: f64 = 8.0;
-/// δ is met at the first contact that lasts but for rounding, unless it jumps there.
-const MET: f64 = 1e-12;
+/// Largest number of times that the range is divided by 8 where a kink is close.
+const MAX_SHORTENINGS: i32 = 5;
+/// Rounding error of δ, in units of the last place.
+const ROUNDING_ULPS: f64 = 8.0;
+/// Largest relative difference of δ and u at the first remaining contact, unless δ jumps there.
+const ONSET_ROUNDING: f64 = 1e-12;
 
-/// 1 - u/δ(w) for w beyond the one with δ = u.
+/// 1 - u/δ(w) for w beyond the interference with δ = u.
 ///
-/// δ/u = (w/first)^p with p next to constant: as 1 - (w/first)⁻ᵖ nothing cancels, where 1 - u/δ
-/// keeps no digit next to 0. Far in the tail of the heights that is where all of the force comes
-/// from.
+/// δ/u = (w/first)^p with nearly constant p: 1 - (w/first)⁻ᵖ avoids the cancellation of 1 - u/δ
+/// close to 0, where most of the force arises far in the tail of the heights.
 #[derive(Debug, Clone)]
-pub(crate) struct Left {
+pub(crate) struct RemainingFraction {
     first: f64,
     span: f64,
     /// p at the nodes.
     exponents: [f64; NODES],
 }
 
-impl Left {
-    /// From `first`, where δ grows to u, on to `high` at most; none where δ jumps beyond u, or is
-    /// no smooth function there.
+impl RemainingFraction {
+    /// Interpolates from `first`, where δ reaches u, to `high` at most; `None` where δ jumps beyond
+    /// u or is not smooth.
     pub(crate) fn new(
         [first, high]: [f64; 2],
         u: f64,
         recovered: impl Fn(f64) -> Result<f64, QuadratureError>,
     ) -> Result<Option<Self>, QuadratureError> {
-        if (recovered(first)? / u - 1.0).abs() > MET {
+        if (recovered(first)? / u - 1.0).abs() > ONSET_ROUNDING {
             return Ok(None);
         }
         let ln = |s: f64| Ok::<_, QuadratureError>((recovered(first * s.exp())? / u).ln());
-        for shorter in 0..SHORTER {
+        for shorter in 0..MAX_SHORTENINGS {
             let span = (high / first).ln().min(SPAN) / 8f64.powi(shorter);
             let mut left = Self { first, span, exponents: [0.0; NODES] };
             for (exponent, node) in left.exponents.iter_mut().zip(nodes()) {
@@ -50,20 +50,20 @@ impl Left {
                 let s = span * v;
                 off = off.max((ln(s)? - s * left.exponent(v)).abs());
             }
-            if off <= ROUNDED * f64::EPSILON {
+            if off <= ROUNDING_ULPS * f64::EPSILON {
                 return Ok(Some(left));
             }
         }
         Ok(None)
     }
 
-    /// Of an asperity pressed by so much \[m\] more than the first that lasts, unless that is far.
+    /// The fraction at an interference `beyond` \[m\] above the first; `None` outside the range.
     pub(crate) fn at(&self, beyond: f64) -> Option<f64> {
         let s = (beyond / self.first).ln_1p();
         (s <= self.span).then(|| -(-s * self.exponent(s / self.span)).exp_m1())
     }
 
-    /// The barycentric formula.
+    /// The exponent p by barycentric interpolation; v from 0 to 1.
     fn exponent(&self, v: f64) -> f64 {
         let (mut above, mut below) = (0.0, 0.0);
         for (k, (node, exponent)) in nodes().zip(self.exponents).enumerate() {
@@ -79,28 +79,29 @@ impl Left {
     }
 }
 
-/// Chebyshev's points of 0..1: none is 0.
+/// Chebyshev points of the open interval from 0 to 1.
 fn nodes() -> impl Iterator<Item = f64> {
     chebyshev_roots(NODES).map(|v| 0.5 + 0.5 * v)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Left;
+    use super::RemainingFraction;
 
     #[test]
-    fn a_difference_next_to_nothing_keeps_its_digits() {
+    fn small_remaining_fractions_keep_full_relative_accuracy() {
         // δ = √w + w/10 from w = 2 on: δ - u in closed form.
         let delta = |w: f64| w.sqrt() + 0.1 * w;
         let u = delta(2.0);
-        let left = Left::new([2.0, f64::INFINITY], u, |w| Ok(delta(w))).unwrap().unwrap();
+        let left =
+            RemainingFraction::new([2.0, f64::INFINITY], u, |w| Ok(delta(w))).unwrap().unwrap();
         for beyond in [1e-18, 1e-12, 1e-6, 1e-3, 0.1, 0.5] {
             let grown = beyond / ((2.0_f64 + beyond).sqrt() + 2f64.sqrt()) + 0.1 * beyond;
             let (found, wanted) = (left.at(beyond).unwrap(), grown / (u + grown));
             assert!((found / wanted - 1.0).abs() < 3e-13, "{beyond}: {found} {wanted}");
         }
-        assert!(left.at(1.0).is_none(), "too far");
-        let jumps = Left::new([2.0, 3.0], 0.9 * u, |w| Ok(delta(w))).unwrap();
+        assert!(left.at(1.0).is_none(), "outside the range");
+        let jumps = RemainingFraction::new([2.0, 3.0], 0.9 * u, |w| Ok(delta(w))).unwrap();
         assert!(jumps.is_none());
     }
 }

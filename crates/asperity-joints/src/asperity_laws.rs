@@ -1,4 +1,5 @@
-//! One asperity that was pressed to w and has come back by u: again a law of w.
+//! Laws of one asperity: loading to w, and force, area and work after a retreat u, again as laws of
+//! w.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -9,55 +10,55 @@ use asperity_core::{
 };
 
 use crate::UnloadingLaw;
-use crate::lasting::{lasting, turns};
-use crate::left::Left;
+use crate::contact_range::{contact_range, recovery_extrema};
+use crate::remaining::RemainingFraction;
 
-/// What is asked of the asperity.
+/// A quantity of one asperity after a retreat u.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Asked {
-    /// The force that is left \[N\].
+pub(crate) enum UnloadingQuantity {
+    /// The remaining force \[N\].
     Force,
-    /// The area that is left \[m²\].
+    /// The remaining area \[m²\].
     Area,
     /// -dF/du \[N/m\].
     Stiffness,
-    /// The force at u = 0 less the one that is left \[N\], without cancellation.
+    /// The force at u = 0 minus the remaining force \[N\], without cancellation.
     Released,
-    /// 8 ∫₀ᵘ released du - 4 u released \[J\], likewise.
+    /// 8 ∫₀ᵘ released du - 4 u released \[J\], without cancellation.
     Loss,
-    /// 1 where the contact has lasted.
+    /// 1 for asperities in contact, 0 for others.
     Contacts,
-    /// ∫₀ᵘ force du \[J\]: the work that comes back, all of it for an infinite u.
+    /// The work returned, ∫₀ᵘ force du \[J\]; u may be infinite.
     Returned,
 }
 
-/// The loading laws of one asperity, and how it comes back.
+/// The loading laws of one asperity with its unloading law.
 #[derive(Debug)]
-pub(crate) struct Loading {
+pub(crate) struct AsperityLaws {
     pub(crate) force: Law,
     pub(crate) area: Law,
     pub(crate) asperity: Asperity,
     pub(crate) unloading: UnloadingLaw,
     /// w_c \[m\]; infinite where nothing yields.
     pub(crate) critical: f64,
-    /// Where δ turns \[m\].
+    /// Interferences of the extrema of δ \[m\].
     turns: Vec<f64>,
 }
 
-/// Laws that differ by less than this are the same but for rounding.
+/// Relative difference below which two laws are equal within rounding.
 const SAME_LAW: f64 = 1e-12;
 
-/// At one interference w.
-struct Pressed {
+/// State of an asperity at its largest interference w.
+struct PeakState {
     force: f64,
     area: f64,
-    /// δ: how far the flat goes back until the contact is lost.
+    /// δ: the retreat at which the contact is lost \[m\].
     recovered: f64,
     exponent: f64,
 }
 
-impl Loading {
-    /// The laws of a model whose asperities are upright and do not stick.
+impl AsperityLaws {
+    /// The laws of a model of upright asperities without adhesion.
     pub(crate) fn new(
         model: &(impl ContactModel + ?Sized),
         asperity: Asperity,
@@ -69,16 +70,16 @@ impl Loading {
             what: format!("unloading and partial slip: {what}"),
         };
         if model.validity().angles {
-            return Err(unsupported("its contacts lie at all angles"));
+            return Err(unsupported("its contacts are inclined"));
         }
         if model.validity().adhesive {
             return Err(unsupported(
-                "contacts that stick come back on a curve of their own (for jkr the model jkr-separation), and small vibrations by unloading-stiffness",
+                "with adhesion, use the model jkr-separation for the unloading curve of jkr, or the quantity unloading-stiffness for small vibrations",
             ));
         }
         let one = model
             .asperity_model()
-            .ok_or_else(|| unsupported("only models of equal, upright asperities have them"))?;
+            .ok_or_else(|| unsupported("these need a model of equal, upright asperities"))?;
         let law_of = |quantity| {
             let found = one.law(&asperity, quantity, tolerance)?;
             found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
@@ -91,7 +92,9 @@ impl Loading {
             let mut found = vec![];
             for pair in loading.breaks().windows(2) {
                 let of = |source| loading.refused(model.name(), pair[0], &source);
-                found.extend(turns(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?);
+                found.extend(
+                    recovery_extrema(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?,
+                );
             }
             loading.turns = found;
         }
@@ -103,8 +106,8 @@ impl Loading {
         Ok(self.pressed(w)?.recovered)
     }
 
-    /// The asperity pressed to w \[m\].
-    fn pressed(&self, w: f64) -> Result<Pressed, QuadratureError> {
+    /// The state at interference w \[m\].
+    fn pressed(&self, w: f64) -> Result<PeakState, QuadratureError> {
         let Asperity { equivalent_modulus: e, radius, .. } = self.asperity;
         let (force, area) = (self.force.value(w)?, self.area.value(w)?);
         let x = w / self.critical;
@@ -112,50 +115,50 @@ impl Loading {
             UnloadingLaw::Etsion if x > 1.0 => {
                 let residual = (1.0 - x.powf(-0.28)) * (1.0 - x.powf(-0.69));
                 let exponent = 1.5 * x.powf(-0.0331);
-                Pressed { force, area, recovered: w * (1.0 - residual), exponent }
+                PeakState { force, area, recovered: w * (1.0 - residual), exponent }
             }
             UnloadingLaw::Brake => {
                 let recovered = force / (4.0 / 3.0 * e * (radius * w).sqrt());
                 let elastic = force / (4.0 / 3.0 * e * recovered);
-                Pressed { force, area: PI * elastic * elastic, recovered, exponent: 1.5 }
+                PeakState { force, area: PI * elastic * elastic, recovered, exponent: 1.5 }
             }
             UnloadingLaw::Hertz | UnloadingLaw::Etsion => {
                 let recovered = 0.75 * force / (e * (area / PI).sqrt());
-                Pressed { force, area, recovered, exponent: 1.5 }
+                PeakState { force, area, recovered, exponent: 1.5 }
             }
         })
     }
 
-    /// `left` is 1 - u/δ, where that is known better than from δ.
+    /// A quantity at w after a retreat u; `left` replaces 1 - u/δ where it is more accurate.
     pub(crate) fn answer(
         &self,
         w: f64,
         u: f64,
         left: Option<f64>,
-        asked: Asked,
+        quantity: UnloadingQuantity,
     ) -> Result<f64, QuadratureError> {
-        let Pressed { force, area, recovered, exponent: n } = self.pressed(w)?;
+        let PeakState { force, area, recovered, exponent: n } = self.pressed(w)?;
         if force == 0.0 {
             return Ok(0.0);
         }
         let y = u / recovered;
         let left = left.unwrap_or(1.0 - y).max(0.0);
-        Ok(match asked {
-            Asked::Force => force * left.powf(n),
-            Asked::Area => area * left,
-            Asked::Contacts => f64::from(y < 1.0),
-            Asked::Stiffness => n * force * left.powf(n - 1.0) / recovered,
-            Asked::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
-            Asked::Released => force,
-            Asked::Loss => force * recovered * loss(y, n),
-            Asked::Returned => {
+        Ok(match quantity {
+            UnloadingQuantity::Force => force * left.powf(n),
+            UnloadingQuantity::Area => area * left,
+            UnloadingQuantity::Contacts => f64::from(y < 1.0),
+            UnloadingQuantity::Stiffness => n * force * left.powf(n - 1.0) / recovered,
+            UnloadingQuantity::Released if y < 1.0 => -force * (n * (-y).ln_1p()).exp_m1(),
+            UnloadingQuantity::Released => force,
+            UnloadingQuantity::Loss => force * recovered * loss(y, n),
+            UnloadingQuantity::Returned => {
                 let all = force * recovered / (n + 1.0);
                 if y < 1.0 { -all * ((n + 1.0) * (-y).ln_1p()).exp_m1() } else { all }
             }
         })
     }
 
-    /// Where a formula changes \[m\], from 0 to infinity.
+    /// Interferences at which a formula changes \[m\], from 0 to infinity.
     pub(crate) fn breaks(&self) -> Vec<f64> {
         let mut breaks = vec![0.0];
         for law in [&self.force, &self.area] {
@@ -171,8 +174,8 @@ impl Loading {
         breaks
     }
 
-    /// The interference \[m\] below which an asperity comes back as it went: the end of the first
-    /// range of the law, if it is Hertz' there.
+    /// The interference \[m\] below which unloading retraces loading: the end of the first range of
+    /// the law if that range is Hertzian, otherwise 0.
     pub(crate) fn elastic_limit(&self) -> f64 {
         let end = self.breaks()[1];
         if !self.critical.is_finite() || end == f64::INFINITY {
@@ -189,18 +192,22 @@ impl Loading {
         if hertz { end } else { 0.0 }
     }
 
-    /// The error of one asperity pressed to w \[m\].
+    /// The error for one asperity at interference w \[m\].
     pub(crate) fn refused(&self, model: &str, w: f64, source: &QuadratureError) -> ContactError {
-        refused(model, "pressed to", w, source)
+        refused(model, "interference", w, source)
     }
 
-    /// What is left of contacts from `low` on, where that has just lasted to u.
-    fn left_from(&self, ends: [f64; 2], u: f64) -> Result<Option<Left>, QuadratureError> {
-        Left::new(ends, u, |w| self.recovered(w))
+    /// The remaining fraction between two interferences, the lower of which has δ = u.
+    fn left_from(
+        &self,
+        ends: [f64; 2],
+        u: f64,
+    ) -> Result<Option<RemainingFraction>, QuadratureError> {
+        RemainingFraction::new(ends, u, |w| self.recovered(w))
     }
 }
 
-/// 8 ∫₀ʸ (1 - (1-t)ⁿ) dt - 4 y (1 - (1-y)ⁿ), t and y at most 1 where they stand under a power.
+/// 8 ∫₀ʸ (1 - (1-t)ⁿ) dt - 4 y (1 - (1-y)ⁿ), with t and y limited to 1 in the powers.
 fn loss(y: f64, n: f64) -> f64 {
     if y >= 1.0 {
         return 4.0 * y - 8.0 / (n + 1.0);
@@ -210,7 +217,7 @@ fn loss(y: f64, n: f64) -> f64 {
         let integral = y - (1.0 - left.powf(n + 1.0)) / (n + 1.0);
         return 8.0 * integral - 4.0 * y * (1.0 - left.powf(n));
     }
-    // The binomial series, whose first term is none: it begins with y³.
+    // Binomial series from y³, as lower orders cancel.
     let (mut binomial, mut sum) = (-n * y, 0.0);
     for k in 2..20 {
         let k = f64::from(k);
@@ -220,9 +227,8 @@ fn loss(y: f64, n: f64) -> f64 {
     sum
 }
 
-/// Quasi-static restitution of one asperity: the speed with which a mass leaves it over the one
-/// with which it came, √(work that unloading gives back/work of loading), pressed to `interference`
-/// \[m\]. Waves and rates are left out.
+/// Quasi-static coefficient of restitution of one asperity loaded to `interference` \[m\]:
+/// √(work returned by unloading/work of loading). Stress waves and rate effects are ignored.
 ///
 /// # Errors
 /// Those of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an interference
@@ -235,73 +241,75 @@ pub fn restitution(
     tolerance: Tolerance,
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
-    let loading = Loading::new(model, *asperity, law, tolerance)?;
+    let loading = AsperityLaws::new(model, *asperity, law, tolerance)?;
     let failed = |source: QuadratureError| loading.refused(model.name(), w, &source);
     let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
     if spent < f64::MIN_POSITIVE {
-        let required = "one whose work a double holds (2.2e-308 J)";
+        let required = "an interference with a work of loading of at least 2.2e-308 J";
         return Err(ContactError::OutOfRange { field: "interference", value: w, required });
     }
     Ok((returned / spent).sqrt())
 }
 
-/// What one asperity's law could not tell; `length` \[m\] is an interference or a retreat, and no
-/// place of the rough surface.
+/// The error of one asperity's law; `length` \[m\] is an interference or a retreat, named by
+/// `place`.
 fn refused(model: &str, place: &str, length: f64, source: &QuadratureError) -> ContactError {
-    let reason = format!("one asperity, {place} {length:e} m: {source}");
+    let reason = format!("one asperity at {place} {length:e} m: {source}");
     ContactError::Refused { model: model.into(), reason }
 }
 
-/// Samples of one integral, at most.
-pub(crate) const MOST: usize = 100_000;
+/// Largest number of samples of one integral.
+pub(crate) const MAX_SAMPLES: usize = 100_000;
 
-/// What is asked of one asperity after a retreat, as the force of a model of its own.
+/// A quantity of one asperity after a retreat, as the force law of a model.
 #[derive(Debug)]
-pub(crate) struct Retreated<'u> {
+pub(crate) struct RetreatModel<'u> {
     pub(crate) source: &'u Citation,
     pub(crate) name: &'u str,
-    /// The first interference \[m\] that counts.
+    /// The smallest interference \[m\] that contributes, the onset of the law.
     pub(crate) first: f64,
-    /// It begins with the first interference that has not lost contact.
     law: Law,
 }
 
-impl<'u> Retreated<'u> {
+impl<'u> RetreatModel<'u> {
     pub(crate) fn new(
         (source, name): (&'u Citation, &'u str),
-        loading: &Arc<Loading>,
-        asked: Asked,
+        loading: &Arc<AsperityLaws>,
+        quantity: UnloadingQuantity,
         u: f64,
     ) -> Result<Self, ContactError> {
         let (unit, value_unit) = (loading.force.interference_unit, loading.force.value_unit);
-        let value_unit = match asked {
-            Asked::Area => loading.area.value_unit,
-            Asked::Contacts => 1.0,
-            Asked::Stiffness => value_unit / unit,
-            Asked::Loss | Asked::Returned => value_unit * unit,
-            Asked::Force | Asked::Released => value_unit,
+        let value_unit = match quantity {
+            UnloadingQuantity::Area => loading.area.value_unit,
+            UnloadingQuantity::Contacts => 1.0,
+            UnloadingQuantity::Stiffness => value_unit / unit,
+            UnloadingQuantity::Loss | UnloadingQuantity::Returned => value_unit * unit,
+            UnloadingQuantity::Force | UnloadingQuantity::Released => value_unit,
         };
-        let failed = |source: QuadratureError| refused(name, "after a retreat of", u, &source);
-        let whole = matches!(asked, Asked::Released | Asked::Loss | Asked::Returned);
+        let failed = |source: QuadratureError| refused(name, "retreat", u, &source);
+        let whole = matches!(
+            quantity,
+            UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
+        );
         let mut ranges = vec![];
         for pair in loading.breaks().windows(2) {
             let (low, high) = (pair[0], pair[1]);
-            let found = lasting(&|w| loading.recovered(w), [low, high], u).map_err(failed)?;
+            let found = contact_range(&|w| loading.recovered(w), [low, high], u).map_err(failed)?;
             match found {
                 Some([from, to]) if !whole => ranges.push((from, to)),
-                // What has lost contact has released all there was.
+                // Asperities out of contact have released their whole force.
                 Some([from, to]) => ranges.extend([(low, from), (from, to), (to, high)]),
                 None if whole => ranges.push((low, high)),
                 None => {}
             }
         }
         ranges.retain(|(low, high)| high > low);
-        // Counted from the first contact that is left: it may be far beyond what the heights at the
-        // closest approach would be followed to.
+        // x starts at the first remaining contact, which may be far beyond the heights integrated
+        // at the closest approach.
         let first = ranges.first().map_or(0.0, |(low, _)| *low);
-        let mut law = Law::in_units(unit, value_unit).beginning_at(first / unit);
+        let mut law = Law::in_units(unit, value_unit).with_onset(first / unit);
         for (low, high) in ranges {
-            // Where the first contact that lasts is at a kink, it lasts longer than just so.
+            // At a kink, δ of the first remaining contact may exceed u.
             let near = match u > 0.0 && low <= first && !whole {
                 true => loading.left_from([low, high], u).map_err(failed)?,
                 false => None,
@@ -310,7 +318,7 @@ impl<'u> Retreated<'u> {
             let sample = move |x: &[f64], out: &mut [f64]| {
                 for (out, x) in out.iter_mut().zip(x) {
                     let left = near.as_ref().and_then(|near| near.at(x * unit));
-                    *out = loading.answer(first + x * unit, u, left, asked)? / value_unit;
+                    *out = loading.answer(first + x * unit, u, left, quantity)? / value_unit;
                 }
                 Ok(())
             };
@@ -322,7 +330,7 @@ impl<'u> Retreated<'u> {
     }
 }
 
-impl Described for Retreated<'_> {
+impl Described for RetreatModel<'_> {
     fn citation(&self) -> &Citation {
         self.source
     }
@@ -332,7 +340,7 @@ impl Described for Retreated<'_> {
     }
 }
 
-impl AsperityModel for Retreated<'_> {
+impl AsperityModel for RetreatModel<'_> {
     fn law(
         &self,
         _: &Asperity,
@@ -348,7 +356,7 @@ mod tests {
     use super::loss;
 
     #[test]
-    fn the_series_of_the_loss_meets_the_formula() {
+    fn loss_series_and_closed_form_agree_where_they_meet() {
         for n in [1.5, 1.3] {
             let (below, above) = (loss(0.1, n), loss(0.1_f64.next_up(), n));
             assert!((below / above - 1.0).abs() < 1e-12, "{below} {above}");

@@ -1,30 +1,32 @@
-//! Which asperities still touch after a retreat: where the way back δ(w) is longer than it.
+//! Ranges of interference in which asperities still touch after a retreat u: δ(w) > u.
 //!
-//! δ grows with w in most laws, but not in all: where it turns, a contact that was pressed deeper
-//! is lost earlier.
+//! δ grows with w in most laws; where it decreases, deeper contacts are lost earlier.
 
 use asperity_core::QuadratureError;
 use asperity_quadrature::{fallible, highest, last_place};
 
-/// δ is looked at so many places of a range for where it turns,
-const LOOKS: i32 = 128;
-/// over so many powers of ten, where the range has no end.
+/// Samples of δ in the search for its extrema in one range.
+const SAMPLES: i32 = 128;
+/// Decades searched where the range is unbounded.
 const DECADES: f64 = 6.0;
-/// What δ changes by less than this is rounding.
+/// Relative changes of δ below this are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
 /// δ \[m\] of w \[m\].
 type Way<'d> = &'d dyn Fn(f64) -> Result<f64, QuadratureError>;
 
-/// Where δ turns between two neighbouring breaks, ascending.
-pub(crate) fn turns(delta: Way<'_>, range: [f64; 2]) -> Result<Vec<f64>, QuadratureError> {
+/// Interferences of the extrema of δ between two neighbouring breaks, ascending.
+pub(crate) fn recovery_extrema(
+    delta: Way<'_>,
+    range: [f64; 2],
+) -> Result<Vec<f64>, QuadratureError> {
     let [low, high] = finite(range, 0.0);
-    // Not at the ends themselves, where δ may jump.
-    let place = |k: i32| low * (high / low).powf((f64::from(k) + 0.5) / f64::from(LOOKS));
+    // The ends are excluded, as δ may jump there.
+    let place = |k: i32| low * (high / low).powf((f64::from(k) + 0.5) / f64::from(SAMPLES));
     let mut turns = vec![];
-    // Where the last step up or down began, and which of them it was.
+    // Start and direction of the last step up or down.
     let (mut step, mut before) = (None, (place(0), delta(place(0))?));
-    for k in 1..LOOKS {
+    for k in 1..SAMPLES {
         let here = (place(k), delta(place(k))?);
         if (here.1 - before.1).abs() <= ROUNDING * before.1 {
             continue;
@@ -39,14 +41,14 @@ pub(crate) fn turns(delta: Way<'_>, range: [f64; 2]) -> Result<Vec<f64>, Quadrat
     Ok(turns)
 }
 
-/// The largest δ between two places, or the smallest.
+/// The interference of the largest or smallest δ between two places.
 fn turn(delta: Way<'_>, [from, to]: [f64; 2], most: bool) -> Result<f64, QuadratureError> {
     let sign = if most { 1.0 } else { -1.0 };
     fallible(delta, |delta| highest(|w| sign * delta(w), from, to))
 }
 
-/// The part of a range on which δ > u, if δ only grows there, or only falls.
-pub(crate) fn lasting(
+/// The part of a range with δ > u; δ must be monotonic on the range.
+pub(crate) fn contact_range(
     delta: Way<'_>,
     range: [f64; 2],
     u: f64,
@@ -54,7 +56,7 @@ pub(crate) fn lasting(
     if u == 0.0 {
         return Ok(Some(range));
     }
-    // δ is about w; far below, its formula leaves the doubles.
+    // δ is about w; its formula underflows far below.
     let begin = range[0].max(1e-3 * u);
     if begin >= range[1] {
         return Ok(None);
@@ -64,8 +66,7 @@ pub(crate) fn lasting(
     let first = lasts(begin)?;
     let mut last = lasts(end)?;
     if range[1] == f64::INFINITY && !first {
-        // Where δ grows, it does as √w at least: what needs more than this is out of anybody's
-        // reach.
+        // A growing δ grows at least as √w, so that this limit is beyond any real interference.
         let mut doublings = 0;
         while !last && doublings < 200 {
             (end, doublings) = (2.0 * end, doublings + 1);
@@ -83,7 +84,7 @@ pub(crate) fn lasting(
     })
 }
 
-/// Ends above 0 and below infinity that stand for those of a range.
+/// Finite, positive ends that replace those of a range.
 fn finite([low, high]: [f64; 2], u: f64) -> [f64; 2] {
     let ratio = 10f64.powf(DECADES);
     match (low > 0.0, high.is_finite()) {
@@ -99,22 +100,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn contacts_last_where_the_way_back_is_longer_also_when_it_turns() {
+    fn contact_ranges_are_found_on_both_sides_of_an_extremum() {
         // δ = 4 w/(1 + w)²: up to 1 at w = 1, and down again.
         let delta = |w: f64| Ok(4.0 * w / (1.0 + w) / (1.0 + w));
-        let turns = turns(&delta, [1e-3, f64::INFINITY]).unwrap();
+        let turns = recovery_extrema(&delta, [1e-3, f64::INFINITY]).unwrap();
         assert!(turns.len() == 1 && (turns[0] - 1.0).abs() < 1e-7, "{turns:?}");
         // δ = 8/9 at w = 1/2 and 2.
         let u = 8.0 / 9.0;
-        let up = lasting(&delta, [1e-3, 1.0], u).unwrap().unwrap();
+        let up = contact_range(&delta, [1e-3, 1.0], u).unwrap().unwrap();
         assert!((up[0] - 0.5).abs() < 1e-14 && up[1].total_cmp(&1.0).is_eq(), "{up:?}");
-        let down = lasting(&delta, [1.0, f64::INFINITY], u).unwrap().unwrap();
+        let down = contact_range(&delta, [1.0, f64::INFINITY], u).unwrap().unwrap();
         assert!(down[0].total_cmp(&1.0).is_eq() && (down[1] - 2.0).abs() < 1e-14, "{down:?}");
-        assert!(lasting(&delta, [1e-3, 0.4], u).unwrap().is_none());
-        assert!(lasting(&delta, [2.5, f64::INFINITY], u).unwrap().is_none());
-        // Far retreats of what only grows.
+        assert!(contact_range(&delta, [1e-3, 0.4], u).unwrap().is_none());
+        assert!(contact_range(&delta, [2.5, f64::INFINITY], u).unwrap().is_none());
+        // A large retreat with a growing δ.
         let root = |w: f64| Ok(1e-3 * w.sqrt());
-        let far = lasting(&root, [1.0, f64::INFINITY], 10.0).unwrap().unwrap();
+        let far = contact_range(&root, [1.0, f64::INFINITY], 10.0).unwrap().unwrap();
         assert!((far[0] / 1e8 - 1.0).abs() < 1e-14, "{far:?}");
     }
 }
