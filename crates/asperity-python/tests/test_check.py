@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -75,7 +76,8 @@ def test_loads_outside_the_range_of_a_model_are_warned_of_once(scene: asperity.S
 def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
     # A modulus in GPa: no separation carries the pressure.
     soft = scene.replace(equivalent_modulus=116.0)
-    for place in ({"pressure": 1e8}, {"load": 1e4}, {"separation": 2.0}):
+    places: list[dict[str, Any]] = [{"pressure": 1e8}, {"load": 1e4}, {"separation": 2.0}]
+    for place in places:
         check = soft.check(**place)
         assert check.findings[0].severity == "error"
         assert any("116 looks like GPa" in str(finding) for finding in check.findings), place

@@ -313,7 +313,7 @@ class Model(Engine):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):
             return NotImplemented
-        return self._definition == other._what and self._options == other._options
+        return self._definition == other._definition and self._options == other._options
 
     def __hash__(self) -> int:
         return hash(self._definition)
