@@ -72,7 +72,7 @@ impl<'a> Scan<'a> {
                 Ok((bem, file.scene.interface))
             }
             Self::Topography(topography, interface, level) => {
-                let level = topography.form(py, *level)?;
+                let level = topography.form(py, *level, 1)?;
                 let levelled = topography.0.clone().levelled(level).map_err(value_error)?;
                 let map = asperity_scene::height_map(&levelled).map_err(|error| {
                     match levelled.missing_share() > 0.0 {

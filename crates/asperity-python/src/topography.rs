@@ -113,7 +113,7 @@ impl Topography {
     /// default the plane, for a periodic surface the mean.
     #[pyo3(signature = (form=None))]
     fn level(&self, py: Python<'_>, form: Option<&str>) -> PyResult<Self> {
-        let form = self.form(py, form)?;
+        let form = self.form(py, form, 0)?;
         self.changed(py, |surface| surface.levelled(form))
     }
 
@@ -200,11 +200,17 @@ impl Topography {
 }
 
 impl Topography {
-    /// The form to remove; warns if its removal tilts a periodic surface.
-    pub(crate) fn form(&self, py: Python<'_>, name: Option<&str>) -> PyResult<Option<Level>> {
+    /// The form to remove; warns if its removal tilts a periodic surface, at the line `above` frames
+    /// up.
+    pub(crate) fn form(
+        &self,
+        py: Python<'_>,
+        name: Option<&str>,
+        above: usize,
+    ) -> PyResult<Option<Level>> {
         let level: Option<Level> = name.map(str::parse).transpose().map_err(value_error)?;
         let tilted = level.and_then(|level| level.tilts(self.0.is_periodic()));
-        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, 0))?;
+        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, above))?;
         Ok(level)
     }
 
@@ -226,7 +232,7 @@ impl Topography {
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Statistics> {
-        let level = self.form(py, level)?;
+        let level = self.form(py, level, 0)?;
         let statistics = || {
             let estimator = estimator.parse()?;
             let levelled = self.0.clone().levelled(level)?;

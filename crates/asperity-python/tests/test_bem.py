@@ -132,7 +132,7 @@ def test_it_is_a_model_by_name(scene: asperity.Scene) -> None:
     assert float(gap) == pytest.approx(found.mean_gap[0] - scene.surface.mean_plane_offset)
     with pytest.raises(ValueError, match=r"surface\.file is missing"):
         bem.solve(scene.replace(asperity_height_std=1e-6), load=50.0)
-    with pytest.raises(ValueError, match="2 scenes were given: bem needs one"):
+    with pytest.raises(ValueError, match="2 scenes were given: bem needs a single scene"):
         bem.solve([scene, scene.replace(hardness=3e9)], load=50.0)
     with pytest.raises(ValueError, match="hurst"):
         asperity.model("bem", hurst=0.8)

@@ -238,9 +238,9 @@ impl SceneFile {
     /// >>> import asperity
     /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
     /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
-    /// >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
-    /// error: equivalent_modulus is 116 Pa (usual: 30000 to 1.3e12): 116 looks like GPa; 116 GPa is
-    /// 1.16e11 Pa
+    /// >>> finding = asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0]
+    /// >>> finding.severity, finding.field, finding.message.split(": ")[-1]
+    /// ('error', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
     #[pyo3(signature = (
         model=None, separation=None, *, load=None, pressure=None,
         separation_unit="asperity_height_std"
