@@ -134,6 +134,18 @@ def test_contact_ends_and_losses_have_loss_factors(scene: asperity.Scene) -> Non
     assert slip.loss_factor(1e-2) == pytest.approx(4 / math.pi, rel=1e-3)
 
 
+def test_an_energy_gain_is_warned_of_once_a_call_at_the_line_of_the_caller(
+    scene: asperity.Scene,
+) -> None:
+    joint = asperity.model("af").unloading(scene, load=100.0, law="brake")
+    for call in (joint.loss_factor, joint.dissipated):
+        with pytest.warns(asperity.ContactWarning) as seen:
+            assert call() > 0.0
+        (warning,) = seen
+        text = "AF by brake: the loss is too small by 1.9 % of the work of closing, "
+        assert str(warning.message).startswith(text) and warning.filename == __file__
+
+
 def test_joints_can_be_pickled_and_shown(scene: asperity.Scene) -> None:
     joint = asperity.model("jg").unloading(scene, pressure=1e6, law="brake", separation_unit="m")
     slip = joint.slip(0.25)
