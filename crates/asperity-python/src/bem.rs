@@ -94,8 +94,8 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels, if
-/// kept; rows and columns; and the reasons of failures by place.
+/// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
+/// if kept; rows and columns; and the reasons of failures by place.
 type Contacts<'py> = (
     Bound<'py, PyDict>,
     Option<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)>,

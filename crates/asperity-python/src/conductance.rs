@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 use crate::convert::error::value_error;
 use crate::scene::SceneFile;
 
-/// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds at them.
+/// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds at
+/// them.
 type Correlated = (Vec<f64>, Vec<f64>, Vec<bool>);
 
 /// A correlation at pressures, its range of relative pressures, and the plasticity index of the

@@ -200,8 +200,8 @@ impl Topography {
 }
 
 impl Topography {
-    /// The form to remove; warns if its removal tilts a periodic surface, at the line `above` frames
-    /// up.
+    /// The form to remove; warns if its removal tilts a periodic surface, at the line `above`
+    /// frames up.
     pub(crate) fn form(
         &self,
         py: Python<'_>,

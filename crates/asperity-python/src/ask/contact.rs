@@ -138,8 +138,8 @@ impl Contact {
         self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The exception of a refusal. A model in Python is compiled again: its law may have raised only
-    /// once, as at an interrupt.
+    /// The exception of a refusal. A model in Python is compiled again: its law may have raised
+    /// only once, as at an interrupt.
     fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let model = self.model.get();
         if model.is_written()

@@ -24,8 +24,8 @@ pub(crate) const SIGMAS: Axis = Axis::Separation(SeparationUnit::Sigma);
 /// Rows of one task: each is an integral.
 const ROWS_PER_TASK: usize = 4;
 
-/// `one` at a number, or at every number of an array in its shape; `mistaken` is the warning about a
-/// number with another unit.
+/// `one` at a number, or at every number of an array in its shape; `mistaken` is the warning about
+/// a number with another unit.
 pub(crate) fn over<'py>(
     numbers: &Bound<'py, PyAny>,
     name: &str,

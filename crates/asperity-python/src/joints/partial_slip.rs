@@ -39,8 +39,8 @@ impl PartialSlip {
         self.over(shift, "shift", |slip, u| Ok(slip.force(u)?.value()))
     }
 
-    /// Tangential force [N] at shifts in a steady cycle: on the branch from +amplitude back, or, with
-    /// ``forth``, from -amplitude.
+    /// Tangential force [N] at shifts in a steady cycle: on the branch from +amplitude back, or,
+    /// with ``forth``, from -amplitude.
     #[pyo3(signature = (shift, amplitude, *, forth=false))]
     fn loop_force<'py>(
         &self,

@@ -84,8 +84,8 @@ impl JointTable {
         Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
     }
 
-    /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint whose closest
-    /// approach so far is ``closest``; the returned one is that of the next step.
+    /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint whose
+    /// closest approach so far is ``closest``; the returned one is that of the next step.
     #[pyo3(signature = (separation, closest=f64::INFINITY))]
     fn step(&self, py: Python<'_>, separation: f64, closest: f64) -> PyResult<(f64, f64, f64)> {
         let reply = self.table.at(self.from_mean(separation), self.from_mean(closest));

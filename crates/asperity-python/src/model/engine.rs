@@ -147,7 +147,8 @@ impl Engine {
         self.with(first, None)
     }
 
-    /// Whether the model is written in Python: a refusal may then be an exception of the user's code.
+    /// Whether the model is written in Python: a refusal may then be an exception of the user's
+    /// code.
     pub(crate) fn is_written(&self) -> bool {
         matches!(self.0, Kind::Python { .. })
     }

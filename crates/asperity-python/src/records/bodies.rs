@@ -21,8 +21,8 @@ record! {
     /// hardness : float or str, optional
     ///     Hardness [Pa]; by default 2.8 times the yield strength.
     /// yield_strength : float or str, optional
-    ///     Yield strength [Pa]; by default the hardness over 2.8. A body without either never yields:
-    ///     only gw, persson, dmt and jkr accept it.
+    ///     Yield strength [Pa]; by default the hardness over 2.8. A body without either never
+    ///     yields: only gw, persson, dmt and jkr accept it.
     /// thermal_conductivity : float or str, optional
     ///     k [W/(m K)]; needed by the quantity "thermal-conductance" only.
     /// electrical_resistivity : float or str, optional
@@ -68,8 +68,8 @@ record! {
     /// hardness : float or str, optional
     ///     Hardness of the softer body [Pa]; by default 2.8 times the yield strength.
     /// yield_strength : float or str, optional
-    ///     Yield strength of the softer body [Pa]; by default the hardness over 2.8. Surfaces without
-    ///     either never yield: only gw, persson, dmt and jkr accept them.
+    ///     Yield strength of the softer body [Pa]; by default the hardness over 2.8. Surfaces
+    ///     without either never yield: only gw, persson, dmt and jkr accept them.
     /// equivalent_shear_modulus : float or str, optional
     ///     G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; needed by the models gao and at and the quantity
     ///     "tangential-stiffness".
@@ -113,8 +113,8 @@ record! {
     /// Work of adhesion [J/m^2], if given.
     work_of_adhesion: Option<f64>,
     {
-        /// The interface of two deformable bodies; hardness and Poisson's ratio are those of the softer
-        /// body.
+        /// The interface of two deformable bodies; hardness and Poisson's ratio are those of the
+        /// softer body.
         #[staticmethod]
         #[pyo3(signature = (first, second, *, work_of_adhesion=None))]
         fn between(first: &Arg<'_>, second: &Arg<'_>, work_of_adhesion: Option<&Arg<'_>>) -> PyResult<Self> {

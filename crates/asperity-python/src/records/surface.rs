@@ -20,8 +20,8 @@ record! {
     /// asperity_density : float or str
     ///     Asperities per area [1/m^2], above 0.
     /// asperity_height_std : float or str
-    ///     Standard deviation of the asperity heights [m], above 0; for that of the surface heights use
-    ///     ``from_surface_std``.
+    ///     Standard deviation of the asperity heights [m], above 0; for that of the surface heights
+    ///     use ``from_surface_std``.
     ///
     /// Examples
     /// --------
@@ -146,8 +146,8 @@ record! {
     /// Work of adhesion [J/m^2], if given.
     work_of_adhesion: Option<f64>,
     {
-        /// The interference at the onset of yielding [m]; ValueError if it would exceed the radius, or
-        /// without a hardness.
+        /// The interference at the onset of yielding [m]; ValueError if it would exceed the radius,
+        /// or without a hardness.
         #[getter]
         fn critical_interference(&self) -> PyResult<f64> {
             self.0.critical_interference().map_err(refused)

@@ -42,12 +42,12 @@ use inputs::{inputs, with_numbers};
 ///     The plane of separation 0: the mean of the asperity heights (for exponential heights the
 ///     lowest asperity), or the mean plane of the surface.
 /// mean_plane_offset : float, optional
-///     Measured height of the mean of the asperity heights above the mean plane [m]; by default that
-///     of the table of heights, or of an isotropic Gaussian surface.
+///     Measured height of the mean of the asperity heights above the mean plane [m]; by default
+///     that of the table of heights, or of an isotropic Gaussian surface.
 /// options : dict, optional
 ///     Options of the models, as in the section [options] of a scene file. With
-///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities have
-///     the joint distribution of an isotropic Gaussian surface with these moments.
+///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities
+///     have the joint distribution of an isotropic Gaussian surface with these moments.
 ///
 /// Examples
 /// --------
@@ -232,8 +232,8 @@ impl SceneFile {
     }
 
     /// Derived numbers of the scene, and findings about unusual ones, with the unit that would
-    /// explain them. At a separation, load [N] or pressure [Pa] also the numbers of the contact, and
-    /// findings about the range of the model: by default "ke", or "gw" without a hardness.
+    /// explain them. At a separation, load [N] or pressure [Pa] also the numbers of the contact,
+    /// and findings about the range of the model: by default "ke", or "gw" without a hardness.
     ///
     /// >>> import asperity
     /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
