@@ -4,10 +4,10 @@ The joint is tabulated once; every step calls it with the gap in metres. The ste
 (trapezoidal rule with Newton's method on the stiffness), because rough contacts stiffen a
 hundredfold within a micrometre.
 
-Asperities that have yielded do not give back what closing them took. The state that remembers it is
-one number, the closest approach so far: below it the joint closes for the first time, above it it
-opens, or closes again on the same curve. So the first landing loses energy, and those after it,
-which do not come as far, lose none.
+Asperities that have yielded return only part of the work of closing. The state of the joint is one
+number, the closest approach so far: at smaller gaps the joint closes for the first time, at larger
+gaps it opens, or closes again on the same curve. The first landing dissipates energy; later landings,
+which stay farther away, dissipate none.
 
 >>> history = simulate(milliseconds=6.0)
 >>> len(history), landings(history) >= 2
@@ -31,8 +31,8 @@ import asperity
 MASS = 0.1  # kg
 GRAVITY = 9.81  # m/s^2
 STEP = 1e-6  # s
-DROP = 2e-5  # m, the gap at which the mass is let go
-FREE = 5e-6  # m, a gap without a force to speak of
+DROP = 2e-5  # m, the initial gap
+FREE = 5e-6  # m, a gap with a negligible force
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class State:
 
 @cache
 def scene() -> asperity.Scene:
-    """Steel on steel, ground: one square centimetre."""
+    """Ground steel on steel, one square centimetre."""
     steel = asperity.Body(210e9, 0.3, hardness=2e9)
     return asperity.Scene(
         interface=asperity.Interface.between(steel, steel),
@@ -58,7 +58,7 @@ def scene() -> asperity.Scene:
 
 @cache
 def joint() -> asperity.JointTable:
-    """KE, and back as Hertzian contacts."""
+    """KE with Hertzian unloading."""
     return asperity.model("ke").joint_table(scene(), 1e-6, FREE, separation_unit="m")
 
 
@@ -80,7 +80,7 @@ def step(state: State) -> State:
 
 
 def simulate(milliseconds: float) -> list[State]:
-    """A mass let go above the surface."""
+    """The states of a mass dropped above the surface."""
     states = [State(0.0, DROP, 0.0)]
     for _ in range(round(milliseconds * 1e-3 / STEP)):
         states.append(step(states[-1]))
@@ -88,12 +88,12 @@ def simulate(milliseconds: float) -> list[State]:
 
 
 def landings(history: list[State]) -> int:
-    """How often the velocity turns from down to up."""
+    """The number of times that the velocity turns upwards."""
     return sum(one.velocity < 0.0 <= two.velocity for one, two in pairwise(history))
 
 
 def rebounds(history: list[State]) -> list[float]:
-    """Coefficient of restitution of every landing: the speeds of leaving and of coming."""
+    """Coefficient of restitution of every landing: the speed after it over that before."""
     pairs = list(pairwise(history))
     falling = [abs(two.velocity) for one, two in pairs if one.gap > FREE >= two.gap]
     rising = [abs(two.velocity) for one, two in pairs if one.gap <= FREE < two.gap]
@@ -101,7 +101,7 @@ def rebounds(history: list[State]) -> list[float]:
 
 
 def quasi_static(history: list[State]) -> float:
-    """The first coefficient from the work that the joint takes and gives back, and the weight's."""
+    """The first coefficient of restitution from the work of the joint and of the weight."""
     turn = next(two for one, two in pairwise(history) if one.velocity < 0.0 <= two.velocity)
     back = asperity.model("ke").unloading(scene(), turn.closest, separation_unit="m")
     given, weight = back.returned(FREE - turn.gap), MASS * GRAVITY * (FREE - turn.gap)

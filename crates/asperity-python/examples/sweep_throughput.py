@@ -1,4 +1,4 @@
-"""How fast sweeps are: in memory, to a folder, and on Dask clusters of one and two workers.
+"""Throughput of sweeps: in memory, to a folder, and on Dask clusters of one and two workers.
 
     python sweep_throughput.py 10000000
 """
@@ -16,7 +16,7 @@ from distributed import Client, LocalCluster
 
 
 def main(n: int) -> None:
-    """Prints rows per second and the most memory of every worker."""
+    """Prints rows per second and the peak memory of every worker."""
     space = asperity.Space(
         asperity.Scene.parse(asperity.template()),
         separation=(0.5, 3.0),

@@ -1,4 +1,4 @@
-"""What calls from Python cost on this machine: medians, not promises."""
+"""Median times of calls from Python on this machine."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Hertz:
 
 
 def nanoseconds(call: Callable[[], object], number: int, values: int = 1) -> float:
-    """The median of some runs, for each value [ns]."""
+    """The median time of a call for each value [ns]."""
     call()
     runs = timeit.repeat(call, number=number, repeat=15)
     return statistics.median(runs) / number / values * 1e9

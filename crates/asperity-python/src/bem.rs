@@ -1,10 +1,9 @@
-//! Boundary elements on a scan, and the models beside them.
+//! Boundary elements on a scan, and models compared with them.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::time::Duration;
 
 use asperity::bem::{Bem, BemError, Boundary, LoadCase, Solution};
 use asperity::{ContactState, Described, Diagnostics, Model, Truth};
@@ -13,16 +12,13 @@ use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::ask::long::pool;
+use crate::ask::long::{SIGNAL_INTERVAL, pool};
 use crate::convert::error::{refused, value_error, warn};
 use crate::records::{Interface, instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
 
-/// Between two looks at signals.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
-
-/// A scan of a scene, or one on its own, with the two bodies and the form that is taken away.
+/// The scan of a scene, or a topography with the two bodies and the form to remove.
 enum Scan<'a> {
     Scene(&'a asperity_scene::SceneFile),
     Topography(&'a Topography, asperity::Interface, Option<&'a str>),
@@ -76,11 +72,11 @@ impl<'a> Scan<'a> {
                 Ok((bem, file.scene.interface))
             }
             Self::Topography(topography, interface, level) => {
-                let level = topography.form(py, *level)?;
+                let level = topography.form(py, *level, 1)?;
                 let levelled = topography.0.clone().levelled(level).map_err(value_error)?;
                 let map = asperity_scene::height_map(&levelled).map_err(|error| {
                     match levelled.missing_share() > 0.0 {
-                        true => value_error(format!("{error}: Topography.fill() does it")),
+                        true => value_error(format!("{error}: use Topography.fill()")),
                         false => value_error(error),
                     }
                 })?;
@@ -89,7 +85,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Loads are on the nominal area of the scene, or on the scan.
+    /// The area of the loads: the nominal area of a scene, or that of a topography.
     fn area(&self, bem: &Bem) -> f64 {
         match self {
             Self::Scene(file) => file.scene.nominal_area,
@@ -98,8 +94,8 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// Numbers of one contact after another, by name, none where it failed; pressures and gaps of all
-/// pixels, where they are kept; rows and columns; why contacts failed, by their place.
+/// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
+/// if kept; rows and columns; and the reasons of failures by place.
 type Contacts<'py> = (
     Bound<'py, PyDict>,
     Option<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)>,
@@ -120,7 +116,7 @@ pub(crate) fn bem<'py>(
     let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
     let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
     let (bem, interface) = scan.bem(py, boundary, elastic)?;
-    say_seam(py, &bem)?;
+    warn_of_seam(py, &bem)?;
     let elements = bem.elements(&interface).map_err(refused)?;
     let area = scan.area(&bem);
     let of = |value| match given {
@@ -131,10 +127,10 @@ pub(crate) fn bem<'py>(
     let all: Vec<LoadCase> = values.into_iter().map(of).collect();
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
     let (mut notes, mut failed, mut failures) = (Diagnostics::default(), None, BTreeMap::new());
-    interruptible(py, |stop| {
+    run_interruptible(py, |stop| {
         elements.solve_each(
             &all,
-            |_| unless(stop),
+            |_| continue_unless(stop),
             |index, solution| match solution {
                 Ok(mut solution) => {
                     notes.extend(solution.notes.iter().cloned());
@@ -147,7 +143,7 @@ pub(crate) fn bem<'py>(
                     failures.insert(index, error.to_string());
                 }
                 Err(error) => {
-                    // It is raised: the others would run for nothing.
+                    // This error is raised, so the other contacts are not needed.
                     stop.store(true, Ordering::Relaxed);
                     failed.get_or_insert(error);
                 }
@@ -194,13 +190,13 @@ pub(crate) fn bem<'py>(
 
 /// Area fraction, mean gap [m] and stiffness [N/m].
 type State = (Option<f64>, Option<f64>, Option<f64>);
-/// Pressure [Pa], a model's id, its numbers and their deviations.
+/// Pressure [Pa], a model's id, its numbers and their deviations from boundary elements.
 type Row = (f64, String, State, State);
-/// Rows, which models were nearest, why a model cannot answer, and why pressures failed, by their
-/// place.
+/// Rows, the nearest models, the reasons of missing models by id, and the reasons of failed
+/// pressures by place.
 type Truths = (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>);
 
-/// Every model of a scene beside boundary elements on its scan.
+/// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
 pub(crate) fn truth(
     py: Python<'_>,
@@ -214,7 +210,7 @@ pub(crate) fn truth(
     let (refine, mask) = refine_and_mask;
     let scene = &*scene.0;
     let (bem, _) = Scan::Scene(scene).bem(py, boundary, elastic)?;
-    say_seam(py, &bem)?;
+    warn_of_seam(py, &bem)?;
     let (models, left_out) = match models {
         None => scene.models_beside_bem(),
         Some(ids) => {
@@ -224,8 +220,10 @@ pub(crate) fn truth(
     };
     let mut failures = BTreeMap::new();
     let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
-        let found = interruptible(py, |stop| {
-            asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| unless(stop))
+        let found = run_interruptible(py, |stop| {
+            asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| {
+                continue_unless(stop)
+            })
         })?;
         let found = found.map_err(refused)?.into_iter().enumerate();
         let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
@@ -269,24 +267,23 @@ pub(crate) fn truth(
         };
         all.map(row).collect()
     };
-    let told = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
-    Ok((found.iter().enumerate().flat_map(rows).collect(), told, refused, failures))
+    let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
+    Ok((found.iter().enumerate().flat_map(rows).collect(), nearest, refused, failures))
 }
 
-fn say_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {
+/// Warns if the edges of a periodic scan do not meet.
+fn warn_of_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {
     let Some(step) = bem.seam() else { return Ok(()) };
-    let why =
-        format!("the edges of the scan do not meet (a step {step:.1} times that of neighbours)");
-    warn(
-        py,
-        &format!("{why}: its periodic part is pressed, boundary=\"free\" takes it as it is"),
-        1,
-    )
+    let fact = format!(
+        "the edges of the scan do not meet, with a step of {step:.1} times that between neighbours"
+    );
+    let advice = "its periodic component is used; boundary=\"free\" uses the scan as it is";
+    warn(py, format!("{fact}: {advice}"), 1)
 }
 
-/// Works on the threads of this process and looks at signals meanwhile, which this thread alone
-/// gets; the flag of `work` stops it.
-fn interruptible<T: Send>(
+/// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
+/// them; a signal sets the flag that stops `work`.
+fn run_interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
@@ -298,7 +295,7 @@ fn interruptible<T: Send>(
     let wait = |answer: Receiver<T>| {
         let mut raised = None;
         loop {
-            match answer.recv_timeout(BETWEEN_LOOKS) {
+            match answer.recv_timeout(SIGNAL_INTERVAL) {
                 Ok(answer) => return raised.map_or(Ok(answer), Err),
                 Err(RecvTimeoutError::Disconnected) => {
                     return Err(PyRuntimeError::new_err("the solver has panicked"));
@@ -321,6 +318,6 @@ fn interruptible<T: Send>(
 }
 
 /// Continues until the flag is set.
-fn unless(stop: &AtomicBool) -> ControlFlow<()> {
+fn continue_unless(stop: &AtomicBool) -> ControlFlow<()> {
     if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

@@ -1,4 +1,4 @@
-//! Scenes and answers that are looked at before they are believed.
+//! Checks of scenes and answers.
 
 use asperity::{
     Check, ContactError, ContactModel, Diagnostic, Diagnostics, Model, Quantity, Request, Severity,
@@ -12,45 +12,45 @@ use crate::convert::objects::object;
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
-/// Numbers with unit and meaning, and findings, of a scene and, if a number is given, of the answer
-/// there.
-type Looked<'py> = (Vec<(String, f64, String, String)>, Bound<'py, PyAny>);
+/// Numbers with unit and meaning, and findings, of a scene and, at a place, of the answer.
+type CheckResult<'py> = (Vec<(String, f64, String, String)>, Bound<'py, PyAny>);
 
-/// What follows from a scene and, for a model, from a place, with what is unusual about it.
+/// Derived numbers and findings of a scene and, at a place, of a model's answer.
 #[pyfunction]
-#[pyo3(signature = (scene, asked=None))]
+#[pyo3(signature = (scene, place=None))]
 pub(crate) fn check<'py>(
     py: Python<'py>,
     scene: &SceneFile,
-    asked: Option<(PyRef<'py, Engine>, Axis, f64)>,
-) -> PyResult<Looked<'py>> {
+    place: Option<(PyRef<'py, Engine>, Axis, f64)>,
+) -> PyResult<CheckResult<'py>> {
     let file = &scene.0;
-    let looked = match asked {
+    let checked = match place {
         None => file.check(None).map_err(refused)?,
         Some((engine, axis, number)) => {
             let (model, at) = (engine.on(file)?, axis.at(number, file.separation_from));
             match py.detach(|| file.check(Some((&model, at)))) {
-                Ok(looked) => looked,
-                Err(error) => explained(file, &error).ok_or_else(|| engine.raise(py, error))?,
+                Ok(checked) => checked,
+                Err(error) => explain(file, &error).ok_or_else(|| engine.raise(py, error))?,
             }
         }
     };
-    let Check { numbers, findings, .. } = looked;
+    let Check { numbers, findings, .. } = checked;
     let number =
         |n: asperity::DerivedNumber| (n.name.into(), n.value, n.unit.into(), n.meaning.into());
     Ok((numbers.into_iter().map(number).collect(), object(py, &findings)?))
 }
 
-/// The scene alone where its warnings or errors explain why there is no answer.
-fn explained(file: &asperity_scene::SceneFile, error: &ContactError) -> Option<Check> {
-    let mut looked = file.check(None).ok()?;
-    looked.findings.iter().find(|found| found.severity < Severity::Note)?;
-    let refused = Diagnostic::error("no-answer", "answer", f64::NAN);
-    looked.extend([refused.fact("the model has no answer").advice(error.to_string())]);
-    Some(looked)
+/// The check of the scene alone, if its warnings or errors explain the refusal.
+fn explain(file: &asperity_scene::SceneFile, error: &ContactError) -> Option<Check> {
+    let mut checked = file.check(None).ok()?;
+    checked.findings.iter().find(|found| found.severity < Severity::Note)?;
+    let refusal = Diagnostic::error("no-answer", "answer", f64::NAN);
+    checked.extend([refusal.fact("the model has no answer").advice(error.to_string())]);
+    Some(checked)
 }
 
-/// The greatest tension that a model's surfaces hold [N], and the separation where they do.
+/// The pull-off force of a model with adhesion [N], below 0, and its separation; none without a
+/// tensile force.
 #[pyfunction]
 pub(crate) fn pull_off(
     py: Python<'_>,
@@ -63,9 +63,7 @@ pub(crate) fn pull_off(
     let model = engine.on(file)?;
     if !model.validity().adhesive {
         let name = model.name();
-        return Err(value_error(format!(
-            "{name} knows no adhesion: dmt or jkr-separation was required"
-        )));
+        return Err(value_error(format!("{name} ignores adhesion: use dmt or jkr-separation")));
     }
     let found = py.detach(|| {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
@@ -78,29 +76,29 @@ pub(crate) fn pull_off(
     found.map_err(|error| engine.raise(py, error))
 }
 
-/// Diagnostics of the scenes of rows and, where there is but one, of the answers.
+/// Warnings about the scenes of rows and, on a single scene, about the answers.
 #[pyfunction]
 pub(crate) fn findings(py: Python<'_>, engine: &Engine, rows: Rows<'_>) -> PyResult<Vec<String>> {
     let rows = rows.view()?;
     let model = engine.on_all(&rows.files)?;
-    let found = py.detach(|| rows.accepted(of_rows(engine, &model, &rows)));
+    let found = py.detach(|| rows.accepted(check_rows(engine, &model, &rows)));
     Ok(found.iter().map(ToString::to_string).collect())
 }
 
-/// What is unusual about the scenes of rows and, where there is but one, about the answers.
-pub(crate) fn of_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Diagnostics {
-    let mut found = of_scenes(rows, model.validity().asperities);
-    // What a user's own law raises belongs to the answer.
+/// Diagnostics of the scenes of rows and, on a single scene, of the answers.
+pub(crate) fn check_rows(engine: &Engine, model: &Model, rows: &View<'_>) -> Diagnostics {
+    let mut found = check_scenes(rows, model.validity().asperities);
+    // An exception of a user's law is raised by the answer.
     if let (Some(file), false) = (rows.one_file(), engine.is_written()) {
-        // Of millions of rows the closest and the lightest are enough.
+        // The smallest and the largest number suffice: there may be millions of rows.
         let places: Vec<_> = rows.ends().map(|row| rows.at(row)).collect();
         found.extend(file.findings_at(model, &places));
     }
     found
 }
 
-/// Each finding once, of the first scene that shows it, with the number of scenes that do.
-fn of_scenes(rows: &View<'_>, asperities: bool) -> Diagnostics {
+/// Each finding once, that of the first scene that has it, with the number of such scenes.
+fn check_scenes(rows: &View<'_>, asperities: bool) -> Diagnostics {
     let mut found: Vec<(Diagnostic, usize)> = vec![];
     let count = rows.scenes();
     for scene in 0..count {

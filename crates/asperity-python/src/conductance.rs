@@ -6,19 +6,20 @@ use pyo3::prelude::*;
 use crate::convert::error::value_error;
 use crate::scene::SceneFile;
 
-/// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds there.
+/// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds at
+/// them.
 type Correlated = (Vec<f64>, Vec<f64>, Vec<bool>);
 
-/// A correlation at pressures, from where to where in relative pressures it holds, and the
-/// plasticity index of contacts that it is not of.
+/// A correlation at pressures, its range of relative pressures, and the plasticity index of the
+/// scene if the correlation is for other contacts.
 #[pyfunction]
 pub(crate) fn correlated(
     name: &str,
     scene: &SceneFile,
     pressures: Vec<f64>,
 ) -> PyResult<(Correlated, [f64; 2], Option<f64>)> {
-    let known = conductance::Correlation::ALL;
-    let Some(correlation) = known.into_iter().find(|known| known.id() == name) else {
+    let all = conductance::Correlation::ALL;
+    let Some(correlation) = all.into_iter().find(|one| one.id() == name) else {
         let needed = "\"cmy\" or \"mikic\" was required";
         return Err(value_error(format!("correlation is {name:?}: {needed}")));
     };

@@ -10,8 +10,8 @@ use crate::convert::error::{refused, value_error};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
-/// Clearances [m], pressures [Pa], tangents [Pa/m], relative errors of the last two between the
-/// nodes, and the text.
+/// Clearances [m], pressures [Pa], tangents [Pa/m], the relative errors of pressure and tangent
+/// between the nodes, and the text.
 type Table = (Vec<f64>, Vec<f64>, Vec<f64>, f64, f64, String);
 
 fn format_of(name: &str) -> PyResult<TableFormat> {
@@ -38,8 +38,8 @@ fn against_of(name: &str) -> PyResult<ConductanceAgainst> {
     }
 }
 
-/// A table between two places, with nodes added until an error is met, if one is given; what its
-/// conductance is against and a coefficient of friction are added to its text.
+/// A table between two places, with nodes at equal distances or, if an error is given, as many as
+/// that error needs; conductance and friction are added to the text, if given.
 #[pyfunction]
 pub(crate) fn contact_table(
     py: Python<'_>,

@@ -1,8 +1,7 @@
 //! The Python package `asperity`: arguments in, arrays out.
 //!
-//! Nothing here computes: every number comes from the crates of this workspace. The interpreter is
-//! let go (`detach`) whenever they work, also because a model written in Python takes it back from
-//! whichever thread builds its rules.
+//! The crates of this workspace compute every number. The interpreter is released (`detach`)
+//! meanwhile: a model written in Python acquires it on the thread that builds its rules.
 //!
 //! ```text
 //! convert → records → scene → ask, joints, contact_table, check

@@ -1,4 +1,4 @@
-//! Tables as pictures, by the crate that draws the figures.
+//! Pictures of tables, drawn by `asperity-plot`.
 
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use pyo3::prelude::*;
@@ -8,7 +8,7 @@ use crate::convert::error::value_error;
 /// A column with its label, and whether its axis is logarithmic.
 type Column = (String, String, bool);
 
-/// The picture of a table: a panel for each column of y against x.
+/// The SVG picture of a table: a panel for each column of y against x.
 #[pyfunction]
 pub(crate) fn svg(csv: &str, x: Column, y: Vec<Column>, curve: &str) -> PyResult<String> {
     let axis = |(name, label, log): &Column| {

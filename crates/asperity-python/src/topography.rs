@@ -1,4 +1,4 @@
-//! `Topography`: a measured surface, from heights in memory or a file.
+//! `Topography`: a measured surface, from heights in memory or from a file.
 
 use std::path::PathBuf;
 
@@ -16,11 +16,11 @@ use crate::records::Surface;
 /// Parameters
 /// ----------
 /// heights : array_like
-///     One or two dimensions, row by row; NaN, or masked, where a point is missing.
+///     One or two dimensions, row by row; NaN or masked for missing points.
 /// dx : float or (float, float)
-///     Distance of neighbouring points along a row, and along a column.
+///     Distance between neighbouring points along a row, and along a column.
 /// unit : str
-///     Unit of both, heights and dx: "m", "cm", "mm", "um", "nm", "angstrom", "pm".
+///     Unit of heights and dx: "m", "cm", "mm", "um", "nm", "angstrom", "pm".
 /// periodic : bool
 ///     Whether the surface is repeated beyond its edges.
 #[pyclass(frozen, module = "asperity")]
@@ -50,7 +50,6 @@ impl Topography {
     #[new]
     #[pyo3(signature = (heights, dx, unit, periodic=false))]
     fn new(heights: &Bound<'_, PyAny>, dx: Spacing, unit: &str, periodic: bool) -> PyResult<Self> {
-        // A masked point is missing.
         let masked = heights.py().import("numpy.ma")?.getattr("asarray")?;
         let heights = masked.call1((heights, "float64"))?.call_method1("filled", (f64::NAN,))?;
         let heights: PyArrayLikeDyn<'_, f64> = heights.extract()?;
@@ -59,7 +58,7 @@ impl Topography {
             [columns] | [_, columns] => *columns,
             other => {
                 return Err(value_error(format!(
-                    "heights has {} dimensions: one (a profile) or two were required",
+                    "heights has {} dimensions: one (a profile) or two dimensions were required",
                     other.len()
                 )));
             }
@@ -91,7 +90,7 @@ impl Topography {
         (self.0.rows(), self.0.columns())
     }
 
-    /// Distance of neighbouring points along a row and along a column [m].
+    /// Distance between neighbouring points along a row and along a column [m].
     #[getter]
     fn pixel_size(&self) -> (f64, f64) {
         self.0.pixel_size().into()
@@ -114,23 +113,23 @@ impl Topography {
     /// default the plane, for a periodic surface the mean.
     #[pyo3(signature = (form=None))]
     fn level(&self, py: Python<'_>, form: Option<&str>) -> PyResult<Self> {
-        let form = self.form(py, form)?;
+        let form = self.form(py, form, 0)?;
         self.changed(py, |surface| surface.levelled(form))
     }
 
-    /// The same surface with heights where points are missing: harmonic ones, each the mean of its
-    /// four neighbours; at an edge the surface continues as its least-squares plane does, or beyond
-    /// the edge where it is periodic. At most 5 % of the points are filled.
+    /// The same surface with harmonic heights at missing points: each is the mean of its four
+    /// neighbours. Beyond an edge the surface continues along its least-squares plane, or
+    /// periodically. At most 5 % of the points are filled.
     fn fill(&self, py: Python<'_>) -> PyResult<Self> {
         self.changed(py, asperity_topography::Topography::fill)
     }
 
-    /// The roughness below a wavelength [m] (Gaussian filter, ISO 16610).
+    /// The roughness at wavelengths below `cutoff` [m] (Gaussian filter, ISO 16610).
     fn filter(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
         self.changed(py, |surface| surface.filter(cutoff))
     }
 
-    /// The same surface without waves shorter than this [m], noise above all.
+    /// The same surface without waves shorter than `cutoff` [m], as noise.
     fn smooth(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
         self.changed(py, |surface| surface.smooth(cutoff))
     }
@@ -141,8 +140,8 @@ impl Topography {
         self.0.is_periodic()
     }
 
-    /// The density of the summit heights: heights [m] from their mean, and the density there [1/m],
-    /// as ``Scene`` takes them for its ``heights``.
+    /// The density of the summit heights: heights [m] from their mean and densities [1/m], a table
+    /// for the ``heights`` of a ``Scene``.
     fn summit_density<'py>(
         &self,
         py: Python<'py>,
@@ -151,8 +150,8 @@ impl Topography {
         Ok((PyTuple::new(py, found.heights_m)?, PyTuple::new(py, found.density_per_m)?))
     }
 
-    /// The equivalent rough surface of this one and another pressed together, both as they are:
-    /// their moments add.
+    /// The equivalent rough surface of this surface against another, without levelling: their
+    /// moments add.
     fn against(&self, py: Python<'_>, other: &Self) -> PyResult<Surface> {
         let both = py.detach(|| {
             let [one, two] = [self, other].map(|surface| surface.0.statistics(Estimator::Moments));
@@ -165,7 +164,7 @@ impl Topography {
 
     /// Statistics in SI units: Sq, Ssk, Sku, moments, and asperities by the estimator ("moments" or
     /// "summits"), after levelling ("none", "mean", "plane" or "quadratic"; by default the plane,
-    /// for a periodic surface the mean) and, where a cut-off [m] is given, a Gaussian filter.
+    /// for a periodic surface the mean) and, with a cut-off [m], a Gaussian filter.
     #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
     fn statistics<'py>(
         &self,
@@ -177,7 +176,7 @@ impl Topography {
         object(py, &self.found(py, level, estimator, cutoff)?)
     }
 
-    /// The equivalent rough surface of this one on a flat; see ``statistics``.
+    /// The equivalent rough surface of this surface on a flat; see ``statistics``.
     #[pyo3(signature = (level=None, estimator="moments", cutoff=None))]
     fn surface(
         &self,
@@ -201,11 +200,17 @@ impl Topography {
 }
 
 impl Topography {
-    /// The form that is taken away, with a warning where that tilts a periodic surface.
-    pub(crate) fn form(&self, py: Python<'_>, name: Option<&str>) -> PyResult<Option<Level>> {
+    /// The form to remove; warns if its removal tilts a periodic surface, at the line `above`
+    /// frames up.
+    pub(crate) fn form(
+        &self,
+        py: Python<'_>,
+        name: Option<&str>,
+        above: usize,
+    ) -> PyResult<Option<Level>> {
         let level: Option<Level> = name.map(str::parse).transpose().map_err(value_error)?;
         let tilted = level.and_then(|level| level.tilts(self.0.is_periodic()));
-        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, 0))?;
+        tilted.map_or(Ok(()), |tilted| warn(py, &tilted, above))?;
         Ok(level)
     }
 
@@ -227,7 +232,7 @@ impl Topography {
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Statistics> {
-        let level = self.form(py, level)?;
+        let level = self.form(py, level, 0)?;
         let statistics = || {
             let estimator = estimator.parse()?;
             let levelled = self.0.clone().levelled(level)?;

@@ -1,4 +1,4 @@
-"""Adhesion and skewed heights from Python: what the library makes of them."""
+"""Adhesion and skewed heights."""
 
 import asperity
 import numpy as np
@@ -13,8 +13,8 @@ def scene(work: float | None, heights: str | dict[str, float] = "gaussian") -> a
     return asperity.Scene(interface, SURFACE, 1e-4, heights)
 
 
-@pytest.mark.filterwarnings("ignore:tabor_parameter is")
-def test_adhesive_models_pull_and_go_over_into_greenwood_and_williamson() -> None:
+@pytest.mark.filterwarnings("ignore:.*tabor_parameter is")
+def test_adhesive_models_have_tensile_forces_and_tend_to_gw_without_adhesion() -> None:
     d = np.array([0.5, 1.5, 2.5])
     gw = asperity.model("gw").solve(scene(None), d).force
     for model in ("dmt", "jkr"):
@@ -24,14 +24,14 @@ def test_adhesive_models_pull_and_go_over_into_greenwood_and_williamson() -> Non
             assert asperity.model(model).solve(scene(0.05), d).force[2] < 0.0
 
 
-def test_what_leaves_adhesion_out_says_so() -> None:
+def test_ignored_adhesion_and_large_tabor_parameters_are_warned_of() -> None:
     with pytest.warns(asperity.ContactWarning, match="this model ignores work_of_adhesion"):
         asperity.model("gw").solve(scene(0.05), 1.0)
     with pytest.warns(asperity.ContactWarning, match="DMT: tabor_parameter .*; use jkr"):
         asperity.model("dmt").solve(scene(0.05), -3.0)
 
 
-def test_the_pull_off_is_where_the_force_is_least() -> None:
+def test_the_pull_off_is_the_minimum_of_the_force() -> None:
     model = asperity.model("jkr-separation")
     found = model.pull_off(scene(0.05))
     assert found is not None
@@ -46,7 +46,7 @@ def test_the_pull_off_is_where_the_force_is_least() -> None:
         model.pull_off(scene(None))
 
 
-def test_a_work_of_adhesion_is_asked_for_by_name_and_is_read_back() -> None:
+def test_a_missing_work_of_adhesion_is_named_and_a_given_one_reads_back() -> None:
     with pytest.raises(ValueError, match="work_of_adhesion"):
         asperity.model("jkr").solve(scene(None), 1.0)
     with pytest.raises(ValueError, match="work_of_adhesion"):

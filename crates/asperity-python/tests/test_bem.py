@@ -1,4 +1,4 @@
-"""Boundary elements: what comes back, what is refused, and the models beside them."""
+"""Boundary elements: results, refusals, and models compared with them."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def scene(tmp_path: Path) -> asperity.Scene:
 
 @pytest.mark.parametrize("boundary", ["periodic", "free"])
 @pytest.mark.parametrize("elastic", [True, False])
-def test_maps_carry_what_the_numbers_say(boundary: asperity._bem.Boundary, elastic: bool) -> None:
+def test_maps_agree_with_the_numbers(boundary: asperity._bem.Boundary, elastic: bool) -> None:
     given = np.array([[2e7], [2e8]])
     found = asperity.bem(
         scan(), interface=STEEL, pressure=given, boundary=boundary, elastic=elastic
@@ -79,7 +79,7 @@ def test_maps_carry_what_the_numbers_say(boundary: asperity._bem.Boundary, elast
     assert found.patches.dtype == found.iterations.dtype == np.int64
 
 
-def test_elastic_pressures_deflect_as_a_half_space_does() -> None:
+def test_elastic_pressures_deflect_a_half_space() -> None:
     found = asperity.bem(scan(), interface=STEEL, pressure=2e8, elastic=True, level="none")
     assert found.pressures is not None and found.gaps is not None and found.mean_gap.shape == ()
     k = 2 * np.pi / SIDE * np.fft.fftfreq(96, 1 / 96)
@@ -99,13 +99,13 @@ def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
     assert one.load == pytest.approx(50.0) and two.pressures is None and two.gaps is None
     back = asperity.bem(scene, gap=one.mean_gap)
     np.testing.assert_allclose(back.pressure, 5e7, rtol=1e-4)
-    # A scan is no longer that of a surface with other numbers; it is of other materials.
+    # Other materials keep the scan, another surface does not.
     assert asperity.bem(scene.replace(hardness=1e9), load=50.0).plastic_fraction > 0
     with pytest.raises(ValueError, match=r"surface\.file is missing: boundary elements"):
         asperity.bem(scene.replace(asperity_height_std=1e-6), load=50.0)
 
 
-def test_models_stand_beside_it(scene: asperity.Scene) -> None:
+def test_models_are_compared_with_it(scene: asperity.Scene) -> None:
     rows = asperity.truth(scene, pressure=[2e7, 2e8], models=["gw", "ke"])
     assert [row["model"] for row in rows] == ["bem", "gw", "ke"] * 2
     found = asperity.bem(scene, pressure=[2e7, 2e8])
@@ -132,7 +132,7 @@ def test_it_is_a_model_by_name(scene: asperity.Scene) -> None:
     assert float(gap) == pytest.approx(found.mean_gap[0] - scene.surface.mean_plane_offset)
     with pytest.raises(ValueError, match=r"surface\.file is missing"):
         bem.solve(scene.replace(asperity_height_std=1e-6), load=50.0)
-    with pytest.raises(ValueError, match="2 scenes were given: bem needs one"):
+    with pytest.raises(ValueError, match="2 scenes were given: bem needs a single scene"):
         bem.solve([scene, scene.replace(hardness=3e9)], load=50.0)
     with pytest.raises(ValueError, match="hurst"):
         asperity.model("bem", hurst=0.8)
@@ -144,7 +144,7 @@ def test_the_scan_gives_persson_its_gaps(scene: asperity.Scene) -> None:
     rows = asperity.truth(scene, load=loads, models=["persson-fudge"], elastic=True, refine=True)
     assert [row["model"] for row in rows] == ["bem", "bem-half-grid", "persson-fudge"] * 2
     # 17 patches and fewer.
-    assert rows.nearest is not None and rows.nearest.startswith("no load is carried by enough")
+    assert rows.nearest is not None and rows.nearest.startswith("models are not ranked")
     for row, tangent in zip(rows[2::3], fudge.tangent, strict=True):
         assert row["stiffness"] == pytest.approx(tangent)
         assert row["stiffness_deviation"] is not None and abs(row["stiffness_deviation"]) < 0.3
@@ -152,8 +152,8 @@ def test_the_scan_gives_persson_its_gaps(scene: asperity.Scene) -> None:
     assert half is not None and 0 < abs(half) < 0.3
 
 
-def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
-    with pytest.raises(TypeError, match="2 of pressure, load and gap were given: one was required"):
+def test_impossible_arguments_are_refused(scene: asperity.Scene) -> None:
+    with pytest.raises(TypeError, match="2 of pressure, load and gap were given: exactly one was required"):
         asperity.bem(scene, pressure=1e7, load=1.0)
     with pytest.raises(TypeError, match="interface is missing"):
         asperity.bem(scan(), pressure=1e7)
@@ -167,7 +167,7 @@ def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
     texts = asperity.bem(scan(), interface=STEEL, pressure="10 MPa", maps=False)
     plain = asperity.bem(scan(), interface=STEEL, pressure=1e7, maps=False)
     assert texts.area_fraction == plain.area_fraction
-    with pytest.raises(TypeError, match="pressure or load was required"):
+    with pytest.raises(TypeError, match="exactly one of pressure and load was required"):
         asperity.truth(scene)
     with pytest.raises(ValueError, match="less than the hardness, 2e9 Pa, was required"):
         asperity.bem(scene, pressure=[1e7, 8e9])
@@ -183,7 +183,7 @@ def test_what_cannot_be_is_refused(scene: asperity.Scene) -> None:
         asperity.bem(asperity.Topography(hole[5], 1e-6, "m"), interface=STEEL, pressure=1e7)
 
 
-def test_what_is_solved_is_kept_beside_what_cannot_be(scene: asperity.Scene) -> None:
+def test_solved_contacts_are_kept_beside_masked_ones(scene: asperity.Scene) -> None:
     pressures = [8e9, 1e7, 2e8]
     kept = asperity.bem(scene, pressure=pressures, errors="mask")
     assert np.ma.getmaskarray(kept.patches).tolist() == [True, False, False]
@@ -201,7 +201,7 @@ def test_what_is_solved_is_kept_beside_what_cannot_be(scene: asperity.Scene) -> 
         asperity.bem(scene, pressure=1e7, errors="skip")
 
 
-def test_why_models_have_no_numbers_is_told(scene: asperity.Scene) -> None:
+def test_models_without_numbers_have_reasons(scene: asperity.Scene) -> None:
     rows = asperity.truth(scene, pressure=1e8)
     assert "equivalent_shear_modulus" in rows.refused["gao"]
     with pytest.warns(asperity.ContactWarning, match="gao: equivalent_shear_modulus is missing"):
@@ -209,21 +209,20 @@ def test_why_models_have_no_numbers_is_told(scene: asperity.Scene) -> None:
     assert set(named.refused) == {"gao"} and named[1]["area_fraction"] is None
 
 
-def test_what_is_not_resolved_warns(scene: asperity.Scene) -> None:
-    with pytest.warns(asperity.ContactWarning, match="at least 30 are needed") as said:
+def test_unresolved_contacts_and_open_edges_are_warned_of(scene: asperity.Scene) -> None:
+    with pytest.warns(asperity.ContactWarning, match="at least 30 are needed") as seen:
         asperity.bem(scene, pressure=[1e5, 2e5])
-    assert said[0].filename == __file__
+    assert seen[0].filename == __file__
     half = asperity.Topography(rough()[:40, :50], SIDE / 96, "m")
     with pytest.warns(asperity.ContactWarning, match="the edges of the scan do not meet"):
         asperity.bem(half, interface=STEEL, pressure=1e8)
 
 
-def test_it_stops_when_it_is_asked_to() -> None:
+def test_ctrl_c_stops_the_solver() -> None:
     surface, over = scan(256), threading.Event()
 
     def send() -> None:
-        # Again where the interpreter lost one: on a busy machine it happens, inside callbacks of
-        # others, and this would go on for hours.
+        # Sent again: on a busy machine the interpreter may lose a signal inside a callback.
         while not over.wait(0.5):
             os.kill(os.getpid(), signal.SIGINT)
             over.wait(5.0)

@@ -1,9 +1,10 @@
-"""Scenes and answers that are looked at before they are believed."""
+"""Checks of scenes and answers."""
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,16 +13,16 @@ import asperity
 
 
 @pytest.fixture(autouse=True)
-def every_word() -> Iterator[None]:
+def show_every_warning() -> Iterator[None]:
     with warnings.catch_warnings():
         warnings.simplefilter("always")
         yield
 
 
-def words(scene: asperity.Scene | asperity.Scenes, model: str = "ke", **asked: object) -> list[str]:
+def warning_texts(scene: asperity.Scene | asperity.Scenes, model: str = "ke", **place: object) -> list[str]:
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")
-        asperity.model(model).solve(scene, quantities="area", **asked)  # type: ignore[arg-type]
+        asperity.model(model).solve(scene, quantities="area", **place)  # type: ignore[arg-type]
     assert {warning.filename for warning in seen} <= {__file__}
     return [str(warning.message) for warning in seen]
 
@@ -45,59 +46,62 @@ def test_numbers_and_findings_of_a_scene_and_of_a_load(scene: asperity.Scene) ->
         scene.check(load=1e30)
 
 
-def test_units_that_are_not_si_are_named_before_an_answer(scene: asperity.Scene) -> None:
-    assert words(scene, load=100.0) == []
+def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
+    assert warning_texts(scene, load=100.0) == []
     in_micrometres = scene.replace(asperity_height_std=1.0)
-    (said,) = [w for w in words(in_micrometres, separation=3.0) if "like um" in w]
-    assert said.startswith("asperity_height_std is 1 m")
+    (text,) = [w for w in warning_texts(in_micrometres, separation=3.0) if "like um" in w]
+    assert text.startswith("asperity_height_std is 1 m")
     many = scene.vary(asperity_height_std=[1e-6, 1.0, 2.0])
-    said, *others = words(many, separation=3.0)
-    assert said.startswith("2 of 3 scenes: ") and not others
-    assert len(words([scene, in_micrometres], separation=[3.0, 3.0])) == 1  # type: ignore[arg-type]
+    text, *others = warning_texts(many, separation=3.0)
+    assert text.startswith("2 of 3 scenes: ")
+    assert all("times the nominal area" in other for other in others)
+    both = warning_texts([scene, in_micrometres], separation=[3.0, 3.0])  # type: ignore[arg-type]
+    assert sum("like um" in text for text in both) == 1
 
 
-def test_bodies_are_looked_at_before_they_are_one_interface() -> None:
+def test_unusual_bodies_are_warned_of_by_the_interface() -> None:
     steel = asperity.Body(210e9, 0.3, hardness=2e9)
     with pytest.warns(asperity.ContactWarning, match="youngs_modulus is 2.1e14 Pa") as seen:
         asperity.Interface.between(steel, asperity.Body(210e12, 0.3, hardness=1.2e11))
     assert seen[0].filename == __file__
 
 
-def test_loads_that_a_model_is_not_made_for_are_said_once(scene: asperity.Scene) -> None:
-    (crowded,) = words(scene, load=np.geomspace(1e3, 3e5, 20))
+def test_loads_outside_the_range_of_a_model_are_warned_of_once(scene: asperity.Scene) -> None:
+    (crowded,) = warning_texts(scene, load=np.geomspace(1e3, 3e5, 20))
     assert crowded.startswith("KE: area_fraction is ")
-    (few,) = words(scene, load=[1e-3, 100.0])
+    (few,) = warning_texts(scene, load=[1e-3, 100.0])
     assert few.startswith("KE: contacts is ")
-    (yields,) = words(scene, "gw", load=[100.0])
+    (yields,) = warning_texts(scene, "gw", load=[100.0])
     assert yields.startswith("GW: yielding asperities carry ")
 
 
-def test_a_scene_that_makes_no_sense_is_explained_and_not_refused(scene: asperity.Scene) -> None:
-    # The modulus is in GPa: no separation carries the pressure.
-    soft = scene.replace(interface=asperity.Interface(116.0, 0.31, hardness=1.12e9))
-    for place in ({"pressure": 1e8}, {"load": 1e4}, {"separation": 2.0}):
+def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
+    # A modulus in GPa: no separation carries the pressure.
+    soft = scene.replace(equivalent_modulus=116.0)
+    places: list[dict[str, Any]] = [{"pressure": 1e8}, {"load": 1e4}, {"separation": 2.0}]
+    for place in places:
         check = soft.check(**place)
         assert check.findings[0].severity == "error"
         assert any("116 looks like GPa" in str(finding) for finding in check.findings), place
         assert check.numbers["equivalent_modulus"] == 116.0
 
 
-def test_one_cause_is_one_warning_and_others_are_kept(scene: asperity.Scene) -> None:
-    # Contacts merge: the area above the nominal one is the same cause.
+def test_one_cause_has_one_warning_and_other_causes_their_own(scene: asperity.Scene) -> None:
+    # Merging contacts also explain an area above the nominal one.
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")
         asperity.model("gw").solve(scene, [-40.0], quantities=["area"])
-    said = [str(w.message) for w in seen]
-    assert not any("times the nominal area" in w for w in said), said
-    assert any("area_fraction is" in w for w in said), said
-    # A scene that is unusual for another reason does not hide it.
+    texts = [str(warning.message) for warning in seen]
+    assert not any("times the nominal area" in text for text in texts), texts
+    assert any("area_fraction is" in text for text in texts), texts
+    # An unusual scene does not hide the warning about the area.
     odd = scene.replace(nominal_area=5.0)
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")
         asperity.model("gw").solve([odd, odd], [-40.0, -40.0], quantities=["area"])
-    said = [str(w.message) for w in seen]
-    assert any("nominal_area is 5 m2" in w for w in said), said
-    assert any("times the nominal area" in w for w in said), said
+    texts = [str(warning.message) for warning in seen]
+    assert any("nominal_area is 5 m2" in text for text in texts), texts
+    assert any("times the nominal area" in text for text in texts), texts
 
 
 def test_rubber_needs_no_hardness() -> None:
@@ -106,19 +110,19 @@ def test_rubber_needs_no_hardness() -> None:
     assert rubber.models() == ["gw"]
     assert "plasticity_index" not in rubber.check().numbers
     assert rubber.check(load=0.1).numbers["area_fraction"] < 0.1
-    assert words(rubber, "gw", load=0.1) == []
+    assert warning_texts(rubber, "gw", load=0.1) == []
 
 
 def test_warnings_name_the_worst_value_and_where(scene: asperity.Scene) -> None:
-    (few,) = words(scene, load=[10.0, 1e-3, 1.0])
+    (few,) = warning_texts(scene, load=[10.0, 1e-3, 1.0])
     assert "at a load of 0.001 N (usual: at least 30): " in few
     there = scene.check(load=1e-3).numbers["contacts"]
     assert float(few.split()[3]) == pytest.approx(there, rel=1e-3)
-    (crowded,) = words(scene, load=[1e3, 3e5])
+    (crowded,) = warning_texts(scene, load=[1e3, 3e5])
     assert "KE: " in crowded and "at a load of 300000 N (usual: at most 0.1): " in crowded
 
 
-def test_what_is_no_number_is_named_by_what_was_given(scene: asperity.Scene) -> None:
+def test_arguments_that_are_no_numbers_are_named(scene: asperity.Scene) -> None:
     with pytest.raises(TypeError, match=r"Body: youngs_modulus is \[.*\]: give a number in Pa"):
         asperity.Body([2e11], 0.3)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="Surface: asperity_density is None: give a number in 1/m"):
@@ -132,5 +136,5 @@ def test_what_is_no_number_is_named_by_what_was_given(scene: asperity.Scene) -> 
         joint.force(True)
     with pytest.raises(ValueError, match="friction is 20.0: .* at most 10"):
         joint.slip(friction=20.0)
-    with pytest.raises(ValueError, match="knows no adhesion: dmt or jkr-separation"):
+    with pytest.raises(ValueError, match="ignores adhesion: use dmt or jkr-separation"):
         asperity.model("gw").pull_off(scene)

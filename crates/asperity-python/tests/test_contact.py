@@ -15,7 +15,7 @@ def test_floats_give_floats_and_arrays_give_arrays(scene: asperity.Scene) -> Non
     assert type(force) is type(tangent) is float
     for number in (0, np.float64(1e-6), np.float32(1e-6), np.int64(0)):
         assert type(contact.force(number)) is float  # type: ignore[comparison-overlap]
-    with pytest.raises(TypeError, match="separation has numbers of type bool"):
+    with pytest.raises(TypeError, match="separation has values of type bool"):
         contact.force(False)
     gaps = np.linspace(0, 4e-6, 12).reshape(3, 4)
     forces, tangents = contact.force_and_tangent(gaps)

@@ -152,7 +152,7 @@ def test_tabulated_heights_keep_their_metres() -> None:
 
 
 @pytest.mark.filterwarnings("ignore::asperity.ContactWarning")
-def test_a_scenes_options_count_where_none_are_given(soft_steel: asperity.Scene) -> None:
+def test_options_of_a_scene_apply_to_models_without_options(soft_steel: asperity.Scene) -> None:
     additive = asperity.Scene(
         soft_steel.interface,
         soft_steel.surface,
@@ -166,7 +166,7 @@ def test_a_scenes_options_count_where_none_are_given(soft_steel: asperity.Scene)
     assert message.startswith("scene 1 has other options than scene 0")
 
 
-def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scene) -> None:
+def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     assert 'did you mean "zmc"?' in refusal(asperity.model, "zcm")
     assert 'did you mean "at_reading"?' in refusal(asperity.model, "at", at_reding="additive")
@@ -175,7 +175,7 @@ def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scen
     elastic = asperity.Interface(2e6, 0.5)
     rubber = asperity.Scene(elastic, scene.surface, scene.nominal_area)
     assert asperity.model("gw").solve(rubber, 2.0).force > 0.0
-    assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing: every model of yielding")
+    assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing: set hardness or yield_strength")
     assert refusal(ke.solve, scene, [0.0, np.nan]).startswith("separation is NaN asperity_height_std: ")
     assert 'did you mean "force"?' in refusal(ke.solve, scene, 0.0, "forc")
     assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")
@@ -198,7 +198,7 @@ def test_bad_input_is_a_value_error_with_the_librarys_words(scene: asperity.Scen
     assert "Gao needs it" in refusal(asperity.model("gao").solve, bare_scene, 1.0)
 
 
-def test_what_is_of_the_wrong_kind_is_a_type_error(scene: asperity.Scene) -> None:
+def test_arguments_of_another_type_are_type_errors(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     for arguments in [(scene, 1j), (scene, "one"), ([scene, "scene"], 1.0), (None, 1.0)]:
         with pytest.raises(TypeError):
@@ -228,7 +228,7 @@ class Laws:
 
 
 class Noise:
-    """No integral of this converges to many digits."""
+    """A law whose integrals do not converge to many digits."""
 
     def __init__(self, one: asperity.Asperity) -> None:
         self.one = one
@@ -240,25 +240,25 @@ class Noise:
         return w
 
 
-def test_what_does_not_converge_is_an_error_of_its_own(scene: asperity.Scene) -> None:
+def test_an_integral_that_does_not_converge_raises_not_converged(scene: asperity.Scene) -> None:
     with pytest.raises(asperity.NotConverged, match="not converged: relative error"):
         asperity.model(Noise).solve(scene, 1.0, rtol=1e-13)
     assert not issubclass(asperity.NotConverged, ValueError)
 
 
-def test_odd_answers_come_with_one_warning_a_cause(soft_steel: asperity.Scene) -> None:
+def test_unusual_answers_have_one_warning_for_each_cause(soft_steel: asperity.Scene) -> None:
     printed = asperity.model("at")
     quantities = ["force", "pressure", "mean-pressure"]
     negative = "AT: force is negative ("
     for scenes in (soft_steel, [soft_steel]):
         with pytest.warns(asperity.ContactWarning) as seen:
             curve = printed.solve(scenes, [-9.0, 1.0, 1.5], quantities)
-        said = [str(w.message)[: len(negative)] for w in seen if str(w.message).startswith("AT")]
-        assert said == [negative]
+        texts = [str(warning.message) for warning in seen]
+        assert [text[: len(negative)] for text in texts if "negative" in text] == [negative]
         where = " N) in 2 rows, first at a separation of 1 asperity_height_std: "
         assert any(where in str(w.message) for w in seen)
         assert curve.force[0] > 0.0 > curve.force[1]
-        # The caller's line, not the package's.
+        # The line of the caller, not of the package.
         assert seen[0].filename == __file__
     with pytest.warns(asperity.ContactWarning, match="at a separation of 1e-6 m: "):
         printed.solve(soft_steel, 1e-6, separation_unit="m")
@@ -299,7 +299,7 @@ def test_copies_and_pickles_are_equal(scene: asperity.Scene) -> None:
     )
 
 
-def test_representations_show_what_matters(scene: asperity.Scene) -> None:
+def test_representations_show_the_arguments(scene: asperity.Scene) -> None:
     assert repr(scene).startswith("Scene(interface=Interface(equivalent_modulus=115384615384.61537")
     assert eval(repr(scene), vars(asperity)) == scene
     assert repr(asperity.model("ke")) == "<asperity.Model 'ke': Kogut & Etsion (2002)>"
@@ -317,7 +317,7 @@ def test_tables_have_units_in_their_heads(scene: asperity.Scene) -> None:
     assert list(many["scene"]) == [0, 0, 1, 1]
 
 
-def test_texts_of_tables_have_every_digit_and_nothing_where_there_is_no_value(
+def test_texts_of_tables_have_every_digit_and_blanks_for_missing_values(
     scene: asperity.Scene,
 ) -> None:
     curve = asperity.model("ke").solve(
@@ -387,7 +387,7 @@ def test_persson_has_gaps_with_a_hurst_exponent(scene: asperity.Scene) -> None:
         asperity.model("persson", hurst_exponent=2.0)
 
 
-def test_the_interpreter_is_free_during_long_calls(scene: asperity.Scene) -> None:
+def test_long_calls_release_the_interpreter(scene: asperity.Scene) -> None:
     separations = np.linspace(0, 4, 4_000_000)
     counts: list[int] = []
     done = threading.Event()
@@ -411,7 +411,7 @@ def forces_in_a_child(scene: asperity.Scene, queue: Any) -> None:
     queue.put(asperity.model("ke").solve(scene, np.linspace(0, 4, 20_000)).force.sum())
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork here")
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
 def test_a_forked_process_computes_too(scene: asperity.Scene) -> None:
     wanted = asperity.model("ke").solve(scene, np.linspace(0, 4, 20_000)).force.sum()
@@ -441,7 +441,7 @@ def test_threads_share_a_contact(scene: asperity.Scene) -> None:
         np.testing.assert_array_equal(values, wanted)
 
 
-def test_what_cancels_is_told_however_many_rows_there_are(soft_steel: asperity.Scene) -> None:
+def test_cancellation_is_warned_of_for_any_number_of_rows(soft_steel: asperity.Scene) -> None:
     printed = asperity.model("at")
     low, high = 2.5, 6.0
     with warnings.catch_warnings():

@@ -1,4 +1,4 @@
-"""Loads and pressures wherever separations go; rows that fail; masks."""
+"""Loads and pressures in the place of separations; failed rows; masks."""
 
 from __future__ import annotations
 
@@ -205,7 +205,7 @@ def test_texts_may_say_their_unit(scene: asperity.Scene) -> None:
     )
     for text in ("5 MPa", "5 N/mm2"):
         assert ke.separation_at(scene, pressure=text) == ke.separation_at(scene, pressure=5e6)
-    with pytest.raises(TypeError, match="is no number in N"):
+    with pytest.raises(TypeError, match="is not a number in N"):
         ke.solve(scene, load="2 mm")
     with pytest.raises(TypeError, match="1.0 has no unit"):
         ke.solve(scene, load=[1.0, "2 kN"])  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""The notebooks run from top to bottom, and what they show is small enough to keep."""
+"""The notebooks run from top to bottom with the stored outputs, which are small."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ def test_there_are_five() -> None:
     assert [path.stem for path in NOTEBOOKS] == names
 
 
-# The kernel's own threads and sockets are not ours to judge.
+# Warnings of the kernel's threads and sockets are not under test.
 @pytest.mark.filterwarnings("default")
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_runs(path: Path, tmp_path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
-    kept = [cell.get("outputs", []) for cell in notebook.cells]
+    stored = [cell.get("outputs", []) for cell in notebook.cells]
     resources = {"metadata": {"path": str(tmp_path)}}
     NotebookClient(notebook, timeout=60, coalesce_streams=True, resources=resources).execute()
     shown = 0
-    for cell, before in zip(notebook.cells, kept, strict=True):
+    for cell, before in zip(notebook.cells, stored, strict=True):
         outputs = cell.get("outputs", [])
         assert [output.output_type for output in outputs] == [one.output_type for one in before]
         for output, one in zip(outputs, before, strict=True):
-            # Numbers in texts are those that are kept: they do not depend on the machine.
+            # Texts and their numbers do not depend on the machine.
             assert output.get("text") == one.get("text")
             for kind, data in one.get("data", {}).items():
                 assert len(data) < 100_000 * 4 / 3, f"a {kind} of {len(data)} bytes"

@@ -30,7 +30,7 @@ def test_the_scene_the_option_and_the_name_are_the_same() -> None:
     assert asperity.Scene.parse(scene.to_toml()).options == scene.options
 
 
-def test_models_without_such_asperities_say_why() -> None:
+def test_models_without_random_asperities_give_the_reason() -> None:
     scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
     for model in ["gao", "persson"]:
         with pytest.raises(ValueError, match="asperities of a random surface"):
@@ -47,6 +47,6 @@ def test_advice_comes_with_evidence() -> None:
     none, near = both.evidence_at
     assert isinstance(none, str) and none.startswith("no boundary-element solution is close: p/(E g) =")
     assert isinstance(near, dict) and near == both.off and "persson-fudge" in near
-    assert [line[:11] for line in both.evidence.splitlines()] == ["no evidence", "boundary el"]
+    assert [line[:11] for line in both.evidence.splitlines()] == ["no boundary", "boundary el"]
     light = asperity.recommend(scene, pressure=1e4, quantities=["area"])
     assert light.evidence.startswith("no boundary-element solution is close") and light.off == {}

@@ -68,7 +68,7 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
 
 
 @pytest.mark.parametrize(
-    ("call", "kind", "words"),
+    ("call", "kind", "message"),
     [
         (lambda: asperity.Body("210", 0.3), TypeError, "Body: youngs_modulus: \"210\" has no unit"),
         (lambda: asperity.Body("210 mm", 0.3), TypeError, "Body: youngs_modulus: \"210 mm\" is no"),
@@ -100,10 +100,10 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
         ),
     ],
 )
-def test_what_cannot_be_read_is_named(call: Any, kind: type[Exception], words: str) -> None:
+def test_unreadable_arguments_are_named(call: Any, kind: type[Exception], message: str) -> None:
     with pytest.raises(kind) as caught:
         call()
-    assert words in str(caught.value)
+    assert message in str(caught.value)
 
 
 def test_records_are_frozen_equal_hashable_and_copied() -> None:

@@ -1,4 +1,4 @@
-"""The reference table that the Rust tests meet row by row, to the last digits of the contract."""
+"""Values of the reference table of the Rust tests, within the bounds on their errors."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def scenes() -> dict[str, asperity.Scene]:
 
 
 def meaning(model: str, quantity: str) -> tuple[asperity.Model, str]:
-    """The model and quantity that a row's words stand for."""
+    """The model and quantity of a row, by its labels."""
     if quantity == "vertical-force":
         return asperity.model(model, force="vertical"), "force"
     if quantity.endswith("-no-tangential"):
@@ -66,15 +66,15 @@ def test_the_table_is_whole() -> None:
 @pytest.mark.parametrize("model", sorted({model for _, model, _ in curves()}))
 def test_reference_values_are_met_within_the_reported_bound(model: str) -> None:
     known = scenes()
-    own = [(case, words, points) for (case, name, words), points in curves().items() if name == model]
-    # Laws that are averages over angles take their time, and are the same as in Rust.
-    for case, words, points in own[:: 3 if model in OWN else 1]:
-        chosen, quantity = meaning(model, words)
+    own = [(case, label, points) for (case, name, label), points in curves().items() if name == model]
+    # Averages over angles are slow: every third case.
+    for case, label, points in own[:: 3 if model in OWN else 1]:
+        chosen, quantity = meaning(model, label)
         separation, wanted = np.array(points).T
         curve = chosen.solve(known[case], separation, quantity, rtol=RTOL)
         error = np.abs(curve[quantity] / wanted - 1.0)
         bound = curve.error(quantity) + OWN.get(model, 1e-13)
-        assert (error <= bound).all(), f"{case} {words}: {error / bound}"
+        assert (error <= bound).all(), f"{case} {label}: {error / bound}"
         assert error.max() < OWN.get(model, 1e-13)
 
 

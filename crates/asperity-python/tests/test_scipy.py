@@ -1,4 +1,4 @@
-"""Random scenes against scipy.integrate, which knows nothing of this project but its laws."""
+"""Random scenes against scipy.integrate, which shares only the laws with this project."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import scipy.stats
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-# Scenes are drawn, whether or not there are such surfaces.
+# Random scenes may be unusual.
 pytestmark = pytest.mark.filterwarnings("ignore::asperity.ContactWarning")
 
 # Where formulas of most models change, over the critical interference; quad finds the others.

@@ -1,4 +1,4 @@
-"""What long calls take: memory, and the time until Ctrl-C is heard."""
+"""Memory of long calls, and their time to react to Ctrl-C."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ MEMORY = """
     """
 
 
-@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="peaks are not told here")
+@pytest.mark.skipif(not os.path.exists("/proc/self/status"), reason="the system does not report peak memory")
 @pytest.mark.parametrize("what", ["one", "many", "loads", "contact"])
 def test_a_million_rows_need_little_above_their_results(what: str) -> None:
     script = textwrap.dedent(MEMORY)
@@ -50,7 +50,7 @@ def test_a_million_rows_need_little_above_their_results(what: str) -> None:
 
 
 def interrupted_after(seconds: float, call: Any) -> float:
-    """How long a call goes on after Ctrl-C."""
+    """The time that a call runs on after Ctrl-C [s]."""
     sent: list[float] = []
 
     def send() -> None:
@@ -65,10 +65,10 @@ def interrupted_after(seconds: float, call: Any) -> float:
     return time.monotonic() - sent[0]
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals are sent otherwise there")
+@pytest.mark.skipif(os.name == "nt", reason="Windows has other signals")
 @pytest.mark.parametrize("what", ["one scene", "many scenes", "angles", "loads", "crossings"])
-def test_ctrl_c_is_heard_soon(what: str, scene: asperity.Scene) -> None:
-    # Seconds to minutes, if nobody stops it.
+def test_ctrl_c_ends_a_call_soon(what: str, scene: asperity.Scene) -> None:
+    # Seconds to minutes without an interrupt.
     exponential = asperity.Scene(scene.interface, scene.surface, 1e-4, heights="exponential")
     deep = np.linspace(-4, -1, 10_000_000)
     drawn = scene.vary(hardness=np.linspace(1e9, 3e9, 3_000))
@@ -80,7 +80,7 @@ def test_ctrl_c_is_heard_soon(what: str, scene: asperity.Scene) -> None:
         "loads": lambda: at.separation_at(drawn, 10.0),
         "crossings": lambda: at.separation_at(drawn, 10.0, all=True),
     }
-    # About a second, on a machine that does nothing else. That parts of AT cancel is not the point.
+    # About a second on an idle machine. The cancellation of AT's parts is not under test.
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         assert interrupted_after(0.5, calls[what]) < 5.0

@@ -1,4 +1,4 @@
-"""Measured surfaces: arrays, and the objects of other packages where these are installed."""
+"""Measured surfaces: arrays, and objects of other packages, if installed."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ def test_statistics_are_those_of_numpy() -> None:
     assert found["sq"] == pytest.approx(1e-6 * HEIGHTS.std(), rel=1e-12)
     skewness = (((HEIGHTS - HEIGHTS.mean()) / HEIGHTS.std()) ** 3).mean()
     assert found["ssk"] == pytest.approx(skewness, rel=1e-9)
-    # The slope of a smooth surface, whatever the formula for it: by Fourier.
+    # The slope by Fourier transform, for any formula of differences.
     kx = 2 * np.pi * np.fft.fftfreq(192)
     slope = np.fft.ifft(1j * kx * np.fft.fft(HEIGHTS, axis=1), axis=1).real
     assert found["m2"] == pytest.approx((slope**2).mean(), rel=0.1)
 
 
-def test_of_a_periodic_surface_the_mean_alone_is_taken() -> None:
+def test_only_the_mean_is_removed_from_a_periodic_surface() -> None:
     # A plane fitted to one long wave is not level.
     waves = HEIGHTS + np.sin(2 * np.pi * np.arange(192) / 192)
     periodic = asperity.Topography(waves, 1.0, "um", periodic=True)
@@ -61,7 +61,7 @@ def test_a_few_missing_points_are_filled(tmp_path: Any) -> None:
     holed[60, 100] = np.nan
     surface = asperity.Topography(holed, 1.0, "um")
     steel = asperity.Interface(116e9, 0.3, hardness=7e9)
-    with pytest.raises(ValueError, match=r"Topography.fill\(\) does it"):
+    with pytest.raises(ValueError, match=r"use Topography.fill\(\)"):
         asperity.bem(surface, interface=steel, pressure=1e8)
     filled = surface.fill()
     beside = [holed[59, 100], holed[61, 100], holed[60, 99], holed[60, 101]]
@@ -96,7 +96,7 @@ def test_a_scan_becomes_a_surface_and_a_force() -> None:
     assert 0.3 < summits.asperity_density / surface.asperity_density < 3.0
 
 
-def test_what_is_no_surface_is_refused() -> None:
+def test_unreadable_surfaces_are_refused() -> None:
     with pytest.raises(ValueError, match="unit is .furlong."):
         asperity.Topography(HEIGHTS, 1.0, "furlong")
     with pytest.raises(ValueError, match="heights has 3 dimensions"):
@@ -105,13 +105,13 @@ def test_what_is_no_surface_is_refused() -> None:
         asperity.Topography(HEIGHTS, 0.0, "um")
     with pytest.raises(ValueError, match="level is .cubic."):
         asperity.Topography(HEIGHTS, 1.0, "um").statistics(level="cubic")
-    with pytest.raises(TypeError, match="ndarray is no surface of SurfaceTopography or surfalize: make"):
+    with pytest.raises(TypeError, match="ndarray is no surface of SurfaceTopography or surfalize: for"):
         asperity.topography(HEIGHTS)
 
 
 def test_surfaces_of_surface_topography() -> None:
     theirs: Any = pytest.importorskip("SurfaceTopography", reason="SurfaceTopography is optional")
-    # Its first axis is x.
+    # The first axis is x.
     surface = theirs.Topography(HEIGHTS.T, (192.0, 256.0), unit="um", periodic=True)
     mine = asperity.topography(surface)
     assert mine.shape == (128, 192)
@@ -133,7 +133,7 @@ def test_surfaces_of_surface_topography() -> None:
     scan = theirs.UniformLineScan(HEIGHTS[0], 192.0, unit="um")
     mine = asperity.topography(scan)
     assert mine.shape == (1, 192) and mine.pixel_size == pytest.approx((1e-6, 1e-6))
-    with pytest.raises(ValueError, match="unit is 'nm': .* in 'um' already"):
+    with pytest.raises(ValueError, match="unit is 'nm': .* is in 'um'"):
         asperity.topography(scan, unit="nm")
     uneven = theirs.NonuniformLineScan(np.arange(9.0) ** 2, HEIGHTS[0, :9], unit="um")
     with pytest.raises(ValueError, match="points at unequal distances"):

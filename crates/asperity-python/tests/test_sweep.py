@@ -41,7 +41,7 @@ def test_samples_are_scipys_sobol_points_through_the_distributions(space: asperi
     assert (result["asperity_height_std"] == wanted).all()
 
 
-def test_every_row_is_what_its_scene_gives_alone(
+def test_every_row_is_the_value_of_its_scene(
     scene: asperity.Scene, space: asperity.Space
 ) -> None:
     result = asperity.sweep(space, "ke", ["force", "area"], n=64, seed=2, rtol=1e-12)
@@ -143,14 +143,14 @@ def test_indices_are_those_of_a_product(scene: asperity.Scene) -> None:
     assert pair == pytest.approx(area * density / whole, abs=0.005)
     mean = asperity.model("ke").solve(scene.replace(nominal_area=2e-4, asperity_density=1.5e8), 1.5)
     assert result.mean("force") == pytest.approx(float(mean.force), rel=1e-4)
-    # The logarithm of a product is a sum: nothing is left for the pair.
+    # The logarithm of a product is a sum without an effect of pairs.
     logarithm = result.sensitivity("force", transform=np.log)
     assert sum(logarithm.first.values()) == pytest.approx(1.0, abs=0.005)
     table = logarithm.to_dataframe()
     assert list(table.index) == ["nominal_area", "asperity_density"]
 
 
-def test_plasticity_index_and_roughness_parameter_say_what_the_surface_is(
+def test_plasticity_index_and_roughness_parameter_determine_the_surface(
     scene: asperity.Scene,
 ) -> None:
     space = asperity.Space(
@@ -217,7 +217,7 @@ def test_indices_need_every_row(scene: asperity.Scene, space: asperity.Space) ->
 
 
 class Hertz:
-    """A model of one's own, which fails on soft asperities."""
+    """A model that fails on soft asperities."""
 
     def __init__(self, asperity: asperity.Asperity) -> None:
         if (asperity.hardness or 0.0) < 1.5e9:
@@ -246,9 +246,9 @@ def test_a_model_written_in_python(scene: asperity.Scene) -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "message"),
     [
-        ({"separation": (2.0, 1.0)}, "low below high"),
+        ({"separation": (2.0, 1.0)}, "low must be below high"),
         ({"separation": (2.0, np.inf)}, "two finite numbers"),
         ({"separation": 1.0}, "no input has a distribution"),
         ({"separation": (0, 1), "asperity_radiu": 1.0}, "asperity_radiu is not an input"),
@@ -257,14 +257,14 @@ def test_a_model_written_in_python(scene: asperity.Scene) -> None:
     ],
 )
 def test_spaces_that_are_refused(
-    scene: asperity.Scene, arguments: dict[str, Any], words: str
+    scene: asperity.Scene, arguments: dict[str, Any], message: str
 ) -> None:
-    with pytest.raises((ValueError, TypeError), match=words):
+    with pytest.raises((ValueError, TypeError), match=message):
         asperity.Space(scene, **arguments)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "message"),
     [
         ({"n": 0}, "n is 0: an integer from 1"),
         ({"n": 10.5}, "n is 10.5"),
@@ -280,9 +280,9 @@ def test_spaces_that_are_refused(
     ],
 )
 def test_sweeps_that_are_refused(
-    space: asperity.Space, arguments: dict[str, Any], words: str
+    space: asperity.Space, arguments: dict[str, Any], message: str
 ) -> None:
-    with pytest.raises(ValueError, match=words):
+    with pytest.raises(ValueError, match=message):
         asperity.sweep(space, "ke", **arguments)
 
 

@@ -1,4 +1,4 @@
-"""Sweeps in folders: the same digits anywhere, and no part lost or doubled, whoever is killed."""
+"""Sweeps in folders: the same digits everywhere, and no part lost or doubled by interrupts."""
 
 from __future__ import annotations
 
@@ -64,11 +64,11 @@ def whole(folder: Path, wanted: asperity.SweepResult) -> None:
 def wait_for(condition: Callable[[], bool]) -> None:
     end = time.monotonic() + 30.0
     while not condition():
-        assert time.monotonic() < end, "it takes too long"
+        assert time.monotonic() < end, "timeout"
         time.sleep(0.002)
 
 
-def test_a_folder_holds_what_memory_would(
+def test_a_folder_holds_the_rows_of_a_sweep_in_memory(
     scene: asperity.Scene, in_memory: asperity.SweepResult, tmp_path: Path
 ) -> None:
     result = swept(scene, tmp_path)
@@ -83,7 +83,7 @@ def test_a_folder_holds_what_memory_would(
     assert swept(scene, tmp_path).run.rows == 0
 
 
-def test_parts_that_are_gone_are_made_anew(
+def test_missing_parts_are_computed_again(
     scene: asperity.Scene, in_memory: asperity.SweepResult, tmp_path: Path
 ) -> None:
     swept(scene, tmp_path)
@@ -99,7 +99,7 @@ def test_parts_that_are_gone_are_made_anew(
 
 
 @pytest.mark.parametrize("size", [0, 3, 1000, -100])
-def test_truncated_parts_are_named_and_made_anew(
+def test_truncated_parts_are_named_and_computed_again(
     size: int, scene: asperity.Scene, in_memory: asperity.SweepResult, tmp_path: Path
 ) -> None:
     result = swept(scene, tmp_path)
@@ -108,8 +108,8 @@ def test_truncated_parts_are_named_and_made_anew(
     part.write_bytes(whole_part[:size])
     with pytest.raises(ValueError, match=r"23 of 24 parts, part-00003\.parquet is incomplete: call"):
         asperity.read_sweep(tmp_path)
-    # The result of the sweep reads its parts when they are asked for.
-    with pytest.raises(ValueError, match=r"part-00003\.parquet is no whole part of a sweep: call"):
+    # A result reads its parts on request.
+    with pytest.raises(ValueError, match=r"part-00003\.parquet is no complete part of a sweep: call"):
         result.mean("force")
     assert swept(scene, tmp_path).run.rows == PART
     assert part.read_bytes() == whole_part
@@ -153,7 +153,7 @@ def test_rows_that_fail_are_null_and_named(scene: asperity.Scene, tmp_path: Path
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_an_interrupted_run_goes_on(
+def test_an_interrupted_run_continues(
     how: signal.Signals, scene: asperity.Scene, in_memory: asperity.SweepResult, tmp_path: Path
 ) -> None:
     script = f"""
@@ -168,9 +168,9 @@ def test_an_interrupted_run_goes_on(
     )
     wait_for(lambda: len(list(tmp_path.glob("part-*.parquet"))) >= 3)
     run.send_signal(how)
-    _, said = run.communicate(timeout=30)
+    _, errors = run.communicate(timeout=30)
     assert run.returncode != 0
-    assert ("KeyboardInterrupt" in said) == (how == signal.SIGINT)
+    assert ("KeyboardInterrupt" in errors) == (how == signal.SIGINT)
     before = {path.name: path.stat().st_mtime_ns for path in tmp_path.glob("part-*.parquet")}
     assert 3 <= len(before) < N // PART
     assert swept(scene, tmp_path).run.rows == N - PART * len(before)

@@ -1,8 +1,9 @@
 """Rough surfaces in contact: force, real area and stiffness by published models.
 
 A scene describes two bodies in contact, a model has the law of one asperity, and a curve holds the
-results. Units are SI, or those of texts as "2 kN"; separations are multiples of the standard deviation
-of the asperity heights, unless ``separation_unit="m"``. A load may stand in the place of a separation.
+results. Numbers are in SI units, or texts with a unit, as "2 kN"; separations are multiples of the
+standard deviation of the asperity heights, unless ``separation_unit="m"``. A load may replace a
+separation.
 
 >>> import asperity
 >>> steel = asperity.Body(210e9, 0.3, hardness=2e9)

@@ -24,7 +24,7 @@ class PlanStep:
     quantities: tuple[str, ...]
     #: The method of integration.
     method: str
-    #: The fewest and the most terms of a value, where values are sums.
+    #: Fewest and most terms of a value, for values that are sums; else None.
     terms: tuple[int, int] | None
     #: Samples of the law.
     samples: int
@@ -32,7 +32,7 @@ class PlanStep:
 
 @dataclass(frozen=True)
 class Plan:
-    """How a model answers on a scene; ``print`` it."""
+    """The integrals of a request; ``print`` it."""
 
     steps: tuple[PlanStep, ...]
     text: str = field(repr=False)
@@ -43,22 +43,22 @@ class Plan:
 
 @dataclass(frozen=True)
 class Recommendation:
-    """All models against a reference; ``print`` it."""
+    """Models compared with a reference; ``print`` it."""
 
     #: Id of the simplest valid model within the deviation; None if there is none.
     simplest: str | None
-    #: Id of the model that the others are compared with.
+    #: Id of the reference model.
     reference: str
-    #: Largest relative deviation that was allowed.
+    #: Largest allowed relative deviation.
     within: float
     #: Largest relative deviation of each quantity, by model.
     deviations: dict[str, dict[str, float]]
-    #: Why a model could not answer, by model.
+    #: The reasons of models without values, by model.
     refused: dict[str, str]
-    #: Evidence from boundary elements on surfaces like this one, or that there is none: a line for each
-    #: solved case near the places.
+    #: Evidence from boundary elements on surfaces like this one: a line for each solved case near the
+    #: places, or the reason for none.
     evidence: str
-    #: The same as ``off`` place by place; or the reason why there is no evidence.
+    #: ``off`` place by place, or the reason for no evidence.
     evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]
     #: Relative deviations of models from boundary elements, and the scatter between surfaces: area,
     #: area_spread, stiffness, stiffness_spread, by model; the largest of all places with evidence.
@@ -128,8 +128,8 @@ def recommend(
     """Deviations of models from a reference, the simplest model within a relative deviation, and the
     deviations from boundary elements on surfaces like this one.
 
-    The reference is ke, or gw where there is no hardness, unless one is named; ``within`` is a share,
-    0.05 for 5 %; ``models`` are the ids to compare, by default all.
+    The default reference is ke, or gw without a hardness; ``within`` is a share, 0.05 for 5 %;
+    ``models`` are the ids to compare, by default all.
 
     >>> import asperity
     >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)

@@ -1,4 +1,4 @@
-"""Arguments as NumPy broadcasts them, and answers in their shape."""
+"""Arguments broadcast by NumPy's rules, and answers in their shape."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SceneLike: TypeAlias = Scene | Scenes | Sequence[Scene] | Sequence[Sequence[Any]
 Aspect: TypeAlias = Literal["value", "ln", "error"]
 Failures: TypeAlias = list[tuple[int, BaseException]]
 
-#: Meanings of numbers, with the head of their column.
+#: Meanings of numbers, with their column heads.
 AXES = {
     "asperity_height_std": "separation",
     "m": "separation_m",
@@ -30,16 +30,16 @@ ERRORS = ("raise", "mask")
 
 
 def quantity_names(quantities: str | Iterable[str]) -> list[str]:
-    """One name or several, each once, as the library spells them."""
-    names = [quantities] if isinstance(quantities, str) else list(quantities)
-    if not names:
-        known = ", ".join(_asperity.quantities())
-        raise ValueError(f"quantities is empty: some of {known} were required")
-    return list(_asperity.quantities(names))
+    """The names of quantities, each once, as the library spells them."""
+    given = [quantities] if isinstance(quantities, str) else list(quantities)
+    if not given:
+        names = ", ".join(_asperity.quantities())
+        raise ValueError(f"quantities is empty: one or more of {names} were required")
+    return list(_asperity.quantities(given))
 
 
 def checked_unit(separation_unit: str) -> str:
-    """A unit of separations."""
+    """The unit of separations; ValueError if it is none."""
     if separation_unit not in ("asperity_height_std", "m"):
         raise ValueError(
             f"separation_unit is {separation_unit!r}: 'asperity_height_std' or 'm' was required"
@@ -50,7 +50,7 @@ def checked_unit(separation_unit: str) -> str:
 def place(
     separation: Any, load: Any, pressure: Any, separation_unit: str, name: str = "separation"
 ) -> tuple[str, Any]:
-    """The one of the three that was given, and the meaning of its numbers."""
+    """The meaning of the given numbers, and the numbers; TypeError unless one of the three is given."""
     unit = checked_unit(separation_unit)
     in_metres = in_si(separation, "m")
     if in_metres is not separation:
@@ -70,14 +70,14 @@ def checked_errors(errors: str) -> str:
 
 
 def placed(where: str, error: BaseException) -> BaseException:
-    """A refusal with its place; an exception of the user's own as it is."""
+    """A refusal with its place in the message; an exception of the user's code unchanged."""
     if type(error) in (ValueError, NotConverged):
         return type(error)(f"{where}{error}")
     return error
 
 
 def reason(error: BaseException) -> str:
-    """The message of a refusal; for an exception of the user's own, also its type."""
+    """The message of a refusal; for an exception of the user's code, its type and message."""
     if isinstance(error, ValueError | NotConverged):
         return str(error)
     return f"{type(error).__name__}: {error}"
@@ -93,9 +93,9 @@ class Rows:
         #: The meaning of the numbers.
         self.axis = axis
         name = axis if axis in LOADS else "separation"
-        #: The numbers, in their own shape.
+        #: The numbers in their shape.
         self.given: Floats = floats(np.ma.getdata(numbers), name)
-        #: The scenes, as they were given.
+        #: The scenes as given.
         self.scenes = scenes
         if isinstance(scenes, Scene | Scenes):
             self._scenes_shape = getattr(scenes, "shape", ())
@@ -113,31 +113,31 @@ class Rows:
 
     @property
     def one(self) -> Scene | None:
-        """The scene, where there is but one."""
+        """The single scene; None if there are several."""
         return self.scenes if isinstance(self.scenes, Scene) else None
 
     @property
     def files(self) -> list[Scene]:
-        """The scenes for the engine; the one that the others are like, where there are columns."""
+        """The scenes for the engine; the base scene if columns vary it."""
         if isinstance(self.scenes, Scenes):
             return [self.scenes._base]
         return list(np.asarray(self.scenes, dtype=object).ravel())
 
     @property
     def columns(self) -> dict[str, Floats]:
-        """Numbers of the scenes that differ from it."""
+        """The numbers that vary between the scenes, by name."""
         columns = self.scenes._columns if isinstance(self.scenes, Scenes) else {}
         return {name: values.ravel() for name, values in columns.items()}
 
     @property
     def places(self) -> npt.NDArray[np.int64]:
-        """The numbers of the scenes, in their shape."""
+        """The indices of the scenes, in their shape."""
         count = math.prod(self._scenes_shape)
         return np.arange(count, dtype=np.int64).reshape(self._scenes_shape)
 
     @property
     def index(self) -> npt.NDArray[np.int64]:
-        """Which scene each row is on."""
+        """The index of each row's scene."""
         return self._rows(self.places)
 
     @property
@@ -150,13 +150,13 @@ class Rows:
         return flat if self._kept is None else flat[self._kept]
 
     def without(self, missing: npt.NDArray[np.bool_]) -> Rows:
-        """The same rows but those that are missing in an answer of their shape."""
+        """The rows without those that are missing in an answer of their shape."""
         rows = Rows(self.scenes, self.axis, self.given)
         rows._kept = ~missing.ravel()
         return rows
 
     def shaped(self, values: npt.NDArray[Any], missing: npt.NDArray[np.bool_]) -> Any:
-        """Values of the rows in their shape; masked where a row was left out, or has none."""
+        """Values of the rows in their shape; masked for rows that are masked or missing."""
         if self._kept is not None:
             whole, hidden = np.full(self._kept.shape, np.nan, values.dtype), ~self._kept
             whole[self._kept], hidden[self._kept] = values, missing
@@ -166,7 +166,7 @@ class Rows:
         return np.ma.MaskedArray(values, missing).reshape(self.shape)
 
     def failed(self, failures: Failures, errors: str) -> dict[int, str]:
-        """Why rows failed, by their place in the order of memory; or the first of it, raised."""
+        """The reasons of failed rows by place in the order of memory; raises the first with "raise"."""
         for row, error in failures:
             if errors == "raise" or not isinstance(error, Exception):
                 where = "" if self.one is not None else f"scene {self.index[row]}: "
@@ -183,10 +183,10 @@ class Rows:
         errors: str,
         checked: bool = False,
     ) -> tuple[dict[str, Floats], dict[int, str], list[str]]:
-        """Quantities of the rows in their shape, why rows failed, and diagnostics, if ``checked``
-        also of the scenes."""
+        """Quantities of the rows in their shape, the reasons of failures, and the texts of diagnostics,
+        with ``checked`` also those of the scenes."""
         arguments = self, names, rtol, aspect, errors == "raise", None, checked
-        columns, failures, found_here = _asperity.answer(engine, *arguments)
-        why = self.failed(failures, errors)
+        columns, failures, diagnostics = _asperity.answer(engine, *arguments)
+        reasons = self.failed(failures, errors)
         found = {q: self.shaped(v, np.isnan(v)) for q, v in zip(names, columns, strict=True)}
-        return found, why, found_here
+        return found, reasons, diagnostics

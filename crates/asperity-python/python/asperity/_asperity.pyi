@@ -60,9 +60,9 @@ __all__ = [
 _Floats: TypeAlias = npt.NDArray[np.float64]
 _Float: TypeAlias = SupportsFloat | SupportsIndex
 _Spacing: TypeAlias = _Float | tuple[_Float, _Float]
-# Fields by their names.
+# Fields by name.
 _Fields: TypeAlias = dict[str, Any]
-# What a Rows of the package has.
+# The Rows of the package.
 _Rows: TypeAlias = Any
 _State: TypeAlias = tuple[float | None, float | None, float | None]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
@@ -221,7 +221,7 @@ class Scene:
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
 def check(
-    scene: Scene, asked: tuple[Engine, str, _Float] | None = None
+    scene: Scene, place: tuple[Engine, str, _Float] | None = None
 ) -> tuple[list[tuple[str, float, str, str]], list[_Fields]]: ...
 def findings(engine: Engine, rows: _Rows) -> list[str]: ...
 def pull_off(

@@ -22,7 +22,7 @@ Boundary = Literal["periodic", "free"]
 class BemContacts:
     """Contacts of a scan, solved by boundary elements; made by ``bem``.
 
-    Numbers have the shape of what was given; maps have rows and columns behind it.
+    Numbers have the shape of the argument; maps add rows and columns to it.
     """
 
     #: Load on the nominal area of the scene, or on the scan [N].
@@ -33,21 +33,21 @@ class BemContacts:
     area_fraction: Floats
     #: Share of the pixels that carry pressure.
     area_fraction_pixels: Floats
-    #: Share of the pixels that carry the hardness.
+    #: Share of the pixels at the hardness.
     plastic_fraction: Floats
-    #: Distance of the mean planes of the two deformed surfaces [m].
+    #: Distance between the mean planes of the two deformed surfaces [m].
     mean_gap: Floats
-    #: Number of contact patches; pixels touch over edges.
+    #: Number of contact patches: pixels connected over edges.
     patches: npt.NDArray[np.int64]
     #: Iterations.
     iterations: npt.NDArray[np.int64]
     #: Relative residual of the complementarity.
     residual: Floats
-    #: Pressures of the pixels [Pa]; None where they were not kept.
+    #: Pressures of the pixels [Pa]; None without ``maps``.
     pressures: Floats | None
-    #: Gaps of the pixels [m], below 0 by the plastic depth; None where they were not kept.
+    #: Gaps of the pixels [m], below 0 by the plastic depth; None without ``maps``.
     gaps: Floats | None
-    #: Why contacts have no numbers, where ``errors="mask"``: by their place in the order of memory.
+    #: The reasons of masked contacts with ``errors="mask"``, by place in the order of memory.
     failures: Mapping[int, str]
 
     def __repr__(self) -> str:
@@ -72,9 +72,9 @@ class TruthRows(list[TruthRow]):
 
     #: The models nearest to boundary elements, in a sentence; None if none was compared.
     nearest: str | None = None
-    #: Why a model has no row, or blanks in it, by model.
+    #: The reasons of models without a row or with blanks, by model.
     refused: Mapping[str, str] = MappingProxyType({})
-    #: Why pressures have no rows, where ``errors="mask"``: by their place.
+    #: The reasons of pressures without rows with ``errors="mask"``, by place.
     failures: Mapping[int, str] = MappingProxyType({})
 
 
@@ -91,30 +91,30 @@ def bem(
     maps: bool = True,
     errors: str = "raise",
 ) -> BemContacts:
-    """Presses a scan on an elastic half-space, pixel by pixel.
+    """Contacts of a scan with an elastic half-space, solved by boundary elements pixel by pixel.
 
     Parameters
     ----------
     surface : Topography or Scene
-        A scan; or a scene whose file names a scan ([surface] file = ...), levelled and filtered as
-        the file requires.
+        A scan; or a scene whose file names a scan ([surface] file = ...), with the levelling and
+        filter of that file.
     pressure, load, gap : array_like
         One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or on the
         scan, or mean gaps [m].
     interface : Interface
-        The two bodies; for a Topography, which has none.
+        The two bodies; for a Topography only.
     level : "plane", "quadratic", "mean" or "none"
-        The form taken from a Topography first; by default the plane, for a periodic one the mean.
+        The form removed from a Topography first; by default the plane, for a periodic one the mean.
     elastic : bool
-        No hardness: pressures are unlimited.
+        Ignores the hardness: pressures are unlimited.
     boundary : "periodic" or "free"
         Whether the scan is repeated beyond its edges, or ends there. Where the edges of a repeated
         scan do not match, its periodic component is used, with a warning.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"
-        Whether a contact without a solution, as at a pressure above the hardness, raises; or its
-        numbers are masked, the others are solved, and ``BemContacts.failures`` has the reasons.
+        The treatment of a contact without a solution, as at a pressure above the hardness: it
+        raises; or its numbers are masked, and ``BemContacts.failures`` has the reason.
 
     Examples
     --------
@@ -129,7 +129,7 @@ def bem(
     given = {"pressure": in_si(pressure, "Pa"), "load": in_si(load, "N"), "gap": in_si(gap, "m")}
     named = [(name, value) for name, value in given.items() if value is not None]
     if len(named) != 1:
-        raise TypeError(f"{len(named)} of pressure, load and gap were given: one was required")
+        raise TypeError(f"{len(named)} of pressure, load and gap were given: exactly one was required")
     ((name, value),) = named
     values = _asperity.floats(value, name)
     mask = checked_errors(errors) == "mask"
@@ -143,7 +143,7 @@ def bem(
 
     contacts: dict[str, Any] = {name: shaped(array) for name, array in numbers.items()}
     for count in ("patches", "iterations"):
-        # NaN is no integer.
+        # NaN has no integer.
         counts = np.nan_to_num(numbers[count].reshape(values.shape)).astype(np.int64)
         missing = np.ma.getmask(contacts[count])
         contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
@@ -175,7 +175,7 @@ def truth(
     ``rows.failures``.
     """
     if (pressure is None) == (load is None):
-        raise TypeError("pressure or load was required, and not both")
+        raise TypeError("exactly one of pressure and load was required")
     name, value = place(None, load, pressure, "m")
     pressures = _asperity.floats(value, name).ravel()
     if name == "load":

@@ -1,4 +1,4 @@
-"""What a look at a scene shows before its answers are believed."""
+"""Checks of scenes and answers."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Finding:
-    """Something unusual about a number of a scene, or of an answer."""
+    """An unusual number of a scene or an answer."""
 
-    #: What it is about: ``unusual-size``, ``crowded``.
+    #: The kind of finding: ``unusual-size``, ``crowded``.
     code: str
     #: ``error``: results are invalid until this is corrected; ``warning``; ``note``.
     severity: str
-    #: The number, by its name in scene files.
+    #: The name of the number in scene files.
     field: str
     #: Its value, in SI units.
     value: float
-    #: The usual range; None where an end is open.
+    #: The usual range; None for an open end.
     usual: tuple[float | None, float | None]
-    #: The whole text, with advice.
+    #: The text with the advice.
     message: str
 
     def __str__(self) -> str:
@@ -29,19 +29,19 @@ class Finding:
 
 @dataclass(frozen=True)
 class Check:
-    """What follows from a scene and, at a load, from a model; ``print`` it."""
+    """Derived numbers and findings of a scene and, at a load, of a model; ``print`` it."""
 
     #: Numbers by their names, in SI units.
     numbers: dict[str, float]
-    #: What is unusual, most severe first.
+    #: Unusual numbers, most severe first.
     findings: tuple[Finding, ...]
     text: str = field(repr=False)
 
     @staticmethod
     def _of(numbers: list[tuple[str, float, str, str]], findings: list[dict[str, Any]]) -> Check:
         names = [entry.name for entry in fields(Finding)]
-        known = [{name: f[name] for name in names} for f in findings]
-        found = tuple(Finding(**{**f, "usual": tuple(f["usual"])}) for f in known)
+        shown = [{name: f[name] for name in names} for f in findings]
+        found = tuple(Finding(**{**f, "usual": tuple(f["usual"])}) for f in shown)
         width = max(len(name) for name, *_ in numbers)
         lines = [
             f"{name:<{width}}  {value:<12.6g} {unit:<5} {meaning}".rstrip()

@@ -22,7 +22,7 @@ class Correlated:
     conductance: Floats
     #: p/H ("cmy"), or sqrt(2) p/(E m) ("mikic"): the argument of the power law.
     relative_pressure: Floats
-    #: Whether the power is within 2.1 % of the theory that it was fitted to.
+    #: Whether the power law is within 2.1 % of the theory it is fitted to.
     holds: npt.NDArray[np.bool_]
 
 
@@ -33,13 +33,13 @@ def correlated_conductance(
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
 ) -> Correlated:
-    """Thermal contact conductance by a correlation, to stand beside the models'
-    "thermal-conductance-per-area".
+    """Thermal contact conductance by a correlation, for comparison with the quantity
+    "thermal-conductance-per-area" of the models.
 
-    "cmy" is Cooper, Mikic & Yovanovich 1969, for contacts that yield; "mikic" Mikic 1974, for
-    elastic ones. Both are of nominally flat rough surfaces in vacuum, and take heights and slopes of
-    the scan or, without one, of a Gaussian surface with the scene's asperities. The interface needs
-    a ``thermal_conductivity``; a warning names pressures where the correlation does not hold.
+    "cmy" is Cooper, Mikic & Yovanovich 1969, for plastic contacts; "mikic" Mikic 1974, for elastic
+    ones. Both are for nominally flat rough surfaces in vacuum, and use heights and slopes of the scan
+    or, without one, of a Gaussian surface with the scene's asperities. The interface needs a
+    ``thermal_conductivity``; a warning names pressures outside the range of the correlation.
 
     >>> import asperity
     >>> steel = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
@@ -56,13 +56,17 @@ def correlated_conductance(
     )
     conductance, relative, holds = (np.array(c).reshape(numbers.shape) for c in columns)
     if foreign is not None and holds.size:
-        side = "1 and more" if correlation == "cmy" else "less than 1"
-        message = f"{correlation}: plasticity_index is {foreign:.3g}: it is for contacts of {side}"
+        side = "at least 1" if correlation == "cmy" else "below 1"
+        message = (
+            f"{correlation}: plasticity_index is {foreign:.3g}: the correlation is for contacts with an "
+            f"index {side}"
+        )
         warnings.warn(message, ContactWarning, stacklevel=2)
     elif not holds.all():
         worst = relative[~holds].ravel()[0]
         message = (
-            f"{correlation}: relative pressure is {worst:.4g}: it holds from {first:g} to {last:g}"
+            f"{correlation}: relative pressure is {worst:.4g}: the correlation holds from {first:g} to "
+            f"{last:g}"
         )
         warnings.warn(message, ContactWarning, stacklevel=2)
     return Correlated(conductance, relative, holds)
@@ -75,7 +79,8 @@ def gap_conductance(
     [W/(m K)] over the sum of the mean gap and the gas parameter [m], its temperature-jump distance
     (about 0.37 um for air at 1 bar).
 
-    The mean gap is the separation from the mean plane of the surface; lengths may be texts with a unit.
+    The mean gap is the separation from the mean plane of the surface. Lengths may be texts with a
+    unit.
 
     >>> import asperity
     >>> round(asperity.gap_conductance(0.026, "3 um", "0.37 um"), 1)

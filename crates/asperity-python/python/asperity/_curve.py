@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def _is_wide(values: npt.NDArray[Any]) -> bool:
-    """Whether a logarithmic axis shows more: positive numbers over more than a decade."""
+    """Whether numbers need a logarithmic axis: positive, over more than a decade."""
     numbers = values[np.isfinite(values)]
     return bool(numbers.size and numbers.min() > 0 and numbers.max() > 30 * numbers.min())
 
@@ -28,7 +28,7 @@ class Curve:
 
     A quantity is an attribute (``curve.force``, ``curve.mean_pressure``) or an item
     (``curve["mean-pressure"]``), in the shape of scenes and separations, broadcast. Logarithms,
-    errors and shares are computed when they are asked for.
+    errors and shares are computed on request.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -122,7 +122,7 @@ class Curve:
         return self._aspect(quantity, "error")
 
     def ln(self, quantity: str) -> Floats:
-        """The natural logarithm of every absolute value, also where the value underflows to 0."""
+        """The natural logarithm of every absolute value, also of values that underflow to 0."""
         return self._aspect(quantity, "ln")
 
     def shares(self, quantity: str) -> dict[str, Floats]:
@@ -176,7 +176,7 @@ class Curve:
 
     def plot(self, ax: Any = None, quantity: str | None = None, **line: Any) -> Any:
         """Draws a quantity (the first, unless one is named) against separation, load or pressure
-        on matplotlib axes, and gives these back; ``line`` goes to ``Axes.plot``. Needs matplotlib.
+        on matplotlib axes, and returns them; ``line`` is passed to ``Axes.plot``. Needs matplotlib.
 
         >>> import asperity, numpy as np
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -204,8 +204,8 @@ class Curve:
         return ax
 
     def to_csv(self) -> str:
-        """The text of a table with a row for each value, units in its head, every digit, and
-        nothing where there is no value.
+        """The text of a table with a row for each value and units in its head: every digit, blank for
+        missing values.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -235,10 +235,10 @@ class Curve:
     def __repr__(self) -> str:
         rows = self._rows
         numbers = rows.given
-        what, unit = {"load": ("load", "N"), "pressure": ("pressure", "Pa")}.get(
+        axis, unit = {"load": ("load", "N"), "pressure": ("pressure", "Pa")}.get(
             rows.axis, ("separation", rows.axis)
         )
-        where = f"{numbers.size} {what}{'s' if numbers.size != 1 else ''}"
+        where = f"{numbers.size} {axis}{'s' if numbers.size != 1 else ''}"
         if numbers.size > 1:
             where += f" from {numbers.min():g} to {numbers.max():g}"
         elif numbers.size == 1:

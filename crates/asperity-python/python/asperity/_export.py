@@ -16,7 +16,7 @@ from asperity._scene import Floats
 
 @dataclass(frozen=True)
 class ContactTable:
-    """Pressure against clearance at nodes; ``print`` it, or write ``text`` to a file."""
+    """Pressure over clearance at nodes; ``print`` it, or write ``text`` to a file."""
 
     #: Clearances from the scene's plane [m], ascending.
     clearance: Floats
@@ -27,7 +27,7 @@ class ContactTable:
     #: Largest relative errors between the nodes.
     pressure_error: float
     tangent_error: float
-    #: The input of the code.
+    #: The input text of the finite-element code.
     text: str = field(repr=False)
 
     def __str__(self) -> str:
@@ -50,15 +50,15 @@ def export(
     friction: float | None = None,
     units: str = "SI",
 ) -> ContactTable:
-    """Pressure against clearance for a finite-element code, from one separation, load [N] or
-    pressure [Pa] to another: with ``nodes`` at equal distances of clearance, or with as many as
-    keep the pressure between them within a relative ``max_error``.
+    """Pressure over clearance for a finite-element code, from one separation, load [N] or pressure
+    [Pa] to another: at ``nodes`` equally spaced clearances, or at as many as keep the pressure
+    between them within a relative ``max_error``.
 
-    The format is "csv" (for cubics), "abaqus", "calculix" (both for straight lines) or "ansys" (a
-    nonlinear spring that stands for the nominal area). To the text of "abaqus" and "calculix",
+    The format is "csv" (for cubic interpolation), "abaqus", "calculix" (both for linear
+    interpolation) or "ansys" (a nonlinear spring for the nominal area). For "abaqus" and "calculix"
     ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
-    ``friction`` a coefficient of friction with the stiffness in stick at the largest pressure. The
-    text is in ``units`` "SI", or "mm-N-MPa" (or "mm-tonne-s", the same, with powers in mW).
+    ``friction`` a coefficient of friction with the stick stiffness at the largest pressure. The text
+    is in ``units`` "SI" or "mm-N-MPa" (also named "mm-tonne-s", with power in mW).
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())

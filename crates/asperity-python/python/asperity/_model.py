@@ -46,7 +46,7 @@ class Model(Engine):
         return super().__new__(cls, model if isinstance(model, str) else Laws(model), options)
 
     def __init__(self, model: str | LawsOfAsperity, /, **options: Any) -> None:
-        self._what, self._options = model, options
+        self._definition, self._options = model, options
         self._id, self._name, self._origin, self._notes = self._source()
 
     @property
@@ -61,8 +61,8 @@ class Model(Engine):
 
     @property
     def source(self) -> str:
-        """Authors, year and title of the paper, and its provenance: seen (the paper was read), derived,
-        or recalled (from memory, or through another paper)."""
+        """Authors, year and title of the paper, and the provenance of its equations: seen (read in the
+        paper), derived, or recalled (from memory, or through another paper)."""
         source = self._origin
         if not source["authors"]:
             return f"{self.name}, written in Python"
@@ -76,7 +76,7 @@ class Model(Engine):
 
     @property
     def options(self) -> Options:
-        """The options that were given; for the others those of a scene count."""
+        """The given options; those of a scene apply to the others."""
         return dict(self._options)
 
     def solve(
@@ -98,26 +98,27 @@ class Model(Engine):
         scene : Scene, Scenes or sequence of Scene
             The scene; many scenes are broadcast against separations or loads.
         separation : array_like
-            From the scene's plane, in ``separation_unit``, or texts with their unit, as
-            "1 um" (loads and pressures likewise, "2 kN"). Masked values stay masked.
+            From the scene's plane, in ``separation_unit``, or texts with a unit, as "1 um" (also
+            loads and pressures, as "2 kN"). Masked values stay masked.
         quantities : str or sequence of str
             Of "force" [N], "area" [m^2], "stiffness" and "tangent" [N/m], "pressure" [Pa],
-            "area-fraction", "contacts", "contact-radius-sum" [m], "unloading-stiffness" (what
-            vibrations feel) and "tangential-stiffness" (in stick) [N/m], "thermal-conductance"
+            "area-fraction", "contacts", "contact-radius-sum" [m], "unloading-stiffness" (of
+            vibrations) and "tangential-stiffness" (in stick) [N/m], "thermal-conductance"
             [W/K], "electrical-conductance" [S], both with "-per-area" over the nominal area,
-            "mean-pressure" [Pa], "ln-force", "ln-area", "elastic-share", "elastic-plastic-share" and "plastic-share".
+            "mean-pressure" [Pa], "ln-force", "ln-area", "elastic-share", "elastic-plastic-share" and
+            "plastic-share".
         rtol : float
             Relative tolerance of every value, from 1e-15 to 0.1.
         separation_unit : "asperity_height_std" or "m"
             Unit of the separations.
         load : array_like, optional
-            Normal loads [N], in the place of separations. Where several separations carry one, the
-            values are those at the largest: where two approaching bodies first meet the load.
+            Normal loads [N], in the place of separations. If several separations carry a load, the
+            values are those at the largest, the first that approaching bodies reach.
         pressure : array_like, optional
             Mean pressures on the nominal area [Pa], in the place of separations.
         errors : "raise" or "mask"
-            Whether a refused row, as for a load that no separation carries, raises; or its values
-            are masked, and ``Curve.failures`` has the reasons.
+            The treatment of a refused row, as with a load that no separation carries: it raises; or
+            its values are masked, and ``Curve.failures`` has the reason.
 
         Examples
         --------
@@ -153,9 +154,8 @@ class Model(Engine):
         """The separation at which the force is ``load`` [N], or the mean pressure on the nominal
         area ``pressure`` [Pa], in the shape of scenes and loads.
 
-        Where several separations carry a load, as for AT as printed and for JG, it is the largest:
-        the one that two approaching bodies come to first. With ``all=True`` there is an ascending
-        array of all of them in the place of every number.
+        If several separations carry a load, as with AT as printed, it is the largest, the first that
+        approaching bodies reach. With ``all=True`` every number is an ascending array of all of them.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -183,7 +183,7 @@ class Model(Engine):
         rtol: float = 1e-10,
         separation_unit: str = "asperity_height_std",
     ) -> Contact:
-        """One scene, prepared for many evaluations: for codes that step in time.
+        """The model compiled on one scene for many evaluations, as in codes that step in time.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -215,8 +215,8 @@ class Model(Engine):
         scene : Scene
             The scene.
         closest : float
-            The closest approach, from the scene's plane, in ``separation_unit``, which is also the
-            unit of retreats.
+            The closest approach, from the scene's plane, in ``separation_unit``, also the unit of
+            retreats.
         law : "hertz", "brake" or "etsion"
             The unloading law of an asperity: a Hertzian contact with the force and area at the closest
             approach; Brake 2015, whose area jumps at the start; Etsion, Kligerman & Kadin 2005,
@@ -235,18 +235,18 @@ class Model(Engine):
         >>> joint.force([0.0, 0.1e-6, 0.5e-6]).round(2)
         array([100.  ,  61.51,   3.21])
         >>> slip = joint.slip(friction=0.3)
-        >>> f"{slip.force(1e-8):.2f} N of 30 N; all slides from {slip.shift_at(0.99):.1e} m on"
-        '3.54 N of 30 N; all slides from 2.2e-07 m on'
-        >>> f"{slip.loss(5e-8):.1e} J lost in a cycle, a factor of {slip.loss_factor(5e-8):.3f}"
-        '2.3e-07 J lost in a cycle, a factor of 0.097'
-        >>> f"contact ends {joint.last_contact():.1e} m farther away"
-        'contact ends 7.9e-07 m farther away'
+        >>> f"{slip.force(1e-8):.2f} N of 30 N; full sliding from {slip.shift_at(0.99):.1e} m on"
+        '3.54 N of 30 N; full sliding from 2.2e-07 m on'
+        >>> f"{slip.loss(5e-8):.1e} J dissipated per cycle, loss factor {slip.loss_factor(5e-8):.3f}"
+        '2.3e-07 J dissipated per cycle, loss factor 0.097'
+        >>> f"contact ends at a retreat of {joint.last_contact():.1e} m"
+        'contact ends at a retreat of 7.9e-07 m'
         """
         axis, number = place(closest, load, pressure, separation_unit, "closest")
         where = axis, float(number)
         joint = Unloading(self, scene, where, law, rtol, checked_unit(separation_unit))
-        for words in _asperity.findings(self, Rows(scene, *where)):
-            warnings.warn(words, ContactWarning, stacklevel=2)
+        for message in _asperity.findings(self, Rows(scene, *where)):
+            warnings.warn(message, ContactWarning, stacklevel=2)
         return joint
 
     def pull_off(
@@ -255,7 +255,8 @@ class Model(Engine):
         """The pull-off force of a model with adhesion [N], below 0, and its separation; ``None`` if there
         is no tensile force.
 
-        For "dmt", and "jkr-separation": contacts of "jkr", on approach, begin no sooner than they touch.
+        For "dmt" and "jkr-separation"; asperities of "jkr", which describes approach, have no force
+        before they touch.
 
         >>> import asperity
         >>> rubber = asperity.Interface.against_rigid(asperity.Body(1e6, 0.5), work_of_adhesion=0.05)
@@ -284,10 +285,10 @@ class Model(Engine):
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
         >>> table = asperity.model("ke").joint_table(scene, -1e-6, 5e-6, separation_unit="m")
-        >>> force, stiffness, closest = table.step(2e-6)          # closing for the first time
+        >>> force, stiffness, closest = table.step(2e-6)          # first loading
         >>> f"{force:.2f} N, {stiffness:.2e} N/m"
         '216.94 N, 5.99e+08 N/m'
-        >>> force, stiffness, closest = table.step(2.1e-6, closest)  # and back
+        >>> force, stiffness, closest = table.step(2.1e-6, closest)  # unloading
         >>> f"{force:.2f} N, {stiffness:.2e} N/m, from {closest:.1e} m"
         '137.00 N, 6.83e+08 N/m, from 2.0e-06 m'
         >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
@@ -304,20 +305,21 @@ class Model(Engine):
         return self._law(scene, quantity, w.ravel(), rtol).reshape(w.shape)
 
     def check(self, scene: Scene) -> list[str]:
-        """Faults of the laws on one asperity of a scene, for models written in Python."""
-        laws = None if isinstance(self._what, str) else Laws(self._what)
+        """Faults of the laws on one asperity of a scene, as of models written in Python; empty for
+        correct laws."""
+        laws = None if isinstance(self._definition, str) else Laws(self._definition)
         return (laws and laws.findings(scene.asperity)) or self._check(scene)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):
             return NotImplemented
-        return self._what == other._what and self._options == other._options
+        return self._definition == other._definition and self._options == other._options
 
     def __hash__(self) -> int:
-        return hash(self._what)
+        return hash(self._definition)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuilt, (self._what, self._options)
+        return _rebuild, (self._definition, self._options)
 
     def __repr__(self) -> str:
         source = self._origin
@@ -328,15 +330,15 @@ class Model(Engine):
         return f"<asperity.Model {self.id!r}{given}: {whose}>"
 
 
-def _rebuilt(what: str | LawsOfAsperity, options: Options) -> Model:
-    return Model(what, **options)
+def _rebuild(definition: str | LawsOfAsperity, options: Options) -> Model:
+    return Model(definition, **options)
 
 
 def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
-    """A model by its id, with options by the names of a scene file's [options].
+    """A model by id, with options by the names of a scene file's [options]; or a model written in
+    Python, from a class whose instances are the laws of one asperity: see ``AsperityLaws``.
 
-    Options that are not given are those of the scene. A class whose instances are the laws of one
-    asperity is a model, too: see ``AsperityLaws``.
+    The options of a scene apply to those that are not given.
 
     >>> import asperity
     >>> asperity.model("at", at_reading="additive").name
@@ -359,7 +361,7 @@ def model(model: str | LawsOfAsperity, /, **options: Any) -> Model:
 
 
 def models() -> list[Model]:
-    """Every model with its default options, simplest first.
+    """Every model with its default options, from simplest to most complex.
 
     >>> import asperity
     >>> [model.id for model in asperity.models()][:4]

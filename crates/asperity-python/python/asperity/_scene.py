@@ -18,7 +18,7 @@ Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
 class Scenes:
     """Many scenes that differ from one in some of its numbers; made by ``Scene.vary``.
 
-    They are allowed wherever a scene is, and are broadcast against separations and loads.
+    They may replace a scene, and are broadcast against separations and loads.
 
     Examples
     --------
@@ -55,7 +55,7 @@ class Scenes:
     def __getitem__(self, index: int | tuple[int, ...]) -> Scene:
         numbers = {name: values[index] for name, values in self._columns.items()}
         if any(np.ndim(number) for number in numbers.values()):
-            raise IndexError("one index for each axis was required: scenes are taken one by one")
+            raise IndexError("one index for each axis was required: slices of scenes are not supported")
         return self._base.replace(**numbers)
 
     def __repr__(self) -> str:

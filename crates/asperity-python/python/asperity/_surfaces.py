@@ -1,4 +1,4 @@
-"""Measured surfaces from the objects of other packages."""
+"""Measured surfaces from files and from objects of other packages."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ def read(
 ) -> Topography:
     """A scan from a file: ASCII matrix, XYZ points, CSV profile, NumPy .npy or .npz, X3P or SUR.
 
-    ``unit`` and ``pixel_size``, in that unit, are required where the file has none; nothing is
-    guessed. A scan of which more than ``max_missing`` is missing is refused;
-    with ``fill_missing`` missing points, up to 5 % of all, get the heights of ``Topography.fill``.
+    ``unit`` and ``pixel_size``, in that unit, are required for files without them. A larger share of
+    missing points than ``max_missing`` is an error; ``fill_missing`` fills missing points, up to 5 %
+    of all, by ``Topography.fill``.
     """
     found = Topography.read(path, unit, pixel_size, max_missing)
     return found.fill() if fill_missing else found
@@ -28,8 +28,7 @@ def read(
 def topography(surface: Any, unit: str | None = None) -> Topography:
     """A measured surface from an object of SurfaceTopography or surfalize.
 
-    The objects have a pixel size and, mostly, a unit; ``unit`` is that of objects without one.
-    Neither package is imported here.
+    ``unit`` is that of objects without one. Neither package is imported.
     """
     home = type(surface).__module__.partition(".")[0]
     if home == "SurfaceTopography":
@@ -37,16 +36,16 @@ def topography(surface: Any, unit: str | None = None) -> Topography:
     if home == "surfalize":
         return _from_surfalize(surface, unit)
     raise TypeError(
-        f"{type(surface).__name__} is no surface of SurfaceTopography or surfalize: make heights in an "
-        "array a surface with asperity.Topography(heights, dx, unit)"
+        f"{type(surface).__name__} is no surface of SurfaceTopography or surfalize: for heights in an "
+        "array use asperity.Topography(heights, dx, unit)"
     )
 
 
-def _one_unit(own: str | None, given: str | None, what: str) -> str:
+def _one_unit(own: str | None, given: str | None, owner: str) -> str:
     if own is None and given is None:
-        raise ValueError(f"unit is missing: {what} has none")
+        raise ValueError(f"unit is missing: {owner} has no unit")
     if own is not None and given is not None and own != given:
-        raise ValueError(f"unit is {given!r}: {what} is in {own!r} already")
+        raise ValueError(f"unit is {given!r}: {owner} is in {own!r}")
     return str(own if own is not None else given)
 
 
@@ -54,9 +53,9 @@ def _from_surface_topography(surface: Any, unit: str | None) -> Topography:
     if not surface.is_uniform:
         raise ValueError(
             f"{type(surface).__name__} has points at unequal distances: a uniform surface was "
-            "required, as of surface.to_uniform()"
+            "required; use surface.to_uniform()"
         )
-    # Its first axis is x.
+    # The first axis is x.
     heights = surface.heights().T
     dx, dy = (*surface.pixel_size, surface.pixel_size[0])[:2]
     found = _one_unit(surface.unit, unit, "this surface of SurfaceTopography")
@@ -64,7 +63,7 @@ def _from_surface_topography(surface: Any, unit: str | None) -> Topography:
 
 
 def _from_surfalize(surface: Any, unit: str | None) -> Topography:
-    # Micrometres throughout; rows are y, missing points are NaN.
+    # Surfalize uses micrometres; rows are y, missing points are NaN.
     found = _one_unit("um", unit, "this surface of surfalize")
     if hasattr(surface, "step_x"):
         return Topography(surface.data, (surface.step_x, surface.step_y), found)

@@ -1,4 +1,4 @@
-//! The plan of a request, and a comparison of models.
+//! Plans of requests, and recommendations of models.
 
 use std::collections::BTreeMap;
 
@@ -11,12 +11,16 @@ use crate::convert::error::value_error;
 use crate::convert::objects::object;
 use crate::model::engine::{Engine, quantities_of, tolerance};
 
-/// One scene, and a request of what rows on it ask.
-fn asked<'r>(rows: &'r View<'_>, names: &[String], rtol: f64) -> PyResult<(&'r Scene, Request)> {
+/// The single scene of rows, and their request.
+fn scene_and_request<'r>(
+    rows: &'r View<'_>,
+    names: &[String],
+    rtol: f64,
+) -> PyResult<(&'r Scene, Request)> {
     let request = Request::new(quantities_of(names)?).within(tolerance(rtol)?);
     match rows.one_scene() {
         Some(scene) => Ok((scene, request.at((0..rows.len()).map(|row| rows.at(row))))),
-        None => Err(value_error("many scenes were given: one was required")),
+        None => Err(value_error("many scenes were given: one scene was required")),
     }
 }
 
@@ -30,23 +34,24 @@ pub(crate) fn plan<'py>(
     rtol: f64,
 ) -> PyResult<(String, Bound<'py, PyAny>)> {
     let rows = rows.view()?;
-    let (model, (scene, request)) = (engine.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
+    let (model, (scene, request)) =
+        (engine.on_all(&rows.files)?, scene_and_request(&rows, &names, rtol)?);
     let plan = py.detach(|| model.compile(scene, &request)?.plan(&request));
     let plan = plan.map_err(|error| engine.raise(py, error))?;
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// One model against the reference: its id, deviations by quantity, or why there are none; and how
-/// far it was from boundary elements.
+/// A model's id, its deviations from the reference by quantity or the reason for none, and its
+/// deviations from boundary elements.
 type Row<'py> = (String, Vec<(String, f64)>, Option<String>, Option<Bound<'py, PyAny>>);
 
-/// The evidence at a place: deviations by model, or the reason why there is none.
+/// The evidence at a place: deviations by model, or the reason for none.
 type Place<'py> = (BTreeMap<String, Bound<'py, PyAny>>, Option<String>);
-/// A text, the simplest model's id, the evidence in sentences and place by place, and every model
-/// against the reference.
+/// A text, the simplest model's id, the evidence as sentences and place by place, and a row for
+/// every model.
 type Advice<'py> = (String, Option<String>, String, Vec<Place<'py>>, Vec<Row<'py>>);
 
-/// The models of a scene, or those named, against the reference.
+/// Deviations from the reference of the models of a scene, or of the named models.
 #[pyfunction]
 pub(crate) fn recommend<'py>(
     py: Python<'py>,
@@ -58,16 +63,17 @@ pub(crate) fn recommend<'py>(
     models: Option<Vec<String>>,
 ) -> PyResult<Advice<'py>> {
     let rows = rows.view()?;
-    let (model, (_, request)) = (reference.on_all(&rows.files)?, asked(&rows, &names, rtol)?);
+    let (model, (_, request)) =
+        (reference.on_all(&rows.files)?, scene_and_request(&rows, &names, rtol)?);
     let file = &rows.files[0];
     let (among, left_out) = match models {
         None => {
             let mut models = file.options.models();
-            let known: Vec<String> = models.iter().map(|model| model.id().into()).collect();
-            // The evidence is of these as well.
+            let ids: Vec<String> = models.iter().map(|model| model.id().into()).collect();
+            // The evidence covers these models, too.
             let (mut others, mut left_out) = file.models_beside_bem();
-            others.retain(|model| !known.iter().any(|id| id == model.id()));
-            left_out.retain(|model| !known.contains(&model.id));
+            others.retain(|model| !ids.iter().any(|id| id == model.id()));
+            left_out.retain(|model| !ids.contains(&model.id));
             models.extend(others);
             models.extend(file.adhesive_models());
             (models, left_out)

@@ -1,5 +1,4 @@
-//! Answers to rows: on all cores, in order, and open to Ctrl-C. The one place where arrays are
-//! evaluated.
+//! Evaluation of rows: on all cores, in order, and interruptible by Ctrl-C.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -10,19 +9,18 @@ use asperity::{
 };
 use pyo3::prelude::*;
 
-use crate::ask::long::{pool, stretches};
+use crate::ask::long::{pool, run_stretches};
 use crate::ask::rows::View;
 use crate::convert::error::value_error;
 
-/// Rows that a thread walks through at a time: what their laws have in common is found among
-/// neighbours, and Ctrl-C waits for them.
+/// Rows of one task: neighbours share integrals of their laws, and Ctrl-C waits for a task.
 pub(crate) const ROWS_PER_TASK: usize = 16;
-/// The same for rows on one scene, most of which take no time.
-const ON_ONE: usize = 256;
-/// Fewer values are as quick one by one.
+/// Rows of one task on a single scene, where most rows are fast.
+const ROWS_PER_TASK_ON_ONE_SCENE: usize = 256;
+/// Fewer values are as fast one by one.
 const FEW: usize = 16;
 
-/// The number that is read from every evaluation.
+/// The number read from every evaluation.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Aspect {
     Value,
@@ -53,13 +51,13 @@ impl<'py> FromPyObject<'_, 'py> for Aspect {
     }
 }
 
-/// Who is asked: a contact that is ready, or a model.
+/// The source of the values: a compiled contact, or a model.
 pub(crate) enum Source<'m> {
-    Ready(Arc<dyn asperity::Contact>),
+    Contact(Arc<dyn asperity::Contact>),
     Model(&'m Model),
 }
 
-/// Rows, the model or contact that answers, and the request.
+/// Rows, the model or contact that evaluates them, and the request.
 pub(crate) struct Question<'q> {
     pub(crate) rows: &'q View<'q>,
     pub(crate) source: Source<'q>,
@@ -68,8 +66,8 @@ pub(crate) struct Question<'q> {
     pub(crate) aspect: Aspect,
 }
 
-/// Columns in the order of the quantities, NaN where there is no value; the rows that failed, with
-/// their exceptions, ascending; and diagnostics.
+/// Columns in the order of the quantities, NaN for missing values; failed rows with their
+/// exceptions, ascending; and diagnostics.
 #[derive(Default)]
 pub(crate) struct Answer {
     pub(crate) columns: Vec<Vec<f64>>,
@@ -77,32 +75,32 @@ pub(crate) struct Answer {
     pub(crate) warnings: Diagnostics,
 }
 
-/// The same of some rows, row by row.
+/// Values, failures and diagnostics of a task, row by row.
 #[derive(Default)]
-struct Found {
+struct TaskValues {
     values: Vec<f64>,
     failures: Vec<(usize, ContactError)>,
     warnings: Vec<Diagnostic>,
 }
 
-/// A row, and where it is.
-struct Here<'h> {
+/// A row, its place and its scene.
+struct RowCase<'h> {
     row: usize,
     at: At,
     scene: &'h Scene,
 }
 
-impl Found {
-    /// The next value. What fails of one quantity need not of the others of its row.
+impl TaskValues {
+    /// Adds the next value. Other quantities of a failed row may have values.
     fn push(
         &mut self,
-        here: &Here<'_>,
+        case: &RowCase<'_>,
         quantity: Quantity,
         value: Result<Evaluation, ContactError>,
         aspect: Aspect,
         check: &mut RowCheck,
     ) {
-        let &Here { row, at, scene } = here;
+        let &RowCase { row, at, scene } = case;
         check.check(quantity, value.as_ref(), at, scene, |_| None);
         match value {
             Ok(value) => self.values.push(aspect.of(&value, quantity)),
@@ -117,7 +115,7 @@ impl Found {
 }
 
 impl Question<'_> {
-    /// All rows; the first that fails ends it where `stop` says so.
+    /// Evaluates all rows; with `stop`, ends at the first failure.
     pub(crate) fn answer(
         &self,
         py: Python<'_>,
@@ -128,7 +126,7 @@ impl Question<'_> {
         let (len, quantities) = (self.rows.len(), self.request.quantities.len());
         let mut answer = Answer::default();
         answer.columns.resize_with(quantities, || Vec::with_capacity(len));
-        let mut take = |found: Found| {
+        let mut take = |found: TaskValues| {
             for row in found.values.chunks_exact(quantities) {
                 answer.columns.iter_mut().zip(row).for_each(|(column, v)| column.push(*v));
             }
@@ -136,54 +134,54 @@ impl Question<'_> {
             answer.failures.extend(found.failures.into_iter().map(|(row, e)| (row, raise(e))));
             Ok(!stop || answer.failures.is_empty())
         };
-        let few = len <= ON_ONE;
+        let few = len <= ROWS_PER_TASK_ON_ONE_SCENE;
         let at = |range: Range<usize>| range.map(|row| self.rows.at(row));
         let request = |range| self.request.clone().at(at(range));
         match (&self.source, self.rows.one_scene()) {
-            // Threads would have to be woken for these.
-            (Source::Ready(contact), _) if few => {
+            // Waking threads takes longer than a few rows.
+            (Source::Contact(contact), _) if few => {
                 take(py.detach(|| self.on_one(&**contact, 0..len)))?;
             }
             (Source::Model(model), Some(scene)) if few => {
                 let response = py.detach(|| model.solve(scene, &request(0..len)));
-                take(self.found(0, response.map_err(raise)?))?;
+                take(self.response_values(0, response.map_err(raise)?))?;
             }
-            (Source::Ready(contact), _) => {
+            (Source::Contact(contact), _) => {
                 let run = |range| self.on_one(&**contact, range);
-                stretches(py, &*pool(threads)?, len, ON_ONE, run, take)?;
+                run_stretches(py, &*pool(threads)?, len, ROWS_PER_TASK_ON_ONE_SCENE, run, take)?;
             }
             (Source::Model(model), Some(scene)) => {
                 let contact = py.detach(|| model.compile(scene, &request(0..1)));
                 let contact = contact.map_err(raise)?;
                 let run = |range| self.on_one(&*contact, range);
-                stretches(py, &*pool(threads)?, len, ON_ONE, run, take)?;
+                run_stretches(py, &*pool(threads)?, len, ROWS_PER_TASK_ON_ONE_SCENE, run, take)?;
             }
             (Source::Model(model), None) => {
                 let sweep = Sweep::new(*model, &self.request.quantities, self.request.tolerance);
                 let run = |range| self.on_many(model, &sweep, range);
-                stretches(py, &*pool(threads)?, len, ROWS_PER_TASK, run, take)?;
+                run_stretches(py, &*pool(threads)?, len, ROWS_PER_TASK, run, take)?;
             }
         }
         Ok(answer)
     }
 
-    fn on_one(&self, contact: &dyn asperity::Contact, range: Range<usize>) -> Found {
+    fn on_one(&self, contact: &dyn asperity::Contact, range: Range<usize>) -> TaskValues {
         let (first, quantities) = (range.start, &self.request.quantities[..]);
         if !self.rows.are_separations() || quantities.iter().any(|q| q.is_absolute()) {
             let request = self.request.clone().at(range.map(|row| self.rows.at(row)));
-            return self.found(first, contact.respond(&request));
+            return self.response_values(first, contact.respond(&request));
         }
-        if let Some(values) = self.plain(contact, range.clone()) {
-            return Found { values, ..Found::default() };
+        if let Some(values) = self.fill_columns(contact, range.clone()) {
+            return TaskValues { values, ..TaskValues::default() };
         }
-        // Value by value: a response holds more than is needed.
-        let mut found = Found::default();
+        // Value by value: a response would hold more data than needed.
+        let mut found = TaskValues::default();
         let mut check = RowCheck::new(contact.is_adhesive());
         for row in range {
             let at = self.rows.at(row);
-            let here = Here { row, at, scene: contact.scene() };
+            let case = RowCase { row, at, scene: contact.scene() };
             let mut push =
-                |quantity, value| found.push(&here, quantity, value, self.aspect, &mut check);
+                |quantity, value| found.push(&case, quantity, value, self.aspect, &mut check);
             if let [Quantity::Force, Quantity::Tangent] = quantities
                 && let Ok((force, tangent)) = contact.force_and_tangent_at(at)
             {
@@ -197,8 +195,12 @@ impl Question<'_> {
         found
     }
 
-    /// Many values of which there is nothing to be said.
-    fn plain(&self, contact: &dyn asperity::Contact, range: Range<usize>) -> Option<Vec<f64>> {
+    /// Many values at once; none if one of them needs a diagnostic.
+    fn fill_columns(
+        &self,
+        contact: &dyn asperity::Contact,
+        range: Range<usize>,
+    ) -> Option<Vec<f64>> {
         let quantities = &self.request.quantities[..];
         if self.aspect != Aspect::Value || range.len() < FEW {
             return None;
@@ -213,7 +215,7 @@ impl Question<'_> {
         let places: Vec<f64> = range.map(place).collect::<Option<_>>()?;
         let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
         let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-        let known = contact.fill(quantities, &places, &mut out).ok()?;
+        let filled = contact.fill(quantities, &places, &mut out).ok()?;
         let usual = |(quantity, column): (&Quantity, &Vec<f64>)| {
             let most = match quantity {
                 Quantity::Area => contact.scene().nominal_area,
@@ -224,14 +226,14 @@ impl Question<'_> {
         };
         let usual = quantities.iter().zip(&columns).all(usual);
         let rows = (0..places.len()).flat_map(|row| columns.iter().map(move |column| column[row]));
-        (usual && !known.cancels()).then(|| rows.collect())
+        (usual && !filled.cancels()).then(|| rows.collect())
     }
 
-    /// Of a response to rows from `first` on.
-    fn found(&self, first: usize, response: Response) -> Found {
+    /// The values of a response to rows from `first` on.
+    fn response_values(&self, first: usize, response: Response) -> TaskValues {
         let count = response.columns.len();
         let values = vec![f64::NAN; response.at.len() * count];
-        let mut found = Found { values, ..Found::default() };
+        let mut found = TaskValues { values, ..TaskValues::default() };
         for (j, column) in response.columns.into_iter().enumerate() {
             for (k, row) in column.rows.into_iter().enumerate() {
                 match row {
@@ -248,16 +250,18 @@ impl Question<'_> {
         found
     }
 
-    fn on_many(&self, model: &Model, sweep: &Sweep<'_>, range: Range<usize>) -> Found {
-        let (mut found, quantities) = (Found::default(), &self.request.quantities);
+    fn on_many(&self, model: &Model, sweep: &Sweep<'_>, range: Range<usize>) -> TaskValues {
+        let (mut found, quantities) = (TaskValues::default(), &self.request.quantities);
         let mut check = RowCheck::new(model.validity().adhesive);
-        for (row, case, answer) in walked(self.rows, range, |cases| sweep.evaluate_all(cases)) {
+        for (row, case, answer) in
+            evaluate_cases(self.rows, range, |cases| sweep.evaluate_all(cases))
+        {
             let Some(Case { scene, at, .. }) = case else {
                 found.values.extend(quantities.iter().map(|_| f64::NAN));
                 found.failures.extend(answer.err().map(|error| (row, error)));
                 continue;
             };
-            let here = Here { row, at, scene: &scene };
+            let case = RowCase { row, at, scene: &scene };
             let alone = || model.compile(&scene, &self.request.clone().at([at]));
             let alone = answer.as_ref().err().map(|_| alone());
             for (k, &quantity) in quantities.iter().enumerate() {
@@ -266,7 +270,7 @@ impl Question<'_> {
                     (_, Some(Ok(contact))) => contact.evaluate_at(quantity, at),
                     (Err(error), _) => Err(error.clone()),
                 };
-                found.push(&here, quantity, value, self.aspect, &mut check);
+                found.push(&case, quantity, value, self.aspect, &mut check);
             }
         }
         found.warnings = check.finish(model.name());
@@ -274,12 +278,11 @@ impl Question<'_> {
     }
 }
 
-/// The cases of some rows, each with what `answer` makes of it; without one where its scene is
-/// refused.
-pub(crate) fn walked<T>(
+/// Rows with their cases and the results of `evaluate`; no case if its scene is refused.
+pub(crate) fn evaluate_cases<T>(
     rows: &View<'_>,
     range: Range<usize>,
-    answer: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
+    evaluate: impl FnOnce(&[Case]) -> Vec<Result<T, ContactError>>,
 ) -> Vec<(usize, Option<Case>, Result<T, ContactError>)> {
     let (mut places, mut cases, mut found) = (vec![], vec![], vec![]);
     for row in range {
@@ -291,9 +294,9 @@ pub(crate) fn walked<T>(
             Err(error) => found.push((row, None, Err(error))),
         }
     }
-    let answers = answer(&cases);
-    let answered = places.into_iter().zip(cases).zip(answers);
-    found.extend(answered.map(|((row, case), answer)| (row, Some(case), answer)));
+    let results = evaluate(&cases);
+    let evaluated = places.into_iter().zip(cases).zip(results);
+    found.extend(evaluated.map(|((row, case), result)| (row, Some(case), result)));
     found.sort_by_key(|(row, _, _)| *row);
     found
 }

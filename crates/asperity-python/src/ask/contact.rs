@@ -1,4 +1,4 @@
-//! `Contact`: one model on one scene, prepared for many evaluations.
+//! `Contact`: one model compiled on one scene for many evaluations.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -16,10 +16,10 @@ use crate::convert::numbers::{floats, scalar, texts_in_si};
 use crate::model::engine::{Engine, quantities_of, tolerance};
 use crate::scene::SceneFile;
 
-/// One model on one scene, prepared for many evaluations: for codes that step in time.
+/// One model compiled on one scene for many evaluations, as in codes that step in time.
 ///
 /// Made by ``Model.compile``. Separations are in ``separation_unit``, from the scene's plane; a
-/// float gives floats, an array gives arrays of its shape. All threads may use one contact at once.
+/// float gives floats, an array gives arrays of its shape. Threads may share a contact.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct Contact {
     model: Py<Engine>,
@@ -29,7 +29,7 @@ pub(crate) struct Contact {
     /// The relative tolerance.
     #[pyo3(get)]
     rtol: f64,
-    /// The unit of its separations: "asperity_height_std" or "m".
+    /// The unit of the separations: "asperity_height_std" or "m".
     #[pyo3(get)]
     separation_unit: String,
     axis: Axis,
@@ -96,7 +96,7 @@ impl Contact {
         }
     }
 
-    /// The quantities it was compiled for.
+    /// The compiled quantities.
     #[getter]
     fn quantities<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         PyTuple::new(py, self.names())
@@ -105,7 +105,7 @@ impl Contact {
     /// The model's name.
     #[getter]
     fn model(&self) -> String {
-        self.now().model().into()
+        self.current().model().into()
     }
 
     fn __reduce__<'py>(
@@ -133,19 +133,19 @@ impl Contact {
         self.request.quantities.iter().map(ToString::to_string).collect()
     }
 
-    /// The contact in use.
-    fn now(&self) -> Arc<dyn asperity::Contact> {
+    /// The compiled contact in use.
+    fn current(&self) -> Arc<dyn asperity::Contact> {
         self.compiled.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The exception of a refusal. A user's law may raise once only, as at an interrupt: its rules
-    /// are built anew.
+    /// The exception of a refusal. A model in Python is compiled again: its law may have raised
+    /// only once, as at an interrupt.
     fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let model = self.model.get();
         if model.is_written()
-            && let Ok(anew) = compile(py, model, &self.file, &self.request)
+            && let Ok(compiled) = compile(py, model, &self.file, &self.request)
         {
-            *self.compiled.lock().unwrap_or_else(PoisonError::into_inner) = anew;
+            *self.compiled.lock().unwrap_or_else(PoisonError::into_inner) = compiled;
         }
         model.raise(py, refusal)
     }
@@ -160,7 +160,8 @@ impl Contact {
         Ok(self.over([quantity], axis, numbers, one)?.remove(0))
     }
 
-    /// Quantities at a number, by `one`, or at every number of an array.
+    /// Quantities at a number, by `one`, or at every number of an array: floats for a float, arrays
+    /// of its shape for an array.
     fn over<'py, const N: usize>(
         &self,
         quantities: [Quantity; N],
@@ -178,9 +179,10 @@ impl Contact {
             None => (numbers, axis),
         };
         if let Some(number) = scalar(numbers) {
-            let slip = axis.slip("separation", number, file.scene.surface.asperity_height_std);
-            slip.map_or(Ok(()), |slip| warn(py, &slip, 0))?;
-            let contact = self.now();
+            let mistaken =
+                axis.mistaken_unit("separation", number, file.scene.surface.asperity_height_std);
+            mistaken.map_or(Ok(()), |text| warn(py, &text, 0))?;
+            let contact = self.current();
             let found = py.detach(|| one(&*contact, axis.at(number, file.separation_from)));
             let found = found.map_err(|error| self.raise(py, error))?;
             let float = |evaluation: Evaluation| PyFloat::new(py, evaluation.value()).into_any();
@@ -188,9 +190,9 @@ impl Contact {
         }
         let numbers = floats(numbers, "separation")?.readonly();
         let rows = View::of_one(file, axis, numbers.as_slice()?);
-        rows.slip().map_or(Ok(()), |slip| warn(py, &slip, 0))?;
+        rows.mistaken_unit().map_or(Ok(()), |text| warn(py, &text, 0))?;
         let request = Request::new(quantities).within(self.request.tolerance);
-        let source = Source::Ready(self.now());
+        let source = Source::Contact(self.current());
         let question = Question { rows: &rows, source, request, aspect: Aspect::Value };
         let answer = question.answer(py, None, true, |error| self.raise(py, error))?;
         if let Some((_, error)) = answer.failures.into_iter().next() {

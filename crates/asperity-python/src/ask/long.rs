@@ -1,4 +1,4 @@
-//! Long loops without the interpreter: on all cores, in order, and open to Ctrl-C.
+//! Long loops without the interpreter: on all cores, in order, and interruptible by Ctrl-C.
 
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -10,13 +10,13 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::convert::error::value_error;
 
-/// Between two looks at signals as much is done as takes about this long.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
-/// The most rows in memory between two looks.
-const MOST: usize = 1 << 16;
+/// Approximate time between two checks for signals.
+pub(crate) const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
+/// Most rows in memory between two checks for signals.
+const MOST_ROWS: usize = 1 << 16;
 
-/// Runs `work` on ranges that cover 0..len, without the interpreter, until it answers false; looks
-/// at signals between. The first range has `first` rows.
+/// Runs `work` on ranges that cover 0..len until it returns false, and checks for signals between
+/// them. The first range has `first` rows.
 pub(crate) fn in_blocks(
     py: Python<'_>,
     len: usize,
@@ -34,8 +34,8 @@ pub(crate) fn in_blocks(
         }
         start = end;
         match begun.elapsed() {
-            short if short < BETWEEN_LOOKS => size = MOST.min(2 * size),
-            long if long > 4 * BETWEEN_LOOKS => size = first.max(size / 2),
+            short if short < SIGNAL_INTERVAL => size = MOST_ROWS.min(2 * size),
+            long if long > 4 * SIGNAL_INTERVAL => size = first.max(size / 2),
             _ => {}
         }
     }
@@ -45,11 +45,10 @@ pub(crate) fn in_blocks(
 /// The pool of this process, and the process it belongs to.
 static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
-/// Threads that share out loops: as many as asked for, or one for every core (or
-/// `RAYON_NUM_THREADS`).
+/// A pool of `threads`, or of one thread for every core (or `RAYON_NUM_THREADS`).
 ///
-/// Not rayon's global pool: a process that was forked, as by `multiprocessing`, has its pool but
-/// not its threads, and would wait for them forever.
+/// Not rayon's global pool: a forked process, as of `multiprocessing`, inherits that pool without
+/// its threads, and would wait for them forever.
 pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     let build = |threads| {
         let built = ThreadPoolBuilder::new().num_threads(threads).build();
@@ -72,9 +71,9 @@ pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
     }
 }
 
-/// `run` of stretches of `together` rows, on all threads of a pool; `take` has what comes of them
-/// in order, until it answers false. Where stretches begin does not depend on time or threads.
-pub(crate) fn stretches<S: Send>(
+/// Runs stretches of `together` rows on all threads of a pool; `take` gets the results in order,
+/// until it returns false. The bounds of stretches do not depend on time or threads.
+pub(crate) fn run_stretches<S: Send>(
     py: Python<'_>,
     pool: &ThreadPool,
     len: usize,

@@ -1,4 +1,4 @@
-//! Values, separations and shares of rows, and a contact that is prepared for many.
+//! Values, separations and shares of rows, compiled contacts, plans and recommendations.
 
 pub(crate) mod advice;
 pub(crate) mod answer;

@@ -14,12 +14,12 @@ use crate::scene::inputs::{Input, inputs, with_numbers};
 /// The `Rows` of the package.
 #[derive(FromPyObject)]
 pub(crate) struct Rows<'py> {
-    /// The scenes; one, if columns of numbers make the others from it.
+    /// The scenes; a single one if columns of numbers vary it.
     files: Vec<Py<SceneFile>>,
     columns: BTreeMap<String, PyReadonlyArray1<'py, f64>>,
-    /// Which scene each row is on.
+    /// The index of each row's scene.
     index: PyReadonlyArray1<'py, i64>,
-    /// What the numbers stand for.
+    /// The meaning of the numbers.
     axis: Axis,
     numbers: PyReadonlyArray1<'py, f64>,
 }
@@ -28,7 +28,7 @@ pub(crate) struct Rows<'py> {
 pub(crate) struct View<'r> {
     pub(crate) files: Vec<Arc<asperity_scene::SceneFile>>,
     columns: Vec<(Input, &'r [f64])>,
-    /// Empty where all are on the first.
+    /// Empty if all rows are on the first scene.
     index: &'r [i64],
     axis: Axis,
     numbers: &'r [f64],
@@ -62,22 +62,22 @@ impl<'r> View<'r> {
         self.numbers.len()
     }
 
-    /// The number of a row's scene.
+    /// The index of a row's scene.
     pub(crate) fn place(&self, row: usize) -> usize {
         self.index.get(row).map_or(0, |place| *place as usize)
     }
 
-    /// The scene of a row, or the one that it differs from in some numbers.
+    /// The scene of a row, or the scene that columns of numbers vary.
     fn file(&self, row: usize) -> &asperity_scene::SceneFile {
         &self.files[if self.columns.is_empty() { self.place(row) } else { 0 }]
     }
 
-    /// How many scenes there are.
+    /// The number of scenes.
     pub(crate) fn scenes(&self) -> usize {
         self.columns.first().map_or(self.files.len(), |(_, column)| column.len())
     }
 
-    /// Findings of the scene of this index; none where it is refused.
+    /// Findings of the scene of this index; none if the scene is refused.
     pub(crate) fn findings(&self, scene: usize) -> Diagnostics {
         if self.columns.is_empty() {
             return self.files[scene].findings();
@@ -86,9 +86,11 @@ impl<'r> View<'r> {
         with_numbers(&self.files[0], numbers).map_or(Diagnostics::default(), |file| file.findings())
     }
 
-    /// Warnings and errors that the first scene does not accept, one for each cause.
+    /// Warnings and errors that the first scene does not list as accepted, one for each cause.
     pub(crate) fn accepted(&self, found: Diagnostics) -> Diagnostics {
-        self.files[0].accepted(found).at_least(Severity::Warning)
+        // Without rows there may be no scene.
+        let found = self.files.first().map_or(found.clone(), |file| file.accepted(found));
+        found.at_least(Severity::Warning)
     }
 
     /// The rows of the smallest and the largest number.
@@ -98,12 +100,12 @@ impl<'r> View<'r> {
         [finite().min_by(by), finite().max_by(by)].into_iter().flatten()
     }
 
-    /// The only scene there is, with its options.
+    /// The single scene of all rows, with its options; none if there are several.
     pub(crate) fn one_file(&self) -> Option<&asperity_scene::SceneFile> {
         self.one_scene().map(|_| &*self.files[0])
     }
 
-    /// The only scene there is.
+    /// The single scene of all rows; none if there are several.
     pub(crate) fn one_scene(&self) -> Option<&asperity::Scene> {
         match &self.files[..] {
             [file] if self.columns.is_empty() => Some(&file.scene),
@@ -136,11 +138,13 @@ impl<'r> View<'r> {
         Ok(Case::new(self.scene(row)?, self.at(row)))
     }
 
-    /// What the number that is farthest from 0 was probably meant to be, if that makes no sense.
-    pub(crate) fn slip(&self) -> Option<String> {
-        let far = |a: &usize, b: &usize| self.numbers[*a].abs().total_cmp(&self.numbers[*b].abs());
-        let row = (0..self.len()).filter(|row| self.numbers[*row].is_finite()).max_by(far)?;
-        self.axis.slip(
+    /// A warning if the separation of largest magnitude has probably another unit.
+    pub(crate) fn mistaken_unit(&self) -> Option<String> {
+        let by_magnitude =
+            |a: &usize, b: &usize| self.numbers[*a].abs().total_cmp(&self.numbers[*b].abs());
+        let row =
+            (0..self.len()).filter(|row| self.numbers[*row].is_finite()).max_by(by_magnitude)?;
+        self.axis.mistaken_unit(
             "separation",
             self.numbers[row],
             self.scene(row).ok()?.surface.asperity_height_std,

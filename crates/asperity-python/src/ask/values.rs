@@ -9,10 +9,10 @@ use asperity::{
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::ask::answer::{Aspect, Question, ROWS_PER_TASK, Source, walked};
-use crate::ask::long::{pool, stretches};
+use crate::ask::answer::{Aspect, Question, ROWS_PER_TASK, Source, evaluate_cases};
+use crate::ask::long::{pool, run_stretches};
 use crate::ask::rows::{Rows, View};
-use crate::check::of_rows;
+use crate::check::check_rows;
 use crate::convert::axis::Axis;
 use crate::convert::error::value_error;
 use crate::model::engine::{Engine, quantities_of, tolerance};
@@ -26,11 +26,12 @@ fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failures {
     failures.into_iter().map(object).collect()
 }
 
-/// Quantities of every row. A row that fails is NaN here, and named; the first ends it all where
-/// `stop` says so. With diagnostics, if `checked` also of the scenes. `threads`: one for each core,
-/// if none.
+/// Quantities of every row, NaN where a row fails, with the failures and the texts of diagnostics.
+///
+/// `stop` ends the call at the first failure, `checked` adds the diagnostics of the scenes, and
+/// `threads` is one for each core, if none.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "called by the package itself alone")]
+#[expect(clippy::too_many_arguments, reason = "only the package calls this function")]
 pub(crate) fn answer<'py>(
     py: Python<'py>,
     engine: &Engine,
@@ -49,17 +50,16 @@ pub(crate) fn answer<'py>(
     let answer = question.answer(py, threads, stop, |error| engine.raise(py, error))?;
     let found = py.detach(|| {
         let of_scenes =
-            if checked { of_rows(engine, &model, rows) } else { Diagnostics::default() };
+            if checked { check_rows(engine, &model, rows) } else { Diagnostics::default() };
         rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
     });
-    let words = rows.slip().into_iter().chain(found.iter().map(ToString::to_string));
+    let texts = rows.mistaken_unit().into_iter().chain(found.iter().map(ToString::to_string));
     let columns = answer.columns.into_iter().map(|column| PyArray1::from_vec(py, column));
-    Ok((columns.collect(), failures(py, answer.failures), words.collect()))
+    Ok((columns.collect(), failures(py, answer.failures), texts.collect()))
 }
 
-/// The separations that carry the load or pressure of every row, in a unit and from the scene's
-/// plane: the largest, or `all`, ascending; `counts[i]` of them belong to row i, none where it
-/// fails.
+/// The separations that carry the load or pressure of every row, in `unit` and from the scene's
+/// plane: the largest, or `all`, ascending. `counts[i]` separations belong to row i, 0 if it fails.
 #[pyfunction]
 pub(crate) fn separations<'py>(
     py: Python<'py>,
@@ -74,17 +74,17 @@ pub(crate) fn separations<'py>(
     let model = &engine.on_all(&rows.files)?;
     let request = &Request::new([asperity::Quantity::Force]).within(tolerance(rtol)?);
     let sweep = Sweep::new(model, &request.quantities, request.tolerance);
-    // Nothing is prepared for a few.
+    // Preparing a contact pays for many rows only.
     let one = rows.one_scene().filter(|_| all || rows.len() > ROWS_PER_TASK);
     let one = one.map(|scene| py.detach(|| model.compile(scene, request)));
     let one = one.transpose().map_err(|error| engine.raise(py, error))?;
     let user = |row, scene: &Scene, found| unit.of(found, rows.datum(row), scene);
     let largest = |range: Range<usize>| {
-        let found = walked(rows, range, |cases| sweep.separations(cases)).into_iter();
+        let found = evaluate_cases(rows, range, |cases| sweep.separations(cases)).into_iter();
         let each = |(row, case, found): (usize, Option<Case>, Result<f64, ContactError>)| {
             let found = found.map(Separation::sigmas);
-            let here = case.map(|case| found.clone().and_then(|s| user(row, &case.scene, s)));
-            (row, here.unwrap_or_else(|| found.map(|s| s.value)).map(|s| vec![s]))
+            let in_unit = case.map(|case| found.clone().and_then(|s| user(row, &case.scene, s)));
+            (row, in_unit.unwrap_or_else(|| found.map(|s| s.value)).map(|s| vec![s]))
         };
         found.map(each).collect()
     };
@@ -111,9 +111,9 @@ pub(crate) fn separations<'py>(
         if one.is_some() || all { each(range) } else { largest(range) }
     };
     let (mut values, mut counts, mut failed) = (vec![], vec![], vec![]);
-    // All separations of a load take long: Ctrl-C is heard between fewer.
+    // All separations of a load take long: smaller run_stretches keep Ctrl-C responsive.
     let together = if all { ROWS_PER_TASK / 8 } else { ROWS_PER_TASK };
-    stretches(py, &*pool(None)?, rows.len(), together, run, |found| {
+    run_stretches(py, &*pool(None)?, rows.len(), together, run, |found| {
         for (row, found) in found {
             counts.push(found.as_ref().map_or(0, Vec::len) as i64);
             match found {
@@ -142,7 +142,7 @@ pub(crate) fn shares<'py>(
     let request = &Request::new([quantity]).within(tolerance(rtol)?);
     let one = rows.one_scene().map(|scene| py.detach(|| model.compile(scene, request)));
     let one = one.transpose().map_err(|error| engine.raise(py, error))?;
-    // Scene by scene.
+    // Sorted by scene: a contact is compiled once per scene.
     let mut order: Vec<usize> = (0..rows.len()).collect();
     order.sort_by_key(|row| rows.place(*row));
     let run = |range: Range<usize>| -> Result<Vec<Vec<Share>>, ContactError> {
@@ -152,12 +152,12 @@ pub(crate) fn shares<'py>(
     };
     let mut columns: Vec<(String, Vec<f64>)> = vec![];
     let mut places = order.iter();
-    stretches(py, &*pool(None)?, rows.len(), ROWS_PER_TASK, run, |found| {
+    run_stretches(py, &*pool(None)?, rows.len(), ROWS_PER_TASK, run, |found| {
         let found = found.map_err(|error| engine.raise(py, error))?;
         for (shares, row) in found.into_iter().zip(&mut places) {
             for Share { name, share, .. } in shares {
-                let known = columns.iter().position(|(known, _)| *known == name);
-                let place = known.unwrap_or_else(|| {
+                let existing = columns.iter().position(|(column, _)| *column == name);
+                let place = existing.unwrap_or_else(|| {
                     columns.push((name.into(), vec![0.0; rows.len()]));
                     columns.len() - 1
                 });
@@ -170,7 +170,7 @@ pub(crate) fn shares<'py>(
     Ok(columns.map(|(name, column)| (name, PyArray1::from_vec(py, column))).collect())
 }
 
-/// Contacts of rows: one that is ready, or each scene's, as long as rows stay on it.
+/// Contacts of rows: a compiled one, or that of each scene, kept while rows stay on it.
 struct Contacts<'a> {
     rows: &'a View<'a>,
     model: &'a Model,

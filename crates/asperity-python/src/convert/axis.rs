@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 
 use crate::convert::error::value_error;
 
-/// The meaning of a plain number.
+/// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Axis {
     Separation(SeparationUnit),
@@ -39,7 +39,7 @@ impl Axis {
         }
     }
 
-    /// The same for numbers in that unit.
+    /// The axis of numbers in that SI unit.
     pub(crate) fn in_si(self) -> Self {
         match self {
             Self::Separation(_) => Self::Separation(SeparationUnit::Metres),
@@ -47,7 +47,7 @@ impl Axis {
         }
     }
 
-    /// A number, from a scene's plane.
+    /// A number on this axis as a place, from a scene's plane.
     pub(crate) fn at(self, value: f64, from: Datum) -> At {
         match self {
             Self::Separation(unit) => Separation { value, unit, from }.into(),
@@ -69,14 +69,13 @@ impl Axis {
         }
     }
 
-    /// What a number was probably meant to be that makes no sense as a separation (or another
-    /// length, by its name), or little beside what it would be in the other unit.
-    pub(crate) fn slip(self, name: &str, value: f64, height_std: f64) -> Option<String> {
+    /// A warning if a separation, or the length `name`, probably has another unit.
+    pub(crate) fn mistaken_unit(self, name: &str, value: f64, height_std: f64) -> Option<String> {
         let Self::Separation(unit) = self else { return None };
-        let told = asperity_scene::mistaken_unit(name, value, unit, height_std)?;
+        let found = asperity_scene::mistaken_unit(name, value, unit, height_std)?;
         Some(match unit {
-            SeparationUnit::Metres => format!("{told} (separation_unit is \"m\")"),
-            _ => format!("{told}; separation_unit=\"m\" takes metres"),
+            SeparationUnit::Metres => format!("{found} (separation_unit is \"m\")"),
+            _ => format!("{found}; separation_unit=\"m\" takes metres"),
         })
     }
 }

@@ -19,12 +19,12 @@ create_exception!(
     "A warning about a scene or an answer: a number outside its usual range, a negative force, an area above the nominal one."
 );
 
-/// Any refusal of the library, with its message.
+/// A `ValueError` with the message of an error of the library.
 pub(crate) fn value_error(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
-/// A refusal of the engine: `ValueError`, or `NotConverged`.
+/// The exception of an error of the engine: `ValueError`, or `NotConverged`.
 pub(crate) fn refused(error: ContactError) -> PyErr {
     match error {
         ContactError::Integral { source: QuadratureError::NotConverged { .. }, .. } => {
@@ -34,7 +34,7 @@ pub(crate) fn refused(error: ContactError) -> PyErr {
     }
 }
 
-/// Warns in Python's way, at the line that called, or `above` lines of the package up.
+/// Emits a `ContactWarning` at the line that calls the package, `above` frames of the package up.
 pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize) -> PyResult<()> {
     let arguments = (message.to_string(), py.get_type::<ContactWarning>(), 1 + above);
     py.import("warnings")?.call_method1("warn", arguments).map(drop)

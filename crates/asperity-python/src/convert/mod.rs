@@ -1,4 +1,4 @@
-//! Arguments of Python as the library takes them, and its values, errors and warnings as Python's.
+//! Conversion of arguments for the library, and of its values, errors and warnings for Python.
 
 pub(crate) mod axis;
 pub(crate) mod error;

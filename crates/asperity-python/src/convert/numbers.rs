@@ -1,4 +1,4 @@
-//! Numbers of Python: floats, texts with a unit, and arrays.
+//! Numbers from Python: floats, texts with a unit, and arrays.
 
 use numpy::{PyArrayDyn, PyUntypedArray};
 use pyo3::exceptions::PyTypeError;
@@ -7,9 +7,9 @@ use pyo3::types::{PyBool, PyFloat, PyList, PyString, PyTuple};
 
 use crate::convert::error::value_error;
 
-/// A number, also one of NumPy's; no array.
+/// A number, also a NumPy scalar; none for arrays and booleans.
 pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
-    // True is no length.
+    // Python would convert True to 1.
     if number.is_instance_of::<PyBool>() {
         return None;
     }
@@ -19,8 +19,8 @@ pub(crate) fn scalar(number: &Bound<'_, PyAny>) -> Option<f64> {
     None
 }
 
-/// The number of an argument `name` of `owner`, in SI units; or a text with a unit that suits the
-/// key of this name in scene files.
+/// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
+/// fits the key of this name in scene files.
 pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let unit = asperity_scene::unit_of(name);
     let text = given.cast::<PyString>().ok().zip(unit);
@@ -35,7 +35,7 @@ pub(crate) fn number(owner: &str, name: &str, given: &Bound<'_, PyAny>) -> PyRes
     })
 }
 
-/// The same of several arguments.
+/// Several arguments of `owner` as numbers in SI units.
 pub(crate) fn numbers<const N: usize>(
     owner: &str,
     given: [(&str, &Bound<'_, PyAny>); N],
@@ -47,7 +47,7 @@ pub(crate) fn numbers<const N: usize>(
     Ok(found)
 }
 
-/// That an argument is no number, and what to give.
+/// The error about an argument that is no number.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
     let needed = asperity_scene::unit_of(name)
         .map_or(String::new(), |unit| format!(" in {unit}, or a text with a unit"));
@@ -57,14 +57,13 @@ pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
 /// A text with a unit, as "2 kN", as a number in an SI unit.
 fn with_unit(text: &str, si: &str) -> PyResult<f64> {
     if text.trim().parse::<f64>().is_ok() {
-        // A text without a unit is one by mistake only.
         let advice = "give a number, or a text with its unit";
         return Err(PyTypeError::new_err(format!("{text:?} has no unit: {advice}")));
     }
     asperity_scene::quantity(text, si).map_err(PyTypeError::new_err)
 }
 
-/// Texts with a unit, as "100 nm" or a sequence of them, as numbers in an SI unit; none of numbers.
+/// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit; none for numbers.
 pub(crate) fn texts_in_si<'py>(
     numbers: &Bound<'py, PyAny>,
     si: &str,
@@ -85,7 +84,7 @@ pub(crate) fn texts_in_si<'py>(
         Ok(text) => with_unit(text.to_str()?, si),
         Err(_) => {
             let shown = item.repr()?;
-            let advice = "give every value a unit, or none";
+            let advice = "give every value a unit, or no value";
             Err(PyTypeError::new_err(format!("{shown} has no unit: {advice}")))
         }
     };
@@ -102,8 +101,8 @@ pub(crate) fn in_si<'py>(numbers: Bound<'py, PyAny>, si: &str) -> PyResult<Bound
     Ok(texts_in_si(&numbers, si)?.unwrap_or(numbers))
 }
 
-/// A contiguous array of doubles. Masks, which would be lost, complex numbers, and truths and
-/// texts, which NumPy would read as numbers, are refused.
+/// A contiguous array of doubles. Masked arrays, whose masks would be lost, and complex numbers,
+/// booleans and texts are refused.
 #[pyfunction]
 pub(crate) fn floats<'py>(
     values: &Bound<'py, PyAny>,
@@ -112,17 +111,17 @@ pub(crate) fn floats<'py>(
     let numpy = values.py().import("numpy")?;
     if numpy.getattr("ma")?.call_method1("isMaskedArray", (values,))?.extract()? {
         return Err(value_error(format!(
-            "{name} is a masked array: one without a mask was required, as of its filled() or compressed()"
+            "{name} is a masked array: an array without a mask was required; use its filled() or compressed()"
         )));
     }
     let array = numpy.call_method1("asarray", (values,))?;
     let kind = array.getattr("dtype")?;
     if !matches!(kind.getattr("kind")?.extract()?, "f" | "i" | "u") {
         return Err(PyTypeError::new_err(format!(
-            "{name} has numbers of type {kind}: real ones were required"
+            "{name} has values of type {kind}: real numbers were required"
         )));
     }
-    // ascontiguousarray makes one dimension of none.
+    // ascontiguousarray returns one dimension for a scalar.
     let made = numpy.call_method1("ascontiguousarray", (&array, "float64"))?;
     Ok(made.call_method1("reshape", (array.getattr("shape")?,))?.extract()?)
 }

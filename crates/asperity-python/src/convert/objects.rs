@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::convert::error::value_error;
 
-/// Anything serialisable; NaN is None.
+/// The dict, list or number of a serialisable value; None for NaN.
 pub(crate) fn object<'py>(py: Python<'py>, of: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
     converted(py, &serde_json::to_value(of).map_err(value_error)?)
 }

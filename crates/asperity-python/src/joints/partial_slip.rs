@@ -1,4 +1,4 @@
-//! `PartialSlip`: a closed joint that is sheared.
+//! `PartialSlip`: a closed joint under shear.
 
 use asperity::ContactError;
 use asperity::joints;
@@ -9,14 +9,14 @@ use super::{Unloading, over};
 use crate::convert::error::value_error;
 use crate::convert::numbers::texts_in_si;
 
-/// A joint that is sheared at a constant separation, from virgin or in cycles.
+/// A joint that is sheared at a constant separation, for the first time or in cycles.
 ///
 /// Made by ``Unloading.slip``. Shifts and amplitudes are in metres or texts with a unit, as "100
-/// nm"; a float gives floats, an array gives arrays of its shape. The asperities deform as
-/// elastically as in the unloading.
+/// nm"; a float gives floats, an array gives arrays of its shape. The asperities respond
+/// elastically, as in unloading.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct PartialSlip {
-    /// The joint that is sheared.
+    /// The joint under shear.
     #[pyo3(get)]
     unloading: Py<Unloading>,
     /// The coefficient of friction.
@@ -27,20 +27,20 @@ pub(crate) struct PartialSlip {
 
 #[pymethods]
 impl PartialSlip {
-    /// Of an `Unloading`.
+    /// The partial slip of an `Unloading`.
     #[new]
     pub(super) fn new(unloading: Py<Unloading>, friction: f64) -> PyResult<Self> {
         let slip = joints::PartialSlip::new(&unloading.get().joint, friction);
         Ok(Self { slip: slip.map_err(value_error)?, unloading, friction })
     }
 
-    /// Tangential force [N] at first shifts.
+    /// Tangential force [N] at shifts of the first loading.
     fn force<'py>(&self, shift: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(shift, "shift", |slip, u| Ok(slip.force(u)?.value()))
     }
 
-    /// Tangential force [N] at shifts in a steady cycle: on the way back from +amplitude, or forth
-    /// from -amplitude.
+    /// Tangential force [N] at shifts in a steady cycle: on the branch from +amplitude back, or,
+    /// with ``forth``, from -amplitude.
     #[pyo3(signature = (shift, amplitude, *, forth=false))]
     fn loop_force<'py>(
         &self,
@@ -64,7 +64,7 @@ impl PartialSlip {
         self.over(amplitude, "amplitude", joints::PartialSlip::loss_factor)
     }
 
-    /// Shift [m] at which the tangential force reaches this share of its limit, friction times the
+    /// Shift [m] at which the tangential force reaches ``share`` of its limit, friction times the
     /// normal force.
     #[pyo3(signature = (share=0.99))]
     fn shift_at(&self, py: Python<'_>, share: f64) -> PyResult<f64> {

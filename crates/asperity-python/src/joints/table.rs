@@ -1,4 +1,4 @@
-//! `JointTable`: closing, opening and closing again, for codes that step in time.
+//! `JointTable`: loading, unloading and reloading, for codes that step in time.
 
 use asperity::joints;
 use asperity::{Datum, Separation, SeparationUnit, Tolerance};
@@ -13,11 +13,11 @@ use crate::joints::SIGMAS;
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
-/// Numbers in the shape of others.
+/// Numbers in the shape of the argument.
 type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 
-/// Force and stiffness of a joint step by step: closing for the first time, opening, and closing
-/// again on the same way, in some tens of nanoseconds.
+/// Force and stiffness of a joint step by step: first loading, unloading, and reloading on the
+/// unloading curve, in some tens of nanoseconds.
 ///
 /// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane.
 /// The state of a joint is its closest approach: infinity for a new one.
@@ -27,28 +27,28 @@ pub(crate) struct JointTable {
     /// The scene.
     #[pyo3(get)]
     scene: Py<SceneFile>,
-    /// How the asperities come back: "hertz", "brake" or "etsion".
+    /// The unloading law of an asperity: "hertz", "brake" or "etsion".
     #[pyo3(get)]
     law: String,
     /// The tabulated range of closest approaches; beyond the larger, loading is elastic.
     #[pyo3(get)]
     ends: (f64, f64),
-    /// Largest error of a force on a way back, over the force at its closest approach.
+    /// Largest error of an unloading force, over the force at its closest approach.
     #[pyo3(get)]
     tolerance: f64,
-    /// The unit of its separations: "asperity_height_std" or "m".
+    /// The unit of the separations: "asperity_height_std" or "m".
     #[pyo3(get)]
     separation_unit: String,
-    /// Metres of that unit, and where the scene's plane lies above the mean of the asperity
-    /// heights.
+    /// The length of that unit [m].
     metres: f64,
+    /// Height of the scene's plane above the mean of the asperity heights [m].
     plane: f64,
     table: joints::JointTable,
 }
 
 #[pymethods]
 impl JointTable {
-    /// Of a `Model` on a `Scene`.
+    /// The table of a `Model` on a `Scene`.
     #[new]
     fn new(
         py: Python<'_>,
@@ -60,17 +60,18 @@ impl JointTable {
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
-        let parsed = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
+        let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let unit: Axis = separation_unit.extract()?;
         let raise = |error| model.get().raise(py, error);
         let sigma = file.scene.surface.asperity_height_std;
         let metres = if unit == SIGMAS { sigma } else { 1.0 };
-        let here =
+        let zero =
             Separation { value: 0.0, unit: SeparationUnit::Metres, from: file.separation_from };
-        let mean = here.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
+        let mean = zero.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene);
         let plane = mean.map_err(raise)?.value;
         for end in [ends.0, ends.1] {
-            unit.slip("separation", end, sigma).map_or(Ok(()), |slip| warn(py, &slip, 1))?;
+            let mistaken = unit.mistaken_unit("separation", end, sigma);
+            mistaken.map_or(Ok(()), |text| warn(py, &text, 1))?;
         }
         let named = model.get().on(&file)?;
         let range = (metres * ends.0 + plane, metres * ends.1 + plane);
@@ -83,17 +84,16 @@ impl JointTable {
         Ok(Self { model, scene, law, ends, tolerance, separation_unit, metres, plane, table })
     }
 
-    /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint that had
-    /// come as close as ``closest``: the next step's ``closest`` is what comes back.
+    /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint whose
+    /// closest approach so far is ``closest``; the returned one is that of the next step.
     #[pyo3(signature = (separation, closest=f64::INFINITY))]
     fn step(&self, py: Python<'_>, separation: f64, closest: f64) -> PyResult<(f64, f64, f64)> {
-        let reply = self.table.at(self.mean(separation), self.mean(closest));
+        let reply = self.table.at(self.from_mean(separation), self.from_mean(closest));
         let reply = reply.map_err(|error| self.model.get().raise(py, error))?;
         Ok((reply.force, reply.stiffness, closest.min(separation)))
     }
 
-    /// Force [N] and stiffness [N/m] of a new joint that passes through separations, one after
-    /// another.
+    /// Force [N] and stiffness [N/m] of a new joint along a sequence of separations.
     fn history<'py>(&self, separation: &Bound<'py, PyAny>) -> PyResult<(Column<'py>, Column<'py>)> {
         let py = separation.py();
         let numbers = floats(separation, "separation")?.readonly();
@@ -102,7 +102,7 @@ impl JointTable {
         let passed = py.detach(|| {
             let mut contact = self.table.new_contact();
             given.iter().try_for_each(|separation| {
-                let reply = contact.step(self.mean(*separation))?;
+                let reply = contact.step(self.from_mean(*separation))?;
                 force.push(reply.force);
                 stiffness.push(reply.stiffness);
                 Ok(())
@@ -132,8 +132,8 @@ impl JointTable {
 }
 
 impl JointTable {
-    /// A separation in metres from the mean of the asperity heights.
-    fn mean(&self, separation: f64) -> f64 {
+    /// A separation from the mean of the asperity heights [m].
+    fn from_mean(&self, separation: f64) -> f64 {
         self.metres * separation + self.plane
     }
 }

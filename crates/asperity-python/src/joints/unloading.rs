@@ -1,4 +1,4 @@
-//! `Unloading`: a joint that was closed, as it opens again.
+//! `Unloading`: a joint that opens after its first closing.
 
 use asperity::ContactError;
 use asperity::joints;
@@ -12,7 +12,7 @@ use crate::convert::numbers::texts_in_si;
 use crate::model::engine::{Engine, tolerance};
 use crate::scene::SceneFile;
 
-/// A joint that was closed for the first time, and opens again.
+/// A joint that opens after its first closing.
 ///
 /// Made by ``Model.unloading``. Retreats are distances back from the closest approach, in
 /// ``separation_unit`` or with their own, as "100 nm"; a float gives floats, an array gives arrays
@@ -23,7 +23,7 @@ pub(crate) struct Unloading {
     /// The scene.
     #[pyo3(get)]
     scene: Py<SceneFile>,
-    /// What was given: an axis and a number on it.
+    /// The place as given: an axis and a number on it.
     place: (String, f64),
     /// The relative tolerance.
     #[pyo3(get)]
@@ -41,7 +41,7 @@ pub(crate) struct Unloading {
 
 #[pymethods]
 impl Unloading {
-    /// Of a `Model` on a `Scene`, at an axis and a number on it.
+    /// The unloading of a `Model` on a `Scene`, from an axis and a number on it.
     #[new]
     fn new(
         py: Python<'_>,
@@ -53,10 +53,11 @@ impl Unloading {
         separation_unit: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let file = scene.get().0.clone();
-        let law = law.parse().map_err(|what| value_error(format!("law: {what}")))?;
+        let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
-        let slip = axis.slip("separation", place.1, file.scene.surface.asperity_height_std);
-        slip.map_or(Ok(()), |slip| warn(py, &slip, 1))?;
+        let mistaken =
+            axis.mistaken_unit("separation", place.1, file.scene.surface.asperity_height_std);
+        mistaken.map_or(Ok(()), |text| warn(py, &text, 1))?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.separation_from);
         let joint = py.detach(|| {
@@ -70,55 +71,55 @@ impl Unloading {
         Ok(Self { model, scene, place, rtol, separation_unit, closest, unit, whole, joint })
     }
 
-    /// Force [N] after going back by retreats.
+    /// Force [N] at retreats.
     fn force<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(retreat, |joint, u| Ok(joint.force(u)?.value()))
     }
 
-    /// Real contact area [m^2] after going back by retreats; not by the law "etsion".
+    /// Real contact area [m^2] at retreats; not for the law "etsion".
     fn area<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(retreat, |joint, u| Ok(joint.area(u)?.value()))
     }
 
-    /// Stiffness -dF/dd [N/m] after going back by retreats.
+    /// Stiffness -dF/dd [N/m] at retreats.
     fn stiffness<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(retreat, |joint, u| Ok(joint.stiffness(u)?.value()))
     }
 
-    /// Work [J] that going back by retreats gives back.
+    /// Work [J] returned by unloading up to retreats.
     fn returned<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(retreat, |joint, u| Ok(joint.returned(u)?.value()))
     }
 
-    /// Number of asperities that still touch after going back by retreats, on average.
+    /// Mean number of asperities in contact at retreats.
     fn contacts<'py>(&self, retreat: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(retreat, |joint, u| Ok(joint.contacts(u)?.value()))
     }
 
-    /// Retreat at which contact ends: beyond, fewer than one asperity touches on average.
+    /// Retreat at which contact ends: beyond, fewer than one asperity is in contact on average.
     fn last_contact(&self, py: Python<'_>) -> PyResult<f64> {
         let found = py.detach(|| self.joint.last_contact());
         Ok(found.map_err(|error| self.model.get().raise(py, error))? / self.metres())
     }
 
-    /// Loss factor of closing and opening: the dissipated energy over 2 pi times the work of
-    /// closing.
+    /// Loss factor of the first closing and opening: the dissipated energy over 2 pi times the work
+    /// of closing.
     fn loss_factor(&self, py: Python<'_>) -> PyResult<f64> {
         let factor = self.work(py)?.loss_factor();
         factor.map_err(|error| self.model.get().raise(py, error))
     }
 
-    /// Work [J] that the first closing took and opening does not give back.
+    /// Energy [J] dissipated in the first closing and opening.
     fn dissipated(&self, py: Python<'_>) -> PyResult<f64> {
         Ok(self.work(py)?.lost().value())
     }
 
-    /// The same joint, sheared at its closest approach with a coefficient of friction.
+    /// The joint under shear at its closest approach, with a coefficient of friction.
     fn slip(slf: &Bound<'_, Self>, friction: f64) -> PyResult<PartialSlip> {
         PartialSlip::new(slf.clone().unbind(), friction)
     }
 
-    /// How the asperities come back: "hertz", "brake" or "etsion".
+    /// The unloading law of an asperity: "hertz", "brake" or "etsion".
     #[getter]
     fn law(&self) -> String {
         self.joint.law().to_string()
@@ -145,7 +146,7 @@ impl Unloading {
 }
 
 impl Unloading {
-    /// The work of closing and opening; warns where a joint creates energy.
+    /// The work of closing and opening; warns if the joint gains energy.
     fn work(&self, py: Python<'_>) -> PyResult<joints::Work> {
         let closest = self.joint.closest().into();
         let both = py.detach(|| {
@@ -153,11 +154,11 @@ impl Unloading {
             Ok((work, self.whole.energy_gain(closest, &work)?))
         });
         let (work, gain) = both.map_err(|error| self.model.get().raise(py, error))?;
-        gain.map_or(Ok(()), |gain| warn(py, &gain.to_string(), 1))?;
+        gain.map_or(Ok(()), |gain| warn(py, &gain.to_string(), 0))?;
         Ok(work)
     }
 
-    /// Of the unit of retreats.
+    /// The unit of retreats [m].
     fn metres(&self) -> f64 {
         if self.unit == SIGMAS { self.joint.scene().surface.asperity_height_std } else { 1.0 }
     }
@@ -173,8 +174,8 @@ impl Unloading {
             Some(read) => (read, SIGMAS.in_si(), 1.0),
             None => (retreat, self.unit, self.metres()),
         };
-        let slipped = |value: f64| unit.slip("retreat", value, sigma);
+        let mistaken = |value: f64| unit.mistaken_unit("retreat", value, sigma);
         let one = |u: f64| one(&self.joint, metres * u);
-        over(retreat, "retreat", slipped, one, |error| self.model.get().raise(retreat.py(), error))
+        over(retreat, "retreat", mistaken, one, |error| self.model.get().raise(retreat.py(), error))
     }
 }

@@ -1,4 +1,4 @@
-//! `Engine`: one model, by its id and options or written in Python.
+//! `Engine`: a model by id and options, or written in Python.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,11 +15,11 @@ use crate::convert::objects::object;
 use crate::model::python_model::{PythonModel, Raised};
 use crate::scene::{self, OptionValue};
 
-/// One model: the base of the package's `Model`.
+/// A model: the base of the package's `Model`.
 #[pyclass(frozen, subclass, module = "asperity._asperity")]
 pub(crate) struct Engine(Kind);
 
-/// By id, or written in Python.
+/// The origin of a model.
 enum Kind {
     Named { id: String, given: BTreeMap<String, asperity_scene::OptionValue> },
     Python { model: Model, raised: Raised },
@@ -27,8 +27,8 @@ enum Kind {
 
 #[pymethods]
 impl Engine {
-    /// A model of this project by its id, with options that go before those of a scene; or one
-    /// written in Python, as the package's `_laws.Laws` of a class.
+    /// A model by its id, with options that replace those of a scene; or a model written in Python,
+    /// as the package's `_laws.Laws` of a class.
     #[new]
     fn new(model: &Bound<'_, PyAny>, options: BTreeMap<String, OptionValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
@@ -38,7 +38,7 @@ impl Engine {
         };
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
         let engine = Self(Kind::Named { id, given });
-        // A mistyped id or option is refused at once.
+        // Refuses a mistyped id or option.
         match engine.is_bem() {
             true => drop(engine.options(ModelOptions::default())?),
             false => drop(engine.with(ModelOptions::default(), None)?),
@@ -46,7 +46,7 @@ impl Engine {
         Ok(engine)
     }
 
-    /// Id, name, source and notes, with the options of a scene, if one is given.
+    /// Id, name, source and notes, with the options of a scene, if given.
     #[pyo3(name = "_source", signature = (scene=None))]
     fn source<'py>(
         &self,
@@ -86,7 +86,7 @@ impl Engine {
         Ok(PyArray1::from_vec(py, values))
     }
 
-    /// Faults of the laws on one asperity of a scene; none for good laws.
+    /// Faults of the laws on one asperity of a scene; empty for correct laws.
     #[pyo3(name = "_check")]
     fn check(&self, py: Python<'_>, scene: &scene::SceneFile) -> PyResult<Vec<String>> {
         let model = self.on(&scene.0)?;
@@ -97,7 +97,7 @@ impl Engine {
 }
 
 impl Engine {
-    /// The options of a scene, replaced by those of this model where there are any.
+    /// The options of a scene, with those of this model in their place.
     fn options(&self, mut options: ModelOptions) -> PyResult<ModelOptions> {
         if let Kind::Named { given, .. } = &self.0 {
             given.iter().try_for_each(|(k, v)| options.set(k, v)).map_err(value_error)?;
@@ -105,12 +105,12 @@ impl Engine {
         Ok(options)
     }
 
-    /// Boundary elements are a model of a scan: there is none without a scene.
+    /// Whether the model is boundary elements, which exist on a scan only.
     fn is_bem(&self) -> bool {
         matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case("bem"))
     }
 
-    /// The model, on the scan of a scene where it needs one.
+    /// The model with options, on the scan of a scene, if given.
     fn with(&self, options: ModelOptions, file: Option<&SceneFile>) -> PyResult<Model> {
         match (&self.0, file) {
             (Kind::Named { id, .. }, Some(file)) => {
@@ -121,18 +121,19 @@ impl Engine {
         }
     }
 
-    /// The model on a scene; the scene's options apply where the model has none.
+    /// The model on a scene; options of the model replace those of the scene.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         self.with(file.options, Some(file))
     }
 
-    /// The model on all scenes.
+    /// The model on all scenes, whose options must agree.
     pub(crate) fn on_all(&self, files: &[Arc<SceneFile>]) -> PyResult<Model> {
         if let [file] = files {
             return self.on(file);
         }
         if self.is_bem() {
-            let text = format!("{} scenes were given: bem needs one, with a scan", files.len());
+            let text =
+                format!("{} scenes were given: bem needs a single scene with a scan", files.len());
             return Err(value_error(text));
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
@@ -146,12 +147,13 @@ impl Engine {
         self.with(first, None)
     }
 
-    /// Whether the model is written in Python, so that a refusal may be an exception of the user's.
+    /// Whether the model is written in Python: a refusal may then be an exception of the user's
+    /// code.
     pub(crate) fn is_written(&self) -> bool {
         matches!(self.0, Kind::Python { .. })
     }
 
-    /// The exception of a user's own code, or the library's refusal.
+    /// The exception of a refusal: that of the user's own code, or the library's.
     pub(crate) fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let own = match &self.0 {
             Kind::Python { raised, .. } => raised.exception(py, &refusal),
@@ -161,7 +163,7 @@ impl Engine {
     }
 }
 
-/// Quantities by their names.
+/// Quantities by name.
 pub(crate) fn quantities_of(names: &[String]) -> PyResult<Vec<Quantity>> {
     names.iter().map(|name| name.parse().map_err(value_error)).collect()
 }
@@ -170,14 +172,13 @@ pub(crate) fn tolerance(rtol: f64) -> PyResult<Tolerance> {
     Tolerance::new(rtol).map_err(refused)
 }
 
-/// The ids of all models, simplest first.
+/// The ids of all models, from simplest to most complex.
 #[pyfunction]
 pub(crate) fn model_ids() -> Vec<String> {
     Model::all().iter().map(|model| model.id().to_string()).collect()
 }
 
-/// The columns of quantities in tables by their names, as both are spelled; of all, if none are
-/// named.
+/// Table columns by the names of quantities; of all quantities, if `names` is empty.
 #[pyfunction]
 #[pyo3(signature = (names=vec![]))]
 pub(crate) fn quantities(py: Python<'_>, names: Vec<String>) -> PyResult<Bound<'_, PyDict>> {

@@ -1,4 +1,4 @@
-//! A model written in Python, behind the same trait as the others.
+//! A model written in Python, by the trait of all models.
 
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 
 use crate::records::Asperity;
 
-/// Of a user's model; none of this is shown.
+/// The citation of a user's model; never shown.
 const SOURCE: Citation = Citation {
     id: "python",
     name: "Python",
@@ -37,7 +37,7 @@ impl Raised {
         message
     }
 
-    /// The exception behind a refusal, if it is the one that was raised last.
+    /// The exception that caused a refusal, if it is the last one kept.
     pub(crate) fn exception(&self, py: Python<'_>, refusal: &ContactError) -> Option<PyErr> {
         let (ContactError::Refused { reason, .. }
         | ContactError::Integral { source: QuadratureError::Refused { reason }, .. }) = refusal
@@ -52,12 +52,12 @@ impl Raised {
 
 /// A class whose instances are the laws of one asperity.
 pub(crate) struct PythonModel {
-    /// The package's `_laws.Laws` of that class: function, kinks and regimes of an asperity.
+    /// The package's `_laws.Laws` of the class: returns function, kinks and regimes of an asperity.
     laws: Py<PyAny>,
     name: String,
     own_stiffness: bool,
     monotone: bool,
-    /// Distinguishes this model from every other: a sweep integrates a recurring law once.
+    /// A number of its own: sweeps identify recurring laws by it.
     number: u64,
     raised: Raised,
 }
@@ -110,7 +110,7 @@ impl PythonModel {
             part("law".into(), Regime::ElasticPlastic, 0.0..f64::INFINITY, kinks);
             return Ok(law);
         }
-        // One part for each range that the kinks bound.
+        // One part for each range between kinks.
         let ends = kinks.iter().copied().chain([f64::INFINITY]);
         let starts = [0.0].into_iter().chain(kinks.iter().copied());
         for (name, (start, end)) in regimes.into_iter().zip(starts.zip(ends)) {

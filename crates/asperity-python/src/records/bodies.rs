@@ -19,14 +19,14 @@ record! {
     /// poissons_ratio : float
     ///     Poisson's ratio, above -1 and at most 0.5.
     /// hardness : float or str, optional
-    ///     Hardness [Pa]; 2.8 times the yield strength when not given.
+    ///     Hardness [Pa]; by default 2.8 times the yield strength.
     /// yield_strength : float or str, optional
-    ///     Yield strength [Pa]; the hardness over 2.8 when not given. Without either, the body never
-    ///     yields: for gw, persson, dmt and jkr only.
+    ///     Yield strength [Pa]; by default the hardness over 2.8. A body without either never
+    ///     yields: only gw, persson, dmt and jkr accept it.
     /// thermal_conductivity : float or str, optional
-    ///     k [W/(m K)], for the quantity "thermal-conductance" only.
+    ///     k [W/(m K)]; needed by the quantity "thermal-conductance" only.
     /// electrical_resistivity : float or str, optional
-    ///     rho [ohm m], for the quantity "electrical-conductance" only.
+    ///     rho [ohm m]; needed by the quantity "electrical-conductance" only.
     ///
     /// Examples
     /// --------
@@ -43,13 +43,13 @@ record! {
     youngs_modulus: f64,
     /// Poisson's ratio.
     poissons_ratio: f64,
-    /// Hardness [Pa], where it was given.
+    /// Hardness [Pa], if given.
     hardness: Option<f64>,
-    /// Yield strength [Pa], where it was given.
+    /// Yield strength [Pa], if given.
     yield_strength: Option<f64>,
-    /// Thermal conductivity [W/(m K)], where it was given.
+    /// Thermal conductivity [W/(m K)], if given.
     thermal_conductivity: Option<f64>,
-    /// Electrical resistivity [ohm m], where it was given.
+    /// Electrical resistivity [ohm m], if given.
     electrical_resistivity: Option<f64>,
     {}
 }
@@ -64,23 +64,23 @@ record! {
     /// equivalent_modulus : float or str
     ///     E [Pa]: 1/E = (1-nu1^2)/E1 + (1-nu2^2)/E2.
     /// poissons_ratio : float
-    ///     That of the softer body, above -1 and at most 0.5.
+    ///     Poisson's ratio of the softer body, above -1 and at most 0.5.
     /// hardness : float or str, optional
-    ///     Of the softer body [Pa]; 2.8 times the yield strength when not given.
+    ///     Hardness of the softer body [Pa]; by default 2.8 times the yield strength.
     /// yield_strength : float or str, optional
-    ///     Of the softer body [Pa]; the hardness over 2.8 when not given. Without either, the surfaces
-    ///     never yield: for gw, persson, dmt and jkr only.
+    ///     Yield strength of the softer body [Pa]; by default the hardness over 2.8. Surfaces
+    ///     without either never yield: only gw, persson, dmt and jkr accept them.
     /// equivalent_shear_modulus : float or str, optional
-    ///     G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; the models gao and at, and the quantity
-    ///     "tangential-stiffness", need it.
+    ///     G [Pa]: 1/G = (2-nu1)/G1 + (2-nu2)/G2; needed by the models gao and at and the quantity
+    ///     "tangential-stiffness".
     /// pressure_factor : float, optional
-    ///     Maximum contact pressure factor; 0.454 + 0.41 nu when not given.
+    ///     Maximum contact pressure factor; by default 0.454 + 0.41 nu.
     /// thermal_conductivity : float or str, optional
-    ///     k [W/(m K)]: 2/k = 1/k1 + 1/k2; "thermal-conductance" needs it.
+    ///     k [W/(m K)]: 2/k = 1/k1 + 1/k2; needed by "thermal-conductance".
     /// electrical_resistivity : float or str, optional
-    ///     rho [ohm m]: 2 rho = rho1 + rho2; "electrical-conductance" needs it.
+    ///     rho [ohm m]: 2 rho = rho1 + rho2; needed by "electrical-conductance".
     /// work_of_adhesion : float or str, optional
-    ///     w_a [J/m^2], at least 0: the models dmt and jkr need it.
+    ///     w_a [J/m^2], at least 0; needed by the models dmt and jkr.
     ///
     /// Examples
     /// --------
@@ -98,22 +98,23 @@ record! {
     equivalent_modulus: f64,
     /// Poisson's ratio of the softer body.
     poissons_ratio: f64,
-    /// Hardness of the softer body [Pa], where it was given.
+    /// Hardness of the softer body [Pa], if given.
     hardness: Option<f64>,
-    /// Yield strength of the softer body [Pa], where it was given.
+    /// Yield strength of the softer body [Pa], if given.
     yield_strength: Option<f64>,
-    /// Equivalent shear modulus G [Pa], where it was given.
+    /// Equivalent shear modulus G [Pa], if given.
     equivalent_shear_modulus: Option<f64>,
-    /// Maximum contact pressure factor, where it was given.
+    /// Maximum contact pressure factor, if given.
     pressure_factor: Option<f64>,
-    /// Thermal conductivity of the pair [W/(m K)], where it was given.
+    /// Thermal conductivity of the pair [W/(m K)], if given.
     thermal_conductivity: Option<f64>,
-    /// Electrical resistivity of the pair [ohm m], where it was given.
+    /// Electrical resistivity of the pair [ohm m], if given.
     electrical_resistivity: Option<f64>,
-    /// Work of adhesion [J/m^2], where it was given.
+    /// Work of adhesion [J/m^2], if given.
     work_of_adhesion: Option<f64>,
     {
-        /// Two deformable bodies; hardness and Poisson's ratio are those of the softer one.
+        /// The interface of two deformable bodies; hardness and Poisson's ratio are those of the
+        /// softer body.
         #[staticmethod]
         #[pyo3(signature = (first, second, *, work_of_adhesion=None))]
         fn between(first: &Arg<'_>, second: &Arg<'_>, work_of_adhesion: Option<&Arg<'_>>) -> PyResult<Self> {
@@ -123,7 +124,7 @@ record! {
             Self::of(py, &[first, second], found, work_of_adhesion)
         }
 
-        /// A deformable body on a rigid one.
+        /// The interface of a deformable and a rigid body.
         #[staticmethod]
         #[pyo3(signature = (body, *, work_of_adhesion=None))]
         fn against_rigid(body: &Arg<'_>, work_of_adhesion: Option<&Arg<'_>>) -> PyResult<Self> {
@@ -134,7 +135,7 @@ record! {
 }
 
 impl Interface {
-    /// The interface of bodies, with a work of adhesion of the pair.
+    /// The interface of bodies with their work of adhesion; warns of unusual bodies.
     fn of(
         py: Python<'_>,
         bodies: &[asperity::Body],
@@ -142,10 +143,10 @@ impl Interface {
         work_of_adhesion: Option<&Arg<'_>>,
     ) -> PyResult<Self> {
         let mut found = made.map_err(refused)?;
-        // Findings of the interface itself appear where it is used.
+        // Findings of the interface appear in its scene.
         if found.findings().is_empty() {
-            let mut odd = bodies.iter().flat_map(asperity::Body::findings);
-            odd.try_for_each(|finding| warn(py, finding, 0))?;
+            let mut findings = bodies.iter().flat_map(asperity::Body::findings);
+            findings.try_for_each(|finding| warn(py, finding, 0))?;
         }
         found.work_of_adhesion = Field::read("Interface", "work_of_adhesion", work_of_adhesion)?;
         Self::checked(found)

@@ -1,4 +1,4 @@
-//! `Body`, `Interface`, `Surface` and `Asperity`: the library's structs as frozen classes.
+//! `Body`, `Interface`, `Surface` and `Asperity`: structs of the library as frozen classes.
 
 mod bodies;
 mod surface;
@@ -16,7 +16,7 @@ pub(crate) use surface::{Asperity, Surface};
 /// An argument.
 type Arg<'py> = Bound<'py, PyAny>;
 
-/// A field of a record: a number, or one that may be missing.
+/// A field of a record: a number or an optional number.
 trait Field: Sized {
     fn read(record: &str, name: &str, given: Option<&Arg<'_>>) -> PyResult<Self>;
 }
@@ -70,7 +70,7 @@ macro_rules! record {
 
             $($methods)*
 
-            /// The same with other numbers, by their names.
+            /// A copy with other numbers, by their names.
             #[pyo3(signature = (**numbers))]
             fn replace<'py>(
                 slf: &Bound<'py, Self>,
@@ -129,14 +129,14 @@ pub(crate) trait Record: Sized {
     /// The name of every field, with a function that sets it.
     const SETTERS: &'static [(&'static str, Setter<Self::Struct>)];
 
-    /// The record of a struct whose numbers are in their ranges.
+    /// The record of a struct; an error if a number is out of range.
     fn checked(found: Self::Struct) -> PyResult<Self>;
 
     /// Every field by its name, in the order of the signature.
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>>;
 }
 
-/// A record as the call that makes it, without the fields that are None.
+/// The text of the call that makes a record, without the fields that are None.
 pub(crate) fn shown(name: &str, fields: &Bound<'_, PyDict>) -> PyResult<String> {
     let given = fields.iter().filter(|(_, value)| !value.is_none());
     let each = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
@@ -145,7 +145,7 @@ pub(crate) fn shown(name: &str, fields: &Bound<'_, PyDict>) -> PyResult<String> 
     Ok(format!("{name}({})", given.map(each).collect::<PyResult<Vec<_>>>()?.join(", ")))
 }
 
-/// The instance of a class that an argument of this name must be.
+/// An argument as an instance of the class; a `TypeError` for another type.
 pub(crate) fn instance<'a, 'py, T: PyClass<Frozen = True> + Sync>(
     name: &str,
     given: &'a Bound<'py, PyAny>,
@@ -153,7 +153,7 @@ pub(crate) fn instance<'a, 'py, T: PyClass<Frozen = True> + Sync>(
     given.cast().map_err(|_| {
         let advice = match T::NAME {
             "Interface" if given.is_instance_of::<Body>() => {
-                ": Interface.between(one, other) makes one of two bodies"
+                ": Interface.between(first, second) makes one from two bodies"
             }
             _ => "",
         };
@@ -162,7 +162,7 @@ pub(crate) fn instance<'a, 'py, T: PyClass<Frozen = True> + Sync>(
     })
 }
 
-/// The name of an object's type, with its article.
+/// The name of an object's type with its article.
 pub(crate) fn with_article(given: &Bound<'_, PyAny>) -> String {
     let name = given.get_type().name().map_or_else(|_| String::new(), |name| name.to_string());
     format!("{} {name}", article(&name))

@@ -1,4 +1,4 @@
-//! `Surface`, and `Asperity`, one of them.
+//! `Surface` and `Asperity`.
 
 use asperity::{ContactError, ProfileMoments};
 use pyo3::prelude::*;
@@ -20,7 +20,8 @@ record! {
     /// asperity_density : float or str
     ///     Asperities per area [1/m^2], above 0.
     /// asperity_height_std : float or str
-    ///     Standard deviation of the asperity heights [m], above 0; not that of the surface heights.
+    ///     Standard deviation of the asperity heights [m], above 0; for that of the surface heights
+    ///     use ``from_surface_std``.
     ///
     /// Examples
     /// --------
@@ -65,7 +66,7 @@ record! {
 
         /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
         /// surface heights Sq [m], the density of peaks Spd [1/m^2] and their mean curvature Spc
-        /// [1/m]. The peaks are taken for the asperities.
+        /// [1/m]. The peaks are the asperities.
         ///
         /// >>> import asperity
         /// >>> surface = asperity.Surface.from_iso25178(sq="1.1 um", spd="200 1/mm2", spc="5 1/mm")
@@ -112,9 +113,9 @@ impl Surface {
 }
 
 record! {
-    /// One asperity, with every input resolved: what a law written in Python is made for.
+    /// One asperity with every input resolved: the argument of a model written in Python.
     ///
-    /// Made by the engine, and by ``Scene.asperity``.
+    /// Made by the engine and by ``Scene.asperity``.
     Asperity (
         equivalent_modulus, equivalent_shear_modulus, poissons_ratio, hardness, yield_strength,
         pressure_factor, radius, work_of_adhesion=None
@@ -130,29 +131,29 @@ record! {
     }, |_| Ok(());
     /// Equivalent modulus E [Pa].
     equivalent_modulus: f64,
-    /// Equivalent shear modulus G [Pa], where it was given.
+    /// Equivalent shear modulus G [Pa], if given.
     equivalent_shear_modulus: Option<f64>,
     /// Poisson's ratio of the softer body.
     poissons_ratio: f64,
-    /// Hardness of the softer body [Pa], unless it never yields.
+    /// Hardness of the softer body [Pa]; None if it never yields.
     hardness: Option<f64>,
-    /// Yield strength of the softer body [Pa], unless it never yields.
+    /// Yield strength of the softer body [Pa]; None if it never yields.
     yield_strength: Option<f64>,
     /// Maximum contact pressure factor.
     pressure_factor: f64,
     /// Radius [m].
     radius: f64,
-    /// Work of adhesion [J/m^2], where it was given.
+    /// Work of adhesion [J/m^2], if given.
     work_of_adhesion: Option<f64>,
     {
-        /// The interference at the onset of yielding [m]; ValueError where it would exceed the
-        /// radius, or there is no hardness.
+        /// The interference at the onset of yielding [m]; ValueError if it would exceed the radius,
+        /// or without a hardness.
         #[getter]
         fn critical_interference(&self) -> PyResult<f64> {
             self.0.critical_interference().map_err(refused)
         }
 
-        /// The force at the critical interference [N]; ValueError where there is none.
+        /// The force at the critical interference [N]; ValueError as for ``critical_interference``.
         #[getter]
         fn critical_force(&self) -> PyResult<f64> {
             self.0.critical_force().map_err(refused)

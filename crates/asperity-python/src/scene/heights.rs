@@ -1,4 +1,4 @@
-//! Heights and options of a scene, as Python gives them.
+//! Heights and options of a scene from Python.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::convert::error::{refused, value_error};
 
-/// A name, a skewness, or a table of heights [m] and densities [1/m].
+/// Heights: a name, a skewness, or a table of heights [m] and densities [1/m].
 #[derive(FromPyObject, Serialize)]
 #[serde(untagged)]
 pub(crate) enum Heights {
@@ -18,7 +18,7 @@ pub(crate) enum Heights {
     Table(Vec<f64>, Vec<f64>),
 }
 
-/// A name, a number, or named numbers.
+/// The value of an option: a name, a number, or named numbers.
 #[derive(FromPyObject)]
 pub(crate) enum OptionValue {
     Name(String),
@@ -37,7 +37,7 @@ impl From<OptionValue> for asperity_scene::OptionValue {
 }
 
 impl Heights {
-    /// Those of a scene.
+    /// The heights of a scene.
     pub(crate) fn in_file(file: &asperity_scene::SceneFile) -> Self {
         match (&file.table, &file.scene.heights) {
             (None, HeightDistribution::Weibull(heights)) => {
@@ -76,7 +76,7 @@ impl Heights {
             }
             Self::Table(z, density) if z.len() != density.len() => {
                 return Err(value_error(format!(
-                    "heights is a table of {} heights and {} densities: as many of both was required",
+                    "heights is a table of {} heights and {} densities: equal numbers of both were required",
                     z.len(),
                     density.len()
                 )));

@@ -1,4 +1,4 @@
-//! Numbers of a scene that `Scene.replace`, `Scene.vary` and `Space` change, by their names.
+//! Numbers of a scene that `Scene.replace`, `Scene.vary` and `Space` change, by name.
 
 use std::iter::once;
 
@@ -11,13 +11,13 @@ use crate::convert::error::value_error;
 use crate::convert::numbers::texts_in_si;
 use crate::records::{Interface, Record, Setter, Surface};
 
-/// A number of a scene that can be another.
+/// A number of a scene that can be replaced.
 #[derive(Clone, Copy)]
 pub(crate) enum Input {
     Interface(Setter<asperity::Interface>),
     Surface(Setter<asperity::Surface>),
     NominalArea,
-    /// One of the two that radius and density follow from.
+    /// Radius and density follow from this and the next.
     PlasticityIndex,
     RoughnessParameter,
 }
@@ -34,27 +34,28 @@ fn all() -> impl Iterator<Item = (&'static str, Input)> {
     interface.chain(surface).chain(once(("nominal_area", Input::NominalArea))).chain(ROUGHNESS)
 }
 
-/// The inputs of these names; refused where there is no such input, or one follows from another.
+/// The inputs of these names; an error for an unknown name, or for radius or density beside the
+/// inputs that determine them.
 pub(crate) fn inputs<'n>(names: impl Iterator<Item = &'n String> + Clone) -> PyResult<Vec<Input>> {
     let given = |wanted: &str| names.clone().any(|name| name == wanted);
     let follows = ["asperity_radius", "asperity_density"].into_iter().find(|name| given(name));
     if let (true, Some(follows)) = (ROUGHNESS.iter().any(|(name, _)| given(name)), follows) {
         let others = ROUGHNESS.map(|(name, _)| name).join(" or ");
         return Err(value_error(format!(
-            "{follows} is given beside {others}: it follows from them, leave it out"
+            "{follows} is given beside {others}, which determine it: leave {follows} out"
         )));
     }
     let input = |name: &String| {
-        let found = all().find(|(known, _)| known == name);
+        let found = all().find(|(other, _)| other == name);
         found.map(|(_, input)| input).ok_or_else(|| {
-            let known = all().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
-            value_error(format!("{name} is not an input of a scene: one of {known} was required"))
+            let names = all().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+            value_error(format!("{name} is not an input of a scene: one of {names} was required"))
         })
     };
     names.clone().map(input).collect()
 }
 
-/// The values of inputs by their names, with numbers in SI units in the place of texts with a unit.
+/// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
 #[pyfunction]
 pub(crate) fn inputs_in_si<'py>(given: Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
     inputs(given.keys().extract::<Vec<String>>()?.iter())?;

@@ -1,4 +1,4 @@
-//! `Scene`: two bodies in contact, as a scene file describes them.
+//! `Scene`: the contact of two bodies, as described by a scene file.
 
 mod heights;
 pub(crate) mod inputs;
@@ -39,15 +39,15 @@ use inputs::{inputs, with_numbers};
 ///     density. A table has heights [m], ascending, and the density there [1/m]: linear between its
 ///     points, 0 outside; heights count from the table's own mean.
 /// separation_from : "asperity-mean" or "surface-mean"
-///     The plane that separations are measured from: the mean of the asperity heights (for
-///     exponential heights: the lowest asperity), or the mean plane of the surface.
+///     The plane of separation 0: the mean of the asperity heights (for exponential heights the
+///     lowest asperity), or the mean plane of the surface.
 /// mean_plane_offset : float, optional
-///     Height of the mean of the asperity heights above the mean plane [m], where it was measured;
-///     when not given, that of the table of heights, or of an isotropic Gaussian surface.
+///     Measured height of the mean of the asperity heights above the mean plane [m]; by default
+///     that of the table of heights, or of an isotropic Gaussian surface.
 /// options : dict, optional
-///     Options of the models, as in the section [options] of a scene file; and
-///     ``{"asperities": "random"}``: "ke" stands for "ke-random" then, whose heights and radii are
-///     spread together as on an isotropic Gaussian surface with these moments.
+///     Options of the models, as in the section [options] of a scene file. With
+///     ``{"asperities": "random"}`` "ke" means "ke-random": heights and radii of the asperities
+///     have the joint distribution of an isotropic Gaussian surface with these moments.
 ///
 /// Examples
 /// --------
@@ -100,7 +100,7 @@ impl SceneFile {
             file.options.set(&name, &value.into()).map_err(value_error)?;
         }
         let file = with_numbers(&file, []).map_err(refused)?;
-        // Refuses separations from a mean plane that the heights do not have.
+        // Refuses separations from the mean plane for heights without one.
         file.separation(0.0, SeparationUnit::Metres)
             .measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)
             .map_err(refused)?;
@@ -149,16 +149,16 @@ impl SceneFile {
         }
     }
 
-    /// The plane that separations are measured from.
+    /// The plane of separation 0.
     #[getter]
     fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         object(py, &self.0.separation_from)
     }
 
-    /// Height of the mean of the asperity heights above the mean plane [m], where it was given.
+    /// Height of the mean of the asperity heights above the mean plane [m], if given.
     #[getter]
     fn mean_plane_offset(&self) -> Option<f64> {
-        // A table's own mean is not given.
+        // The mean of a table is derived, not given.
         self.0.scene.mean_plane_offset.filter(|_| self.0.table.is_none())
     }
 
@@ -168,7 +168,7 @@ impl SceneFile {
         object(py, &self.0.options.changed())
     }
 
-    /// The same scene with other numbers, by the names of a scene file: equivalent_modulus,
+    /// A copy with other numbers, by the names of a scene file: equivalent_modulus,
     /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor,
     /// thermal_conductivity, electrical_resistivity, work_of_adhesion, asperity_radius,
     /// asperity_density, asperity_height_std, nominal_area; or plasticity_index and
@@ -181,7 +181,8 @@ impl SceneFile {
         Ok(Self(Arc::new(with_numbers(&self.0, values).map_err(refused)?)))
     }
 
-    /// Many scenes like this one: the names of ``replace``, with arrays that are broadcast.
+    /// Many scenes that differ in some numbers: the names of ``replace`` with arrays, which are
+    /// broadcast.
     #[pyo3(signature = (**columns))]
     fn vary<'py>(
         slf: &Bound<'py, Self>,
@@ -191,7 +192,7 @@ impl SceneFile {
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
-    /// One asperity of the surface, with every input resolved.
+    /// One asperity of the surface with every input resolved.
     #[getter]
     fn asperity(&self) -> PyResult<Asperity> {
         self.0.scene.asperity().map(Asperity).map_err(refused)
@@ -209,13 +210,13 @@ impl SceneFile {
         self.0.scene.plasticity_index().map_err(refused)
     }
 
-    /// The ids of the models that this scene allows, simplest first.
+    /// The ids of the models that this scene allows, from simplest to most complex.
     fn models(&self) -> Vec<String> {
         self.0.models().0.iter().map(|model| model.id().to_string()).collect()
     }
 
-    /// The text of a scene file that reads back exactly, written to ``path`` if there is one; a
-    /// table of heights goes to a CSV file of the same name beside it then.
+    /// The text of a scene file that reads back exactly, also written to ``path``, if given, with a
+    /// table of heights in a CSV file of the same name beside it.
     ///
     /// >>> import asperity
     /// >>> scene = asperity.Scene.parse(asperity.template())
@@ -230,17 +231,16 @@ impl SceneFile {
         text.map_err(value_error)
     }
 
-    /// What follows from the scene, and what in it is unusual: sizes that no surface or material
-    /// has, with the unit that would explain them. At a separation, load [N] or pressure [Pa], also
-    /// how much touches, how deep contacts are pressed, and whether the model is made for that:
-    /// "ke" unless another is given, or "gw" where there is no hardness.
+    /// Derived numbers of the scene, and findings about unusual ones, with the unit that would
+    /// explain them. At a separation, load [N] or pressure [Pa] also the numbers of the contact,
+    /// and findings about the range of the model: by default "ke", or "gw" without a hardness.
     ///
     /// >>> import asperity
     /// >>> interface = asperity.Interface(116, 0.31, hardness=1.12e9)
     /// >>> surface = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
-    /// >>> print(asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0])
-    /// error: equivalent_modulus is 116 Pa (usual: 30000 to 1.3e12): 116 looks like GPa; 116 GPa is
-    /// 1.16e11 Pa
+    /// >>> finding = asperity.Scene(interface, surface, nominal_area=3e-5).check().findings[0]
+    /// >>> finding.severity, finding.field, finding.message.split(": ")[-1]
+    /// ('error', 'equivalent_modulus', '116 looks like GPa; 116 GPa is 1.16e11 Pa')
     #[pyo3(signature = (
         model=None, separation=None, *, load=None, pressure=None,
         separation_unit="asperity_height_std"
@@ -257,7 +257,7 @@ impl SceneFile {
         check.call1((slf, model, separation, load, pressure, separation_unit))
     }
 
-    /// The arguments that make this scene, with dicts of numbers for the interface and the surface.
+    /// The arguments of this scene, with dicts of numbers for the interface and the surface.
     fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = self.arguments(py)?;
         fields.set_item("interface", self.interface().fields(py)?)?;
@@ -265,7 +265,7 @@ impl SceneFile {
         Ok(fields)
     }
 
-    /// The id of the model that others are compared with where none is named.
+    /// The id of the default reference of comparisons.
     fn _usual_reference(&self) -> &'static str {
         asperity::usual_reference(&self.0.scene)
     }
@@ -312,7 +312,7 @@ impl SceneFile {
         Ok(Self(Arc::new(file)))
     }
 
-    /// The arguments that make this scene, in the order of the signature.
+    /// The arguments of this scene, in the order of the signature.
     fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arguments = PyDict::new(py);
         arguments.set_item("interface", self.interface())?;
@@ -326,7 +326,7 @@ impl SceneFile {
     }
 }
 
-/// A commented scene file with every key there is.
+/// A commented scene file with every key.
 #[pyfunction]
 pub(crate) fn template() -> &'static str {
     asperity_scene::template()

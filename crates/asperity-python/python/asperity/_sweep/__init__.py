@@ -1,4 +1,4 @@
-"""Sweeps: scenes drawn from distributions, their answers and statistics."""
+"""Sweeps: scenes drawn from distributions, with results and statistics."""
 
 from asperity._sweep.result import Sensitivity, SweepResult, read_sweep
 from asperity._sweep.run import sweep

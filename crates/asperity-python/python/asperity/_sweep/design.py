@@ -1,4 +1,4 @@
-"""Which points of the unit cube are drawn; every part of them by itself."""
+"""Points in the unit cube, drawn part by part."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import numpy as np
 from asperity._scene import Floats
 
 DESIGNS = ("sobol", "latin-hypercube", "saltelli", "saltelli-pairs")
-# Bits of a coordinate of scipy's Sobol points, and so how many there are.
+# Bits of a coordinate of scipy's Sobol points: 2^BITS is their number.
 BITS = 30
 
 
 def integer(name: str, given: int, least: int) -> int:
-    """An integer, also one of NumPy's."""
+    """An integer from ``least``, also one of NumPy."""
     if isinstance(given, bool) or not isinstance(given, int | np.integer) or given < least:
         raise ValueError(f"{name} is {given!r}: an integer from {least} was required")
     return int(given)
@@ -23,7 +23,7 @@ def integer(name: str, given: int, least: int) -> int:
 
 @dataclass(frozen=True)
 class Design:
-    """``rows`` points in ``dimensions`` dimensions, in parts that no worker has to agree about."""
+    """``rows`` points in ``dimensions`` dimensions, in parts that are drawn independently."""
 
     kind: str
     n: int
@@ -39,31 +39,31 @@ class Design:
 
     @property
     def block(self) -> int:
-        """Rows that belong together: those of one base point of Saltelli's scheme."""
+        """Rows of one base point of Saltelli's scheme; else 1."""
         return {"saltelli": self.dimensions + 2, "saltelli-pairs": 2 * self.dimensions + 2}.get(
             self.kind, 1
         )
 
     @property
     def points(self) -> int:
-        """Points that are drawn: for Saltelli's scheme a power of two, so that they are balanced."""
+        """The number of drawn points: for Saltelli's scheme a power of two, to be balanced."""
         if self.block == 1:
             return self.n
         return 1 << (math.ceil(self.n / self.block) - 1).bit_length()
 
     @property
     def rows(self) -> int:
-        """Rows that come of them: ``n``, rounded up for Saltelli's scheme."""
+        """The number of rows: ``n``, rounded up for Saltelli's scheme."""
         return self.points * self.block
 
     @property
     def points_per_part(self) -> int:
-        """Whole blocks only."""
+        """Points of a part: whole blocks only."""
         return max(1, self.part_size // self.block)
 
     @property
     def parts(self) -> int:
-        """How many parts there are."""
+        """The number of parts."""
         return -(-self.points // self.points_per_part)
 
     def first_row(self, part: int) -> int:
@@ -71,7 +71,7 @@ class Design:
         return part * self.points_per_part * self.block
 
     def rows_of(self, part: int) -> int:
-        """How many rows a part has."""
+        """The number of rows of a part."""
         return min(self.first_row(part + 1), self.rows) - self.first_row(part)
 
     def sample(self, part: int) -> Floats:
@@ -80,7 +80,7 @@ class Design:
 
         start, count = part * self.points_per_part, self.rows_of(part) // self.block
         if self.kind == "latin-hypercube":
-            # Every part is a hypercube by itself: a whole one cannot be had part by part.
+            # Every part is a hypercube: one for all rows cannot be drawn part by part.
             rng = np.random.default_rng([self.seed, part])
             sample: Floats = qmc.LatinHypercube(self.dimensions, rng=rng).random(count)
             inside: Floats = np.minimum(sample, 1.0 - 2.0**-53)
@@ -91,9 +91,9 @@ class Design:
         if start:
             base = sobol.fast_forward(start).random(count)
         else:
-            # A power of two of them: scipy warns of any other first draw.
+            # scipy warns of a first draw that is no power of two.
             base = sobol.random_base2((count - 1).bit_length())[:count]
-        # To the middle of their cells: 0 has no finite quantile.
+        # Moved to the middle of their cells: 0 has no finite quantile.
         return self._crossed(base + 2.0 ** -(BITS + 1))
 
     def _crossed(self, base: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""The folder of a sweep: a manifest, and its parts, each a whole file."""
+"""The folder of a sweep: a manifest, and a file for each part."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ MANIFEST = "manifest.json"
 
 
 class Folder:
-    """The folder of one sweep; made by ``Folder.of`` before a sweep runs."""
+    """The folder of one sweep; ``Folder.of`` creates it."""
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.path = Path(path).absolute()
         manifest = self.path / MANIFEST
         if not manifest.is_file():
             raise ValueError(f"{self.path} has no {MANIFEST}: the folder of a sweep was required")
-        #: Every input that the digits depend on.
+        #: Every input that the values depend on.
         self.identity: dict[str, Any] = json.loads(manifest.read_text(encoding="utf-8"))
 
     @staticmethod
     def of(path: str | os.PathLike[str], identity: dict[str, Any]) -> Folder:
-        """A new folder, or the one in which the same sweep has begun."""
+        """A new folder, or that of the same sweep; ValueError for another sweep's."""
         folder = Path(path).absolute()
         folder.mkdir(parents=True, exist_ok=True)
         manifest = folder / MANIFEST
@@ -35,7 +35,7 @@ class Folder:
             found._refuse_another(json.loads(json.dumps(identity)))
         elif any(folder.glob("part-*.parquet")):
             raise ValueError(
-                f"{folder} has parts and no {MANIFEST}: an empty folder or one of this sweep was "
+                f"{folder} has parts and no {MANIFEST}: an empty folder or the folder of this sweep was "
                 "required"
             )
         else:
@@ -52,19 +52,19 @@ class Folder:
             left_over.unlink(missing_ok=True)
 
     def _refuse_another(self, identity: dict[str, Any]) -> None:
-        there, here = self.identity, identity
+        stored, given = self.identity, identity
         path: list[str] = []
-        while there != here:
-            if not (isinstance(there, dict) and isinstance(here, dict)):
+        while stored != given:
+            if not (isinstance(stored, dict) and isinstance(given, dict)):
                 raise ValueError(
-                    f"{self.path} holds another sweep: {'.'.join(path)} is {there!r} there and "
-                    f"{here!r} here; another folder was required"
+                    f"{self.path} holds another sweep: {'.'.join(path)} is {stored!r} there and "
+                    f"{given!r} here; use another folder"
                 )
             name = next(
-                name for name in {**there, **here} if there.get(name) != here.get(name)
+                name for name in {**stored, **given} if stored.get(name) != given.get(name)
             )
             path.append(name)
-            there, here = there.get(name), here.get(name)  # type: ignore[assignment]
+            stored, given = stored.get(name), given.get(name)  # type: ignore[assignment]
 
     @property
     def fingerprint(self) -> str:
@@ -81,7 +81,7 @@ class Folder:
         return self.path / f"part-{number:05}.parquet"
 
     def missing(self) -> list[int]:
-        """The parts that are not there, or not whole. Parts of another sweep are refused."""
+        """The missing and incomplete parts; ValueError for parts of another sweep."""
         missing = []
         for number in range(self.parts):
             path = self.part(number)
@@ -90,6 +90,6 @@ class Folder:
                 missing.append(number)
             elif found != self.fingerprint:
                 raise ValueError(
-                    f"{path} is not of the sweep of {MANIFEST}: remove the file, and sweep makes it anew"
+                    f"{path} is not of the sweep of {MANIFEST}: remove the file and call sweep again"
                 )
         return missing

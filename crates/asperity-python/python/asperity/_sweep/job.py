@@ -1,4 +1,4 @@
-"""The work of a sweep, as it is sent to workers."""
+"""The work of a sweep, sent to workers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from asperity._sweep.space import Space
 
 @dataclass(frozen=True)
 class Job:
-    """A sweep without a place to run. Its parts depend on nothing else."""
+    """A sweep: all that its parts depend on."""
 
     space: Space
     model: Model
@@ -31,7 +31,7 @@ class Job:
     version: str
 
     def draw(self, number: int) -> dict[str, Floats]:
-        """The inputs of one part that vary."""
+        """The inputs that vary, of one part."""
         return self.space.columns(self.design.sample(number))
 
     def answer(
@@ -39,7 +39,7 @@ class Job:
     ) -> tuple[Part, list[str]]:
         """One part, and the warnings of the model."""
         rows, stop = self.space.rows(inputs, self.separation_unit), self.errors == "raise"
-        values, failures, said = _asperity.answer(
+        values, failures, messages = _asperity.answer(
             self.model, rows, self.quantities, self.rtol, "value", stop, threads, False
         )
         first = self.design.first_row(number)
@@ -48,10 +48,10 @@ class Job:
                 drawn = ", ".join(f"{name}={v[k]:.6g}" for name, v in inputs.items())
                 raise placed(f"row {first + k} ({drawn}): ", error)
         errors = {k: reason(error) for k, error in failures}
-        return Part(first, inputs, dict(zip(self.quantities, values, strict=True)), errors), said
+        return Part(first, inputs, dict(zip(self.quantities, values, strict=True)), errors), messages
 
     def identity(self) -> dict[str, Any]:
-        """Everything that the digits depend on, for JSON."""
+        """Every input that the values depend on, for JSON."""
         import scipy
 
         design = self.design
@@ -73,17 +73,17 @@ class Job:
 
 
 def fingerprint(identity: dict[str, Any]) -> str:
-    """A short name for an identity."""
+    """The hash of an identity."""
     return hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()
 
 
 def _model_identity(model: Model) -> dict[str, Any]:
-    what = model._what
-    if isinstance(what, str):
-        return {"id": what, "options": model.options}
-    name = f"{getattr(what, '__module__', '')}.{getattr(what, '__qualname__', repr(what))}"
+    definition = model._definition
+    if isinstance(definition, str):
+        return {"id": definition, "options": model.options}
+    name = f"{getattr(definition, '__module__', '')}.{getattr(definition, '__qualname__', repr(definition))}"
     try:
-        source = inspect.getsource(what)
+        source = inspect.getsource(definition)
     except (OSError, TypeError):
         return {"class": name}
     return {"class": name, "source": hashlib.sha256(source.encode()).hexdigest()}

@@ -1,4 +1,4 @@
-"""One part of a sweep: columns of numbers, and the rows that failed with the reason why."""
+"""One part of a sweep: columns of numbers, and the reasons of failed rows."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FINGERPRINT = b"asperity.sweep"
 
 
 def fingerprint_of(path: Path) -> str | None:
-    """The fingerprint of the sweep of a part; None where there is no whole Parquet file."""
+    """The fingerprint of the sweep of a part; None without a complete Parquet file."""
     import pyarrow.parquet as pq
 
     if not path.is_file():
@@ -25,7 +25,7 @@ def fingerprint_of(path: Path) -> str | None:
     try:
         metadata = pq.read_schema(path).metadata or {}
     except (ValueError, OSError) as error:
-        # Arrow refuses a truncated file so; the system's own errors have a number.
+        # Errors of Arrow about a truncated file have no errno, errors of the system have one.
         if getattr(error, "errno", None) is not None:
             raise
         return None
@@ -41,7 +41,7 @@ class Part:
     inputs: dict[str, Floats]
     #: The quantities; values of failed rows are undefined.
     values: dict[str, Floats]
-    #: Why rows failed, by their place in this part.
+    #: The reasons of failed rows, by place in this part.
     errors: dict[int, str]
 
     def __len__(self) -> int:
@@ -50,7 +50,7 @@ class Part:
 
     @property
     def answered(self) -> slice | np.ndarray[Any, np.dtype[np.bool_]]:
-        """The rows that did not fail."""
+        """The rows with values."""
         if not self.errors:
             return slice(None)
         answered = np.ones(len(self), dtype=bool)
@@ -58,7 +58,7 @@ class Part:
         return answered
 
     def write(self, path: Path, fingerprint: str) -> None:
-        """Writes a Parquet file; an interrupted write leaves none."""
+        """Writes a Parquet file, complete or not at all."""
         import pyarrow as pa
         import pyarrow.parquet as pq
 
@@ -75,7 +75,7 @@ class Part:
         temporary = path.with_name(f".{path.name}.{uuid.uuid4().hex}.tmp")
         try:
             with temporary.open("wb") as file:
-                # Doubles that were drawn at random neither compress nor repeat.
+                # Random doubles neither compress nor repeat.
                 pq.write_table(table, file, compression="none", use_dictionary=False)
                 file.flush()
                 os.fsync(file.fileno())
@@ -93,13 +93,13 @@ class Part:
             table = pq.read_table(path, columns=names)
         except (ValueError, OSError) as error:
             raise ValueError(
-                f"{path} is no whole part of a sweep: call sweep with the same arguments to make it "
-                f"anew ({error})"
+                f"{path} is no complete part of a sweep: call sweep with the same arguments to compute "
+                f"it again ({error})"
             ) from error
         reasons = table["error"]
         errors: dict[int, str] = {}
         if reasons.null_count < len(reasons):
-            errors = {k: why for k, why in enumerate(reasons.to_pylist()) if why is not None}
+            errors = {k: reason for k, reason in enumerate(reasons.to_pylist()) if reason is not None}
 
         def column(name: str) -> Floats:
             return np.asarray(table[name].to_numpy(), dtype=np.float64)
@@ -113,5 +113,5 @@ class Part:
 
 
 def column_name(quantity: str) -> str:
-    """A quantity with its unit, as in ``Curve.to_dataframe``."""
+    """The column of a quantity, with its unit, as in ``Curve.to_dataframe``."""
     return column_names([quantity])[quantity]

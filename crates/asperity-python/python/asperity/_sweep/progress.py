@@ -1,4 +1,4 @@
-"""Progress of a sweep, its time and memory."""
+"""Progress, time and memory of a sweep."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from types import TracebackType
 
 @dataclass
 class Run:
-    """Rows, time and memory of one call of ``sweep``, without parts of earlier calls."""
+    """Rows, time and memory of one call of ``sweep``; earlier calls do not count."""
 
-    #: Rows that were evaluated.
+    #: Evaluated rows.
     rows: int = 0
     #: Wall-clock time [s].
     seconds: float = 0.0
-    #: The peak memory of each worker [bytes], where the system reports it.
+    #: Peak memory of each worker [bytes], if the system reports it.
     peak_memory: dict[str, int] = field(default_factory=dict)
 
     @property
@@ -28,12 +28,12 @@ class Run:
         memory = ", ".join(f"{name}: {size / 2**20:.0f} MiB" for name, size in self.peak_memory.items())
         return (
             f"{self.rows} rows in {self.seconds:.1f} s, {self.rows_per_second:.3g} rows/s"
-            + (f"; most memory of {memory}" if memory else "")
+            + (f"; peak memory {memory}" if memory else "")
         )
 
 
 class Progress:
-    """One line on a terminal; nothing elsewhere, unless it is asked for."""
+    """A line on stderr; by default on a terminal only."""
 
     def __init__(self, run: Run, rows: int, done: int, shown: bool | None) -> None:
         self._run, self._rows, self._before = run, rows, done
@@ -44,7 +44,7 @@ class Progress:
         return self
 
     def add(self, rows: int, worker: str, memory: int | None) -> None:
-        """One more part is done."""
+        """Adds a finished part."""
         run = self._run
         run.rows += rows
         run.seconds = time.perf_counter() - self._begun
@@ -72,7 +72,7 @@ class Progress:
 
 
 def peak_memory() -> int | None:
-    """The peak memory of this process [bytes]; None where the system does not report it."""
+    """The peak memory of this process [bytes]; None if the system does not report it."""
     try:
         with open("/proc/self/status", encoding="ascii") as status:
             for line in status:

@@ -24,15 +24,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """Sobol indices of one quantity: shares of its variance. Each has its 95 % half-width."""
+    """Sobol indices of one quantity: shares of its variance, with 95 % half-widths (``_conf``)."""
 
-    #: What an input explains alone.
+    #: The share of each input alone.
     first: dict[str, float]
     first_conf: dict[str, float]
-    #: What it explains alone and together with others.
+    #: The share of each input alone and together with others.
     total: dict[str, float]
     total_conf: dict[str, float]
-    #: What two inputs explain only together; for the design "saltelli-pairs".
+    #: The share of two inputs only together; for the design "saltelli-pairs".
     second: dict[tuple[str, str], float] = field(default_factory=dict)
     second_conf: dict[tuple[str, str], float] = field(default_factory=dict)
 
@@ -47,7 +47,7 @@ class Sensitivity:
 class SweepResult:
     """Rows of a sweep, in memory or in a folder; made by ``sweep`` and ``read_sweep``.
 
-    Statistics are taken part by part: rows that failed are left out of them, with a warning.
+    Statistics are computed part by part, without failed rows, which cause a warning.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -68,13 +68,13 @@ class SweepResult:
         self.inputs: tuple[str, ...] = tuple(n for n, i in inputs.items() if "quantiles" in i)
         #: The requested quantities.
         self.quantities: tuple[str, ...] = tuple(identity["quantities"])
-        #: How many rows there are, with those that failed.
+        #: The number of rows, with failed ones.
         self.rows: int = identity["rows"]
 
     def parts(self, *columns: str) -> Iterator[Part]:
-        """The parts in order, one in memory at a time; of some columns only, if they are given."""
+        """The parts in order, one in memory at a time, with all columns or the named ones."""
         for name in columns:
-            self._known(name)
+            self._check_column(name)
         wanted = columns or (*self.inputs, *self.quantities)
         inputs = [name for name in self.inputs if name in wanted]
         quantities = [name for name in self.quantities if name in wanted]
@@ -84,13 +84,13 @@ class SweepResult:
         for number in range(self._parts.parts):
             yield Part.read(self._parts.part(number), inputs, quantities)
 
-    def _known(self, name: str) -> None:
-        known = (*self.inputs, *self.quantities)
-        if name not in known:
-            raise KeyError(f"{name} is no column: one of {', '.join(known)} was required")
+    def _check_column(self, name: str) -> None:
+        columns = (*self.inputs, *self.quantities)
+        if name not in columns:
+            raise KeyError(f"{name} is no column: one of {', '.join(columns)} was required")
 
     def __getitem__(self, column: str) -> Floats:
-        """A whole column, an input that varies or a quantity; masked where rows failed."""
+        """A whole column, of an input that varies or a quantity; masked for failed rows."""
         values, masks = [], []
         for part in self.parts(column):
             mask = np.zeros(len(part), dtype=bool)
@@ -104,15 +104,15 @@ class SweepResult:
         return masked
 
     def failures(self) -> Iterator[tuple[int, str]]:
-        """The rows that failed, and why."""
+        """The numbers of failed rows with the reasons."""
         for part in self.parts(self.quantities[0]):
-            for place, why in part.errors.items():
-                yield part.first_row + place, why
+            for place, reason in part.errors.items():
+                yield part.first_row + place, reason
 
     def _answers(self, quantity: str) -> Callable[[], Iterator[Floats]]:
         if quantity not in self.quantities:
-            asked = ", ".join(self.quantities)
-            raise KeyError(f"{quantity} was not requested: add it to the quantities ({asked})")
+            names = ", ".join(self.quantities)
+            raise KeyError(f"{quantity} was not requested: add it to the quantities ({names})")
 
         def chunks() -> Iterator[Floats]:
             for part in self.parts(quantity):
@@ -127,10 +127,12 @@ class SweepResult:
 
     def _warn_of_failures(self, count: int) -> None:
         if count < 2:
-            raise ValueError(f"{count} of {self.rows} rows have values: two or more were required")
+            raise ValueError(f"{count} of {self.rows} rows have values: at least 2 were required")
         if count < self.rows:
-            words = f"{self.rows - count} of {self.rows} rows failed and are left out: see failures()"
-            warnings.warn(words, ContactWarning, stacklevel=4)
+            message = (
+                f"{self.rows - count} of {self.rows} rows failed and are left out: failures() has the reasons"
+            )
+            warnings.warn(message, ContactWarning, stacklevel=4)
 
     def mean(self, quantity: str) -> float:
         """The mean of a quantity."""
@@ -142,7 +144,7 @@ class SweepResult:
         return float(np.sqrt(squares / (count - 1)))
 
     def quantile(self, quantity: str, q: npt.ArrayLike) -> Floats:
-        """Quantiles of a quantity at probabilities ``q``, as ``numpy.quantile`` has them."""
+        """Quantiles of a quantity at probabilities ``q``, by the method of ``numpy.quantile``."""
         chunks, probabilities = self._answers(quantity), floats(q, "q")
         if not ((probabilities >= 0.0) & (probabilities <= 1.0)).all():
             raise ValueError(f"q is {probabilities}: probabilities from 0 to 1 were required")
@@ -158,9 +160,9 @@ class SweepResult:
     ) -> Sensitivity:
         """Sobol indices of a quantity, by SALib; for the designs of Saltelli.
 
-        ``transform`` comes first, if given: ``numpy.log`` where a quantity spans decades, of which
-        the largest would be all that counts. The half-widths come of ``resamples`` resamples. One
-        column is in memory as a whole.
+        ``transform`` is applied to the values first: use ``numpy.log`` for a quantity that spans
+        decades, or its largest values dominate. The half-widths are from ``resamples`` resamples.
+        One column is in memory as a whole.
         """
         from SALib.analyze import sobol
 
@@ -177,9 +179,9 @@ class SweepResult:
             )
         values = values if transform is None else floats(transform(values), "the transform")
         if not np.isfinite(values).all():
-            raise ValueError("the transform is not finite everywhere: finite numbers were required")
+            raise ValueError("the transform has values that are not finite: finite numbers were required")
         if np.ptp(values) == 0.0:
-            raise ValueError(f"{quantity} does not vary: indices share out its variance")
+            raise ValueError(f"{quantity} does not vary: indices are shares of its variance")
         pairs = design == "saltelli-pairs"
         problem = {"num_vars": len(self.inputs), "names": list(self.inputs)}
         found = sobol.analyze(
@@ -209,7 +211,7 @@ class SweepResult:
         )
 
     def to_dataframe(self) -> pd.DataFrame:
-        """All rows, units in the head of quantities, the column ``error`` for rows that failed."""
+        """All rows, with units in the heads of quantities, and a column ``error`` if rows failed."""
         import pandas as pd
 
         tables = []
@@ -236,14 +238,14 @@ class SweepResult:
 
 
 def read_sweep(folder: str | os.PathLike[str]) -> SweepResult:
-    """The result in a folder that ``sweep`` has filled."""
-    there = Folder(folder)
-    missing = there.missing()
+    """The result in a folder of ``sweep``; ValueError if parts are missing."""
+    stored = Folder(folder)
+    missing = stored.missing()
     if missing:
-        first = there.part(missing[0])
+        first = stored.part(missing[0])
         state = "incomplete" if first.is_file() else "missing"
         raise ValueError(
-            f"{there.path} has {there.parts - len(missing)} of {there.parts} parts, {first.name} is "
-            f"{state}: call sweep with the same arguments to make the others"
+            f"{stored.path} has {stored.parts - len(missing)} of {stored.parts} parts, {first.name} is "
+            f"{state}: call sweep with the same arguments to compute the others"
         )
-    return SweepResult(there.identity, there, Run())
+    return SweepResult(stored.identity, stored, Run())

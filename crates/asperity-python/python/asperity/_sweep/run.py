@@ -1,4 +1,4 @@
-"""``sweep``: here on all cores, or on the workers of a Dask cluster."""
+"""``sweep``: on all cores of this machine, or on the workers of a Dask cluster."""
 
 from __future__ import annotations
 
@@ -40,44 +40,44 @@ def sweep(
     part_size: int = 2**17,
     progress: bool | None = None,
 ) -> SweepResult:
-    """Quantities on scenes that are drawn from a space; needs the extra ``asperity[sweep]``.
+    """Quantities on scenes drawn from a space; needs the extra ``asperity[sweep]``.
 
     Parameters
     ----------
     space : Space
         The scene, and the distributions of its inputs.
     model : str or Model
-        An id, or what ``asperity.model`` made.
+        An id, or a model of ``asperity.model``.
     quantities : str or sequence of str
-        Any that ``Model.solve`` knows.
+        As in ``Model.solve``.
     n : int
-        Rows. A Sobol sequence is best balanced where this is a power of two. For Saltelli's scheme
-        it is rounded up to N (D + 2) rows ("saltelli") or N (2 D + 2) rows ("saltelli-pairs"), N a
-        power of two, with D inputs that vary.
+        The number of rows. A Sobol sequence is best balanced for a power of two. Saltelli's scheme
+        rounds up to N (D + 2) rows ("saltelli") or N (2 D + 2) rows ("saltelli-pairs"), with N a
+        power of two and D inputs that vary.
     seed : int
-        The same seed, the same digits, on any number of cores and workers.
+        The seed of the draws: the same digits on any number of cores and workers.
     design : "sobol", "latin-hypercube", "saltelli" or "saltelli-pairs"
-        Scrambled Sobol points; Latin hypercubes, one for each part; or Saltelli's scheme, which
-        ``SweepResult.sensitivity`` needs, for pairs of inputs, too.
+        Scrambled Sobol points; Latin hypercubes, one for each part; or Saltelli's scheme for
+        ``SweepResult.sensitivity``, with "-pairs" also for pairs of inputs.
     rtol : float
         Relative tolerance of every value, from 1e-15 to 0.1.
     separation_unit : "asperity_height_std" or "m"
         Unit of the separations of the space.
     errors : "raise" or "mask"
-        Whether a refused row, as with a negative hardness, ends the sweep with its number, inputs
-        and reason; or the row's values are masked, and its reason is in ``SweepResult.failures`` and
-        in the column ``error``.
+        The treatment of a refused row, as with a negative hardness: it raises with its number,
+        inputs and reason; or its values are masked, and ``SweepResult.failures`` and the column
+        ``error`` have the reason.
     folder : path, optional
-        Where parts are written as Parquet files. Called again with the same arguments, an interrupted
-        sweep computes the parts that are missing or incomplete; a folder of another sweep is
-        refused. Without a folder the rows stay in memory. One run at a time.
+        A folder for the parts as Parquet files. Called again with the same arguments, an interrupted
+        sweep computes the missing and incomplete parts; the folder of another sweep is an error.
+        Without a folder the rows stay in memory. Only one run may use a folder at a time.
     client : distributed.Client, optional
-        A Dask cluster, whose workers evaluate the parts, each thread of a worker one at a time.
-        They must see the folder under its path.
+        A Dask cluster whose workers evaluate the parts, one on each thread. The folder must have the
+        same path on all workers.
     part_size : int
-        Most rows of a part: what a worker has in memory at once, some 1 kB for each.
+        Most rows of a part. A worker has one part in memory, about 1 kB for each row.
     progress : bool, optional
-        Whether a line on stderr shows the progress; by default on a terminal.
+        Shows the progress in a line on stderr; by default on a terminal only.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def sweep(
     True
     """
     if client is not None and folder is None:
-        raise ValueError("a client was given without a folder: its workers write their parts there")
+        raise ValueError("a client was given without a folder: its workers write their parts to a folder")
     if not isinstance(space, Space):
         raise TypeError(f"space is {space!r}: an asperity.Space was required")
     job = Job(
@@ -115,31 +115,31 @@ def sweep(
     if folder is None:
         memory: list[Part] = []
         with Progress(run, rows, 0, progress) as shown:
-            for _, part, said in _ahead(job, list(range(job.design.parts))):
+            for _, part, messages in _answer_ahead(job, list(range(job.design.parts))):
                 memory.append(part)
-                _pass_on(said)
+                _warn(messages)
                 shown.add(len(part), "this process", peak_memory())
         return SweepResult(job.identity(), memory, run)
-    there = Folder.of(folder, job.identity())
-    missing = there.missing()
+    stored = Folder.of(folder, job.identity())
+    missing = stored.missing()
     done = rows - sum(job.design.rows_of(number) for number in missing)
     with Progress(run, rows, done, progress) as shown:
         if client is None:
-            for number, part, said in _ahead(job, missing):
-                part.write(there.part(number), there.fingerprint)
-                _pass_on(said)
+            for number, part, messages in _answer_ahead(job, missing):
+                part.write(stored.part(number), stored.fingerprint)
+                _warn(messages)
                 shown.add(len(part), "this process", peak_memory())
         else:
-            _on_cluster(client, job, there, missing, shown)
-    result = SweepResult(there.identity, there, run)
+            _run_on_cluster(client, job, stored, missing, shown)
+    result = SweepResult(stored.identity, stored, run)
     if errors == "raise" and done:
-        for row, why in result.failures():
-            raise ValueError(f"row {row} failed in an earlier run: {why}")
+        for row, reason in result.failures():
+            raise ValueError(f"row {row} failed in an earlier run: {reason}")
     return result
 
 
-def _ahead(job: Job, numbers: list[int]) -> Iterator[tuple[int, Part, list[str]]]:
-    """Parts in order; while one is evaluated, the next one's inputs are drawn."""
+def _answer_ahead(job: Job, numbers: list[int]) -> Iterator[tuple[int, Part, list[str]]]:
+    """Parts in order; the inputs of the next part are drawn while one is evaluated."""
     with ThreadPoolExecutor(1) as pool:
         drawn = [pool.submit(job.draw, number) for number in numbers[:1]]
         for place, number in enumerate(numbers):
@@ -149,7 +149,7 @@ def _ahead(job: Job, numbers: list[int]) -> Iterator[tuple[int, Part, list[str]]
 
 
 def write_part(job: Job, path: str, number: int) -> tuple[int, str, int | None, list[str]]:
-    """What a worker of a cluster does: its rows, its name, its memory and warnings."""
+    """Evaluates and writes a part on a worker: the rows, the worker, its memory and warnings."""
     import distributed
 
     worker = str(distributed.get_worker().address)
@@ -158,39 +158,41 @@ def write_part(job: Job, path: str, number: int) -> tuple[int, str, int | None, 
             f"worker {worker} has asperity {version('asperity')}: {job.version} was required"
         )
     try:
-        there = Folder(path)
+        stored = Folder(path)
     except ValueError as error:
-        raise ValueError(f"worker {worker}: {error}, which all workers share") from None
-    # A thread of the worker for a part: other parts have the others.
-    part, said = job.answer(number, job.draw(number), threads=1)
-    part.write(there.part(number), there.fingerprint)
-    return len(part), worker, peak_memory(), said
+        raise ValueError(f"worker {worker}: {error}, shared by all workers") from None
+    # One thread for each part: the other threads of the worker have other parts.
+    part, messages = job.answer(number, job.draw(number), threads=1)
+    part.write(stored.part(number), stored.fingerprint)
+    return len(part), worker, peak_memory(), messages
 
 
-def _on_cluster(client: Client, job: Job, there: Folder, missing: list[int], shown: Progress) -> None:
+def _run_on_cluster(
+    client: Client, job: Job, stored: Folder, missing: list[int], shown: Progress
+) -> None:
     from distributed import as_completed
 
-    path = str(there.path)
-    # Not pure: a part that is gone is made again, whatever the scheduler remembers of it.
+    path = str(stored.path)
+    # Not pure: the scheduler must not reuse the result of a part whose file is gone.
     futures = [client.submit(write_part, job, path, number, pure=False) for number in missing]
     try:
         for future in as_completed(futures):
-            rows, worker, memory, said = future.result()
-            _pass_on(said)
+            rows, worker, memory, messages = future.result()
+            _warn(messages)
             shown.add(rows, worker, memory)
             future.release()
     finally:
         client.cancel(futures)
-        there.clean()
-    lost = there.missing()
+        stored.clean()
+    lost = stored.missing()
     if lost:
         raise ValueError(
-            f"parts {lost} were written where {path} is another folder: one that all workers share "
-            "was required"
+            f"parts {lost} are missing: workers wrote them to another folder at {path}; a folder shared by "
+            "all workers was required"
         )
 
 
-def _pass_on(said: list[str]) -> None:
-    for words in said:
-        # The same words twice are shown once: Python's own rule.
-        warnings.warn(words, ContactWarning, stacklevel=3)
+def _warn(messages: list[str]) -> None:
+    for message in messages:
+        # Python shows equal messages once.
+        warnings.warn(message, ContactWarning, stacklevel=3)

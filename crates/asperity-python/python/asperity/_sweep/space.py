@@ -1,4 +1,4 @@
-"""What varies, and how."""
+"""Uncertain inputs and their distributions."""
 
 from __future__ import annotations
 
@@ -22,35 +22,35 @@ class HasPpf(Protocol):
 
 @runtime_checkable
 class HasIcdf(Protocol):
-    """A distribution of SciPy's newer kind: ``scipy.stats.Normal(mu=1e9, sigma=1e8)``."""
+    """A distribution of SciPy's newer interface: ``scipy.stats.Normal(mu=1e9, sigma=1e8)``."""
 
     def icdf(self, p: npt.NDArray[np.float64], /) -> Any:
         """Quantiles at probabilities between 0 and 1."""
 
 
-#: A distribution; (low, high) for a uniform one; or one number, which does not vary.
+#: A distribution; (low, high) for a uniform distribution; or a constant.
 Input: TypeAlias = HasPpf | HasIcdf | tuple[float, float] | float
-#: The same, with a unit.
+#: An input, also as texts with a unit.
 Given: TypeAlias = Input | tuple[str, str] | str
 
-# Probabilities whose quantiles identify a distribution.
+# The quantiles at these probabilities identify a distribution.
 PROBES = np.array([0.001, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999])
 
 
 class Space:
-    """A scene some of whose numbers are uncertain, each by a distribution of its own.
+    """A scene with uncertain numbers, each with a distribution.
 
     Parameters
     ----------
     scene : Scene
-        The scene whose other numbers are kept.
+        The scene of the other numbers.
     separation, load or pressure : distribution, (low, high) or float
         One of the three: a separation in the ``separation_unit`` of the sweep, a load [N], or a mean
         pressure on the nominal area [Pa].
     **inputs : distribution, (low, high) or float
         By the names of ``Scene.replace``, in SI units; or ``plasticity_index`` and
         ``roughness_parameter`` in the place of ``asperity_radius`` and ``asperity_density``
-        (where one of the two is missing, it is that of the scene).
+        (if one of the two is missing, that of the scene applies).
 
     A distribution is a frozen one of ``scipy.stats``, or anything with a ``ppf``; (low, high) is
     uniform. Numbers may be texts with a unit, as "2 kN". Inputs are independent of each other.
@@ -76,13 +76,13 @@ class Space:
             raise TypeError(f"scene is {scene!r}: a Scene was required")
         numbers: dict[str, Input] = inputs_in_si(inputs)
         axis, where = place(separation, load, pressure, "asperity_height_std")
-        #: The scene whose other numbers are kept.
+        #: The scene of the other numbers.
         self.scene = scene
-        #: The axis of the numbers beside the scenes: "separation", "load" or "pressure".
+        #: The meaning of the places: "separation", "load" or "pressure".
         self.axis = axis if axis in LOADS else "separation"
-        # Texts with a unit are in metres, whatever the unit of the sweep.
+        # Texts with a unit are converted to metres, for any unit of the sweep.
         self._in_metres = axis == "m"
-        #: The inputs as they were given, the axis first.
+        #: The inputs as given, the place first.
         self.inputs: dict[str, Input] = {self.axis: where, **numbers}
         for name, given in self.inputs.items():
             _check(name, given)
@@ -95,12 +95,12 @@ class Space:
         return tuple(name for name, given in self.inputs.items() if not _is_number(given))
 
     def columns(self, sample: Floats) -> dict[str, Floats]:
-        """The inputs for points of the unit cube, one row each; those that vary, in order."""
+        """The inputs that vary, in order, for points of the unit cube, one row each."""
         places = zip(self.names, sample.T, strict=True)
         return {name: _quantiles(name, self.inputs[name], u) for name, u in places}
 
     def rows(self, columns: dict[str, Floats], separation_unit: str) -> Rows:
-        """The rows of such columns."""
+        """The rows of columns of inputs."""
         given: dict[str, Any] = {**self.inputs, **columns}
         where = given.pop(self.axis)
         unit = "m" if self._in_metres else separation_unit
@@ -108,7 +108,7 @@ class Space:
         return Rows(self.scene.vary(**given), axis, where)
 
     def identity(self) -> dict[str, Any]:
-        """What makes it this space and no other, for JSON."""
+        """The scene and its inputs, for JSON."""
         inputs: dict[str, Any] = {}
         for name, given in self.inputs.items():
             unit = " m" if self._in_metres and name == self.axis else ""
@@ -131,7 +131,7 @@ def _check(name: str, given: Input) -> None:
         if len(given) != 2 or not all(_is_number(end) and np.isfinite(end) for end in given):
             raise ValueError(f"{name} is {given!r}: (low, high), two finite numbers, was required")
         if not given[0] < given[1]:
-            raise ValueError(f"{name} is {given!r}: low below high was required")
+            raise ValueError(f"{name} is {given!r}: low must be below high")
     elif not _is_number(given) and not isinstance(given, HasPpf | HasIcdf):
         raise TypeError(
             f"{name} is {given!r}: a distribution with a ppf, (low, high) or a number was required"

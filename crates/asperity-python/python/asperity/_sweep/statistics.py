@@ -1,4 +1,4 @@
-"""Statistics of a column that is never in memory as a whole."""
+"""Statistics of a column chunk by chunk, without the whole column in memory."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ TOP = np.uint64(1 << 63)
 
 
 def moments(chunks: Iterable[Floats]) -> tuple[int, float, float]:
-    """Count, mean and sum of squared deviations: chunk by chunk in their order, so that the digits
-    do not depend on who made them."""
+    """Count, mean and sum of squared deviations, in the order of the chunks: the digits do not depend
+    on the workers."""
     count, mean, squares = 0, 0.0, 0.0
     for chunk in chunks:
         if not len(chunk):
             continue
-        here = float(np.mean(chunk))
-        step, total = here - mean, count + len(chunk)
-        squares += float(np.sum((chunk - here) ** 2)) + step * step * (count * len(chunk) / total)
+        own_mean = float(np.mean(chunk))
+        step, total = own_mean - mean, count + len(chunk)
+        squares += float(np.sum((chunk - own_mean) ** 2)) + step * step * (count * len(chunk) / total)
         mean += step * (len(chunk) / total)
         count = total
     return count, mean, squares
 
 
 def quantiles(chunks: Callable[[], Iterable[Floats]], probabilities: Floats) -> Floats:
-    """Quantiles as ``numpy.quantile`` has them, exact, of chunks that are read four times."""
+    """Exact quantiles by the method of ``numpy.quantile``, of chunks that are read four times."""
     count = sum(len(chunk) for chunk in chunks())
     places = probabilities * (count - 1)
     below = np.floor(places).astype(np.int64)
@@ -42,7 +42,7 @@ def quantiles(chunks: Callable[[], Iterable[Floats]], probabilities: Floats) -> 
 
 
 def _order_statistics(chunks: Callable[[], Iterable[Floats]], ranks: npt.NDArray[np.int64]) -> Floats:
-    """The values of given ranks: 16 bits of them are found in every pass."""
+    """The values of given ranks, 16 bits in every pass."""
     prefixes = np.zeros(len(ranks), dtype=np.uint64)
     left = ranks.copy()
     for shift in range(64 - DIGIT, -1, -DIGIT):
@@ -51,7 +51,7 @@ def _order_statistics(chunks: Callable[[], Iterable[Floats]], ranks: npt.NDArray
         for chunk in chunks():
             keys = _keys(chunk)
             digits = (keys >> np.uint64(shift)) & np.uint64((1 << DIGIT) - 1)
-            # Shifting by 64 bits is not defined: in the first pass there is no prefix.
+            # The first pass has no prefix, and a shift by 64 bits is undefined.
             heads = keys >> np.uint64(shift + DIGIT) if shift + DIGIT < 64 else np.zeros_like(keys)
             for place, prefix in enumerate(wanted):
                 of_prefix = digits[heads == prefix].astype(np.int64)
