@@ -89,9 +89,9 @@ fn tensions_are_loads_below_0() {
     );
     let refused = bench.run("solve soft.toml --model gw --load -5").messages;
     assert!(refused.contains("gw carries no tension") && !refused.contains("load is"), "{refused}");
-    for (load, wanted) in [("-1N", "a load from -"), ("-1kN", "a smaller tension")] {
+    for load in ["-1N", "-1kN"] {
         let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).messages;
-        assert!(beyond.contains(wanted), "{beyond}");
+        assert!(beyond.contains("a load from -2.4"), "{beyond}");
         assert!(beyond.contains("jkr-separation, which describes opening"), "{beyond}");
     }
     let far = bench.run("curve soft.toml --model jkr --separation 1e300").messages;
