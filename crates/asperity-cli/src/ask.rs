@@ -19,10 +19,10 @@ const ROWS_AT_A_TIME: usize = 8192;
 pub struct Question<'s> {
     scene: &'s LoadedScene,
     pub request: Request,
-    /// Whether every separation that carries a load is a row, instead of the largest alone.
+    /// Whether every separation that carries a load gets a row, instead of only the largest.
     pub all: bool,
     /// Whether the separations are the defaults of the command.
-    pub unasked: bool,
+    pub at_defaults: bool,
     warnings: Vec<String>,
     /// Diagnostics of the results.
     found: Diagnostics,
@@ -42,13 +42,13 @@ impl<'s> Question<'s> {
             scene,
             request,
             all: false,
-            unasked: false,
+            at_defaults: false,
             warnings: vec![],
             found: Diagnostics::default(),
         }
     }
 
-    /// Names of the columns for the model and for the load or separation.
+    /// The columns for the model and for the load or separation.
     pub fn head(&self) -> Table {
         let loads = match self.request.at.first() {
             None | Some(At::Separation(_)) => &[][..],
@@ -59,14 +59,14 @@ impl<'s> Question<'s> {
         Table::new(&[&["model"], loads, &["separation_over_sigma", "separation_m"]].concat())
     }
 
-    /// Delivers the rows of one model: the cells under [`head`](Self::head), and one value for each
-    /// quantity, `None` where there is none.
+    /// Passes on the rows of one model: the cells under [`head`](Self::head) and one value per
+    /// quantity, `None` if it has no value.
     pub fn ask(&mut self, (id, model): &NamedModel, mut deliver: impl FnMut(Row)) -> Result<()> {
         let _progress = progress(id);
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
-        // Findings at default separations would not be the user's: one usual place.
+        // At default separations, findings are reported for one typical separation only.
         let usual = [At::from(2.0)];
-        let chosen = if self.unasked { &usual[..] } else { &self.request.at };
+        let chosen = if self.at_defaults { &usual[..] } else { &self.request.at };
         self.found.extend(self.scene.file.findings_at(model, chosen));
         let adhesive = model.validity().adhesive;
         let compiled = self.compile(id, model);
@@ -83,10 +83,10 @@ impl<'s> Question<'s> {
             rows += places.len();
             for (k, (given, at)) in places.into_iter().enumerate() {
                 let values = || response.columns.iter().map(|column| column.rows[k].as_ref());
-                // The absence of contact is among the warnings.
+                // A warning already reports the absence of contact.
                 let is_new = |e: &&Box<_>| match &***e {
                     ContactError::NoValue { .. } => false,
-                    // So is a tension without adhesion.
+                    // A warning already reports a tension without adhesion.
                     ContactError::OutOfRange { field: "load" | "pressure", value, .. } => {
                         adhesive || *value >= 0.0
                     }
@@ -116,7 +116,7 @@ impl<'s> Question<'s> {
         self.warnings.extend(reasons.into_iter().map(|(count, reason)| {
             let hint = match reason {
                 ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
-                    "; jkr-separation, which follows surfaces as they part, may carry more"
+                    "; jkr-separation, which describes opening, may carry more"
                 }
                 _ => "",
             };
@@ -128,7 +128,8 @@ impl<'s> Question<'s> {
         Ok(())
     }
 
-    /// The model's contact, and the quantities that it has; the others are blank, with a warning.
+    /// The model's contact and the quantities that the model has; the others are blank, with a
+    /// warning.
     fn compile(
         &mut self,
         id: &str,
@@ -139,15 +140,15 @@ impl<'s> Question<'s> {
             Ok(contact) => return Ok((contact, self.request.quantities.clone())),
             Err(whole) => whole,
         };
-        let of = |quantities: &[Quantity]| {
+        let compile = |quantities: &[Quantity]| {
             let request = Request::new(quantities.iter().copied()).within(self.request.tolerance);
             model.compile(scene, &request.at(self.request.at.iter().copied()))
         };
         let mut given = vec![];
-        // One message for all quantities that are refused for the same reason.
+        // One message for all quantities with the same reason.
         let mut refused: Vec<(String, Vec<String>)> = vec![];
         for quantity in &self.request.quantities {
-            match of(&[*quantity]) {
+            match compile(&[*quantity]) {
                 Ok(_) => given.push(*quantity),
                 Err(reason) => {
                     let (reason, name) = (reason.to_string(), quantity.to_string());
@@ -159,7 +160,7 @@ impl<'s> Question<'s> {
             }
         }
         // Without any quantity, the separations are still in the table.
-        let contact = of(if given.is_empty() { &[Quantity::Force] } else { &given });
+        let contact = compile(if given.is_empty() { &[Quantity::Force] } else { &given });
         let contact = contact.map_err(|_| whole)?;
         let message = |(reason, names): (String, Vec<String>)| {
             format!("{id}: no {}: {reason}", names.join(", "))
@@ -168,7 +169,7 @@ impl<'s> Question<'s> {
         Ok((contact, given))
     }
 
-    /// A load or separation as given and as evaluated: with `all`, each separation of a load.
+    /// A load or separation as given and as evaluated; with `all`, each separation of a load.
     fn places(&self, contact: &dyn Contact, at: At) -> Vec<(At, At)> {
         let (scene, from) = (contact.scene(), self.scene.file.separation_from);
         let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
@@ -187,7 +188,7 @@ impl<'s> Question<'s> {
         let (mut table, mut answered) = (self.head(), false);
         table.head.extend(quantities.iter().map(|quantity| quantity.column()));
         let bounded = if errors { &quantities[..] } else { &[] };
-        table.head.extend(bounded.iter().map(|quantity| named(*quantity, "error")));
+        table.head.extend(bounded.iter().map(|quantity| column_beside(*quantity, "error")));
         for model in models {
             self.ask(model, |Row { mut place, values }| {
                 answered |= values.iter().any(Option::is_some);
@@ -222,6 +223,6 @@ fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
 }
 
 /// The name of a column beside that of a quantity: `mean_pressure_error`.
-pub fn named(quantity: Quantity, what: &str) -> String {
+pub fn column_beside(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
 }

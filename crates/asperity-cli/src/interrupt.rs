@@ -9,13 +9,13 @@ use asperity::bem::Progress;
 
 use crate::output::print_message;
 
-static ASKED: AtomicBool = AtomicBool::new(false);
+static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// The exit code of a program that Ctrl-C has ended.
 const ENDED: i32 = 130;
 
-/// Whether the user has asked to stop.
-pub fn asked() -> bool {
-    ASKED.load(Ordering::Relaxed)
+/// Whether the user has requested to stop.
+pub fn requested() -> bool {
+    REQUESTED.load(Ordering::Relaxed)
 }
 
 /// Ends the program after an interrupted list, whose results so far are written.
@@ -24,22 +24,22 @@ pub fn end(done: usize, all: usize) -> ! {
     process::exit(ENDED)
 }
 
-/// Reports progress until the user asks to stop.
+/// A callback that reports progress and stops on Ctrl-C.
 pub fn watch(
     mut report: impl FnMut(&Progress),
 ) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
     let handler = || {
-        if ASKED.swap(true, Ordering::Relaxed) {
+        if REQUESTED.swap(true, Ordering::Relaxed) {
             process::exit(ENDED);
         }
     };
     match ctrlc::set_handler(handler) {
-        // It is set already: by the list before.
+        // The handler is already set by an earlier list.
         Ok(()) | Err(ctrlc::Error::MultipleHandlers) => {}
         Err(error) => return Err(error).context("Ctrl-C cannot be watched"),
     }
     Ok(move |progress: &Progress| {
         report(progress);
-        if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     })
 }

@@ -1,4 +1,4 @@
-//! What `unload` and its histories share: pictures, and messages on joints.
+//! Plots and messages shared by `unload` and its histories.
 
 use anyhow::Result;
 use asperity::joints::{Joint, Work};
@@ -10,7 +10,7 @@ use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
-/// Why values are 0.
+/// The reason for values of 0.
 pub const READ_0: &str =
     "are 0: they are below the smallest f64, and far fewer than one asperity touches";
 
@@ -26,7 +26,7 @@ pub fn warn_energy_gain(joint: &Joint, closest: At, work: &Work) -> Result<(), C
     Ok(())
 }
 
-/// A row again, of those that get a marker in the picture.
+/// A copy of a row that gets a marker in the plot.
 pub fn marked(row: &[Cell]) -> Vec<Cell> {
     let mut row = row.to_vec();
     if let Cell::Text(law) = &row[1] {

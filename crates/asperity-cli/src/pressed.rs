@@ -1,4 +1,4 @@
-//! Contacts of a scan, one after another: what a table tells of each, and what deserves a word.
+//! Solution of several contacts of a scan, with rows and warnings.
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemError, LoadCase, Solution};
@@ -8,7 +8,7 @@ use crate::interrupt;
 use crate::output::{once, progress};
 use crate::scene::LoadedScene;
 
-/// What a table tells of a contact.
+/// The row of a contact in a table.
 pub struct Row {
     pub pressure: f64,
     pub area: f64,
@@ -23,7 +23,7 @@ pub struct Row {
 impl From<&Solution> for Row {
     fn from(solution: &Solution) -> Self {
         Self {
-            // As it was given, to the digit.
+            // Exactly as given.
             pressure: match solution.given {
                 LoadCase::MeanPressure(pressure) => pressure,
                 _ => solution.mean_pressure,
@@ -39,18 +39,18 @@ impl From<&Solution> for Row {
     }
 }
 
-/// Lists of contacts, solved.
+/// The solution of a list of contacts.
 pub struct Run<'a> {
     pub scene: &'a LoadedScene,
     pub given: &'a [LoadCase],
-    /// Pressures of those that were solved, where they are kept.
+    /// Pressures of the solved contacts, if kept.
     pub maps: Vec<Vec<f64>>,
-    pub words: Vec<String>,
+    pub errors: Vec<String>,
     pub found: Diagnostics,
 }
 
 impl Run<'_> {
-    /// One row for every place; none where there is no answer, and said why.
+    /// One row per load or gap; `None` without a solution, with the error in `errors`.
     pub fn solve(&mut self, bem: &Bem, keep: bool) -> Result<Vec<Option<Row>>> {
         let [rows, columns] = bem.map().shape();
         let elements = bem.elements(&self.scene.file.scene.interface)?;
@@ -81,7 +81,7 @@ impl Run<'_> {
         drop(bar);
         maps.retain(|map| !map.is_empty());
         self.maps.extend(maps);
-        self.words.extend(once(&errors));
+        self.errors.extend(once(&errors));
         let grid = format!("{rows} x {columns} pixels");
         self.found.extend(found.into_iter().map(|found| found.from_origin(grid.clone())));
         Ok(answers)

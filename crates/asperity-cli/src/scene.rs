@@ -23,8 +23,8 @@ impl LoadedScene {
         Self::load_for(path, &[])
     }
 
-    /// Reads the file for these models, and reports on its asperities only where one of them uses
-    /// any.
+    /// Reads the file for these models, and reports on its asperities only if one of them uses
+    /// asperities.
     pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
         let knows =
             |id: &String| id.parse().map_or(id != "bem", |m: Model| m.validity().asperities);
@@ -72,14 +72,15 @@ impl LoadedScene {
     }
 
     /// The reference model: the usual one unless another is given.
-    pub fn reference(&self, asked: Option<&str>) -> Result<NamedModel> {
-        self.model(asked.unwrap_or(asperity::usual_reference(&self.file.scene)))
+    pub fn reference(&self, requested: Option<&str>) -> Result<NamedModel> {
+        self.model(requested.unwrap_or(asperity::usual_reference(&self.file.scene)))
     }
 
     /// The models given, or all that the scene allows; a note names the others.
-    pub fn models(&self, asked: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
-        if !asked.is_empty() {
-            let models = once(asked).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
+    pub fn models(&self, requested: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
+        if !requested.is_empty() {
+            let models =
+                once(requested).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
             if !models.iter().all(|(_, model)| model.validity().adhesive) {
                 self.note_adhesion();
             }
@@ -112,12 +113,12 @@ impl LoadedScene {
     /// others.
     pub fn models_beside_bem(
         &self,
-        asked: &[String],
+        requested: &[String],
         quantities: &[Quantity],
     ) -> Result<Vec<Model>> {
-        let models = self.models(asked, quantities)?;
+        let models = self.models(requested, quantities)?;
         let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
-        if asked.is_empty() {
+        if requested.is_empty() {
             let (all, mut left_out) = self.file.models_beside_bem();
             let (allowed, noted) = self.file.models();
             left_out.retain(|model| !noted.contains(model));
@@ -157,7 +158,7 @@ fn note_left_out(left_out: &[LeftOut]) {
 pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
     let mut reasons: Vec<(String, Vec<&str>)> = vec![];
     for (id, reason) in lacking {
-        // Of models that lack the same, each has its name in it.
+        // The reason contains the name of the model, which would separate equal reasons.
         let reason = match reason {
             ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
             reason => format!(": {reason}"),

@@ -1,5 +1,5 @@
-//! A scene file that is looked at before it is believed: the library's findings, by the names of
-//! the file, and what a scan shows.
+//! Plausibility of a scene file: the library's findings by the keys of the file, and those of a
+//! scan.
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
@@ -10,7 +10,7 @@ use asperity_topography::Statistics;
 
 use crate::SceneFile;
 
-/// What a measurement says beyond the asperities that were made of it.
+/// Statistics of a scan beyond its asperities.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Measured {
@@ -20,14 +20,14 @@ pub struct Measured {
     pub pixel_size: f64,
 }
 
-/// Skewness and kurtosis of heights that are nearly Gaussian.
+/// Ranges of skewness and kurtosis of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
 const KURTOSIS: [f64; 2] = [2.0, 5.0];
-/// rms slopes of scans: from polished to blasted.
+/// Range of rms slopes of scans, from polished to blasted surfaces.
 const SLOPE: [f64; 2] = [5e-4, 1.0];
 
-/// What findings say of the asperities themselves.
-const OF_ASPERITIES: [&str; 6] = [
+/// Fields of findings about the asperities.
+const ASPERITY_FIELDS: [&str; 6] = [
     "asperity_height_std",
     "asperity_radius",
     "asperity_density",
@@ -36,10 +36,10 @@ const OF_ASPERITIES: [&str; 6] = [
     "rms_slope",
 ];
 
-/// Fields of the interface that are odd where this one of a body is: the same thing, under another
-/// name. Modulus and hardness are held against each other, so that either may be blamed.
-fn follows(of_body: &str) -> Vec<&str> {
-    match of_body.rsplit('.').next().unwrap_or(of_body) {
+/// Fields of the interface that are unusual as a consequence of this field of a body. Modulus and
+/// hardness are checked against each other, so that either may be the cause.
+fn follows(body_field: &str) -> Vec<&str> {
+    match body_field.rsplit('.').next().unwrap_or(body_field) {
         "youngs_modulus" | "hardness" | "yield_strength" => {
             vec!["equivalent_modulus", "hardness", "yield_strength"]
         }
@@ -48,17 +48,17 @@ fn follows(of_body: &str) -> Vec<&str> {
 }
 
 impl SceneFile {
-    /// What is unusual about the scene: of bodies each by its own name, and of a scan.
+    /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Diagnostics {
-        let of_body = |(body, k): (&asperity::Body, usize)| {
+        let body_field = |(body, k): (&asperity::Body, usize)| {
             let section = format!("body[{k}]");
             body.findings().into_iter().map(move |finding| finding.within(&section))
         };
-        let of_bodies: Vec<Diagnostic> = self.bodies.iter().zip(1..).flat_map(of_body).collect();
+        let of_bodies: Vec<Diagnostic> = self.bodies.iter().zip(1..).flat_map(body_field).collect();
         let shown: Vec<&str> = of_bodies.iter().flat_map(|found| follows(&found.field)).collect();
         let of_interface = self.scene.findings().into_iter().map(|found| {
-            match OF_ASPERITIES.contains(&&*found.field) && !self.follows_from.is_empty() {
+            match ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty() {
                 true => {
                     found.from_origin(format!("asperities from {}", self.follows_from.join(", ")))
                 }
@@ -66,10 +66,10 @@ impl SceneFile {
             }
         });
         let of_interface = of_interface.filter(|found| !shown.contains(&&*found.field));
-        let of_scan = self.measured.iter().flat_map(|measured| self.of_scan(measured));
-        let found = of_interface.chain(of_bodies.clone()).chain(self.of_elastic_body());
-        // The files have been reported, and what follows from them is not repeated.
-        let found = self.warnings.iter().cloned().chain(found).chain(of_scan).collect();
+        let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
+        let found = of_interface.chain(of_bodies.clone()).chain(self.missing_hardness());
+        // Consequences of findings about the bodies are not repeated.
+        let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         found.filter(|found| !self.warnings.contains(found)).collect()
     }
@@ -80,8 +80,8 @@ impl SceneFile {
         found.by_cause().silenced(&self.accept)
     }
 
-    /// The roughness of the gap, as correlations of its conductance take it: of the scan or,
-    /// without one, of an isotropic Gaussian surface with these asperities.
+    /// The roughness of the gap for correlations of its conductance: of the scan or, without one,
+    /// of an isotropic Gaussian surface with these asperities.
     #[must_use]
     pub fn gap_roughness(&self) -> GapRoughness {
         let measured = self.measured.as_ref().map(|measured| &measured.statistics);
@@ -89,12 +89,12 @@ impl SceneFile {
         GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
     }
 
-    /// What follows from the scene and, for a model, from a place, with what is unusual about it.
+    /// The derived numbers of the scene and, for a model, at a separation or load, with findings.
     ///
     /// # Errors
     /// Those of [`Check::at`].
-    pub fn check(&self, asked: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
-        let mut check = match asked {
+    pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
+        let mut check = match place {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => self.scene.check()?,
         };
@@ -102,11 +102,11 @@ impl SceneFile {
         let of_answer = std::mem::take(&mut check.findings).into_iter();
         check.findings = of_answer.filter(|finding| !theirs.contains(finding)).collect();
         check.extend(self.findings());
-        if let Some((model, _)) = asked {
+        if let Some((model, _)) = place {
             check.keep_for(model);
         }
         if let Some(Measured { statistics, pixel_size }) = &self.measured {
-            let profile = "of the profiles that were measured";
+            let profile = "of the measured profiles";
             check.add_number("measured_height_std", statistics.sq, "m", "Sq");
             check.add_number("measured_skewness", statistics.ssk, "", "Ssk");
             check.add_number(
@@ -119,18 +119,18 @@ impl SceneFile {
                 "measured_slope",
                 (2.0 * statistics.m2).sqrt(),
                 "",
-                "rms slope, likewise",
+                "rms slope of the scan",
             );
             check.add_number("measured_bandwidth", statistics.alpha, "", profile);
             check.add_number("pixel_size", *pixel_size, "m", "of the scan");
-            check.extend(self.of_pixels(&check, *pixel_size));
+            check.extend(self.below_a_pixel(&check, *pixel_size));
         }
         check.findings = self.accepted(check.findings);
         Ok(check)
     }
 
-    /// [`recommend_among`](asperity::recommend_among) these models on the scene; a scan unlike the
-    /// surfaces that were solved has no evidence.
+    /// [`recommend_among`](asperity::recommend_among) these models on the scene; a scan that
+    /// differs in kind from the solved surfaces has no evidence.
     ///
     /// # Errors
     /// Those of [`recommend_among`](asperity::recommend_among).
@@ -148,8 +148,8 @@ impl SceneFile {
         })
     }
 
-    /// What is unusual about the answers of a model at these places; nothing where a number of the
-    /// scene makes no sense, as all else may follow from that.
+    /// Unusual results of a model at these separations or loads; none if the scene has an error, of
+    /// which they may be a consequence.
     #[must_use]
     pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Diagnostics {
         let known = self.findings().for_asperities(model.validity().asperities);
@@ -159,8 +159,8 @@ impl SceneFile {
         }
     }
 
-    /// A body that was given no hardness beside one that was: forgotten, more likely than meant.
-    fn of_elastic_body(&self) -> Option<Diagnostic> {
+    /// A warning if one body has a hardness and the other has none, which is probably an omission.
+    fn missing_hardness(&self) -> Option<Diagnostic> {
         let elastic = |body: &asperity::Body| body.hardness.or(body.yield_strength).is_none();
         let [first, second] = &self.bodies[..] else { return None };
         let (k, body) = match (elastic(first), elastic(second)) {
@@ -170,7 +170,7 @@ impl SceneFile {
         };
         let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
         let advice = match without {
-            true => "nothing yields, and only elastic models work",
+            true => "both bodies are elastic, and only elastic models work",
             false => "the other body is assumed to be the softer one",
         };
         let modulus = body.youngs_modulus;
@@ -178,11 +178,11 @@ impl SceneFile {
             .unit("Pa")
             .fact(format!("body[{k}] has neither hardness nor yield_strength"))
             .advice(advice);
-        // Rubber on glass is as it should be.
+        // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }
 
-    fn of_scan(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Diagnostic> {
+    fn scan_findings(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Diagnostic> {
         let mut found = vec![];
         if matches!(self.scene.heights, HeightDistribution::Gaussian) {
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
@@ -201,30 +201,30 @@ impl SceneFile {
         found
     }
 
-    /// Contacts that the scan could not have seen.
-    fn of_pixels(&self, check: &Check, pixel: f64) -> Option<Diagnostic> {
+    /// A warning if contacts are smaller than a pixel of the scan.
+    fn below_a_pixel(&self, check: &Check, pixel: f64) -> Option<Diagnostic> {
         let radius = check.number("contact_radius")?;
         let found = Diagnostic::warning("below-a-pixel", "contact_radius", radius)
             .usual([pixel, f64::INFINITY])
             .fact(format!(
                 "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
             ))
-            .advice("roughness below the pixel size decides; compare cut-offs with `asperity surface --scales`")
+            .advice("the result depends on roughness below the pixel size; compare cut-offs with `asperity surface --scales`")
             .unit("m");
         (radius < pixel).then_some(found)
     }
 }
 
-/// The number of a scan by which its heights are far from Gaussian, with its usual range.
+/// The number by which the heights of a scan are far from Gaussian, with its usual range.
 fn not_gaussian(statistics: &Statistics) -> Option<(&'static str, f64, [f64; 2])> {
     let Statistics { ssk, sku, .. } = *statistics;
     let shape = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
     shape.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value))
 }
 
-/// Why evidence of isotropic Gaussian surfaces is none of a scan.
+/// The reason why evidence from isotropic Gaussian surfaces does not apply to a scan.
 fn unlike_solved(Measured { statistics, .. }: &Measured) -> Option<String> {
-    let solved = "solved surfaces are Gaussian and isotropic, use `asperity truth`";
+    let solved = "solved surfaces are Gaussian and isotropic; use `asperity truth`";
     if let Some((field, value, _)) = not_gaussian(statistics) {
         return Some(format!("{field} is {value:.3}, and {solved}"));
     }
@@ -242,7 +242,7 @@ mod tests {
 
     use super::*;
 
-    /// Waves in many directions, with slopes along columns `lengthened` times less.
+    /// Waves in many directions, with slopes along columns smaller by the factor `lengthened`.
     fn scan(lengthened: f64) -> Topography {
         let waves: Vec<[f64; 3]> = (0..60)
             .map(|k| {
@@ -258,7 +258,7 @@ mod tests {
         Topography::new((0..128 * 128).map(height).collect(), 128, [1e-6; 2]).unwrap()
     }
 
-    fn told(scan: &Topography) -> Vec<String> {
+    fn summary(scan: &Topography) -> Vec<String> {
         let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
         let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
         file.scene.surface = statistics.surface();
@@ -270,15 +270,15 @@ mod tests {
 
     #[test]
     fn scans_that_are_not_gaussian_or_not_isotropic_have_no_evidence() {
-        let plain = told(&scan(1.0)).remove(0);
+        let plain = summary(&scan(1.0)).remove(0);
         assert!(!plain.contains("asperity truth"), "{plain}");
-        let along = told(&scan(6.0)).remove(0);
+        let along = summary(&scan(6.0)).remove(0);
         let wanted = "no boundary-element solution is close: the slopes along rows and columns have a ratio of ";
         assert!(along.starts_with(wanted) && along.ends_with("use `asperity truth`"), "{along}");
         let whole = scan(1.0);
         let dug = |z: &f64| if *z < -8e-8 { 5.0 * z } else { *z };
         let dug = whole.heights().iter().map(dug).collect();
-        let dug = told(&Topography::new(dug, 128, [1e-6; 2]).unwrap()).remove(0);
+        let dug = summary(&Topography::new(dug, 128, [1e-6; 2]).unwrap()).remove(0);
         assert!(
             dug.starts_with("no boundary-element solution is close: measured_skewness is -"),
             "{dug}"

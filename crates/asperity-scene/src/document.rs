@@ -1,4 +1,4 @@
-//! The text of a scene file: its keys, and the place of each.
+//! The text of a scene file: its keys and their places.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -13,28 +13,28 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 use toml::{Table, Value};
 
-use crate::quantity::{NoQuantity, in_si};
+use crate::quantity::{QuantityError, in_si};
 use crate::template::keys_of;
 use crate::{Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
 const MOST_BYTES: u64 = 1 << 20;
-/// The depth of `body[2].hardness` and `options.displacement.zeta`.
+/// The largest depth of a key: `body[2].hardness`, `options.displacement.zeta`.
 const DEEPEST: usize = 3;
 
 /// A text in TOML with the places of its keys.
 #[derive(Debug)]
 pub(crate) struct Document<'a> {
     file: Option<&'a Path>,
-    /// Where relative paths begin; keywords have none, and no lines.
+    /// Base of relative paths; `None` for keywords, which have no lines.
     directory: Option<&'a Path>,
-    /// With plain numbers instead of numbers with units.
+    /// The text with plain numbers instead of numbers with units.
     pub(crate) text: Cow<'a, str>,
-    /// Every key, those of a table before its own, and where it stands.
+    /// Every key with its range; a table comes before its keys.
     pub(crate) keys: Vec<(String, Range<usize>)>,
 }
 
-/// The keys of `[surface]` that one module uses.
+/// The keys of `[surface]` used by one module.
 #[derive(Deserialize)]
 struct InSurface<T> {
     surface: T,
@@ -48,37 +48,37 @@ impl<'a> Document<'a> {
         text: &'a str,
     ) -> Result<Self, SceneError> {
         let mut document = Self { file, directory, text: text.into(), keys: vec![] };
-        let root = DeTable::parse(text).map_err(|error| document.no_toml(&error))?;
+        let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         let (span, table) = (root.span(), root.into_inner());
         let in_si = in_si(text, &table);
         document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
-        let in_si = in_si.map_err(|NoQuantity { path, found, near, needed }| {
-            let (at, found) = (document.place(&path), format!("{:?}", shortened(&found)));
+        let in_si = in_si.map_err(|QuantityError { path, found, near, needed }| {
+            let (at, found) = (document.place(&path), format!("{:?}", shorten(&found)));
             SceneError::Value { at, found, near, needed }
         })?;
         if in_si != text {
-            // The keys once more, as they stand now.
+            // The ranges of the keys in the rewritten text.
             document.keys.clear();
             document.text = in_si.into();
             let text = document.text.clone();
-            let root = DeTable::parse(&text).map_err(|error| document.no_toml(&error))?;
+            let root = DeTable::parse(&text).map_err(|error| document.toml_error(&error))?;
             document.index(String::new(), root.span(), &DeValue::Table(root.into_inner()), DEEPEST);
         }
         Ok(document)
     }
 
-    /// The keys at the top of the text that `T` has; others are left to their own readers.
+    /// The keys of `T` at the top of the text; other keys are ignored.
     pub(crate) fn keys<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        toml::from_str(&self.text).map_err(|error| self.explained(&error))
+        toml::from_str(&self.text).map_err(|error| self.explain(&error))
     }
 
-    /// Likewise those of `[surface]`.
+    /// The keys of `T` in `[surface]`; other keys are ignored.
     pub(crate) fn surface<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
         self.keys::<InSurface<T>>().map(|keys| keys.surface)
     }
 
-    /// The whole text. The first key at the top or in `[surface]` that the template does not have
-    /// is refused; serde refuses those of the other sections, each of which is one struct.
+    /// The whole text. An unknown key at the top or in `[surface]` is refused here, in other
+    /// sections by serde, because each is one struct.
     pub(crate) fn table(&self) -> Result<Table, SceneError> {
         let table: Table = self.keys()?;
         let surface = table.get("surface").and_then(Value::as_table);
@@ -87,7 +87,7 @@ impl<'a> Document<'a> {
             let unknown = keys.into_iter().flat_map(Table::keys);
             let unknown = unknown.filter(|name| !known.contains(&name.as_str()));
             let unknown: HashSet<String> =
-                unknown.map(|name| joined(section, &shortened(name))).collect();
+                unknown.map(|name| joined(section, &shorten(name))).collect();
             let unknown = self.keys.iter().filter(|(path, _)| unknown.contains(path));
             if let Some((path, _)) = unknown.min_by_key(|(_, range)| range.start) {
                 return Err(self.unknown(path, &known));
@@ -102,7 +102,7 @@ impl<'a> Document<'a> {
                 for (key, value) in table {
                     let (a, b) = (key.span(), value.span());
                     let (path, span) = (
-                        joined(&path, &shortened(key.get_ref())),
+                        joined(&path, &shorten(key.get_ref())),
                         a.start.min(b.start)..a.end.max(b.end),
                     );
                     self.index(path, span, value.get_ref(), deep - 1);
@@ -119,11 +119,11 @@ impl<'a> Document<'a> {
     }
 
     /// An error of TOML syntax.
-    fn no_toml(&self, error: &Error) -> SceneError {
+    fn toml_error(&self, error: &Error) -> SceneError {
         let at = self.at("TOML", error.span().map_or(0, |span| span.start));
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
         let reason = error.message().replace('\n', ", ");
-        let reason = format!("{reason}: {:?} was found", shortened(found.trim()));
+        let reason = format!("{reason}: {:?} was found", shorten(found.trim()));
         SceneError::Syntax { at, reason }
     }
 
@@ -154,7 +154,7 @@ impl<'a> Document<'a> {
         self.at(path, range.map_or(0, |range| range.start))
     }
 
-    /// Turns a refusal of the library into an error at the key of a section.
+    /// Converts an error of the library to an error at the key of a section.
     pub(crate) fn refused(&self, section: &str) -> impl Fn(ContactError) -> SceneError {
         move |source| SceneError::from_contact(source, |field| self.place(&joined(section, field)))
     }
@@ -174,8 +174,8 @@ pub(crate) fn joined(section: &str, key: &str) -> String {
     format!("{section}{dot}{key}")
 }
 
-/// The text of a file; `named` is its place in an error.
-pub(crate) fn text_of(path: &Path, named: impl FnOnce() -> Place) -> Result<String, SceneError> {
+/// The text of a file; `place` gives its place in an error.
+pub(crate) fn read_text(path: &Path, place: impl FnOnce() -> Place) -> Result<String, SceneError> {
     let mut text = String::new();
     let read =
         File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_string(&mut text));
@@ -184,11 +184,11 @@ pub(crate) fn text_of(path: &Path, named: impl FnOnce() -> Place) -> Result<Stri
         Ok(_) if text.len() as u64 > MOST_BYTES => format!("more than {MOST_BYTES} bytes"),
         Ok(_) => return Ok(text),
     };
-    Err(SceneError::Unreadable { at: Box::new(named()), reason })
+    Err(SceneError::Unreadable { at: Box::new(place()), reason })
 }
 
-/// At most 60 characters of a text.
-pub(crate) fn shortened(text: &str) -> Cow<'_, str> {
+/// The first 60 characters of a text.
+pub(crate) fn shorten(text: &str) -> Cow<'_, str> {
     match text.char_indices().nth(60) {
         Some((end, _)) => format!("{}...", &text[..end]).into(),
         None => text.into(),
@@ -202,6 +202,6 @@ mod tests {
     #[test]
     fn long_texts_are_cut_between_characters() {
         let long = "µ".repeat(1000);
-        assert_eq!(shortened(&long).chars().count(), 63);
+        assert_eq!(shorten(&long).chars().count(), 63);
     }
 }

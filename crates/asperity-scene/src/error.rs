@@ -1,16 +1,16 @@
-//! Errors of scene files: where, what was found, what is needed.
+//! Errors of scene files: place, value found, value needed.
 
 use std::fmt;
 use std::path::PathBuf;
 
 use asperity::ContactError;
 
-/// Where in a scene file (or in a file that it names) something stands.
+/// A place in a scene file or in a file that it names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Place {
-    /// The file; `None` for text that came from no file.
+    /// The file; `None` for text without a file.
     pub file: Option<PathBuf>,
-    /// Its line, counted from 1, where it is known.
+    /// The line, from 1, if known.
     pub line: Option<usize>,
     /// The field, with its section: `surface.asperity_radius`, `body[2].hardness`.
     pub field: String,
@@ -37,7 +37,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Why a scene file was refused.
+/// An error in a scene file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
@@ -60,7 +60,7 @@ pub enum SceneError {
     /// The text is not TOML, or not CSV.
     #[error("{at}: {reason}")]
     Syntax {
-        /// Where.
+        /// The place.
         at: Box<Place>,
         /// The reason from the parser.
         reason: String,
@@ -70,9 +70,9 @@ pub enum SceneError {
     UnknownKey {
         /// The key.
         at: Box<Place>,
-        /// The nearest known key of the section, if one is near.
+        /// The most similar key of the section, if there is one.
         near: Option<String>,
-        /// What is allowed there.
+        /// The keys allowed there.
         allowed: String,
     },
     /// A value of the wrong kind, out of its range, or not one of the allowed names.
@@ -80,29 +80,29 @@ pub enum SceneError {
     Value {
         /// The field.
         at: Box<Place>,
-        /// What was found.
+        /// The value found.
         found: String,
-        /// The nearest allowed name, if one is near.
+        /// The most similar name allowed, if there is one.
         near: Option<String>,
-        /// What is needed.
+        /// The value needed.
         needed: String,
     },
-    /// A field that is needed.
+    /// A missing field.
     #[error("{at} is missing: {needed}")]
     Missing {
         /// The field, at the line of its section.
         at: Box<Place>,
-        /// Who needs it, or what it should be.
+        /// The reason why it is needed, or its meaning.
         needed: String,
     },
     /// Two fields that exclude each other.
     #[error("{at} and {} exclude each other: {needed} was required", place_without_file(.other))]
     Conflict {
-        /// The one.
+        /// The first field.
         at: Box<Place>,
-        /// The other.
+        /// The second field.
         other: Box<Place>,
-        /// What is needed.
+        /// The value needed.
         needed: String,
     },
     /// A measured surface could not be read, or has no asperities.
@@ -110,7 +110,7 @@ pub enum SceneError {
     Measured {
         /// The field that names its file.
         at: Box<Place>,
-        /// The file, what was found in it, and what was required.
+        /// The file, the value found and the value required.
         reason: String,
     },
     /// The library refuses the scene.
@@ -132,13 +132,13 @@ fn place_without_file(place: &Place) -> String {
 }
 
 impl SceneError {
-    /// A value, and what is needed instead.
+    /// An error for a value, with the value needed instead.
     pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
         let (found, needed) = (format!("{found:?}"), needed.trim_end_matches(',').into());
         Self::Value { at, found, near: None, needed }
     }
 
-    /// A refusal of the library at the field of the scene file; `at` gives the place of a field.
+    /// An error of the library at the field of the scene file; `at` gives the place of a field.
     pub(crate) fn from_contact(source: ContactError, at: impl Fn(&str) -> Box<Place>) -> Self {
         match source {
             ContactError::OutOfRange { field, value, required } => {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity::{ContactError, Datum, Diagnostic, TabulatedHeights};
 use serde::Deserialize;
 
-use crate::document::{Document, shortened, text_of};
+use crate::document::{Document, read_text, shorten};
 use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.
@@ -13,11 +13,11 @@ const HEADER: [&str; 2] = ["height_m", "density_per_m"];
 const NEEDED: &str = "\"height_m,density_per_m\", heights in m and densities in 1/m,";
 /// The largest number of points in a table of heights; each costs time in every evaluation.
 const MOST_POINTS: usize = 10_000;
-/// A larger relative difference of the standard deviations is a warning; the bins of a histogram
-/// alone add some per cent.
+/// Relative difference of the standard deviations above which there is a warning; the bins of a
+/// histogram alone cause some per cent.
 const DIFFERENT: f64 = 0.05;
 
-/// The keys of `[surface]` for the heights, and for what separations are measured from.
+/// The keys of `[surface]` for the heights and the datum of separations.
 #[derive(Debug, Deserialize)]
 #[serde(expecting = "a table, [surface],")]
 pub(crate) struct HeightKeys {
@@ -56,7 +56,7 @@ pub(crate) enum HeightsKey {
 }
 
 impl HeightsKey {
-    /// The table of a file, or of the points.
+    /// The table from the file or from the points.
     pub(crate) fn table(
         &self,
         document: &Document<'_>,
@@ -64,7 +64,7 @@ impl HeightsKey {
         match self {
             Self::Table { file } => read_heights(document, file).map(Some),
             Self::Points { height_m, density_per_m } => {
-                given_heights(document, height_m, density_per_m).map(Some)
+                inline_heights(document, height_m, density_per_m).map(Some)
             }
             _ => Ok(None),
         }
@@ -72,7 +72,7 @@ impl HeightsKey {
 }
 
 /// The table of `heights = { height_m = [...], density_per_m = [...] }`.
-fn given_heights(
+fn inline_heights(
     document: &Document<'_>,
     heights: &[f64],
     densities: &[f64],
@@ -105,25 +105,25 @@ fn given_heights(
 /// Reads the table of `heights = { file = "pdf.csv" }`.
 fn read_heights(document: &Document<'_>, file: &Path) -> Result<TabulatedHeights, SceneError> {
     let path = document.path(file);
-    let text = text_of(&path, || {
+    let text = read_text(&path, || {
         let at = document.place("surface.heights.file");
         Place { field: format!("{} = {path:?}", at.field), ..*at }
     })?;
     table(&text, &path)
 }
 
-/// The table of a CSV text: two numbers a line below the header; lines that are empty or begin
+/// The table of a CSV text: two numbers per line below the header; empty lines and lines that begin
 /// with # are skipped.
 fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
     let place = |line: Option<usize>, field: &str| {
         Box::new(Place { file: Some(path.to_path_buf()), line, field: field.into() })
     };
     let wrong = |line: usize, field: &str, found: &str, needed: &str| {
-        SceneError::value(place(Some(line), field), shortened(found), needed)
+        SceneError::value(place(Some(line), field), shorten(found), needed)
     };
     let mut reader = csv::ReaderBuilder::new();
     let reader = reader.has_headers(false).flexible(true).comment(Some(b'#')).trim(csv::Trim::All);
-    // With the end of the last line there, every row ends where the next line begins.
+    // With a final newline, every row ends where the next line begins.
     let text = format!("{text}\n");
     let mut records = reader.from_reader(text.as_bytes()).into_records();
     let mut next = || {
@@ -165,15 +165,16 @@ fn table(text: &str, path: &Path) -> Result<TabulatedHeights, SceneError> {
     })
 }
 
-/// Compares the standard deviation of a table with that of the scene; returns warnings.
-pub(crate) fn compared(
+/// Warnings about the standard deviation of a table against that of the scene, and about its
+/// integral.
+pub(crate) fn compare_std(
     document: &Document<'_>,
     table: &TabulatedHeights,
     std: f64,
 ) -> Result<Vec<Diagnostic>, SceneError> {
     let (own, integral) = (table.standard_deviation(), table.integral());
     let (at, ratio) = (document.place("surface.heights"), own / std);
-    // So far off, one of the two is not in metres.
+    // At such a ratio one of the two is not in metres.
     if !(0.1..=10.0).contains(&ratio) {
         let found = format_args!(
             "a table with a standard deviation of {own:e} m, {ratio:.3e} times the asperity_height_std of {std:e} m"
@@ -189,7 +190,7 @@ pub(crate) fn compared(
                 "the standard deviation of the table is {own:.4e} m, asperity_height_std {std:.4e} m"
             ))
             .advice(
-                "the table is used in metres as it is, and asperity_height_std is the unit of separations only",
+                "the heights are those of the table, and asperity_height_std is the unit of separations only",
             );
         notes.push(found.from_origin(at.to_string()));
     }
@@ -203,8 +204,8 @@ pub(crate) fn compared(
     Ok(notes)
 }
 
-/// The CSV file of a density of heights, as points (height \[m\], density \[1/m\]): what
-/// `heights = { file = "..." }` reads back exactly.
+/// The CSV text of a density of heights from points (height \[m\], density \[1/m\]); `heights = {
+/// file = "..." }` reads the same values.
 #[must_use]
 pub fn write_heights(points: &[(f64, f64)]) -> String {
     let row = |(height, density): &(f64, f64)| format!("{height:e},{density:e}\n");

@@ -1,18 +1,18 @@
-//! What a refused key or value should have been.
+//! Suggestions for refused keys and values.
 
 use asperity::nearest_name;
 use toml::de::Error;
 
 use crate::SceneError;
-use crate::document::{Document, joined, shortened};
+use crate::document::{Document, joined, shorten};
 use crate::template::key;
 
 impl Document<'_> {
-    /// An error of serde: where it is, what was found there, and what was near.
-    pub(crate) fn explained(&self, error: &Error) -> SceneError {
+    /// Converts an error of serde: the place, the value found and a similar name.
+    pub(crate) fn explain(&self, error: &Error) -> SceneError {
         let message = error.message();
         let span = error.span().unwrap_or(0..self.text.len());
-        // What is inside comes first; the least of what is around is the key itself.
+        // Keys inside the span come first; the smallest range around it is the key itself.
         let around =
             self.keys.iter().filter(|(_, key)| key.start <= span.start && span.end <= key.end);
         let path = around.min_by_key(|(_, range)| range.len()).map_or("", |(path, _)| path);
@@ -25,8 +25,8 @@ impl Document<'_> {
         }
         let needed = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
         if message.starts_with("unknown field `") {
-            let known: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
-            return self.unknown(&path, &known);
+            let keys: Vec<&str> = needed.split('`').skip(1).step_by(2).collect();
+            return self.unknown(&path, &keys);
         }
         let needed = match needed {
             "f64" => format!("a number in SI units, without quotes ({meaning}),"),
@@ -37,26 +37,25 @@ impl Document<'_> {
             "floating-point number overflowed" => "a number of at most 1.8e308".into(),
             names => names.replace('`', "\""),
         };
-        let found =
-            shortened(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
+        let found = shorten(self.text.get(span).unwrap_or_default()).replace(char::is_control, " ");
         let near = nearest_name(found.trim_matches('"'), needed.split('"').skip(1).step_by(2));
         let near = near.map(Into::into).or_else(|| near_table(&found, &needed));
         SceneError::Value { at: self.place(&path), found, near, needed }
     }
 
-    /// A key that is not among the known ones of its section.
-    pub(crate) fn unknown(&self, path: &str, known: &[&str]) -> SceneError {
+    /// The error for an unknown key of a section.
+    pub(crate) fn unknown(&self, path: &str, keys: &[&str]) -> SceneError {
         let (section, name) = section_and_name(path);
-        let mut allowed = format!("the keys here are {}", known.join(", "));
+        let mut allowed = format!("the keys here are {}", keys.join(", "));
         let mut elsewhere = key(section, name);
         let mut near = match elsewhere {
-            None => nearest_name(name, known.iter().copied()),
+            None => nearest_name(name, keys.iter().copied()),
             Some(_) => None,
         };
         if let Some((other, difference)) = synonym(name).filter(|_| near.is_none()) {
             near = Some(other);
-            // Bodies have no adhesion of their own.
-            elsewhere = key("", other).filter(|_| !known.contains(&other));
+            // A single body has no work of adhesion.
+            elsewhere = key("", other).filter(|_| !keys.contains(&other));
             allowed = format!("{difference}{allowed}");
         }
         if let Some(key) = elsewhere {
@@ -75,7 +74,7 @@ fn section_and_name(path: &str) -> (&str, &str) {
     (&section[..bare(section)], &name[..bare(name)])
 }
 
-/// The key that another name of the field stands for, and how it differs.
+/// The key for a synonym, and how it differs.
 fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
     let inverse = "it is 1/conductivity, in ohm m; ";
     Some(match name.to_lowercase().as_str() {
@@ -89,14 +88,14 @@ fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
     })
 }
 
-/// Of tables that are allowed, as `{ skewness = -0.5 }`, the first key that begins as that of the
-/// one found, or is near to it.
+/// The first key of the allowed tables, such as `{ skewness = -0.5 }`, that begins like the key
+/// found or is similar to it.
 fn near_table(found: &str, needed: &str) -> Option<String> {
     let key = |text: &str| Some(text.split_once('=')?.0.trim().to_string());
     let given = key(found.trim_start().strip_prefix('{')?)?;
-    let known: Vec<String> = needed.split('{').skip(1).filter_map(key).collect();
-    let begun = known.iter().find(|known| given.len() > 2 && known.starts_with(&given));
-    let near = || nearest_name(&given, known.iter().map(String::as_str));
+    let keys: Vec<String> = needed.split('{').skip(1).filter_map(key).collect();
+    let begun = keys.iter().find(|keys| given.len() > 2 && keys.starts_with(&given));
+    let near = || nearest_name(&given, keys.iter().map(String::as_str));
     let near = begun.map(String::as_str).or_else(near);
     near.filter(|near| *near != given).map(Into::into)
 }
@@ -106,7 +105,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_of_tables_are_found_by_their_beginning_or_nearly() {
+    fn keys_of_tables_are_found_by_prefix_or_similarity() {
         let needed = "\"gaussian\" or { skewness = -0.5 } or { file = \"pdf.csv\" }";
         for (found, wanted) in [
             ("{ skew = -0.6 }", Some("skewness")),

@@ -1,4 +1,4 @@
-//! `[interface]`, or the bodies it follows from.
+//! `[interface]`, or the bodies from which it follows.
 
 use asperity::{Body, Interface};
 use serde::Deserialize;
@@ -18,30 +18,30 @@ pub(crate) struct InterfaceKeys {
 
 const EITHER: &str = "either [interface] with the equivalent properties, or the two bodies as [[body]] (one with rigid_counterface = true)";
 
-/// The interface of a scene, and the section it stands in.
+/// The interface of a scene, and its section.
 pub(crate) fn interface(
     document: &Document<'_>,
     keys: &InterfaceKeys,
 ) -> Result<(Interface, &'static str), SceneError> {
-    let (mut found, section) = of_bodies(document, keys)?;
+    let (mut found, section) = from_section_or_bodies(document, keys)?;
     if keys.work_of_adhesion.is_some() {
         if keys.interface.is_some() {
             let needed = "work_of_adhesion in [interface], or above the bodies,";
             return Err(document.conflict("work_of_adhesion", "interface", needed));
         }
-        // A property of the pair, not of a body.
+        // The work of adhesion is a property of the pair.
         found.work_of_adhesion = keys.work_of_adhesion;
         found.check().map_err(document.refused(""))?;
     }
     Ok((found, section))
 }
 
-fn of_bodies(
+fn from_section_or_bodies(
     document: &Document<'_>,
     keys: &InterfaceKeys,
 ) -> Result<(Interface, &'static str), SceneError> {
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
-    // Each checked alone, so that the error names the body.
+    // Each body is checked alone, so that the error names the body.
     let alone = |body, section| Interface::against_rigid(body).map_err(document.refused(section));
     match (&keys.interface, &keys.body[..], keys.rigid_counterface) {
         (Some(_), [_, ..], _) => conflict("interface", "body", EITHER),

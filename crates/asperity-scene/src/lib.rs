@@ -1,7 +1,6 @@
 #![doc = include_str!("../README.md")]
 
-// This crate knows the models through the facade's registry alone, and does no arithmetic on
-// results.
+// This crate takes models from the facade's registry only, and does no arithmetic on results.
 
 mod check;
 mod document;

@@ -32,7 +32,7 @@ struct MeasuredKeys {
     fill_missing: bool,
 }
 
-/// `pixel_size`: of square pixels, or along a row and along a column.
+/// `pixel_size` of square pixels, or along a row and along a column.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(
     untagged,
@@ -45,41 +45,41 @@ enum PixelSize {
 
 /// The surface of a scene.
 #[derive(Debug, Clone)]
-pub(crate) struct Described {
+pub(crate) struct SurfaceDescription {
     pub(crate) surface: Surface,
     pub(crate) measured: Option<Measured>,
-    /// The density of its summits' heights, where that is asked for.
+    /// The density of its summits' heights, if requested.
     pub(crate) heights: Option<TabulatedHeights>,
     pub(crate) notes: Vec<Diagnostic>,
-    /// The scan, levelled and filtered, where there is one alone.
+    /// The scan, levelled and filtered, if there is exactly one.
     pub(crate) scan: Option<Arc<Topography>>,
-    /// The keys that the asperities follow from, where they are not given themselves.
+    /// The keys from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
 }
 
-/// The surface of one measured file, or of two pressed together.
+/// The surface of one measured file, or of two files in contact.
 pub(crate) fn measured(
     document: &Document<'_>,
     heights: &HeightsKey,
-) -> Result<Described, SceneError> {
+) -> Result<SurfaceDescription, SceneError> {
     let keys: MeasuredKeys = document.surface()?;
     let measured_heights = matches!(heights, HeightsKey::Measured);
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
-        let needed = "a smooth below filter: what it leaves is all taken away,";
+        let needed = "a value of smooth below filter, which keeps some wavelengths,";
         return conflict("surface.smooth", "surface.filter", needed);
     }
     let one = |at: &str, path: &Path| {
         let path = document.path(path);
         let found = read(&path, &read_options(&keys)).and_then(|read| {
             let [dx, dy] = read.pixel_size();
-            let topography = prepared(read, &keys)?;
+            let topography = prepare(read, &keys)?;
             let statistics = topography.statistics(keys.estimator)?;
             let density = measured_heights.then(|| density(&topography)).transpose()?;
             Ok((Measured { statistics, pixel_size: dx.max(dy) }, density, topography))
         });
-        found.map_err(|error| match unnamed(error) {
-            // What is wrong with an option stands at that option, all else at the file.
+        found.map_err(|error| match without_path(error) {
+            // Errors of an option are at that option, all others at the file.
             TopographyError::OutOfRange { field, value, required } => {
                 SceneError::value(document.place(&format!("surface.{field}")), value, required)
             }
@@ -98,7 +98,7 @@ pub(crate) fn measured(
             return conflict("surface.file", "surface.files", needed);
         }
         (_, Some(_)) if keys.estimator == Estimator::Summits => {
-            let needed = "estimator = \"moments\" for two surfaces: their moments add, their summits do not,";
+            let needed = "estimator = \"moments\" for two surfaces: moments add, summits do not,";
             return conflict("surface.estimator", "surface.files", needed);
         }
         (_, Some(_)) if measured_heights => {
@@ -116,7 +116,7 @@ pub(crate) fn measured(
             (at, (Measured { statistics, pixel_size }, None, None))
         }
         (_, Some(files)) => {
-            let needed = "a list of two paths, of the two surfaces in contact";
+            let needed = "a list of two paths, one for each surface in contact,";
             return Err(SceneError::value(
                 document.place("surface.files"),
                 format_args!("a list of {}", files.len()),
@@ -146,11 +146,11 @@ pub(crate) fn measured(
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });
     let (heights, measured) = (heights.transpose()?, Some(measured));
-    Ok(Described { surface, measured, heights, notes, scan, follows_from: &[] })
+    Ok(SurfaceDescription { surface, measured, heights, notes, scan, follows_from: &[] })
 }
 
-/// Reading names the file, what follows does not.
-fn unnamed(error: TopographyError) -> TopographyError {
+/// The error without the name of the file, which only errors of reading have.
+fn without_path(error: TopographyError) -> TopographyError {
     match error {
         TopographyError::File { source, .. } => *source,
         other => other,
@@ -174,8 +174,8 @@ fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> 
     Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
 }
 
-/// Levelled, filled and filtered.
-fn prepared(read: Topography, keys: &MeasuredKeys) -> Result<Topography, TopographyError> {
+/// The scan, levelled, filled and filtered.
+fn prepare(read: Topography, keys: &MeasuredKeys) -> Result<Topography, TopographyError> {
     let mut topography = read.with_periodic(keys.periodic).levelled(keys.level)?;
     if keys.fill_missing {
         topography = topography.fill()?;
@@ -211,19 +211,19 @@ mod tests {
         Topography::new((0..count * count).map(height).collect(), count, [1e-6; 2]).unwrap()
     }
 
-    fn found(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
+    fn statistics(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
         let level = Some(level);
         let keys = MeasuredKeys { level, filter, estimator, ..MeasuredKeys::default() };
-        prepared(topography(192), &keys).unwrap().statistics(estimator).unwrap()
+        prepare(topography(192), &keys).unwrap().statistics(estimator).unwrap()
     }
 
     #[test]
     fn every_choice_changes_the_surface() {
         let std = |level, filter, estimator| {
-            found(level, filter, estimator).surface().asperity_height_std
+            statistics(level, filter, estimator).surface().asperity_height_std
         };
         let plain = std(Level::Plane, None, Estimator::Moments);
-        // 60 waves of 1e-7 have a variance of 30e-14, (0.548e-6)²; asperities are less spread.
+        // 60 waves of 1e-7 have a variance of 30e-14, (0.548e-6)²; that of asperities is smaller.
         assert!((0.35e-6..0.54e-6).contains(&plain), "{plain}");
         assert!(std(Level::None, None, Estimator::Moments) > 1.1 * plain);
         assert!(std(Level::Plane, Some(30e-6), Estimator::Moments) < 0.95 * plain);
@@ -232,10 +232,10 @@ mod tests {
     }
 
     #[test]
-    fn summits_lie_about_as_far_above_the_mean_plane_as_theory_says() {
+    fn the_mean_plane_offset_of_summits_agrees_with_theory() {
         for level in [Level::Plane, Level::Quadratic] {
             let [theory, counted] = [Estimator::Moments, Estimator::Summits]
-                .map(|estimator| found(level, None, estimator).mean_plane_offset);
+                .map(|estimator| statistics(level, None, estimator).mean_plane_offset);
             assert!(theory > 0.3e-6 && (counted / theory - 1.0).abs() < 0.3, "{theory} {counted}");
         }
     }

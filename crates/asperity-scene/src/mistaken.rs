@@ -33,7 +33,7 @@ pub fn mistaken_unit(
     let digits = format!("{value:?}");
     let digits = digits.strip_suffix(".0").unwrap_or(&digits);
     let (given, advice) = match unit {
-        // All the way.
+        // No contact at all.
         _ if size.is_infinite() => return None,
         SeparationUnit::Metres if size > LONG.max(FAR * height_std) => {
             let metres = value * height_std;

@@ -1,4 +1,4 @@
-//! Options of the models, checked in one place for scene files, keywords and command lines.
+//! Options of the models for scene files, keywords and command lines.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -18,7 +18,7 @@ use crate::{Place, SceneError};
 /// Variants of the models; the defaults are the models' own.
 ///
 /// As a scene file's `[options]`, as keywords and in serde formats, it is a map from the names of
-/// these fields to [`OptionValue`]s, each of which may be left out.
+/// these fields to [`OptionValue`]s, each optional.
 ///
 /// ```
 /// use asperity_scene::ModelOptions;
@@ -51,7 +51,7 @@ pub struct ModelOptions {
     /// The pressure under AF's embedded plastic asperity.
     pub af_flow_pressure: FlowPressure,
     /// H, from 0.1 to 1: the power-law spectrum of the mean gaps and stiffnesses of `persson` and
-    /// `persson-fudge`. Beside a scan it replaces the scan's spectrum, with a warning.
+    /// `persson-fudge`. With a scan, it replaces the scan's spectrum, with a warning.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hurst_exponent: Option<f64>,
     /// Whether ids mean their models on a random surface (`ke-random` always does); a scene file
@@ -72,7 +72,7 @@ pub enum Asperities {
     Random,
 }
 
-/// How `angle_density` is spelled.
+/// The spelling of `angle_density`.
 #[derive(Serialize, Deserialize)]
 #[serde(
     remote = "AngleDensity",
@@ -90,7 +90,7 @@ enum AngleChoice {
     },
 }
 
-/// How `displacement` is spelled.
+/// The spelling of `displacement`.
 #[derive(Serialize, Deserialize)]
 #[serde(
     remote = "Displacement",
@@ -113,7 +113,7 @@ enum DisplacementChoice {
 #[serde(untagged)]
 pub enum OptionValue {
     /// As in `stick = "unlimited"`.
-    Word(String),
+    Name(String),
     /// As in `hurst_exponent = 0.8`.
     Number(f64),
     /// As in `displacement = { zeta = 0.1, xi = 0.1 }`.
@@ -121,8 +121,8 @@ pub enum OptionValue {
 }
 
 impl From<&str> for OptionValue {
-    fn from(word: &str) -> Self {
-        Self::Word(word.into())
+    fn from(name: &str) -> Self {
+        Self::Name(name.into())
     }
 }
 
@@ -139,17 +139,18 @@ impl<const N: usize> From<[(&str, f64); N]> for OptionValue {
 }
 
 impl fmt::Display for OptionValue {
-    /// As TOML.
+    /// Formats the value as TOML.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Value::try_from(self).map_err(|_| fmt::Error)?.fmt(f)
     }
 }
 
 impl ModelOptions {
-    /// Sets one option; where that fails, all stay as they were.
+    /// Sets one option; on error, no option changes.
     ///
     /// # Errors
-    /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a near match and what is allowed.
+    /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a similar name and the values
+    /// allowed.
     pub fn set(&mut self, name: &str, value: &OptionValue) -> Result<(), SceneError> {
         let mut values = self.all();
         values.insert(name.into(), value.clone());
@@ -180,7 +181,7 @@ impl ModelOptions {
         LateralOptions { angle_density, displacement, stick, force }
     }
 
-    /// Whether the numbers are within their ranges; `section` is where they stand, with a dot.
+    /// Checks the ranges of the numbers; `section` is their section in errors, with a dot.
     pub(crate) fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
         let at = |option: &str| format!("{section}{option}");
         self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
@@ -203,12 +204,12 @@ impl ModelOptions {
     /// The model of an id, with these options.
     ///
     /// # Errors
-    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids.
+    /// [`SceneError::Contact`] for an unknown id, with a similar id and all ids.
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         self.model_beside(|| None, id)
     }
 
-    /// The model of an id, with these options; a theory of the whole surface has the spectrum of a
+    /// The model of an id, with these options; a theory of the whole surface gets the spectrum of a
     /// scan, or the reason why there is none.
     pub(crate) fn model_beside(
         &self,
@@ -249,7 +250,7 @@ impl ModelOptions {
         }
     }
 
-    /// Every model with these options, each once: where `jg_hardness` or `at_reading` give `jg` or
+    /// Every model with these options, each once: if `jg_hardness` or `at_reading` give `jg` or
     /// `at` the meaning of another id, that id replaces it.
     #[must_use]
     pub fn models(&self) -> Vec<Model> {

@@ -1,4 +1,4 @@
-//! Numbers with a unit, "210 GPa", as plain numbers in SI units.
+//! Conversion of numbers with a unit, "210 GPa", to SI units.
 
 use std::fmt::Write;
 use std::ops::Range;
@@ -49,25 +49,25 @@ const UNITS: [Units; 9] = [
     ),
 ];
 
-/// A text that is not a number in the unit of its key.
-pub(crate) struct NoQuantity {
+/// The error for a text that is not a number in the unit of its key.
+pub(crate) struct QuantityError {
     /// The key with its sections.
     pub(crate) path: String,
     pub(crate) found: String,
-    /// The same number with a unit that differs by its case alone.
+    /// The same number with a unit that differs only in case.
     pub(crate) near: Option<String>,
     pub(crate) needed: String,
 }
 
 /// The text with plain numbers instead of numbers with units; line numbers stay.
-pub(crate) fn in_si(text: &str, table: &DeTable<'_>) -> Result<String, NoQuantity> {
+pub(crate) fn in_si(text: &str, table: &DeTable<'_>) -> Result<String, QuantityError> {
     let mut found = vec![];
     collect(table, "", &mut found)?;
     found.sort_by_key(|(span, _): &(Range<usize>, f64)| span.start);
     let (mut rewritten, mut done) = (String::with_capacity(text.len()), 0);
     for (span, value) in found {
         rewritten.push_str(text.get(done..span.start).unwrap_or_default());
-        // A text in three quotes may hold lines.
+        // A text in three quotes may contain newlines.
         let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
         let _ = write!(rewritten, "{value:?}");
         if lines > 0 {
@@ -84,7 +84,7 @@ fn collect(
     table: &DeTable<'_>,
     section: &str,
     found: &mut Vec<(Range<usize>, f64)>,
-) -> Result<(), NoQuantity> {
+) -> Result<(), QuantityError> {
     let items = table.iter().map(|(name, value)| (name.get_ref().to_string(), value));
     for (name, value) in items {
         match value.get_ref() {
@@ -107,7 +107,7 @@ fn collect(
                             "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
                         );
                         let near = in_other_case(given, units);
-                        NoQuantity { path, found: given.to_string(), near, needed }
+                        QuantityError { path, found: given.to_string(), near, needed }
                     })?;
                     found.push((value.span(), value_of));
                 }
@@ -118,7 +118,7 @@ fn collect(
     Ok(())
 }
 
-/// The units of a key, whose meaning begins with that of plain numbers.
+/// The units of a key; its meaning in the template begins with the SI unit.
 fn units_of(section: &str, name: &str) -> Option<Units> {
     let key = key(section, name)?;
     let si = |known: &str| {
@@ -171,14 +171,14 @@ fn list(units: &[(&str, i32)]) -> String {
     units.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ")
 }
 
-/// The number with the one unit that differs by its case alone: 20kN for 20KN. None where two
-/// differ so (MN, mN).
+/// The number with the only unit that differs in case: 20kN for 20KN; `None` if there are two (MN,
+/// mN).
 fn in_other_case(given: &str, units: Units) -> Option<String> {
     let text = plain(given);
     let mut alike = units.2.iter().filter_map(|(unit, _)| {
         let start = text.len().checked_sub(unit.len())?;
         let (number, end) = (text.get(..start)?, text.get(start..)?);
-        let same = end.eq_ignore_ascii_case(unit) && scaled(number, 0).is_some();
+        let same = end.eq_ignore_ascii_case(unit) && scale(number, 0).is_some();
         same.then(|| format!("{number}{unit}"))
     });
     alike.next().filter(|_| alike.next().is_none())
@@ -195,19 +195,20 @@ fn plain(given: &str) -> String {
 /// A number with one of the units.
 fn read(given: &str, (_, _, units): Units) -> Option<f64> {
     let text = plain(given);
-    let of = |unit: &str, power| scaled(text.strip_suffix(unit)?, power);
+    let value_in = |unit: &str, power| scale(text.strip_suffix(unit)?, power);
     units.iter().find_map(|(unit, power)| {
         // 1/mm2 may be written /mm2 or mm-2.
         let inverse = || {
             let length = unit.strip_prefix("1/")?.strip_suffix('2')?;
-            of(&format!("/{length}2"), *power).or_else(|| of(&format!("{length}-2"), *power))
+            value_in(&format!("/{length}2"), *power)
+                .or_else(|| value_in(&format!("{length}-2"), *power))
         };
-        of(unit, *power).or_else(inverse)
+        value_in(unit, *power).or_else(inverse)
     })
 }
 
 /// A decimal number times a power of ten, rounded once.
-fn scaled(number: &str, power: i32) -> Option<f64> {
+fn scale(number: &str, power: i32) -> Option<f64> {
     let (digits, own) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let is_number = digits.chars().all(|c| c.is_ascii_digit() || "+-._".contains(c));
     let exponent = own.parse::<i32>().ok()?.checked_add(power)?;
@@ -225,27 +226,27 @@ mod tests {
     }
 
     #[test]
-    fn units_in_another_case_are_near_misses() {
+    fn units_in_another_case_are_suggested() {
         for (text, si, near) in [
             ("20KN", "N", Some("20kN")),
             ("69 Gpa", "Pa", Some("69GPa")),
             ("2Um", "m", Some("2um")),
             ("1 W/(m k)", "W/(m K)", Some("1W/(mK)")),
-            // Millions or thousandths.
+            // Ambiguous: mega or milli.
             ("3 mn", "N", None),
             ("20 KP", "N", None),
         ] {
             let error = quantity(text, si).unwrap_err();
-            let asked = near.map(|near| format!("(did you mean {near:?}?)"));
-            match asked {
-                Some(asked) => assert!(error.contains(&asked), "{error}"),
+            let suggestion = near.map(|near| format!("(did you mean {near:?}?)"));
+            match suggestion {
+                Some(suggestion) => assert!(error.contains(&suggestion), "{error}"),
                 None => assert!(!error.contains("did you mean"), "{error}"),
             }
         }
     }
 
     #[test]
-    fn numbers_with_units_are_the_same_doubles_as_those_in_si() {
+    fn numbers_with_units_equal_those_in_si_bit_for_bit() {
         for (text, key, meant) in [
             ("210 GPa", "youngs_modulus", 210e9),
             ("0.2mm", "asperity_radius", 0.2e-3),

@@ -1,4 +1,4 @@
-//! The scan of a scene, to be solved by boundary elements.
+//! The scan of a scene for boundary elements.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use asperity_topography::Topography;
 
 use crate::{Place, SceneError, SceneFile};
 
-/// A scan as boundary elements take it.
+/// The height map of a scan for boundary elements.
 ///
 /// # Errors
 /// [`BemError`] for a profile, and for missing points.
@@ -18,26 +18,25 @@ pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
     HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
 }
 
-/// A diagnostic of a periodic scan whose edges do not meet; none of other scans, and of those that
-/// are no whole [map](height_map).
+/// A warning for a periodic scan whose edges do not match; `None` for other scans and for those
+/// without a [`height_map`].
 #[must_use]
 pub fn open_seam(scan: &Topography) -> Option<Diagnostic> {
     let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;
     let step = map.seam_step();
     let fact = format!(
-        "the edges of the scan do not meet, with a step of {step:.1} times that between neighbours"
+        "the edges of the scan do not match (step {step:.1} times that between neighbours)"
     );
     let found = Diagnostic::warning("open-seam", "seam_step", step).fact(fact);
-    Some(found.advice("periodic counts the step as slope and curvature; leave it out"))
+    Some(found.advice("periodic adds this step to slopes and curvatures; remove periodic"))
 }
 
 impl SceneFile {
-    /// The scan of the scene as a model of boundary elements, levelled and filtered as the scene
-    /// says; see [`Bem::new`].
+    /// The boundary-element model of the scene's scan, levelled and filtered; see [`Bem::new`].
     ///
     /// # Errors
-    /// [`SceneError::Missing`] when no scan, or more than one, describes the surface;
-    /// [`SceneError::Measured`] for a profile, and for one with missing points.
+    /// [`SceneError::Missing`] without a scan or with two;
+    /// [`SceneError::Measured`] for a profile and for missing points.
     pub fn bem(&self, boundary: Boundary, elastic: bool) -> Result<Bem, SceneError> {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = &self.scan else {
@@ -45,7 +44,7 @@ impl SceneFile {
             let needed = match self.measured {
                 Some(_) => format!("{one}, not two"),
                 None => format!(
-                    "{one}: put file = \"scan.x3p\" in [surface] (beside it unit and pixel_size, where the file does not say them), in place of the numbers"
+                    "{one}: replace the numbers in [surface] by file = \"scan.x3p\", with unit and pixel_size if the file does not state them"
                 ),
             };
             return Err(SceneError::Missing { at, needed });
@@ -55,8 +54,8 @@ impl SceneFile {
         Ok(Bem::new(map, boundary, elastic))
     }
 
-    /// The spectrum of the scene's scan, repeated, or why it has none; nothing without a scan. The
-    /// waves are looked for once.
+    /// The spectrum of the scene's scan, continued periodically, or the reason why it has none;
+    /// `None` without a scan. Computed once.
     pub(crate) fn spectrum(&self) -> Option<ScanSpectrum> {
         let of = |scan: &Topography| {
             let map = whole_map(scan, "its spectrum needs")?;
@@ -69,16 +68,16 @@ impl SceneFile {
     }
 }
 
-/// The waves of a scan, or why there are none.
+/// The spectrum of a scan, or the reason why there is none.
 pub(crate) type ScanSpectrum = Result<Arc<Spectrum>, String>;
 
-/// A scan without missing points, or what to do about them.
+/// The height map of a scan; the error for missing points explains how to fill them.
 fn whole_map(scan: &Topography, needing: &str) -> Result<HeightMap, String> {
     height_map(scan).map_err(|error| match scan.missing_share() {
         missing if missing > 0.0 => {
             let (percent, most) = (100.0 * missing, 100.0 * Topography::MOST_FILLED);
             format!(
-                "{percent:.3} % of the points are missing, and {needing} all: fill_missing = true in [surface] fills up to {most} %"
+                "{percent:.3} % of the points are missing, and {needing} all points: fill_missing = true in [surface] fills up to {most} %"
             )
         }
         _ => error.to_string(),
@@ -129,13 +128,13 @@ mod tests {
     }
 
     #[test]
-    fn a_hurst_exponent_beside_a_scan_counts_and_is_told() {
+    fn a_hurst_exponent_with_a_scan_is_used_and_has_a_warning() {
         let own = scene("file = \"scan.txt\"");
         let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
-        let told = "line 11: options.hurst_exponent: persson and persson-fudge use a power law";
+        let text = "line 11: options.hurst_exponent: persson and persson-fudge use a power law";
         assert!(own.warnings.iter().all(|found| found.code != "hurst-exponent"));
         assert!(
-            given.warnings.iter().any(|found| found.to_string().starts_with(told)),
+            given.warnings.iter().any(|found| found.to_string().starts_with(text)),
             "{:?}",
             given.warnings
         );
@@ -149,35 +148,34 @@ mod tests {
     }
 
     #[test]
-    fn a_periodic_scan_with_a_step_and_cut_offs_that_leave_nothing_are_told() {
-        // A quarter of a wave more than whole ones: what is left of them is a step.
+    fn a_step_at_periodic_edges_and_crossed_cut_offs_are_reported() {
+        // A quarter of a wave more than whole waves leaves a step at the edges.
         let tilted = |k: usize| 1e-7 * (TAU * (k % 48) as f64 / 38.4).sin();
         let tilted = Topography::new((0..48 * 32).map(tilted).collect(), 48, [1e-6; 2]).unwrap();
         assert_eq!(open_seam(&tilted), None);
         let open = open_seam(&tilted.with_periodic(true)).unwrap();
         assert!(
-            open.to_string().starts_with("the edges of the scan do not meet, with a step "),
+            open.to_string().starts_with("the edges of the scan do not match (step "),
             "{open}"
         );
         let file = scene("file = \"scan.txt\"\nperiodic = true\nsmooth = 4e-6\nfilter = 8e-6");
-        let said = file
+        let reason = file
             .warnings
             .iter()
             .any(|w| w.to_string().starts_with("line 10: surface.periodic: the"));
-        assert!(said, "{:?}", file.warnings);
+        assert!(reason, "{:?}", file.warnings);
         let whole = |k: usize| (TAU * (k % 48) as f64 / 12.0).cos();
         let whole = Topography::new((0..48 * 32).map(whole).collect(), 48, [1e-6; 2]).unwrap();
         assert_eq!(open_seam(&whole.with_periodic(true)), None);
         let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
                     poissons_ratio = 0.3\n[surface]\nfile = \"a.x3p\"\nsmooth = 8e-6\nfilter = 4e-6\n";
         let refused = crate::parse(text, std::path::Path::new("")).unwrap_err().to_string();
-        let wanted =
-            "line 7: surface.smooth and surface.filter (line 8) exclude each other: a smooth below";
+        let wanted = "line 7: surface.smooth and surface.filter (line 8) exclude each other: a value of smooth";
         assert!(refused.starts_with(wanted), "{refused}");
     }
 
     #[test]
-    fn the_waves_of_a_scan_are_looked_for_once_and_why_there_are_none_is_told() {
+    fn the_spectrum_of_a_scan_is_computed_once_and_its_absence_explained() {
         let file = scene("file = \"scan.txt\"");
         let [first, again] = [&file, &file.clone()].map(|file| file.spectrum().unwrap().unwrap());
         assert!(Arc::ptr_eq(&first, &again));
@@ -189,19 +187,23 @@ mod tests {
         let mut heights = scan().heights().to_vec();
         heights[100] = f64::NAN;
         let holed = Topography::new(heights, 48, [1e-6, 2e-6]).unwrap();
-        for (scan, said) in [(profile, "rows is 1"), (holed, "fill_missing = true in [surface]")] {
+        for (scan, reason) in [(profile, "rows is 1"), (holed, "fill_missing = true in [surface]")]
+        {
             let mut file = SceneFile::from(file.scene.clone());
             file.scan = Some(Arc::new(scan));
             let request = asperity::Request::new([asperity::Quantity::Tangent]);
             let request = request.at([asperity::At::Pressure(1e8)]);
             let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();
-            let told = answer.columns[0].rows[0].as_ref().unwrap_err().to_string();
-            assert!(told.starts_with("hurst_exponent is missing") && told.contains(said), "{told}");
+            let text = answer.columns[0].rows[0].as_ref().unwrap_err().to_string();
+            assert!(
+                text.starts_with("hurst_exponent is missing") && text.contains(reason),
+                "{text}"
+            );
         }
     }
 
     #[test]
-    fn a_few_missing_points_are_filled_where_that_is_asked() {
+    fn a_few_missing_points_are_filled_on_request() {
         let folder = tempfile::tempdir().unwrap();
         let lines = |missing: usize| -> String {
             let point = |(k, z): (usize, &f64)| {
@@ -216,7 +218,7 @@ mod tests {
              poissons_ratio = 0.3\n[surface]\nfile = \"few.txt\"\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n";
         let read = |more: &str| crate::parse(&format!("{text}{more}"), folder.path()).unwrap();
         let refused = read("").bem(Boundary::Free, true).unwrap_err().to_string();
-        let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all: fill_missing = true in [surface] fills up to 5 %";
+        let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all points: fill_missing = true in [surface] fills up to 5 %";
         assert_eq!(refused, wanted);
         let filled = read("fill_missing = true");
         let bem = filled.bem(Boundary::Free, true).unwrap();
@@ -238,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn the_scan_is_levelled_and_goes_with_its_surface() {
+    fn the_scan_is_levelled_and_belongs_to_its_surface() {
         let file = scene("file = \"scan.txt\"");
         let levelled = scan().level(asperity_topography::Level::Plane).unwrap();
         let bem = file.bem(Boundary::Free, true).unwrap();
@@ -254,7 +256,9 @@ mod tests {
         assert!(same.bem(Boundary::Periodic, false).is_ok());
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
-        for (none, end) in [(other, "in place of the numbers"), (two, "of one surface, not two")] {
+        for (none, end) in
+            [(other, "if the file does not state them"), (two, "of one surface, not two")]
+        {
             let refused = none.bem(Boundary::Periodic, false).unwrap_err().to_string();
             assert!(refused.starts_with("surface.file is missing: boundary elements"), "{refused}");
             assert!(refused.ends_with(end), "{refused}");

@@ -13,8 +13,8 @@ use asperity_topography::Topography;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use crate::document::{Document, text_of};
-use crate::heights::{HeightKeys, HeightsKey, compared};
+use crate::document::{Document, read_text};
+use crate::heights::{HeightKeys, HeightsKey, compare_std};
 use crate::interface::{InterfaceKeys, interface};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
@@ -31,55 +31,54 @@ pub struct SceneFile {
     pub options: ModelOptions,
     /// The plane from which separations are measured.
     pub separation_from: Datum,
-    /// The table of heights behind `scene.heights`, where there is one.
+    /// The table of heights of `scene.heights`, if there is one.
     pub table: Option<TabulatedHeights>,
-    /// The bodies that the interface follows from, where they were given.
+    /// The bodies from which the interface follows, if given.
     pub bodies: Vec<Body>,
-    /// Statistics of the scans behind the surface, where there are any.
+    /// Statistics of the scans of the surface, if there are any.
     pub measured: Option<Measured>,
     /// Warnings about the file.
     pub warnings: Diagnostics,
-    /// Codes of the warnings and notes that are accepted, and not shown.
+    /// Codes of accepted warnings and notes, which are not shown.
     pub accept: Vec<String>,
-    /// The scan of the surface, levelled and filtered, where one file describes it.
+    /// The scan of the surface, levelled and filtered, if there is exactly one.
     pub scan: Option<Arc<Topography>>,
-    /// The keys of `[surface]` that the asperities follow from, where they are not given
-    /// themselves.
+    /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
     /// The file as read, for writing it again.
     pub(crate) read: Option<Arc<Read>>,
-    /// The spectrum of the scan, once it is needed.
+    /// The spectrum of the scan, computed on first use.
     pub(crate) spectrum: Arc<OnceLock<ScanSpectrum>>,
 }
 
-/// A model that a scene does not allow.
+/// A model that cannot be used for a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
     /// The model's id.
     pub id: String,
-    /// What it lacks, or why it is not valid here.
+    /// The missing input, or the reason why the model is not valid for the scene.
     pub reason: ContactError,
 }
 
 /// Reads a scene file and the files that it names.
 ///
 /// # Errors
-/// [`SceneError`] with the file, the line, the field, what was found and what is needed.
+/// [`SceneError`] with the file, the line, the field, the value found and the value needed.
 pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
     let read = || {
-        let text = text_of(path, named)?;
+        let text = read_text(path, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         scene_file(&Document::new(Some(path), Some(folder), &text)?)
     };
-    read().map_err(|error| no_scene(path, error))
+    read().map_err(|error| scan_instead_of_scene(path, error))
 }
 
-/// Extensions of scans, which scenes do not have.
+/// Extensions of scans, which scene files do not have.
 const SCANS: [&str; 8] = ["x3p", "sur", "npy", "txt", "xyz", "asc", "dat", "csv"];
 
-/// The error for a scan in the place of a scene file.
-fn no_scene(path: &Path, error: SceneError) -> SceneError {
+/// The error for a scan given instead of a scene file.
+fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
     let end = path.extension().unwrap_or_default().to_ascii_lowercase();
     if !path.is_file() || SCANS.iter().all(|scan| end != *scan) {
         return error;
@@ -87,7 +86,7 @@ fn no_scene(path: &Path, error: SceneError) -> SceneError {
     let scan = |reason| {
         let name = path.display();
         format!(
-            "the file looks like a scan, not like a scene in TOML ({reason}); `asperity surface {name} --scene scene.toml` makes a scene of it"
+            "the file looks like a scan, not like a scene in TOML ({reason}); create a scene with `asperity surface {name} --scene scene.toml`"
         )
     };
     match error {
@@ -99,7 +98,7 @@ fn no_scene(path: &Path, error: SceneError) -> SceneError {
     }
 }
 
-/// Reads a scene from its text; relative paths in it begin at `directory`.
+/// Reads a scene from its text; relative paths in it are relative to `directory`.
 ///
 /// ```
 /// use asperity::{ContactModel, Quantity, Request};
@@ -120,11 +119,11 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
     scene_file(&Document::new(None, Some(directory), text)?)
 }
 
-/// The keys of the file as a whole; what else it has is left to its readers.
+/// The keys at the top of the file; sections have readers of their own.
 #[derive(Deserialize)]
 struct FileKeys {
     nominal_area: f64,
-    /// That there is one.
+    /// Required, but read elsewhere.
     #[serde(rename = "surface")]
     _surface: IgnoredAny,
     #[serde(default)]
@@ -133,7 +132,7 @@ struct FileKeys {
     accept: Vec<String>,
 }
 
-/// The option that may stand in `[surface]`.
+/// The option that `[surface]` may also have.
 #[derive(Deserialize)]
 struct AsperitiesKey {
     asperities: Option<Asperities>,
@@ -161,7 +160,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
     let described = surface(document, &heights, &interface, own_std)?;
     let (surface, mut warnings) = (described.surface, described.notes);
     if let Some(table) = &given {
-        warnings.extend(compared(document, table, surface.asperity_height_std)?);
+        warnings.extend(compare_std(document, table, surface.asperity_height_std)?);
     }
     let heights_table = given.or(described.heights);
     let measured = described.measured;
@@ -179,9 +178,9 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
     let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
     let offset = heights_table.as_ref().map(TabulatedHeights::mean).or(offset);
     if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
-        let known = if heights_table.is_some() { "surface.heights" } else { "surface.file" };
+        let source = if heights_table.is_some() { "surface.heights" } else { "surface.file" };
         let needed = "one of the two: the offset follows from measured heights";
-        return Err(document.conflict("surface.mean_plane_offset", known, needed));
+        return Err(document.conflict("surface.mean_plane_offset", source, needed));
     }
     scene.mean_plane_offset = mean_plane_offset.or(offset);
     scene.asperity().map_err(|error| {
@@ -198,8 +197,8 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
         let at = document.place("options.hurst_exponent");
         let exponent = options.hurst_exponent.unwrap_or(f64::NAN);
         let found = Diagnostic::warning("hurst-exponent", "hurst_exponent", exponent)
-            .fact("persson and persson-fudge use a power law in place of the spectrum of the scan")
-            .advice("leave it out for the spectrum of the scan");
+            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
+            .advice("remove hurst_exponent to use the spectrum of the scan");
         warnings.push(found.from_origin(at.to_string()));
     }
     let read = Read::new(document, table, interface, surface, heights_table.as_ref());
@@ -219,7 +218,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
     })
 }
 
-/// What a scene needs before separations can be measured from the mean plane of its surface.
+/// The missing requirement for separations from the mean plane of the surface, if any.
 fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'static str> {
     match (&scene.heights, table) {
         (_, Some(table)) if table.mean().abs() < 1e-3 * table.standard_deviation() => Some(
@@ -227,10 +226,10 @@ fn no_mean_plane(scene: &Scene, table: Option<&TabulatedHeights>) -> Option<&'st
         ),
         _ if scene.mean_plane_offset.is_some() => None,
         (HeightDistribution::Exponential, _) => Some(
-            "separation_from = \"asperity-mean\" or mean_plane_offset (exponential heights begin at the lowest asperity; their mean plane is unknown)",
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of exponential heights is unknown)",
         ),
         (HeightDistribution::Weibull(_), _) => Some(
-            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed asperities is unknown)",
+            "separation_from = \"asperity-mean\" or mean_plane_offset (the mean plane of skewed heights is unknown)",
         ),
         _ => None,
     }
@@ -259,8 +258,8 @@ impl From<Scene> for SceneFile {
 
 impl SceneFile {
     /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on
-    /// the scene's scan, repeated and with the hardness. `persson` takes its gaps from that scan's
-    /// spectrum.
+    /// the scene's scan, continued periodically and with the hardness. The gaps of `persson` follow
+    /// from the spectrum of that scan.
     ///
     /// # Errors
     /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
@@ -269,7 +268,7 @@ impl SceneFile {
         self.model_with(&self.options, id)
     }
 
-    /// [`model`](Self::model) with other options than the scene's.
+    /// [`model`](Self::model) with these options instead of the scene's.
     ///
     /// # Errors
     /// Those of [`model`](Self::model).
@@ -280,8 +279,8 @@ impl SceneFile {
         }
     }
 
-    /// All models that the scene allows, with its options, simplest first; and those that it does
-    /// not allow, each with the reason.
+    /// All models that the scene allows, with its options, from simplest to most complex; and the
+    /// others, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
@@ -295,7 +294,7 @@ impl SceneFile {
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
-    /// and those of random asperities and of the whole surface; and those that the scene does not
+    /// with those of random asperities and of the whole surface; and those that the scene does not
     /// allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
@@ -322,14 +321,14 @@ impl SceneFile {
         self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
     }
 
-    /// A separation from the plane of this scene.
+    /// A separation measured from the plane of this scene.
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
         Separation { value, unit, from: self.separation_from }
     }
 
-    /// The same options, heights and plane of separations with other numbers: a table of heights
-    /// keeps its metres, and the mean plane follows the surface.
+    /// The scene with other numbers and the same options, heights and plane of separations: a table
+    /// of heights stays in metres, and the mean plane follows the surface.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use crate::SceneError;
 use crate::document::Document;
 use crate::heights::HeightsKey;
-use crate::measured::{Described, measured};
+use crate::measured::{SurfaceDescription, measured};
 use crate::template::measured_keys;
 
 /// The five ways; `asperity_height_std` belongs to two of them.
@@ -17,11 +17,11 @@ const WAYS: [&[&str]; 5] = [
     &["sq", "spd", "spc"],
     &["file", "files"],
 ];
-/// The last of them.
+/// Index of the way by measured files.
 const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
-/// Its alternative, beside radius and density.
-const OF_SURFACE: &str = "surface_height_std";
+/// The alternative to `STD` with radius and density.
+const SURFACE_STD: &str = "surface_height_std";
 
 /// The numbers among the keys of `[surface]`.
 #[derive(Deserialize)]
@@ -41,14 +41,14 @@ struct NumberKeys {
     spc: Option<f64>,
 }
 
-/// `measured_std` is the standard deviation of a table of heights, where there is one: it may
-/// stand in for an `asperity_height_std` that was not given.
+/// The surface of a scene. `measured_std` is the standard deviation of a table of heights, the
+/// default of `asperity_height_std`.
 pub(crate) fn surface(
     document: &Document<'_>,
     heights: &HeightsKey,
     interface: &Interface,
     measured_std: Option<f64>,
-) -> Result<Described, SceneError> {
+) -> Result<SurfaceDescription, SceneError> {
     let keys: NumberKeys = document.surface()?;
     let at = |key: &str| format!("surface.{key}");
     let has = |key: &&&str| document.has(&at(key));
@@ -65,14 +65,14 @@ pub(crate) fn surface(
     if let Some(of_files) = measured_keys().find(|key| has(&key)).filter(|_| way != MEASURED) {
         return conflict(of_files, key, "a measured file");
     }
-    if has(&&OF_SURFACE) && way > 0 {
-        return conflict(OF_SURFACE, key, "asperity_radius and asperity_density beside it");
+    if has(&&SURFACE_STD) && way > 0 {
+        return conflict(SURFACE_STD, key, "asperity_radius and asperity_density with it");
     }
-    if has(&&OF_SURFACE) && has(&&STD) {
-        return conflict(OF_SURFACE, STD, "one of the two, which determines the other,");
+    if has(&&SURFACE_STD) && has(&&STD) {
+        return conflict(SURFACE_STD, STD, "one of the two, which determines the other,");
     }
     if matches!(heights, HeightsKey::Measured) && way != MEASURED {
-        return conflict("heights", key, "a measured file, whose heights they are");
+        return conflict("heights", key, "a measured file, from which the heights are taken,");
     }
     let together = WAYS[way].join(", ");
     if way > 1 && has(&&STD) {
@@ -112,10 +112,10 @@ pub(crate) fn surface(
     };
     surface.check().map_err(&refused)?;
     let follows_from = match way {
-        0 if has(&&OF_SURFACE) => &["asperity_radius", "asperity_density", OF_SURFACE],
+        0 if has(&&SURFACE_STD) => &["asperity_radius", "asperity_density", SURFACE_STD],
         0 => &[][..],
         _ => WAYS[way],
     };
     let (notes, scan) = (vec![], None);
-    Ok(Described { surface, measured: None, heights: None, notes, scan, follows_from })
+    Ok(SurfaceDescription { surface, measured: None, heights: None, notes, scan, follows_from })
 }

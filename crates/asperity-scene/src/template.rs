@@ -1,5 +1,5 @@
-//! The template declares every section and key with its unit and meaning. Accepted names, units,
-//! hints and the order of written scenes follow from it.
+//! The template declares every section and key with its unit and meaning; accepted names, units,
+//! suggestions and the order of written scenes follow from it.
 
 use asperity::Surface;
 use toml::Value;
@@ -10,8 +10,8 @@ pub fn template() -> &'static str {
     include_str!("template.toml")
 }
 
-/// The template for a measured surface: these keys of `[surface]` have these values; the resulting
-/// asperities stand in a comment.
+/// The template for a measured surface: `keys` of `[surface]` have these values, and a comment
+/// gives the resulting asperities.
 #[must_use]
 pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
     let three = [
@@ -42,19 +42,19 @@ pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
     template().lines().map(line).collect()
 }
 
-/// A key, or a section, as the template declares it.
+/// A key or a section of the template.
 #[derive(Clone, Copy)]
 pub(crate) struct Key {
     pub(crate) name: &'static str,
-    /// Header of the section that it stands in, as `[surface]`; empty for the top of the file.
+    /// Header of its section, such as `[surface]`; empty for the top of the file.
     pub(crate) section: &'static str,
-    /// Its unit and meaning; empty where these stand elsewhere.
+    /// Its unit and meaning; empty if explained at another key.
     pub(crate) meaning: &'static str,
-    /// Whether it stands among the keys of a measured surface.
+    /// Whether it is a key of measured surfaces.
     measured: bool,
 }
 
-/// The head of those keys in the template; an empty line ends them.
+/// The heading of those keys in the template; an empty line ends them.
 const MEASURED: &str = "5. a measurement";
 
 /// The keys of the template, in its order.
@@ -78,7 +78,7 @@ pub(crate) fn keys() -> impl Iterator<Item = Key> {
     })
 }
 
-/// The names of a section, each once, in the order of the template.
+/// The names of the keys of a section, each once, in the order of the template.
 pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
     let mut names = vec![];
     for key in keys().filter(|key| key.section.trim_matches(['[', ']']) == section) {
@@ -89,7 +89,7 @@ pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
     names
 }
 
-/// The keys of `[surface]` that only measured surfaces have.
+/// The keys of `[surface]` for measured surfaces only.
 pub(crate) fn measured_keys() -> impl Iterator<Item = &'static str> {
     keys().filter(|key| key.measured).map(|key| key.name)
 }
@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_template_on_a_scan_keeps_all_else() {
+    fn the_template_on_a_scan_keeps_all_other_lines() {
         let surface = Surface::new(1.234_567e-5, 2e10, 3e-7);
         let text = template_on(&surface, &[("file", "a b.txt".into()), ("smooth", 2.5e-6.into())]);
         let changed: Vec<(&str, &str)> =

@@ -1,4 +1,4 @@
-//! Scenes as text that reads back bit for bit.
+//! Writer of scenes as text that reads back bit for bit.
 
 use std::fs;
 use std::path::Path;
@@ -10,14 +10,14 @@ use crate::document::Document;
 use crate::template::{key, keys_of};
 use crate::{Place, SceneError, SceneFile, parse, write_heights};
 
-/// A scene file as it was read: the keys that are still true of a scene are written again.
+/// A scene file as read, whose keys are written again if the scene has not changed.
 #[derive(Debug)]
 pub(crate) struct Read {
-    /// In SI units, with the whole paths of scans.
+    /// The keys in SI units, with absolute paths of scans.
     table: Table,
     interface: Interface,
     surface: Surface,
-    /// The heights of a scan's summits.
+    /// The heights of the summits of a scan.
     summits: Option<TabulatedHeights>,
 }
 
@@ -42,7 +42,7 @@ impl Read {
             files.into_iter().flatten().for_each(whole);
             let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
             summits = heights.filter(|_| measured).cloned();
-            // Fields of the scene, which may change.
+            // These keys follow from the scene when written.
             for own in ["heights", "asperities", "separation_from", "mean_plane_offset"] {
                 keys.remove(own);
             }
@@ -52,7 +52,7 @@ impl Read {
     }
 }
 
-/// Where a table of heights is written.
+/// The destination of a table of heights.
 #[derive(Clone, Copy)]
 enum HeightsIn<'a> {
     Text,
@@ -60,10 +60,10 @@ enum HeightsIn<'a> {
 }
 
 impl SceneFile {
-    /// The text of a scene file that [`parse`] reads back bit for bit; `comments` stand at its
-    /// head, one a line. A table of heights stands in the text, scans are named by their whole
-    /// paths. Numbers that were changed since reading are written as they are now: bodies as their
-    /// interface, other descriptions of the surface as its asperities.
+    /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
+    /// its head, one per line. A table of heights is part of the text, and paths of scans are
+    /// absolute. For numbers changed since reading, the interface replaces the bodies, and the
+    /// asperities replace other descriptions of the surface.
     ///
     /// ```
     /// use asperity_scene::{parse, template};
@@ -78,23 +78,23 @@ impl SceneFile {
     /// ```
     ///
     /// # Errors
-    /// Those of [`parse`] where a number of the scene is out of its range, and
-    /// [`SceneError::Unwritable`] for heights that no file can hold.
+    /// Those of [`parse`] if a number of the scene is out of its range, and
+    /// [`SceneError::Unwritable`] for heights that a file cannot represent.
     pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
         let text = self.text(HeightsIn::Text, comments)?;
         // Scans are not read again.
         if self.names_no_scan() {
             let again = parse(&text, Path::new(""))?;
             if let Some(field) = self.differs_in(&again) {
-                let reason = "no scene file has this value beside the others";
+                let reason = "a scene file cannot combine this value with the others";
                 return Err(unwritable(Place::field(field), reason));
             }
         }
         Ok(text)
     }
 
-    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights goes to
-    /// a CSV file beside it: `scene.csv` for `scene.toml`.
+    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights is
+    /// written to a CSV file in the same folder: `scene.csv` for `scene.toml`.
     ///
     /// # Errors
     /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
@@ -110,7 +110,7 @@ impl SceneFile {
             let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
             let name = name.ok_or_else(|| {
                 let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
-                unwritable(at, "its name must be text and must not end in .csv")
+                unwritable(at, "its name must be valid UTF-8 and must not end in .csv")
             })?;
             text = self.text(HeightsIn::File(name), comments)?;
             written(&beside, &write_heights(table.points()))?;
@@ -151,7 +151,7 @@ impl SceneFile {
         Ok(text)
     }
 
-    /// The bodies as they were read, or else the interface.
+    /// The bodies as read if unchanged, otherwise the interface.
     fn interface_keys(&self) -> Table {
         let interface = self.scene.interface;
         if let Some(read) = self.read.as_ref().filter(|read| read.interface == interface) {
@@ -163,12 +163,12 @@ impl SceneFile {
         Table::from_iter([("interface".into(), interface.into())])
     }
 
-    /// The keys of `[surface]` as they were read, where they still describe this surface.
+    /// The keys of `[surface]` as read, if they still describe this surface.
     fn kept_surface(&self) -> Option<&Table> {
         let read = self.read.as_ref().filter(|read| read.surface == self.scene.surface)?;
         let keys = read.table.get("surface")?.as_table()?;
         let same_interface = read.interface == self.scene.interface;
-        // What follows from the index depends on the interface, too.
+        // The plasticity index depends on the interface, too.
         (same_interface || !keys.contains_key("plasticity_index")).then_some(keys)
     }
 
@@ -224,13 +224,13 @@ impl SceneFile {
         if known.is_none() {
             keys.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
         } else if known.map(f64::to_bits) != offset.map(f64::to_bits) {
-            let reason = "it follows from the measured heights, and differs";
+            let reason = "it differs from the offset of the measured heights";
             return Err(unwritable(Place::field("surface.mean_plane_offset"), reason));
         }
         Ok(keys)
     }
 
-    /// The first field that is not the same, bit for bit.
+    /// The first field that differs, compared bit for bit.
     fn differs_in(&self, other: &Self) -> Option<&'static str> {
         let offset = |file: &Self| file.scene.mean_plane_offset.map(f64::to_bits);
         let table = |file: &Self| file.table.as_ref().map(|table| bits(table.points()));
@@ -253,8 +253,8 @@ fn unwritable(at: Place, reason: &str) -> SceneError {
     SceneError::Unwritable { at: at.into(), reason: reason.into() }
 }
 
-/// The keys of a section, one a line, in the order of the template; numbers have their unit beside
-/// them.
+/// The keys of a section, one per line, in the order of the template; numbers have a comment with
+/// their unit.
 fn lines(section: &str, table: &Table) -> String {
     let names = keys_of(section).into_iter();
     let beside = table.keys().map(String::as_str).filter(|name| !names.clone().any(|n| n == *name));

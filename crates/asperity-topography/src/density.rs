@@ -38,7 +38,7 @@ impl Summits {
         let width = 2.15 * std * n.powf(-0.2);
         let highest = self.heights.iter().copied().fold(f64::MIN, f64::max);
         let lowest = self.heights.iter().copied().fold(f64::MAX, f64::min);
-        // No height is further than σ_z √n from the mean: there are fewer than n bins.
+        // No height is further than σ_z √n from the mean, so there are fewer than n bins.
         let bins = ((highest - lowest) / width).floor() as usize + 1;
         let first = 0.5 * (lowest + highest - width * bins as f64);
         let mut counts = vec![0usize; bins + 2];
@@ -52,7 +52,7 @@ impl Summits {
         };
         let mean = sum(&|z| z) / n;
         // A count stands for a triangle of half-width `width`. Bins and triangles widen the
-        // density; it is drawn together again.
+        // density; scaling the heights restores σ_z.
         let variance = sum(&|z| (z - mean).powi(2)) / n + width * width / 6.0;
         let scale = std / variance.sqrt();
         let heights_m = (0..counts.len()).map(|bin| scale * (middle(bin) - mean)).collect();
@@ -67,8 +67,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_polygon_has_area_one_mean_zero_and_the_spread_of_its_heights() {
-        // Quantiles of an exponential density: skew, and known.
+    fn the_polygon_has_area_one_mean_zero_and_the_variance_of_its_heights() {
+        // Quantiles of an exponential density, whose skewness is exact.
         let heights: Vec<f64> =
             (0..4000).map(|i| -1e-6 * (1.0 - (f64::from(i) + 0.5) / 4000.0).ln()).collect();
         let n = heights.len() as f64;
@@ -94,7 +94,7 @@ mod tests {
         assert!((area - 1.0).abs() < 1e-12, "{area}");
         assert!(mean.abs() < 1e-15, "{mean:e}");
         assert!((square / variance - 1.0).abs() < 1e-12, "{square:e} {variance:e}");
-        // Skew to the right, as an exponential density is.
+        // An exponential density is skewed to the right.
         let highest = g.iter().copied().fold(0.0, f64::max);
         let top = g.iter().position(|density| *density >= highest).unwrap();
         assert!(z[top] < -5e-7 && z[z.len() - 1] > 4e-6);

@@ -1,4 +1,4 @@
-//! Errors: what was found, and what was required.
+//! Errors of scans: place, value found, value required.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use serde::de::{DeserializeOwned, IntoDeserializer};
 
 use crate::{LengthUnit, Level};
 
-/// Why a surface could not be read or measured.
+/// An error in reading or measuring a surface.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TopographyError {
@@ -18,89 +18,89 @@ pub enum TopographyError {
     File {
         /// The file.
         path: PathBuf,
-        /// What was wrong.
+        /// The error in it.
         source: Box<TopographyError>,
     },
     /// The system could not read the file.
     #[error("cannot be read: {0}")]
     Io(#[from] io::Error),
-    /// Larger than this crate accepts.
+    /// A size above the limit of this crate.
     #[error("{what} is {size}: at most {limit} was required")]
     TooLarge {
-        /// What is too large, with its unit.
+        /// The quantity, with its unit.
         what: &'static str,
-        /// How large it is.
+        /// The size found.
         size: u64,
-        /// How large it may be.
+        /// The largest size accepted.
         limit: u64,
     },
-    /// No reader knows this file.
+    /// A file in a format without a reader.
     #[error(
-        "the format is not known: text (matrix, XYZ, profile), NumPy .npy, .x3p or Digital Surf .sur was required"
+        "the file format is not supported: text (matrix, XYZ, profile), NumPy .npy, .x3p or Digital Surf .sur was required"
     )]
     UnknownFormat,
-    /// A line of a text file.
+    /// An invalid line of a text file.
     #[error("line {line}: {found:?} was found, {required} was required")]
     Line {
-        /// Its number, from 1.
+        /// The line number, from 1.
         line: usize,
-        /// What stands there.
+        /// The value found.
         found: String,
-        /// What should.
+        /// The value required.
         required: String,
     },
     /// A row of a text file is longer or shorter than the first.
-    #[error("line {line} has {found} numbers: {required}, as the first row has, were required")]
+    #[error("line {line} has {found} numbers: {required} were required, as in the first row")]
     RowLength {
-        /// Its number, from 1.
+        /// The line number, from 1.
         line: usize,
-        /// How many numbers it has.
+        /// The number of values found.
         found: usize,
-        /// How many the first row has.
+        /// The number of values in the first row.
         required: usize,
     },
-    /// A field of a binary or XML file.
+    /// An invalid field of a binary or XML file.
     #[error("{format} {field}: {found} was found, {required} was required")]
     Field {
         /// Name of the format.
         format: &'static str,
         /// Name of the field.
         field: &'static str,
-        /// What stands there.
+        /// The value found.
         found: String,
-        /// What should.
+        /// The value required.
         required: String,
     },
-    /// Neither the file nor the options have the unit of the heights.
+    /// The unit of the heights is missing in the file and in the options.
     #[error(
-        "the file has no unit of its heights: give unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line)"
+        "the file does not state the unit of the heights: give unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line)"
     )]
     UnitMissing,
     /// A cut-off outside the wavelengths of the scan.
     #[error("{field} is {value:?}: {required} was required")]
     Cutoff {
-        /// What the cut-off is called.
+        /// Name of the option.
         field: &'static str,
-        /// What was given \[m\].
+        /// The value given \[m\].
         value: f64,
-        /// The lengths that would have been accepted, and the unit that would explain it.
+        /// The lengths accepted and, if one fits, the unit of the value given.
         required: String,
     },
-    /// Pixels smaller than atoms: a length in metres beside a unit.
+    /// A pixel smaller than an atom: probably a length in metres given with another unit.
     #[error(
-        "pixel_size is {value:e} {unit}, which is {metres:e} m and less than an atom; {value:e} looks like m, but pixel_size is in the unit of the heights"
+        "pixel_size is {value:e} {unit}, which is {metres:e} m and smaller than an atom; {value:e} looks like m, but pixel_size is in the unit of the heights"
     )]
     TinyPixel {
-        /// What was given, in the unit.
+        /// The value given, in the unit.
         value: f64,
         /// The unit.
         unit: LengthUnit,
-        /// What that is.
+        /// The value in metres.
         metres: f64,
     },
-    /// Neither the file nor the options have the distance between points.
+    /// The distance between points is missing in the file and in the options.
     #[error(
-        "the file has no distance between its points: give pixel_size in the unit of the heights (--pixel-size on the command line)"
+        "the file does not state the distance between points: give pixel_size in the unit of the heights (--pixel-size on the command line)"
     )]
     PixelSizeMissing,
     /// An option and the file disagree.
@@ -110,37 +110,37 @@ pub enum TopographyError {
     Contradiction {
         /// Name of the option.
         option: &'static str,
-        /// What was given.
+        /// The value given.
         given: String,
         /// The value in the file.
         in_file: String,
     },
-    /// Too many points are missing.
+    /// The share of missing points is above `max_missing`.
     #[error(
         "the share of missing points is {share:.4}: at most max_missing = {limit} (--max-missing on the command line) was required"
     )]
     TooManyMissing {
         /// The share of missing points.
         share: f64,
-        /// The largest that was allowed.
+        /// The largest share accepted.
         limit: f64,
     },
-    /// More points are missing than may be filled.
+    /// The share of missing points is too large to fill.
     #[error(
-        "the share of missing points is {share:.4}: at most {limit} was required; filling more would invent the surface, crop the scan instead"
+        "the share of missing points is {share:.4}: at most {limit} was required; crop the scan"
     )]
     TooManyToFill {
         /// The share of missing points.
         share: f64,
-        /// The largest that is filled.
+        /// The largest share that is filled.
         limit: f64,
     },
-    /// The equations of the filled heights were not solved.
+    /// The equations of the filled heights have no solution of the required accuracy.
     #[error(
-        "{points} missing points could not be filled: heights of similar size around them were required"
+        "{points} missing points cannot be filled: heights of similar size around them were required"
     )]
     NotFilled {
-        /// How many points are missing.
+        /// The number of missing points.
         points: usize,
     },
     /// An input lies outside its range.
@@ -148,19 +148,19 @@ pub enum TopographyError {
     OutOfRange {
         /// Name of the input.
         field: &'static str,
-        /// What was given.
+        /// The value given.
         value: f64,
-        /// What would have been accepted.
+        /// The values accepted.
         required: &'static str,
     },
-    /// The number of heights is not columns times rows.
+    /// The number of heights is not a multiple of the number of columns.
     #[error(
         "there are {heights} heights in rows of {columns}: a whole number of rows, at least one, was required"
     )]
     Shape {
-        /// How many heights.
+        /// The number of heights.
         heights: usize,
-        /// How many columns.
+        /// The number of columns.
         columns: usize,
     },
     /// A height is infinite or too large.
@@ -178,17 +178,17 @@ pub enum TopographyError {
     /// Too few points or summits.
     #[error("there are {found} {what}: at least {required} were required")]
     TooFew {
-        /// What is counted.
+        /// The objects counted.
         what: &'static str,
-        /// How many there are.
+        /// The number found.
         found: usize,
-        /// How many it takes.
+        /// The smallest number accepted.
         required: usize,
     },
-    /// All heights are the same.
+    /// All heights are equal.
     #[error("the {points} heights are all equal after levelling: a rough surface was required")]
     Flat {
-        /// How many heights there are.
+        /// The number of heights.
         points: usize,
     },
     /// The points do not determine the plane or quadric to be removed.
@@ -196,64 +196,64 @@ pub enum TopographyError {
         "the {points} points with a height do not determine the level {level}: points in at least two (plane) or three (quadratic) rows and columns were required"
     )]
     Level {
-        /// What was to be fitted.
+        /// The form to be fitted.
         level: Level,
-        /// How many points there are.
+        /// The number of points with a height.
         points: usize,
     },
     /// Summits need an areal scan.
     #[error(
-        "a profile has no summits of 8 neighbours: an areal scan, or the estimator \"moments\", was required"
+        "summits need 8 neighbours, which a profile does not have: an areal scan or the estimator \"moments\" was required"
     )]
     SummitsOfProfile,
-    /// Columns of points that do not lie on a regular grid.
+    /// Points that do not lie on a regular grid.
     #[error("{field}: {found} was found, {required} was required")]
     Grid {
-        /// Which coordinate.
+        /// The coordinate.
         field: &'static str,
-        /// What is wrong with it.
+        /// The value found.
         found: String,
-        /// What was required.
+        /// The value required.
         required: String,
     },
-    /// A name that is none of the known ones.
-    #[error("{field} is {found:?}: {known} was required")]
+    /// An unknown name.
+    #[error("{field} is {found:?}: {names} was required")]
     UnknownName {
-        /// What was named.
+        /// The option or field.
         field: &'static str,
         /// The name.
         found: String,
-        /// The known names.
-        known: String,
+        /// The names accepted.
+        names: String,
     },
-    /// Two surfaces of which one is known by its summits.
+    /// Two surfaces, of which one is described by its summits.
     #[error(
-        "the estimator is \"summits\": \"moments\" was required for two surfaces, whose moments add up and whose summits do not"
+        "the estimator is \"summits\": \"moments\" was required for two surfaces, because moments add and summits do not"
     )]
     SummitsOfTwo,
-    /// The moments are not those of an isotropic Gaussian surface.
+    /// Moments that no isotropic Gaussian surface has.
     #[error("{0}; the estimator \"summits\" does not assume a Gaussian surface")]
     Moments(#[source] ContactError),
-    /// The numbers of the asperities make no surface.
+    /// Asperity parameters out of range.
     #[error(transparent)]
     Contact(#[from] ContactError),
 }
 
-/// What a name stands for: serde has the lists.
-pub(crate) fn named<T: DeserializeOwned>(
+/// The value of a name; serde has the lists of names.
+pub(crate) fn parse_name<T: DeserializeOwned>(
     field: &'static str,
     name: &str,
 ) -> Result<T, TopographyError> {
     let word: StrDeserializer<'_, value::Error> = name.trim().into_deserializer();
     T::deserialize(word).map_err(|error| {
         let error = error.to_string();
-        let known = error.rsplit_once(", expected ").map_or(&*error, |(_, known)| known);
-        let known = known.replace('`', "");
-        TopographyError::UnknownName { field, found: excerpt(name), known }
+        let names = error.rsplit_once(", expected ").map_or(&*error, |(_, names)| names);
+        let names = names.replace('`', "");
+        TopographyError::UnknownName { field, found: excerpt(name), names }
     })
 }
 
-/// At most 60 characters of a text: a file may have megabytes in one field.
+/// The first 60 characters of a text: a field of a file may have megabytes.
 pub(crate) fn excerpt(text: &str) -> String {
     match text.char_indices().nth(60) {
         Some((end, _)) => format!("{}...", &text[..end]),

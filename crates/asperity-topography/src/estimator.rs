@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::TopographyError;
-use crate::error::named;
+use crate::error::parse_name;
 
 /// How asperities are found in a measured surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -16,7 +16,7 @@ pub enum Estimator {
     /// [`Surface::from_moments`](asperity_core::Surface::from_moments).
     #[default]
     Moments,
-    /// From the summits themselves: [`Topography::summits`](crate::Topography::summits).
+    /// From the summits of the surface: [`Topography::summits`](crate::Topography::summits).
     Summits,
 }
 
@@ -30,7 +30,7 @@ impl FromStr for Estimator {
     type Err = TopographyError;
 
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        named("estimator", name)
+        parse_name("estimator", name)
     }
 }
 
@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_read_back() {
+    fn names_round_trip() {
         for estimator in [Estimator::Moments, Estimator::Summits] {
             assert_eq!(estimator.to_string().parse::<Estimator>().unwrap(), estimator);
             let json = serde_json::to_string(&estimator).unwrap();

@@ -1,24 +1,23 @@
-//! Filling: a few missing points get heights from what lies around them.
+//! Filling of a few missing points from their neighbours.
 
 use crate::{Level, Topography, TopographyError};
 
-/// What the residual of the equations has come down to, of what it was.
+/// Residual of the equations, relative to its initial value.
 const TOLERANCE: f64 = 1e-10;
 
 impl Topography {
-    /// The largest share of the points that is [filled](Self::fill): beyond it the surface would be
-    /// made up rather than mended.
+    /// The largest share of the points that is [filled](Self::fill): above it, interpolation would
+    /// dominate the statistics.
     pub const MOST_FILLED: f64 = 0.05;
 
     /// The surface with heights where points are missing: harmonic ones, each the mean of its four
-    /// neighbours (weighted by 1/dx² and 1/dy²), as smooth as what surrounds a hole allows and
-    /// without summits of their own. At an edge the surface goes on as its least-squares plane
-    /// does, or beyond the edge where it is periodic. Of a profile it is the straight line over a
-    /// gap.
+    /// neighbours (weighted by 1/dx² and 1/dy²), without summits of their own. Beyond an edge the
+    /// surface continues as its least-squares plane, or periodically if it is periodic. A gap in a
+    /// profile is filled by a straight line.
     ///
     /// # Errors
     /// [`TopographyError::TooManyToFill`] above [`MOST_FILLED`](Self::MOST_FILLED);
-    /// [`TopographyError::NotFilled`] when the equations are not solved to 1e-10.
+    /// [`TopographyError::NotFilled`] if the residual does not fall to 1e-10.
     pub fn fill(self) -> Result<Self, TopographyError> {
         let (share, limit) = (self.missing_share(), Self::MOST_FILLED);
         if share > limit {
@@ -33,26 +32,26 @@ impl Topography {
         let form = self.form(Level::usual(self.is_periodic()));
         let form = form.or_else(|_| self.form(Level::Mean))?;
         let flat = self.clone().without(&form);
-        let points: Vec<Point> = places.iter().map(|at| Point::of(&flat, &places, *at)).collect();
-        let found = solve(&points, points.iter().map(|point| point.known).collect())?;
+        let points: Vec<Point> = places.iter().map(|at| Point::new(&flat, &places, *at)).collect();
+        let found = solve(&points, points.iter().map(|point| point.measured).collect())?;
         let columns = self.columns();
         let height =
             |(at, rest): (usize, f64)| (at, rest + form.along_row(at / columns)(at % columns));
         let found: Vec<(usize, f64)> = places.into_iter().zip(found).map(height).collect();
-        Ok(self.filled(found.into_iter()))
+        Ok(self.with_filled(found.into_iter()))
     }
 }
 
-/// A missing point: the sum of the weights of its neighbours, the part of the known ones in the
-/// height, and the missing ones by their number.
+/// A missing point: the sum of the weights of its neighbours, the weighted sum of the measured
+/// ones, and the missing ones by their number.
 struct Point {
     weight: f64,
-    known: f64,
+    measured: f64,
     missing: [Option<(usize, f64)>; 4],
 }
 
 impl Point {
-    fn of(surface: &Topography, places: &[usize], at: usize) -> Self {
+    fn new(surface: &Topography, places: &[usize], at: usize) -> Self {
         let (columns, rows) = (surface.columns(), surface.rows());
         let (x, y) = (at % columns, at / columns);
         let [wx, wy] = surface.pixel_size().map(|step| (step / surface.pixel_size()[0]).powi(-2));
@@ -65,25 +64,26 @@ impl Point {
         };
         let along = [false, true].map(|on| Some((y * columns + step(x, columns, on)?, wx)));
         let across = [false, true].map(|on| Some((step(y, rows, on)? * columns + x, wy)));
-        let mut point = Self { weight: 0.0, known: 0.0, missing: [None; 4] };
+        let mut point = Self { weight: 0.0, measured: 0.0, missing: [None; 4] };
         for (k, (beside, weight)) in along.into_iter().chain(across).flatten().enumerate() {
             point.weight += weight;
             match places.binary_search(&beside) {
                 Ok(number) => point.missing[k] = Some((number, weight)),
-                Err(_) => point.known += weight * surface.heights()[beside],
+                Err(_) => point.measured += weight * surface.heights()[beside],
             }
         }
         point
     }
 
-    /// What the equation of the point makes of these heights, its own among them.
+    /// The left side of the equation of the point at these heights; `own` is its own height.
     fn apply(&self, own: f64, heights: &[f64]) -> f64 {
         let beside = self.missing.iter().flatten().map(|(number, w)| w * heights[*number]);
         self.weight * own - beside.sum::<f64>()
     }
 }
 
-/// Conjugate gradients from 0: the equations are symmetric, and positive as every hole has a rim.
+/// Conjugate gradients from 0: the equations are symmetric, and positive definite because every
+/// hole has a rim.
 fn solve(points: &[Point], right: Vec<f64>) -> Result<Vec<f64>, TopographyError> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (mut found, mut way) = (vec![0.0; right.len()], right.clone());
@@ -132,8 +132,8 @@ mod tests {
     }
 
     #[test]
-    fn what_is_harmonic_is_found_again() {
-        // x² - y² on pixels that are no squares, xy and a plane: differences are exact.
+    fn harmonic_heights_are_recovered() {
+        // For x² - y² on rectangular pixels, xy and a plane, differences are exact.
         for height in [|x: f64, y: f64| x * x - y * y, |x, y| 3.0 * x * y + 5.0 * x - y + 7.0] {
             let pixel = [1e-6, 1.5e-6];
             let filled = holed(height, pixel, false).fill().unwrap();
@@ -158,8 +158,8 @@ mod tests {
             let exact = height((k % 40) as f64 * pixel[0], (k / 40) as f64 * pixel[1]);
             assert!((found - exact).abs() < 1e-18, "{k} {found} {exact}");
         }
-        // Levelled before or after, it is the same surface but for what filled points do to the
-        // plane.
+        // The order of levelling and filling matters only through the filled points in the plane
+        // fit.
         let wavy = |x: f64, y: f64| height(x, y) + 1e-7 * (3e5 * x + 4e5 * y).sin();
         let level = |surface: Topography| surface.level(Level::Plane).unwrap();
         let before = level(holed(wavy, pixel, true)).fill().unwrap();
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn every_filled_point_is_the_mean_of_its_neighbours_at_edges_and_over_them() {
+    fn every_filled_point_is_the_mean_of_its_neighbours_also_across_periodic_edges() {
         let height = |x: f64, y: f64| (0.7 * x + 0.2 * y * y).sin();
         for periodic in [false, true] {
             let holed = holed(height, [1.0; 2], true).with_periodic(periodic);
@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_in_a_profile_is_a_line_and_too_much_is_refused() {
+    fn a_gap_in_a_profile_is_a_line_and_too_many_missing_points_are_refused() {
         let heights = |gap: std::ops::Range<usize>| {
             let at = |k: usize| if gap.contains(&k) { f64::NAN } else { (k * k) as f64 };
             Topography::new((0..100).map(at).collect(), 100, [1.0; 2]).unwrap()
@@ -219,15 +219,16 @@ mod tests {
     }
 
     #[test]
-    fn that_points_were_filled_is_told() {
+    fn filled_points_have_a_warning() {
         let height = |x: f64, y: f64| (0.7 * x + 0.2 * y).sin() + (0.3 * x - 0.8 * y).cos();
         let statistics = |surface: Topography| surface.statistics(crate::Estimator::Moments);
         let holed = holed(height, [1.0; 2], false);
         let [open, filled] = [holed.clone(), holed.fill().unwrap()].map(|s| statistics(s).unwrap());
         assert!((open.missing_share - filled.missing_share).abs() < 1e-15);
         assert!((filled.m2 / open.m2 - 1.0).abs() < 0.03);
-        let told =
-            |of: &crate::Statistics| of.warnings.iter().any(|w| w.to_string().contains("filled"));
-        assert!(told(&filled) && !told(&open), "{:?}", filled.warnings);
+        let has_warning = |statistics: &crate::Statistics| {
+            statistics.warnings.iter().any(|w| w.to_string().contains("filled"))
+        };
+        assert!(has_warning(&filled) && !has_warning(&open), "{:?}", filled.warnings);
     }
 }

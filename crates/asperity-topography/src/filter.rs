@@ -6,18 +6,18 @@ use asperity_fft::{Complex64, Fft};
 
 use crate::{LengthUnit, Topography, TopographyError};
 
-/// How many cut-offs away from its middle the weight is below 1e-16 of its maximum.
+/// Distance from the centre \[cut-offs\] beyond which the weight is below 1e-16 of its maximum.
 const REACH: f64 = 1.63;
-/// Columns that are filtered together: 16 complex numbers fill a few cache lines of each row.
+/// Number of columns filtered together: 16 complex numbers fill a few cache lines of each row.
 const BLOCK: usize = 16;
 
 impl Topography {
-    /// The roughness: the surface without its Gaussian mean surface, so that waves much longer
-    /// than `cutoff` \[m\] are gone, waves of that length are half as high and shorter ones stay.
+    /// The roughness: the surface without its Gaussian mean surface. Waves much longer than
+    /// `cutoff` \[m\] are removed, waves of that length are halved, and shorter ones stay.
     ///
     /// The weight is exp(-π (x/(α λ))²)/(α λ) with α = √(ln 2/π), along rows and along columns
-    /// (along the row, for a profile); at edges and missing points the weights that are left are
-    /// scaled to the sum 1, unless the surface is periodic.
+    /// (along the row, for a profile); at edges (unless the surface is periodic) and missing points
+    /// the remaining weights are scaled to the sum 1.
     ///
     /// # Errors
     /// [`TopographyError::Cutoff`] when the cut-off is below two pixels or above the size of
@@ -30,8 +30,8 @@ impl Topography {
         Ok(self)
     }
 
-    /// The Gaussian mean surface: what [`Topography::filter`] takes away. Waves much shorter than
-    /// `cutoff` \[m\], noise above all, are gone.
+    /// The Gaussian mean surface, which [`Topography::filter`] removes. Waves much shorter than
+    /// `cutoff` \[m\], mostly noise, are removed.
     ///
     /// # Errors
     /// As [`Topography::filter`].
@@ -45,8 +45,8 @@ impl Topography {
         Ok(self)
     }
 
-    /// The weighted mean about every point \[m\]; anything where nothing is in reach. `field` is
-    /// what the cut-off is called where it is refused.
+    /// The weighted mean about every point \[m\]; undefined where no measured point is in reach.
+    /// `field` is the name of the cut-off in errors.
     fn gaussian_mean(
         &self,
         field: &'static str,
@@ -58,7 +58,7 @@ impl Topography {
             let (least, largest) = (2.0 * step, n as f64 * step);
             match (least..=largest).contains(&cutoff) {
                 true => Ok(Line::new(n, cutoff / step, self.is_periodic())),
-                false => Err(refused(field, cutoff, [least, largest])),
+                false => Err(cutoff_error(field, cutoff, [least, largest])),
             }
         };
         let mean = self.mean();
@@ -96,8 +96,8 @@ impl Topography {
     }
 }
 
-/// A cut-off outside these lengths, with the unit that would bring it inside.
-fn refused(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> TopographyError {
+/// The error for a cut-off outside these lengths, with the unit that fits the value.
+fn cutoff_error(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> TopographyError {
     let inside = |unit: &LengthUnit| (least..=largest).contains(&(value * unit.metres()));
     let unit = [LengthUnit::Micrometre, LengthUnit::Millimetre].into_iter().find(inside);
     let meant = unit.map_or(String::new(), |unit| format!("; {value} looks like {unit}"));
@@ -118,7 +118,7 @@ struct Line {
 }
 
 impl Line {
-    /// For a cut-off in points.
+    /// The weight of a cut-off in points.
     fn new(n: usize, cutoff: f64, periodic: bool) -> Self {
         let reach = (REACH * cutoff).ceil() as usize;
         // Zeros beyond the line, as far as the weight reaches, keep its ends apart.
@@ -144,7 +144,7 @@ impl Line {
     }
 
     /// Sums over the line, not yet divided by the sum of the weights: the quotient of the two
-    /// components does not feel that scale, nor the length of the unnormalised transform.
+    /// components is independent of that scale and of the length of the unnormalised transform.
     fn convolve(&mut self, line: &mut [Complex64]) {
         let (points, zeros) = self.buffer.split_at_mut(line.len());
         points.copy_from_slice(line);
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn weights_are_those_that_are_left_at_edges_and_holes() {
+    fn weights_are_renormalised_at_edges_and_holes() {
         let (columns, rows, cutoff) = (37, 29, 9.0);
         let height = |i: usize| {
             let (x, y) = ((i % columns) as f64, (i / columns) as f64);
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn cutoffs_that_cannot_be_are_refused() {
+    fn cutoffs_out_of_range_are_refused() {
         let surface = Topography::new(vec![0.0; 100], 10, [1.0; 2]).unwrap();
         for cutoff in [f64::NAN, -1.0, 0.0, 1.9, 10.1, f64::INFINITY] {
             let error = surface.clone().filter(cutoff).unwrap_err().to_string();
@@ -220,8 +220,8 @@ mod tests {
         }
         let fine = Topography::new(vec![0.0; 100], 10, [1e-6; 2]).unwrap();
         let error = fine.filter(3.0).unwrap_err().to_string();
-        let said =
+        let wanted =
             "pixels (2.000e-6 m) and at most the size of the surface (1.000e-5 m; 3 looks like um)";
-        assert!(error.contains(said), "{error}");
+        assert!(error.contains(wanted), "{error}");
     }
 }

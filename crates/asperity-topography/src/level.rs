@@ -6,7 +6,7 @@ use std::str::FromStr;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::{Deserialize, Serialize};
 
-use crate::error::named;
+use crate::error::parse_name;
 use crate::{Topography, TopographyError};
 
 /// The form removed before statistics.
@@ -33,13 +33,13 @@ impl FromStr for Level {
     type Err = TopographyError;
 
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        named("level", name)
+        parse_name("level", name)
     }
 }
 
 impl Level {
-    /// The default: the plane, which is the tilt in the instrument. For a periodic surface the mean
-    /// alone, because a plane fitted to its waves would tilt it, so that its edges no longer match.
+    /// The default: the plane, which is the tilt in the instrument; for a periodic surface the
+    /// mean, because a fitted plane would tilt the surface and its edges would no longer match.
     #[must_use]
     pub fn usual(periodic: bool) -> Self {
         if periodic { Self::Mean } else { Self::Plane }
@@ -61,17 +61,17 @@ impl Level {
 /// to 1 a full grid of three by three points has 0.02.
 const DETERMINED: f64 = 1e-9;
 
-/// What is left below this share of the largest height is the rounding of the fit: it has some
-/// three roundings a height.
+/// Residuals below this share of the largest height are rounding of the fit, with about three
+/// roundings per height.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Topography {
-    /// [Levelled](Self::level) as asked, or else as is [usual](Level::usual).
+    /// The surface [levelled](Self::level) by `level`, by default the [usual](Level::usual) one.
     ///
     /// # Errors
     /// Those of [`level`](Self::level).
-    pub fn levelled(self, asked: Option<Level>) -> Result<Self, TopographyError> {
-        let level = asked.unwrap_or(Level::usual(self.is_periodic()));
+    pub fn levelled(self, level: Option<Level>) -> Result<Self, TopographyError> {
+        let level = level.unwrap_or(Level::usual(self.is_periodic()));
         self.level(level)
     }
 
@@ -89,7 +89,7 @@ impl Topography {
         let form = self.form(level)?;
         let mut levelled = self.without(&form);
         if levelled.largest() <= ROUNDING * largest {
-            // An exact plane leaves rounding, which has summits of its own.
+            // The rounding of an exact plane would have summits.
             let there = levelled.heights_mut().iter_mut().filter(|height| !height.is_nan());
             there.for_each(|height| *height = 0.0);
         }
@@ -136,7 +136,7 @@ impl Topography {
         self
     }
 
-    /// Size of the height furthest from 0 \[m\].
+    /// The largest absolute height \[m\].
     fn largest(&self) -> f64 {
         self.heights().iter().fold(0.0, |largest, height| f64::max(largest, height.abs()))
     }
@@ -150,7 +150,7 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// The heights of a row by their column: a polynomial in u alone.
+    /// The heights of row `y` by column, a polynomial in u alone.
     pub(crate) fn along_row(&self, y: usize) -> impl Fn(usize) -> f64 {
         let [rows, columns] = self.shape;
         let mut polynomial = [self.mean, 0.0, 0.0];
@@ -165,7 +165,7 @@ impl Form {
     }
 }
 
-/// The place of a point among n, from -1 to 1: sums of its powers are well scaled.
+/// The coordinate of a point among n, from -1 to 1, so that sums of its powers are well scaled.
 fn scaled(index: usize, n: usize) -> f64 {
     if n < 2 { 0.0 } else { (2 * index) as f64 / (n - 1) as f64 - 1.0 }
 }
@@ -189,7 +189,7 @@ fn row_sums(row: &[f64], along: &[f64], mean: f64) -> ([f64; 5], [f64; 3]) {
 mod tests {
     use super::*;
 
-    /// Bumps orthogonal to nothing in particular, on a quadric, with a hole.
+    /// Bumps on a quadric, optionally with a hole; and the bumps alone.
     fn quadric(missing: bool) -> (Topography, Vec<f64>) {
         let (columns, rows) = (40, 30);
         let mut heights = Vec::new();
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn an_exact_plane_has_no_asperities_of_rounding() {
+    fn an_exact_plane_has_no_asperities_from_rounding() {
         let plane = |rough: f64| {
             let height = |i: i32| {
                 let (x, y) = (f64::from(i % 50), f64::from(i / 50));
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_is_orthogonal_to_the_plane() {
+    fn residuals_are_orthogonal_to_the_plane() {
         let (surface, before) = quadric(true);
         let untouched = surface.clone().level(Level::None).unwrap();
         assert_eq!(untouched.heights()[0].to_bits(), before[0].to_bits());
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn a_periodic_surface_keeps_its_slopes_unless_it_is_asked_otherwise() {
+    fn a_periodic_surface_keeps_its_slopes_by_default() {
         let turn = std::f64::consts::TAU / 48.0;
         // A plane fitted to a sine is not level.
         let height = |i: i32| 1e-7 * (turn * f64::from(i % 48)).sin() + 3e-6;
@@ -259,14 +259,17 @@ mod tests {
         let periodic = wave.clone().with_periodic(true);
         let usual = periodic.clone().levelled(None).unwrap();
         assert!(usual.mean().abs() < 1e-20);
-        let [kept, asked] = [slopes(&periodic), slopes(&usual)];
-        assert!((0..2).all(|k| (asked[k] / kept[k] - 1.0).abs() < 1e-9), "{kept:?} {asked:?}");
+        let [kept, levelled] = [slopes(&periodic), slopes(&usual)];
+        assert!(
+            (0..2).all(|k| (levelled[k] / kept[k] - 1.0).abs() < 1e-9),
+            "{kept:?} {levelled:?}"
+        );
         let tilted = periodic.clone().levelled(Some(Level::Plane)).unwrap();
         assert!(slopes(&tilted)[1] > 1.5 * kept[1]);
         let tilts = Level::Plane.tilts(true).unwrap().to_string();
         assert!(tilts.starts_with("level plane of a periodic surface"), "{tilts}");
         assert!(Level::Plane.tilts(false).is_none() && Level::Mean.tilts(true).is_none());
-        // One that ends at its edges lies in the plane of its instrument.
+        // A surface that is not periodic has the tilt of the instrument.
         let level = wave.clone().level(Level::Plane).unwrap();
         assert_eq!(wave.levelled(None).unwrap(), level);
     }

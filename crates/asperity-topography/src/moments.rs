@@ -4,17 +4,16 @@ use asperity_core::ProfileMoments;
 
 use crate::{Topography, TopographyError};
 
-/// The spectral moments of a surface and what they are made of.
+/// The spectral moments of a surface, by direction.
 ///
 /// ```text
 /// m₂ = ⟨((z₁ - z₀)/dx)²⟩        m₄ = ⟨((z₂ - 2 z₁ + z₀)/dx²)²⟩
 /// ```
-///
-/// over all neighbours that are both (all three) there, along rows and along columns; m₂ and m₄
-/// are the mean of the two directions. A wave of length L is seen with its slope times
-/// s = sin(π dx/L)/(π dx/L) and its curvature times s²: 1.6 % and 3.3 % less at ten points to the
-/// wave. \[derived\] The forward difference, not the central one, belongs to this second
-/// difference: the central one would count the slopes of short waves less than their curvatures.
+/// over all pairs (triples) of measured neighbours, along rows and along columns; m₂ and m₄ are the
+/// means of the two directions. Sampling reduces the slope of a wave of length L by the factor s =
+/// sin(π dx/L)/(π dx/L) and its curvature by s²: by 1.6 % and 3.3 % at ten points per wave.
+/// \[derived\] The forward difference is consistent with this second difference; the central one
+/// would reduce the slopes of short waves more than their curvatures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Moments {
@@ -38,7 +37,7 @@ pub struct ArealMoments {
 }
 
 impl Moments {
-    /// The moments of the gap between two independent surfaces: they add.
+    /// The moments of the gap between two independent surfaces: the sums.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let add = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
@@ -57,7 +56,7 @@ impl Topography {
     /// The spectral moments of the surface; m₀ is about the mean height.
     ///
     /// # Errors
-    /// [`TopographyError::TooFew`] when a direction has no three neighbours that are all there.
+    /// [`TopographyError::TooFew`] when a direction has no three measured neighbours in a row.
     pub fn moments(&self) -> Result<Moments, TopographyError> {
         let [dx, dy] = self.pixel_size();
         let (columns, rows) = (self.columns(), self.rows());
@@ -79,13 +78,13 @@ impl Topography {
         }
         let mean = self.mean();
         let m0 = self.central_moment(mean, 2);
-        let along_rows = along_rows.means("neighbours along rows that are there")?;
+        let along_rows = along_rows.means("measured neighbours along rows")?;
         if self.is_profile() {
             let [m2, m4] = along_rows;
             let profile = ProfileMoments { m0, m2, m4 };
             return Ok(Moments { profile, along_rows, along_columns: None, areal: None });
         }
-        let along_columns = along_columns.means("neighbours along columns that are there")?;
+        let along_columns = along_columns.means("measured neighbours along columns")?;
         let m2 = 0.5 * (along_rows[0] + along_columns[0]);
         let m4 = 0.5 * (along_rows[1] + along_columns[1]);
         let areal = laplacian.mean().map(|m4| ArealMoments { m2: 2.0 * m2, m4 });
@@ -94,7 +93,7 @@ impl Topography {
     }
 
     /// ⟨z_xx²⟩ \[1/m²\] along rows, of points `step` apart.
-    pub(crate) fn curvature_of_every(&self, step: usize) -> Option<f64> {
+    pub(crate) fn curvature_at_step(&self, step: usize) -> Option<f64> {
         let mut curvature = Mean::default();
         for row in self.heights().chunks(self.columns()) {
             if row.len() > 2 * step {
@@ -116,7 +115,7 @@ impl Topography {
     }
 }
 
-/// A mean in the making; what touches a missing point does not count.
+/// A running mean without differences that contain a missing point.
 #[derive(Default)]
 struct Mean {
     sum: f64,
@@ -233,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_point_takes_its_differences_with_it() {
+    fn differences_with_a_missing_point_are_left_out() {
         let heights = vec![0.0, 1.0, f64::NAN, 4.0, 6.0, 9.0];
         let moments = Topography::new(heights, 6, [1.0; 2]).unwrap().moments().unwrap();
         assert!((moments.profile.m2 - (1.0 + 4.0 + 9.0) / 3.0).abs() < 1e-15);
@@ -242,11 +241,11 @@ mod tests {
     }
 
     #[test]
-    fn every_second_point_is_a_curvature_of_its_own() {
+    fn curvature_at_half_the_resolution_uses_every_second_point() {
         let parabola = (0..9).map(|x| f64::from(x * x)).collect();
         let profile = Topography::new(parabola, 9, [1.0; 2]).unwrap();
-        assert!((profile.curvature_of_every(2).unwrap() - 4.0).abs() < 1e-12);
-        assert!(profile.curvature_of_every(5).is_none());
+        assert!((profile.curvature_at_step(2).unwrap() - 4.0).abs() < 1e-12);
+        assert!(profile.curvature_at_step(5).is_none());
     }
 
     #[test]

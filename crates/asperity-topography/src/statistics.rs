@@ -1,13 +1,12 @@
-//! What a surface comes to: heights, moments, asperities.
+//! Statistics of a surface: heights, moments, asperities.
 
 use asperity_core::{Diagnostic, Surface};
 use serde::Serialize;
 
 use crate::{Estimator, Moments, Topography, TopographyError, warning};
 
-/// What a surface comes to, in SI units.
-///
-/// Serialised are the numbers from `sq` to `missing_share` and nothing else.
+/// Statistics of a surface, in SI units.
+/// Serialisation has the numbers from `sq` to `missing_share` only.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Statistics {
@@ -35,19 +34,19 @@ pub struct Statistics {
     pub beta: f64,
     /// β_z = η R σ_z.
     pub beta_z: f64,
-    /// Share of the points that are missing, 0 to 1; those that were filled among them.
+    /// Share of the points that are missing or were filled, 0 to 1.
     pub missing_share: f64,
-    /// How far the mean of the asperity heights lies above the mean plane \[m\]: that of the
-    /// summits found, or of a Gaussian surface with these moments.
+    /// Height of the mean of the asperities above the mean plane \[m\], of the summits found or of
+    /// a Gaussian surface with these moments.
     #[serde(skip)]
     pub mean_plane_offset: f64,
-    /// By which estimator the asperities are.
+    /// The estimator of the asperities.
     #[serde(skip)]
     pub estimator: Estimator,
     /// The moments by direction, and the areal ones.
     #[serde(skip)]
     pub moments: Moments,
-    /// The asperities by the other estimator, where it finds any.
+    /// The asperities by the other estimator, if it finds any.
     #[serde(skip)]
     pub other: Option<Surface>,
     /// Diagnostics of these numbers.
@@ -56,14 +55,14 @@ pub struct Statistics {
 }
 
 impl Topography {
-    /// Heights, moments and asperities of the surface: [`level`](Topography::level) it
-    /// first.
+    /// Heights, moments and asperities of the surface, which should be
+    /// [levelled](Topography::level).
     ///
     /// # Errors
-    /// As [`Topography::moments`]; [`TopographyError::Flat`] when all heights are the same; that
-    /// of the estimator asked for: [`TopographyError::Moments`] where no isotropic Gaussian
-    /// surface has such moments, or as [`Summits::surface`](crate::Summits::surface). That the
-    /// other estimator fails is a [`Diagnostic`].
+    /// As [`Topography::moments`]; [`TopographyError::Flat`] when all heights are equal; the error
+    /// of this estimator: [`TopographyError::Moments`] where no isotropic Gaussian surface has such
+    /// moments, or as [`Summits::surface`](crate::Summits::surface). A failure of the other
+    /// estimator is a [`Diagnostic`].
     pub fn statistics(&self, estimator: Estimator) -> Result<Statistics, TopographyError> {
         let moments = self.moments()?;
         let mean = self.mean();
@@ -77,14 +76,14 @@ impl Topography {
         let by_moments = Surface::from_moments(&moments.profile);
         let by_moments = by_moments.map(gaussian).map_err(TopographyError::Moments);
         let by_summits = self.summits().and_then(|found| {
-            // Summits that were found need no theory of where they lie.
+            // The mean plane offset of summits is measured.
             Ok((found.surface()?, found.mean() - mean))
         });
-        let (asked, other) = match estimator {
+        let (primary, other) = match estimator {
             Estimator::Moments => (by_moments, by_summits),
             Estimator::Summits => (by_summits, by_moments),
         };
-        let (surface, mean_plane_offset) = asked?;
+        let (surface, mean_plane_offset) = primary?;
         let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
         statistics.mean_plane_offset = mean_plane_offset;
         statistics.missing_share = self.missing_share() + self.filled_share();
@@ -92,18 +91,18 @@ impl Topography {
         statistics.warnings.extend(self.sampling());
         match other {
             Ok((other, _)) => statistics.compare(other),
-            // A profile has no summits of 8 neighbours: nothing to warn of.
+            // No warning for a profile: summits need 8 neighbours.
             Err(TopographyError::SummitsOfProfile) => {}
             Err(error) => statistics.warnings.push(warning::no_second_estimator(&error)),
         }
         Ok(statistics)
     }
 
-    /// Whether it is the sampling that makes the asperities.
+    /// A warning if the sampling determines the asperities.
     fn sampling(&self) -> Option<Diagnostic> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
-            let (fine, coarse) = (self.curvature_of_every(1)?, self.curvature_of_every(2)?);
+            let (fine, coarse) = (self.curvature_at_step(1)?, self.curvature_at_step(2)?);
             return warning::curvature_follows_sampling(fine, coarse);
         }
         // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
@@ -113,7 +112,8 @@ impl Topography {
 }
 
 impl Statistics {
-    /// Of one surface, or of the gap of two; nothing missing, one estimator.
+    /// Statistics of one surface, or of the gap of two, without missing points or a second
+    /// estimator.
     fn new([ssk, sku]: [f64; 2], moments: Moments, estimator: Estimator, surface: Surface) -> Self {
         let profile = moments.profile;
         let sq = profile.m0.sqrt();
@@ -145,24 +145,24 @@ impl Statistics {
         }
     }
 
-    /// Keeps the asperities by the other estimator, and says where the two disagree.
+    /// Keeps the asperities by the other estimator, and warns where the two disagree.
     fn compare(&mut self, other: Surface) {
-        let asked = self.surface();
+        let primary = self.surface();
         let parameters = [
-            ("asperity_density", asked.asperity_density, other.asperity_density),
-            ("asperity_radius", asked.asperity_radius, other.asperity_radius),
-            ("asperity_height_std", asked.asperity_height_std, other.asperity_height_std),
+            ("asperity_density", primary.asperity_density, other.asperity_density),
+            ("asperity_radius", primary.asperity_radius, other.asperity_radius),
+            ("asperity_height_std", primary.asperity_height_std, other.asperity_height_std),
         ];
         let by_moments = self.estimator == Estimator::Moments;
-        let parameters = parameters.map(|(name, asked, other)| match by_moments {
-            true => (name, asked, other),
-            false => (name, other, asked),
+        let parameters = parameters.map(|(name, primary, other)| match by_moments {
+            true => (name, primary, other),
+            false => (name, other, primary),
         });
         self.warnings.extend(warning::estimators_disagree(&parameters));
         self.other = Some(other);
     }
 
-    /// The surface a scene takes.
+    /// The asperities as a surface for a scene.
     #[must_use]
     pub fn surface(&self) -> Surface {
         Surface::new(self.asperity_radius, self.asperity_density, self.asperity_height_std)
@@ -180,15 +180,15 @@ impl Statistics {
         self.m4.sqrt()
     }
 
-    /// Two rough surfaces in contact, as the one rough surface that their gap is.
-    ///
-    /// The surfaces are independent, each with its heights counted away from its body: moments
-    /// and cumulants add. The asperities are those of the sum of the moments. `missing_share` is
-    /// the share of pairs of points of which one is missing.
+    /// The statistics of the gap of two rough surfaces in contact, as one rough surface.
+    /// The surfaces are independent, with heights positive away from the body: moments and
+    /// cumulants add. The asperities follow from the summed moments. `missing_share` is the share
+    /// of pairs of points with a missing one.
     ///
     /// # Errors
-    /// [`TopographyError::SummitsOfTwo`] when one of the two is known by its summits, which do not
-    /// add; [`TopographyError::Moments`] when no isotropic Gaussian surface has the summed moments.
+    /// [`TopographyError::SummitsOfTwo`] when one of the two has the estimator `Summits`, as
+    /// summits do not add; [`TopographyError::Moments`] when no isotropic Gaussian surface has the
+    /// summed moments.
     pub fn combined(first: &Self, second: &Self) -> Result<Self, TopographyError> {
         if [first, second].iter().any(|of| of.estimator == Estimator::Summits) {
             return Err(TopographyError::SummitsOfTwo);

@@ -4,28 +4,28 @@ use asperity_core::Surface;
 
 use crate::{Topography, TopographyError};
 
-/// A standard deviation of fewer summits would mean nothing.
+/// The least number of summits for a meaningful standard deviation.
 const FEWEST: usize = 10;
 
 /// The summits of a surface.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Summits {
-    /// Heights \[m\], as they stand in the surface.
+    /// Heights \[m\] in the surface.
     pub heights: Vec<f64>,
-    /// Mean of the two principal curvatures at each \[1/m\], positive for a top.
+    /// Mean of the two principal curvatures at each \[1/m\], positive for a peak.
     pub curvatures: Vec<f64>,
-    /// The area that was searched \[m²\]: a cell for each point that has all its neighbours.
+    /// The area searched \[m²\]: a cell for each point with all its neighbours.
     pub area: f64,
 }
 
 impl Summits {
-    /// The asperities that these summits are: η their number per area, R one over their mean
-    /// curvature, σ_z the standard deviation of their heights.
+    /// The asperities of these summits: η is their number per area, R one over their mean
+    /// curvature, and σ_z the standard deviation of their heights.
     ///
     /// # Errors
     /// [`TopographyError::TooFew`] for fewer than 10 summits; [`TopographyError::Contact`] when
-    /// their heights are all the same or their mean curvature is not that of tops.
+    /// their heights are all equal or their mean curvature is not positive.
     pub fn surface(&self) -> Result<Surface, TopographyError> {
         let found = self.heights.len();
         if found < FEWEST {
@@ -48,9 +48,9 @@ impl Summits {
 }
 
 impl Topography {
-    /// The summits: points above their eight neighbours, of neighbours as high as they only the
-    /// last in reading order. The curvature is that of the least-squares quadric through the nine
-    /// points: where an asperity has few of them, it is blunter than the second difference of
+    /// The summits: points above their eight neighbours; of equal neighbours, the last in reading
+    /// order. The curvature is that of the least-squares quadric through the nine points: for
+    /// asperities of few points, it is smaller than the second difference of
     /// [`Topography::moments`]. Points at the edge or next to a missing one are not searched.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl Topography {
         Ok(Summits { heights, curvatures, area: searched as f64 * dx * dy })
     }
 
-    /// Summits per area \[1/m²\] of the points `step` apart, over all the grids of such points.
+    /// Summits per area \[1/m²\] of points `step` apart, averaged over all grids of such points.
     pub(crate) fn summit_density(&self, step: usize) -> Option<f64> {
         let [dx, dy] = self.pixel_size();
         let mut found = 0usize;
@@ -81,8 +81,8 @@ impl Topography {
         (searched > 0).then(|| found as f64 / (searched as f64 * cell))
     }
 
-    /// Calls `found` with each summit and its neighbours `step` away; how many points have all
-    /// their neighbours.
+    /// Calls `found` with each summit and its neighbours `step` away; returns the number of points
+    /// with all their neighbours.
     fn search(&self, step: usize, mut found: impl FnMut([[f64; 3]; 3])) -> usize {
         let (columns, rows) = (self.columns(), self.rows());
         let (left, top) = if self.is_periodic() { (0, 0) } else { (step, step) };
@@ -115,7 +115,7 @@ impl Topography {
 mod tests {
     use super::*;
 
-    /// cos x + cos y with `waves` periods each way over n × n points of 1 µm: waves² tops.
+    /// cos x + cos y with `waves` periods each way over n × n points of 1 µm: waves² peaks.
     fn egg_box(n: usize, waves: f64, height: f64) -> Topography {
         let turn = std::f64::consts::TAU * waves / n as f64;
         let z = |i: usize| height * ((turn * (i % n) as f64).cos() + (turn * (i / n) as f64).cos());
@@ -123,12 +123,12 @@ mod tests {
     }
 
     #[test]
-    fn an_egg_box_has_its_tops() {
+    fn the_peaks_of_an_egg_box_are_found() {
         let summits = egg_box(120, 6.0, 1e-7).summits().unwrap();
         assert_eq!(summits.heights.len(), 36);
         assert!(summits.heights.iter().all(|z| (z / 2e-7 - 1.0).abs() < 1e-12));
-        // The quadric through nine points of two cosines: their second differences, that of one
-        // wave at the top and at a step from it averaged over three lines being the same.
+        // The quadric through nine points of two cosines has their second differences: averaging
+        // over three lines does not change that of either wave.
         let (k, dx) = (std::f64::consts::TAU / 20.0, 1e-6);
         let expected = 1e-7 * 2.0 * (1.0 - k.cos()) / (dx * dx);
         assert!(summits.curvatures.iter().all(|c| (c / expected - 1.0).abs() < 1e-9));
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plateau_is_one_summit_and_a_flat_none() {
+    fn a_plateau_is_one_summit_and_a_flat_surface_has_none() {
         let mut heights = vec![0.0; 49];
         assert!(
             Topography::new(heights.clone(), 7, [1.0; 2])

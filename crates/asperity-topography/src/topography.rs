@@ -2,19 +2,19 @@
 
 use crate::{LengthUnit, TopographyError};
 
-/// The most points a surface may have: 2²⁷, 1 GiB of heights.
+/// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
 pub const MAX_POINTS: usize = 1 << 27;
 
-/// No surface is this high or wide \[m\]: a number beyond it is a broken file or a wrong unit, and
-/// its powers would overflow.
+/// The largest height or pixel \[m\]: a larger number is a broken file or a wrong unit, and its
+/// powers would overflow.
 const LARGEST: f64 = 1e9;
-/// No two measured points are this close \[m\].
+/// The smallest pixel \[m\].
 const SMALLEST_PIXEL: f64 = 1e-15;
 
 /// Heights on a regular grid of points; a profile has one row.
 ///
 /// A point stands for a cell of one pixel, so n points at a distance dx cover a length n·dx: a
-/// physical size that a file states is divided by n, not by n - 1.
+/// physical size stated in a file is divided by n, not by n - 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Topography {
     /// \[m\], row by row; NaN where the point is missing.
@@ -27,15 +27,15 @@ pub struct Topography {
 }
 
 impl Topography {
-    /// From heights \[m\], row by row, `columns` to a row, NaN where a point is missing, and the
+    /// A surface from heights \[m\], row by row, `columns` per row, NaN for missing points, and the
     /// distance of neighbouring points along a row and along a column \[m\].
     ///
     /// A single column is a profile and is turned into a row.
     ///
     /// # Errors
-    /// [`TopographyError`] when the heights do not fill whole rows, when one is beyond
-    /// ±1e9 m, when none is there, when there are more than [`MAX_POINTS`], or when a pixel size
-    /// is not between 1e-15 m and 1e9 m.
+    /// [`TopographyError`] when the heights do not fill whole rows, when a height is beyond ±1e9 m,
+    /// when there are none, when there are more than [`MAX_POINTS`], or when a pixel size is not
+    /// between 1e-15 m and 1e9 m.
     pub fn new(
         heights: Vec<f64>,
         columns: usize,
@@ -70,7 +70,7 @@ impl Topography {
         Ok(Self { heights, columns, pixel_size, periodic: false, missing, filled: 0 })
     }
 
-    /// The same, from heights and distances in another unit.
+    /// [`new`](Self::new), from heights and distances in another unit.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
@@ -122,7 +122,7 @@ impl Topography {
         self.pixel_size
     }
 
-    /// Whether the surface goes on periodically beyond its edges.
+    /// Whether the surface continues periodically beyond its edges.
     #[must_use]
     pub fn is_periodic(&self) -> bool {
         self.periodic
@@ -140,25 +140,25 @@ impl Topography {
         self.filled as f64 / self.heights.len() as f64
     }
 
-    /// The same with heights for all points that are missing, by their index.
-    pub(crate) fn filled(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
+    /// The surface with heights for all missing points, by index.
+    pub(crate) fn with_filled(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
         points.for_each(|(at, height)| self.heights[at] = height);
         self.filled += std::mem::take(&mut self.missing);
         self
     }
 
-    /// How many points have a height: at least 1.
+    /// The number of points with a height, at least 1.
     #[must_use]
     pub fn measured(&self) -> usize {
         self.heights.len() - self.missing
     }
 
-    /// The heights, to be changed where they are there; whoever uses it keeps NaN at NaN.
+    /// The heights, mutable; callers keep NaN as NaN.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
         &mut self.heights
     }
 
-    /// Mean of the heights that are there \[m\], summed row by row.
+    /// Mean of the heights without missing points \[m\], summed row by row.
     #[must_use]
     pub fn mean(&self) -> f64 {
         let row_sum = |row: &[f64]| row.iter().filter(|height| !height.is_nan()).sum::<f64>();
@@ -171,7 +171,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_makes_no_surface_is_refused() {
+    fn invalid_surfaces_are_refused() {
         let one = [1e-6; 2];
         let message = |heights: Vec<f64>, columns, pixel_size| {
             Topography::new(heights, columns, pixel_size).unwrap_err().to_string()

@@ -1,4 +1,4 @@
-//! Units of length, at the edge where files are read.
+//! Units of length in files and options.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::TopographyError;
-use crate::error::named;
+use crate::error::parse_name;
 
 /// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -61,10 +61,10 @@ impl FromStr for LengthUnit {
     type Err = TopographyError;
 
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        named(
+        parse_name(
             "unit",
             match name.trim() {
-                // Both the micro sign and the Greek letter are in use.
+                // The micro sign and the Greek letter mu are both in use.
                 "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => "um",
                 "A" | "\u{c5}" | "\u{212b}" => "angstrom",
                 name => name,
@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn units_are_read_as_people_write_them() {
+    fn common_spellings_of_units_are_read() {
         for name in ["um", "µm", "μm", " um ", "microns"] {
             assert_eq!(name.parse::<LengthUnit>().unwrap(), LengthUnit::Micrometre);
         }

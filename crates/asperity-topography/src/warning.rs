@@ -1,22 +1,22 @@
-//! Diagnostics of scans: the statistics stand.
+//! Warnings about scans.
 
 use asperity_core::{Diagnostic, Surface};
 
 use crate::{Level, TopographyError};
 
-/// Two parameters farther apart than this factor disagree.
+/// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
-/// Factor by which summits may fall at half the resolution: white noise has 4.
+/// Largest accepted decrease of the summit density at half the resolution: white noise has 4.
 const SUMMITS: f64 = 2.0;
-/// Factor by which m₄ of a profile may fall at half the resolution: white noise has 16.
+/// Largest accepted decrease of m₄ of a profile at half the resolution: white noise has 16.
 const CURVATURE: f64 = 4.0;
 
-/// β = η R Sq outside [the usual range](Surface::USUAL_ROUGHNESS).
+/// A warning if β = η R Sq is outside [the usual range](Surface::USUAL_ROUGHNESS).
 pub(crate) fn roughness_parameter(beta: f64) -> Option<Diagnostic> {
     let usual = Surface::USUAL_ROUGHNESS;
     let advice = match beta > usual[1] {
         true => {
-            "form and waviness raise Sq, noise raises eta; level with quadratic, filter with a cut-off, or smooth the scan"
+            "form and waviness increase Sq, noise increases eta; use level quadratic, filter or smooth"
         }
         false => {
             "the scan is smoothed, too coarse for the asperities, or of a regular surface; use a smaller pixel size"
@@ -29,7 +29,7 @@ pub(crate) fn roughness_parameter(beta: f64) -> Option<Diagnostic> {
     (!(usual[0]..=usual[1]).contains(&beta)).then_some(found)
 }
 
-/// Parameters by the spectral moments and by the summits that disagree.
+/// A warning if parameters by the spectral moments and by the summits disagree.
 pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Diagnostic> {
     let apart: Vec<_> = parameters.iter().filter(|(_, m, s)| ratio(*m, *s) > APART).collect();
     let largest = apart.iter().map(|(_, m, s)| ratio(*m, *s)).max_by(f64::total_cmp)?;
@@ -40,12 +40,12 @@ pub(crate) fn estimators_disagree(parameters: &[(&str, f64, f64)]) -> Option<Dia
         .usual([1.0, APART])
         .fact(each.collect::<Vec<_>>().join(", "))
         .advice(
-            "the surface is not an isotropic Gaussian one at this pixel size; compare the results of both estimators",
+            "at this pixel size the surface is not Gaussian and isotropic; compare the results of both estimators",
         );
     Some(found)
 }
 
-/// The estimator that was not asked for fails.
+/// A warning that the other estimator fails.
 pub(crate) fn no_second_estimator(reason: &TopographyError) -> Diagnostic {
     Diagnostic::warning("no-second-estimator", "estimators", 1.0)
         .usual([2.0, f64::INFINITY])
@@ -53,11 +53,10 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Diagnostic {
         .advice(reason.to_string())
 }
 
-const FOLLOWS: &str =
-    "it depends on the pixel size; filter or smooth the scan, or use the pixel size of the contact";
+const FOLLOWS: &str = "the result depends on the pixel size; smooth the scan, or use a pixel size suited to the contact";
 
-/// Summits per area \[1/m²\], of all points and of every second one: the pixel size, not the
-/// surface, sets the number of asperities.
+/// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
+/// and of every second one.
 pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Diagnostic> {
     let found = Diagnostic::warning("summits-follow-sampling", "summit_density", fine)
         .usual([0.0, SUMMITS * coarse])
@@ -67,7 +66,8 @@ pub(crate) fn summits_follow_sampling(fine: f64, coarse: f64) -> Option<Diagnost
     (fine > SUMMITS * coarse).then_some(found)
 }
 
-/// m₄ \[1/m²\] of a profile, of all points and of every second one.
+/// A warning if the pixel size determines m₄ \[1/m²\] of a profile, of all points and of every
+/// second one.
 pub(crate) fn curvature_follows_sampling(fine: f64, coarse: f64) -> Option<Diagnostic> {
     let found = Diagnostic::warning("curvature-follows-sampling", "m4", fine)
         .usual([0.0, CURVATURE * coarse])
@@ -77,33 +77,35 @@ pub(crate) fn curvature_follows_sampling(fine: f64, coarse: f64) -> Option<Diagn
     (fine > CURVATURE * coarse).then_some(found)
 }
 
-/// Missing points were filled.
+/// A warning that missing points were filled.
 pub(crate) fn filled(share: f64) -> Option<Diagnostic> {
     let percent = 100.0 * share;
     let found = Diagnostic::warning("filled", "filled_share", share)
         .usual([0.0, 0.0])
-        .fact(format!("{percent:.3} % of the points were missing and are filled (harmonic)"))
+        .fact(format!(
+            "{percent:.3} % of the points were missing and are filled with harmonic heights"
+        ))
         .advice("filled parts are smoother than the surface and have no summits");
     (share > 0.0).then_some(found)
 }
 
-/// Rms slopes along rows and columns that differ.
+/// A warning if the rms slopes along rows and columns differ.
 pub(crate) fn anisotropic(slope_x: f64, slope_y: f64) -> Option<Diagnostic> {
     let ratio = ratio(slope_x, slope_y);
     let found = Diagnostic::warning("anisotropic", "slope_ratio", ratio)
         .usual([1.0, APART])
         .fact(format!("the rms slope is {slope_x:.4e} along rows and {slope_y:.4e} along columns"))
-        .advice("models assume round asperities; compare with boundary elements (bem)");
+        .advice("models assume isotropic asperities; compare with boundary elements (bem)");
     (ratio > APART).then_some(found)
 }
 
 impl Level {
-    /// A diagnostic where taking this away tilts a periodic surface.
+    /// A warning if removing this form tilts a periodic surface.
     #[must_use]
     pub fn tilts(self, periodic: bool) -> Option<Diagnostic> {
         let found = Diagnostic::warning("level", "level", f64::NAN)
-            .fact(format!("level {self} of a periodic surface opens its edges"))
-            .advice("this spoils slopes and curvatures; use level mean");
+            .fact(format!("level {self} of a periodic surface makes its edges differ"))
+            .advice("slopes and curvatures at the edges are wrong; use level mean");
         (periodic && matches!(self, Self::Plane | Self::Quadratic)).then_some(found)
     }
 }

@@ -1,5 +1,5 @@
-//! What a file declares costs no memory before it is there. One test, alone in its process: the
-//! peak is that of the process.
+//! Declared sizes allocate no memory before the data are there. One test alone in its process,
+//! because the peak memory is that of the process.
 
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, reason = "tests")]
@@ -25,7 +25,7 @@ fn bombs_are_refused_in_little_memory() {
         // 20 points are declared; 96 MiB would come out.
         ("a.x3p", archive(&[("main.xml", xml.as_bytes()), ("bindata/data.bin", &zeros)])),
         ("a.x3p", archive(&[("main.xml", &zeros)])),
-        // 100 million points declared, one there.
+        // 100 million points are declared, one is there.
         ("a.x3p", x3p_of(&X3p { size: [10_000, 10_000], data: vec![0; 8], ..X3p::default() })),
         ("a.sur", Sur { size: [10_000, 10_000], ..Sur::default() }.bytes(&[0.0])),
         ("a.npy", b"\x93NUMPY\x01\x00\x45\x00{'descr': '<f8', 'fortran_order': False, 'shape': (10000, 10000), } ".to_vec()),
@@ -34,7 +34,7 @@ fn bombs_are_refused_in_little_memory() {
     ];
     assert!(bombs[0].1.len() < 1 << 20);
     drop(zeros);
-    // The peak so far is that of making the bombs: filled up, nothing that follows hides below it.
+    // Making the files has set a peak; memory is filled up to it, so that later growth is visible.
     let mut ballast = Vec::new();
     while memory("VmRSS") + 1024 < memory("VmHWM") {
         ballast.push(vec![1u8; 1 << 20]);

@@ -20,12 +20,12 @@ use crate::output::{self, print_message};
 use crate::pressed::{Row, Run};
 use crate::scene::LoadedScene;
 
-/// The scan of a scene pressed on an elastic half-space, pixel by pixel: no asperities
+/// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The scene names a scan: [surface] file = \"scan.txt\". It stands for the whole nominal
-area; it is levelled and filtered as the scene says. The material is the scene's,
-and flows where the pressure reaches its hardness.
+    after_help = "The scene names a scan: [surface] file = \"scan.txt\". The scan represents the
+whole nominal area, levelled and filtered by the scene's keys. The material is that of
+the scene and yields where the pressure reaches the hardness.
 Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
 pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
 planes), patches, iterations, residual; with --refine the same on half the grid.
@@ -45,13 +45,13 @@ pub struct BemCommand {
     places: Places,
     #[command(flatten)]
     way: Way,
-    /// The answer on every second pixel beside it: how far it depends on the grid
+    /// Add the results on every second pixel, to show their dependence on the grid
     #[arg(long)]
     refine: bool,
-    /// Write the pressures in Pa, a matrix of NumPy; of several loads, one after another
+    /// Write the pressures in Pa as a NumPy matrix, stacked for several loads
     #[arg(long, value_name = "FILE.npy", value_parser = PathBufValueParser::new().try_map(npy_file))]
     map: Option<PathBuf>,
-    /// Draw where it touches and how hard; of one load. A png is the map alone
+    /// Draw a map of the contact pressure at one load; png is the map without labels
     #[arg(long, value_name = "FILE.svg|png")]
     #[arg(value_parser = PathBufValueParser::new().try_map(svg_or_png_file))]
     picture: Option<PathBuf>,
@@ -59,7 +59,7 @@ pub struct BemCommand {
     output: OutputArgs,
 }
 
-/// Where contacts are solved.
+/// The loads or gaps to solve.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 pub struct Places {
@@ -78,14 +78,14 @@ pub struct Places {
     gaps: Vec<Numbers>,
 }
 
-/// How they are solved.
+/// The material and the boundary.
 #[derive(Debug, Args)]
 pub struct Way {
-    /// No hardness: pressures may grow without end
+    /// Ignore the hardness: elastic, with unlimited pressures
     #[arg(long)]
     pub elastic: bool,
-    /// What lies beyond the edges: the scan again (its seam is taken out where edges do not meet),
-    /// or nothing
+    /// Boundary of the scan: periodic (uses the periodic component if the edges do not match) or
+    /// free
     #[arg(long, value_name = "WHAT", default_value = "periodic")]
     pub boundary: Beyond,
 }
@@ -98,7 +98,8 @@ pub enum Beyond {
 }
 
 impl Places {
-    /// In the order of the command line; pressures are alike on the scan and on the nominal area.
+    /// The loads and gaps in the order of the command line; the pressure on the scan is that on the
+    /// nominal area.
     fn given(&self, nominal_area: f64) -> Vec<LoadCase> {
         let all = |lists: &[Numbers], given: &dyn Fn(f64) -> LoadCase| {
             lists.iter().flat_map(|list| &list.0).map(|value| given(*value)).collect::<Vec<_>>()
@@ -111,7 +112,7 @@ impl Places {
 }
 
 impl Way {
-    /// The scene's scan; that its seam was taken out is said.
+    /// The model of the scene's scan, with a note if its periodic component is used.
     pub fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
         let boundary = match self.boundary {
             Beyond::Periodic => Boundary::Periodic,
@@ -122,11 +123,11 @@ impl Way {
             Err(error) => bail!("{}: {error}", scene.name),
         };
         if let Some(step) = bem.seam() {
-            let why = "the edges of the scan do not meet";
-            let what = "its periodic part is pressed: --boundary free takes it as it is";
+            let why = "the edges of the scan do not match";
+            let what = "its periodic component is used; --boundary free uses the scan unchanged";
             print_message(
                 "note",
-                &format!("{why} (a step {step:.1} times that of neighbours), {what}"),
+                &format!("{why} (step {step:.1} times that between neighbours): {what}"),
             );
         }
         Ok(bem)
@@ -143,16 +144,16 @@ impl BemCommand {
             scene: &scene,
             given: &given,
             maps: vec![],
-            words: vec![],
+            errors: vec![],
             found: Diagnostics::default(),
         };
         let keep = self.map.is_some() || self.picture.is_some();
         let mut whole = run.solve(&bem, keep)?;
-        let mut half = match self.refine && !interrupt::asked() {
+        let mut half = match self.refine && !interrupt::requested() {
             true => Some(run.solve(&bem.half_grid()?, false)?),
             false => None,
         };
-        if interrupt::asked() {
+        if interrupt::requested() {
             // Loads without a result are left out, not blank.
             let mut solved = whole.iter().map(Option::is_some).collect::<Vec<_>>().into_iter();
             half = half.map(|half| {
@@ -162,10 +163,10 @@ impl BemCommand {
             whole.retain(|_| solved.next().unwrap_or(false));
         }
         let maps = std::mem::take(&mut run.maps);
-        run.words.iter().for_each(|text| print_message("warning", text));
+        run.errors.iter().for_each(|text| print_message("warning", text));
         scene.report(std::mem::take(&mut run.found));
         if !whole.iter().any(Option::is_some) {
-            if interrupt::asked() {
+            if interrupt::requested() {
                 interrupt::end(0, given.len());
             }
             bail!("{}: no load was solved", scene.name);
@@ -192,33 +193,31 @@ impl BemCommand {
                 output::write_text(Some(path), &draw_map(&map)?)?;
             }
         }
-        if interrupt::asked() {
+        if interrupt::requested() {
             interrupt::end(whole.len(), given.len());
         }
         Ok(())
     }
 
-    /// What does not go together on the command line.
+    /// Refuses options that exclude each other.
     fn check(&self, given: &[LoadCase]) {
         let refuse =
             |text: &str| crate::input::usage_error("bem", ErrorKind::ArgumentConflict, text);
         if self.picture.is_some() && given.len() > 1 {
-            refuse(&format!("--picture draws one load: {} were given", given.len()));
+            refuse(&format!("--picture draws one load, not {}", given.len()));
         }
         let outputs = [self.output.output.as_deref(), self.picture.as_deref(), self.map.as_deref()];
         let given = [true, self.picture.is_some(), self.map.is_some()];
         let named: Vec<_> = outputs.iter().copied().flatten().collect();
         let twice = |k: usize| named[..k].iter().any(|path| output::is_same(path, named[k]));
         if (0..named.len()).any(|k| !output::is_standard(Some(named[k])) && twice(k)) {
-            refuse(
-                "--output, --picture and --map name the same file: different ones were expected",
-            );
+            refuse("--output, --picture and --map name the same file; choose different names");
         }
         let standard =
             outputs.iter().zip(given).filter(|(path, given)| *given && output::is_standard(**path));
         if standard.count() > 1 {
             refuse(
-                "--map - or --picture - leaves no place for the data: name a file with --output",
+                "--map - and --picture - use standard output; name a file for the data with --output",
             );
         }
     }

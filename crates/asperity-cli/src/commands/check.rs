@@ -7,7 +7,7 @@ use asperity::{At, Check as CheckedScene, SeparationUnit, Severity};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id, separation_unit};
-use crate::input::distances::{Distance, ask_unit};
+use crate::input::distances::{Distance, warn_unit};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::output;
 use crate::output::table::{Cell, Format, Table};
@@ -57,7 +57,7 @@ impl Check {
         let separation = |distance: Distance| {
             let unit = distance.unit(self.unit);
             let height_std = scene.file.scene.surface.asperity_height_std;
-            ask_unit("separation", &[distance.value], unit, height_std);
+            warn_unit("separation", &[distance.value], unit, height_std);
             At::from(scene.file.separation(distance.value, unit))
         };
         let place = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
@@ -70,7 +70,7 @@ impl Check {
                 text,
             );
         }
-        // Where the model is refused, the findings of the scene explain it.
+        // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
             let (_, model) = scene.reference(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)

@@ -3,9 +3,9 @@
 use anyhow::Result;
 use clap::Args;
 
-use crate::ask::{Question, Row, named};
+use crate::ask::{Question, Row, column_beside};
 use crate::commands::curve::USUAL;
-use crate::input::args::{Asked, OutputArgs, model_id};
+use crate::input::args::{ModelArgs, OutputArgs, model_id};
 use crate::output::table::Cell;
 use crate::scene::LoadedScene;
 
@@ -25,7 +25,7 @@ Examples:
 )]
 pub struct Compare {
     #[command(flatten)]
-    asked: Asked,
+    asked: ModelArgs,
     /// Reference model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     reference: Option<String>,
@@ -40,11 +40,11 @@ impl Compare {
         let request = self.asked.request(&scene.file, &[2.0], &USUAL);
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
-        question.unasked = self.asked.is_nowhere();
+        question.at_defaults = self.asked.is_nowhere();
         let quantities = question.request.quantities.clone();
 
         let mut table = question.head();
-        let heads = quantities.iter().flat_map(|q| [q.column(), named(*q, "deviation")]);
+        let heads = quantities.iter().flat_map(|q| [q.column(), column_beside(*q, "deviation")]);
         table.head.extend(heads);
         let mut ask = |model| -> Result<Vec<Row>> {
             let mut rows = vec![];

@@ -5,7 +5,7 @@ use asperity::{Quantity, linspace};
 use clap::Args;
 
 use crate::ask::Question;
-use crate::input::args::{Asked, DrawnArgs};
+use crate::input::args::{DrawnArgs, ModelArgs};
 use crate::output::plot;
 use crate::scene::LoadedScene;
 
@@ -37,7 +37,7 @@ Examples:
 )]
 pub struct Curve {
     #[command(flatten)]
-    asked: Asked,
+    asked: ModelArgs,
     /// Add a column <quantity>_error with a bound on the relative error of each quantity (on the
     /// absolute error for logarithms and shares)
     #[arg(long)]
@@ -53,7 +53,7 @@ impl Curve {
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
-        question.unasked = self.asked.is_nowhere();
+        question.at_defaults = self.asked.is_nowhere();
         let table = question.table(&models, self.errors)?;
         self.output
             .write(&table, || plot::svg(&table, &question.request, scene.file.separation_from))

@@ -11,7 +11,7 @@ use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
 use crate::input::args::{model_id, separation_unit};
-use crate::input::distances::{DistanceSpan, ask_unit};
+use crate::input::distances::{DistanceSpan, warn_unit};
 use crate::input::numbers::{Span, friction, positive_number, range_of_loads, range_of_pressures};
 use crate::output::{self, print_message, progress};
 use crate::scene::LoadedScene;
@@ -39,26 +39,27 @@ Examples:
   asperity export scene.toml --model ke --as ansys --load 100:1e4 --max-error 0.05"
 )]
 pub struct Export {
-    /// Scene file; `asperity init` writes one to start from
+    /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The model; `asperity models` lists them
     #[arg(long, value_name = "M", value_parser = model_id)]
     model: String,
-    /// Form of the table
+    /// Form of the table: for a solver, or csv
     #[arg(long = "as", value_name = "FORM")]
     form: Form,
     #[command(flatten)]
     ends: Ends,
-    /// Unit of separations without one, sigma (of the asperity heights) or m
+    /// Unit of separations given without one: sigma (asperity_height_std) or m
     #[arg(long = "separation-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma", requires = "separation")]
     #[arg(conflicts_with_all = ["load", "pressure"])]
     unit: SeparationUnit,
-    /// Add nodes until no interpolated pressure is off by more than this, relatively
+    /// Add nodes until the relative error of the interpolated pressure is below this bound
     #[arg(long, value_name = "X", value_parser = positive_number)]
     max_error: Option<f64>,
-    /// For abaqus and calculix: add the thermal conductance, against pressure or (abaqus) clearance
+    /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
+    /// clearance
     #[arg(long, value_name = "AGAINST")]
     conductance: Option<Against>,
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
@@ -68,7 +69,7 @@ pub struct Export {
     /// in mW)
     #[arg(long, value_name = "SYSTEM", default_value = "SI")]
     units: UnitSystem,
-    /// Write to a file in place of the standard output
+    /// Write to this file, which is overwritten, instead of standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -77,14 +78,14 @@ pub struct Export {
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Ends {
-    /// From one separation to another, in N nodes; in sigma (of the asperity heights), or with a
-    /// unit as 0:3um
+    /// Range of separations with N nodes, in units of asperity_height_std (sigma), or with a unit,
+    /// for example 0:3um
     #[arg(long, value_name = "A:B[:N]")]
     separation: Option<DistanceSpan>,
-    /// From one load to another, in N, or with a unit as 2kN
+    /// Range of loads, in N, or with a unit, for example 2kN
     #[arg(long, value_name = "A:B[:N]", value_parser = range_of_loads)]
     load: Option<Span>,
-    /// From one pressure on the nominal area to another, in Pa, or with a unit as 5MPa
+    /// Range of pressures on the nominal area, in Pa, or with a unit, for example 5MPa
     #[arg(long, value_name = "A:B[:N]", value_parser = range_of_pressures)]
     pressure: Option<Span>,
 }
@@ -101,9 +102,9 @@ enum Form {
     Csv,
     /// Pressure and overclosure, for straight lines.
     Abaqus,
-    /// The same for CalculiX, with overclosures from where the pressure begins.
+    /// Pressure and overclosure for CalculiX; overclosure is 0 at the first pressure.
     Calculix,
-    /// Deflection and force of a nonlinear spring COMBIN39 that stands for the nominal area.
+    /// Deflection and force of a nonlinear spring COMBIN39 that carries the nominal area.
     Ansys,
 }
 
@@ -138,7 +139,7 @@ impl Export {
         if let Some(distances) = separation {
             let height_std = contact.surface.asperity_height_std;
             let ends = [span.first, span.last];
-            ask_unit("separation", &ends, distances.unit(self.unit), height_std);
+            warn_unit("separation", &ends, distances.unit(self.unit), height_std);
         }
         let place = |value| match (separation, load) {
             (Some(s), _) => scene.file.separation(value, s.unit(self.unit)).into(),

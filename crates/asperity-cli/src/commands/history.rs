@@ -12,10 +12,10 @@ use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
-/// Points on each way between turning points.
+/// Points on each path between turning points.
 const STEPS: usize = 50;
 
-/// Writes the ways through turning points by each law, with notes of their work.
+/// Writes the paths between turning points by each law, with notes on their work.
 pub fn write(
     scene: &LoadedScene,
     model: &NamedModel,
@@ -34,7 +34,7 @@ pub fn write(
         "pressure_Pa",
         "stiffness_N_per_m",
     ]);
-    // The stiffness jumps where a way leaves the virgin curve or meets it: no line is drawn there.
+    // No line is drawn at jumps of the stiffness, where a path leaves or meets the virgin curve.
     let mut drawn = table.clone();
     for joint in joints {
         let (mut virgin, mut closest) = (true, f64::INFINITY);
@@ -64,7 +64,7 @@ pub fn write(
             drawn.rows.push(row.clone());
             table.rows.push(row);
         }
-        // Where it turns.
+        // A turning point.
         let rows = &table.rows[table.rows.len() - path.points.len()..];
         let ends = |(k, point): &(usize, &Point)| {
             path.points.get(k + 1).is_none_or(|next| next.way != point.way)
@@ -76,7 +76,7 @@ pub fn write(
         if let Some(last) = path.points.last().filter(|_| path.points.len() > 1) {
             let closest = At::metres(last.closest);
             let warned = joint.work(closest).and_then(|w| warn_energy_gain(joint, closest, &w));
-            // A missing work is a warning of its own.
+            // Missing work has a warning of its own.
             warned.or_else(|error| match error {
                 ContactError::Integral { .. } | ContactError::OutOfRange { .. } => Ok(()),
                 error => Err(error),
@@ -127,23 +127,23 @@ fn report_few((id, model): &NamedModel, joint: &Joint, path: &Path) -> Result<()
     Ok(())
 }
 
-/// The work of the first closing and of the ways after it.
+/// Reports the work of the first closing and of the later paths.
 fn report_work(id: &str, joint: &Joint, path: &Path) {
     let Some(first) = path.points.first() else { return };
     let name = format!("{id} by {}", joint.law());
     let first = match joint.work(At::metres(first.separation)) {
         Ok(work) => work.spent.value(),
         Err(error) => {
-            return print_message("warning", &format!("{name}: no work: {error}"));
+            return print_message("warning", &format!("{name}: the work is unavailable: {error}"));
         }
     };
     let all = rounded(first + path.work.iter().sum::<f64>());
     let works: Vec<String> = path.work.iter().map(|work| rounded(*work)).collect();
     let (first, works) = (rounded(first), works.join(", "));
     let text = match &*works {
-        "" => format!("{name}: closing takes {first} J, to the one turning point"),
+        "" => format!("{name}: closing to the turning point takes {first} J"),
         _ => format!(
-            "{name}: first closing takes {first} J, the ways after it {works} J (below 0: returned), {all} J in all"
+            "{name}: first closing takes {first} J, the later paths {works} J (negative: returned), {all} J in total"
         ),
     };
     print_message("note", &text);

@@ -7,7 +7,7 @@ use asperity::{ContactModel, linspace};
 use clap::Args;
 
 use crate::commands::curve::USUAL;
-use crate::input::args::Asked;
+use crate::input::args::ModelArgs;
 use crate::output::{self, progress};
 use crate::scene::LoadedScene;
 
@@ -24,7 +24,7 @@ Examples:
 )]
 pub struct Plan {
     #[command(flatten)]
-    asked: Asked,
+    asked: ModelArgs,
     /// Write to this file, which is overwritten, instead of standard output
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,

@@ -1,4 +1,4 @@
-//! `asperity pull-off`: the greatest tension that surfaces hold.
+//! `asperity pull-off`: the largest tension of surfaces with adhesion.
 
 use std::path::PathBuf;
 
@@ -13,29 +13,29 @@ use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message};
 use crate::scene::LoadedScene;
 
-/// The greatest tension that surfaces hold which stick to each other, and where
+/// Largest tension of surfaces with adhesion, and its separation
 #[derive(Debug, Args)]
 #[command(
     name = "pull-off",
     after_help = "Columns: model, force_N and pressure_Pa (below 0), separation_over_sigma and
-separation_m there. Blank if there is no tensile force; a note gives the reason. Surfaces come apart on
-jkr-separation, and jkr is taken for it: contacts that have touched last beyond 0.
-dmt is made for small, hard asperities (tabor_parameter below
-0.1), jkr for large, soft ones (above 5); `asperity check` tells the scene's.
+separation_m there. Blank if there is no tensile force; a note gives the
+reason. jkr means jkr-separation here, the branch on which surfaces separate: contacts
+stay in contact beyond 0. dmt is for small, hard asperities (tabor_parameter below 0.1),
+jkr for large, soft ones (above 5); `asperity check` prints the tabor_parameter.
 
 Examples:
   asperity pull-off scene.toml --work-of-adhesion 50mJ/m2
   asperity pull-off scene.toml --work-of-adhesion 0.05 --model jkr --format csv"
 )]
 pub struct PullOff {
-    /// Scene file; `asperity init` writes one to start from
+    /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Models with adhesion
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     #[arg(default_value = "dmt,jkr-separation")]
     models: Vec<String>,
-    /// Work of adhesion in J/m^2, or with a unit as 50mJ/m2, in place of the scene's
+    /// Work of adhesion in J/m^2, or with a unit, for example 50mJ/m2, instead of the scene's
     #[arg(long, value_name = "W", value_parser = work)]
     work_of_adhesion: Option<f64>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
@@ -50,7 +50,7 @@ impl PullOff {
         let mut scene = LoadedScene::read(&self.scene)?;
         let work = &mut scene.file.scene.interface.work_of_adhesion;
         *work = self.work_of_adhesion.or(*work);
-        // With the work of adhesion that was given.
+        // The report includes the given work of adhesion.
         scene.report_scene();
         let (contact, from) = (&scene.file.scene, scene.file.separation_from);
         let parting = |id: &String| if id == "jkr" { "jkr-separation".into() } else { id.clone() };
@@ -62,7 +62,7 @@ impl PullOff {
             let named = scene.model(&id)?;
             let model = &named.1;
             if !model.validity().adhesive {
-                bail!("{id} knows no adhesion: dmt, jkr or jkr-separation was required");
+                bail!("{id} has no adhesion; use dmt, jkr or jkr-separation");
             }
             let context = || format!("{}: {id}", scene.name);
             let asked = [Quantity::Force, Quantity::Tangent];
@@ -74,7 +74,9 @@ impl PullOff {
                     row.extend([const { Cell::Number(None) }; 4]);
                     print_message(
                         "note",
-                        &format!("{id}: nothing is held: the force falls to 0 and not below"),
+                        &format!(
+                            "{id}: no tensile force: the force decreases to 0 and does not become negative"
+                        ),
                     );
                 }
                 Some(found) => {
@@ -90,11 +92,11 @@ impl PullOff {
                         print_message(
                             "note",
                             &format!(
-                                "{id}: the tension is 10^{power} N, less than a double holds: roughness hides the adhesion"
+                                "{id}: the tension is 10^{power} N, too small for f64: roughness hides the adhesion"
                             ),
                         );
                     }
-                    tell_left(&id, force, contact);
+                    note_reduction(&id, force, contact);
                     row.extend(
                         [force, force / contact.nominal_area].map(|x| Cell::Number(Some(x))),
                     );
@@ -107,20 +109,22 @@ impl PullOff {
     }
 }
 
-/// Says which share is left of what asperities of one height would hold.
-fn tell_left(id: &str, force: f64, scene: &Scene) {
-    // In units of pi R w_a: Johnson, Kendall & Roberts; Derjaguin, Muller & Toporov.
-    let of_one = match id {
+/// Notes the tension relative to that of asperities of equal height.
+fn note_reduction(id: &str, force: f64, scene: &Scene) {
+    // Pull-off force of one asperity in units of pi R w_a.
+    let single = match id {
         "jkr-separation" => 1.5,
         "dmt" => 2.0,
         _ => return,
     };
     let Some(work) = scene.interface.work_of_adhesion else { return };
-    let of_one = of_one * std::f64::consts::PI * scene.surface.asperity_radius * work;
-    let percent = rounded(-100.0 * force / (scene.asperities() * of_one));
+    let single = single * std::f64::consts::PI * scene.surface.asperity_radius * work;
+    let percent = rounded(-100.0 * force / (scene.asperities() * single));
     print_message(
         "note",
-        &format!("{id}: roughness leaves {percent} % of what asperities of one height would hold"),
+        &format!(
+            "{id}: roughness reduces the tension to {percent} % of that of asperities of equal height"
+        ),
     );
 }
 

@@ -5,8 +5,8 @@ use anyhow::{Context, Result};
 use asperity::{At, Described, Evidence, Quantity, linspace};
 use clap::Args;
 
-use crate::ask::named;
-use crate::input::args::{Asked, OutputArgs, model_id};
+use crate::ask::column_beside;
+use crate::input::args::{ModelArgs, OutputArgs, model_id};
 use crate::input::numbers::share;
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
@@ -18,7 +18,7 @@ use crate::scene::LoadedScene;
 #[command(after_help = help())]
 pub struct Recommend {
     #[command(flatten)]
-    asked: Asked,
+    asked: ModelArgs,
     /// Reference model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     reference: Option<String>,
@@ -62,7 +62,7 @@ impl Recommend {
         let separations = linspace(0.0, 4.0, 401);
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
-        // There is evidence for these as well.
+        // Persson's theory has evidence, too.
         let mut models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
         if self.asked.models.is_empty() {
             models.extend(scene.file.adhesive_models());
@@ -73,7 +73,7 @@ impl Recommend {
         drop(working);
 
         let mut table = Table::new(&["model", "asperities", "parts"]);
-        table.head.extend(request.quantities.iter().map(|q| named(*q, "deviation")));
+        table.head.extend(request.quantities.iter().map(|q| column_beside(*q, "deviation")));
         table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
         table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
         let simplest = advice.simplest.as_ref().map(Described::id);

@@ -56,7 +56,7 @@ const ANSWERS: [(Quantity, &str); 2] =
 const CUTOFF: &str = "cutoff_m";
 
 impl Scales {
-    pub fn is_asked(&self) -> bool {
+    pub fn is_requested(&self) -> bool {
         self.scales.is_some()
     }
 

@@ -15,13 +15,13 @@ use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
-/// The share of μ F at which gross slip begins.
+/// Share of μ F that defines the start of gross slip.
 const SLIDING: f64 = 0.99;
 
-/// Amplitudes this many times the shift of gross slip may be in another unit.
+/// Amplitudes above this multiple of the shift of gross slip are probably in another unit.
 const FAR: f64 = 1000.0;
 
-/// Tangential force against shift: from virgin, and in a steady cycle
+/// Tangential force against shift: first loading, and a steady cycle
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
@@ -48,16 +48,16 @@ Examples:
 pub struct Slip {
     #[command(flatten)]
     closed: Closed,
-    /// How the asperities answer, as in unloading by hertz, brake or etsion
+    /// Unloading law of the asperities: hertz, brake or etsion
     #[arg(long, value_name = "LAW", default_value = "hertz")]
     law: UnloadingLaw,
-    /// Coefficient of friction, as 0.2 or 20%
+    /// Coefficient of friction, for example 0.2 or 20%
     #[arg(long, value_name = "MU", value_parser = friction)]
     friction: f64,
-    /// Largest shift, in m, or with a unit as 100nm
+    /// Largest shift, in m, or with a unit, for example 100nm
     #[arg(long, value_name = "M", value_parser = length)]
     amplitude: f64,
-    /// Shifts from -amplitude to +amplitude
+    /// Number of shifts from -amplitude to +amplitude
     #[arg(long, value_name = "N", default_value = "101")]
     #[arg(value_parser = RangedU64ValueParser::<usize>::new().range(2..=100_000))]
     points: usize,
@@ -95,7 +95,7 @@ impl Slip {
 
     /// The first shift and a steady cycle at one preload.
     fn loops(&self, id: &str, (joint, slip): &(Unloading, PartialSlip)) -> Result<()> {
-        // First, so that an amplitude beyond all numbers is refused by its own name.
+        // First, so that the error for a huge amplitude names the amplitude.
         let loss = rounded(slip.loss(self.amplitude)?.value());
         let factor = rounded(slip.loss_factor(self.amplitude)?);
         let mut table = Table::new(&[
@@ -155,7 +155,7 @@ impl Slip {
                 }
                 Err(error) => {
                     left_out.push(error);
-                    known(scene, *place)
+                    blank_cycle(scene, *place)
                 }
             };
             let mut row = vec![Cell::from(id)];
@@ -178,13 +178,13 @@ impl Slip {
             x.scale = Scale::fitting(&loads);
             let columns = [
                 ("secant_stiffness_N_per_m", "secant stiffness (N/m)"),
-                ("loss_J", "energy lost a cycle (J)"),
+                ("loss_J", "energy dissipated per cycle (J)"),
                 ("loss_factor", "loss factor"),
             ];
             let what = format!("{id}, cycles of ±{:e} m", self.amplitude);
             let mut curve = Curve::new(0, id, &what);
             curve.every_point = table.rows.len() <= plot::MARKED;
-            // A line runs from left to right, whatever the order of the rows.
+            // Lines run from left to right for any order of the rows.
             let mut sorted = table.clone();
             let load = |row: &Vec<Cell>| row[1].number().unwrap_or(f64::NAN);
             sorted.rows.sort_by(|a, b| load(a).total_cmp(&load(b)));
@@ -192,7 +192,7 @@ impl Slip {
         })
     }
 
-    /// Load, pressure, separation, and what the cycle of the amplitude is there.
+    /// Load, pressure, separation and the results of the cycle.
     fn cycle(
         &self,
         scene: &LoadedScene,
@@ -223,15 +223,15 @@ impl Slip {
             print_message(
                 "warning",
                 &format!(
-                    "amplitude is {amplitude:e} m, {times} times the shift of gross slip; lengths take units, as 100nm"
+                    "amplitude is {amplitude:e} m, {times} times the shift of gross slip; write lengths with their unit, for example 100nm"
                 ),
             );
         }
     }
 }
 
-/// What a preload is by itself, in the columns of one that answers.
-fn known(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
+/// The given preload in its columns, with blank results.
+fn blank_cycle(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
     let (contact, from) = (&scene.file.scene, scene.file.separation_from);
     let mut numbers = [None; 8];
     match place {
@@ -250,10 +250,10 @@ fn known(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
     numbers
 }
 
-/// The first shift, and the loop all the way round.
+/// The plot of the first shift and the whole loop.
 fn picture(table: &Table) -> Result<String> {
     let mut long = Table::new(&["curve", "shift_m", "force_N"]);
-    // From the columns of the table: forth from the left, and back from the right.
+    // The loop: forth from the left, back from the right.
     let forth = table.rows.iter().map(|row| ("loop", &row[1], &row[4]));
     let back = table.rows.iter().rev().map(|row| ("loop", &row[1], &row[3]));
     let first = table.rows.iter().map(|row| ("first", &row[1], &row[2]));

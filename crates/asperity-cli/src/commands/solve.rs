@@ -5,7 +5,7 @@ use clap::{ArgGroup, Args};
 
 use crate::ask::Question;
 use crate::commands::curve::USUAL;
-use crate::input::args::{Asked, OutputArgs};
+use crate::input::args::{ModelArgs, OutputArgs};
 use crate::scene::LoadedScene;
 
 /// Find the separations that carry a load, and the quantities there
@@ -28,7 +28,7 @@ Examples:
 )]
 pub struct Solve {
     #[command(flatten)]
-    asked: Asked,
+    asked: ModelArgs,
     /// Give every separation that carries the load, instead of the largest alone
     #[arg(long)]
     all: bool,

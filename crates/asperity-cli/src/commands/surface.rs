@@ -101,7 +101,7 @@ impl Surface {
             print_message("warning", &tilted.message());
         }
         let working = progress("surface");
-        if self.scales.is_asked() {
+        if self.scales.is_requested() {
             let table = self.at_scales()?;
             drop(working);
             return self.output.write(&table);
@@ -159,7 +159,7 @@ impl Surface {
         if self.heights.is_some() && self.files.len() > 1 {
             refuse("--heights takes one FILE: the height densities of two surfaces do not add");
         }
-        if self.scales.is_asked() && self.files.len() > 1 {
+        if self.scales.is_requested() && self.files.len() > 1 {
             refuse("--scales takes one FILE");
         }
         if let (Some(smooth), Some(filter)) = (self.smooth, self.filter)
@@ -184,7 +184,7 @@ impl Surface {
         self.scales.table(&surface, self.estimator, finish)
     }
 
-    /// Read, levelled, filled and filtered.
+    /// The scan, read, levelled, filled and filtered.
     fn prepared(&self, path: &Path) -> Result<Topography> {
         let mut surface = self.levelled(path)?;
         let of = || path.display().to_string();
@@ -211,7 +211,7 @@ impl Surface {
         }
     }
 
-    /// The template's scene on this surface, which is read and prepared as here.
+    /// The template's scene on this surface, with the same reading options.
     fn scene_text(&self, path: &Path, statistics: &Statistics) -> Result<String> {
         let files = self.files.iter().map(|file| beside(path, file).map(Value::from));
         let mut keys = match &files.collect::<Result<Vec<_>>>()?[..] {

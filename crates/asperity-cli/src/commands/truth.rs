@@ -1,4 +1,4 @@
-//! `asperity truth`: every model beside boundary elements on the scan of a scene.
+//! `asperity truth`: comparison of models with boundary elements on the scan of a scene.
 
 use std::mem::discriminant;
 use std::path::PathBuf;
@@ -16,14 +16,14 @@ use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message, progress};
 use crate::scene::{LoadedScene, by_reason};
 
-/// Which model holds on this scan: each beside boundary elements on it
+/// Compare models with boundary elements on the scan of a scene
 #[derive(Debug, Args)]
 #[command(
     after_help = "The scene names a scan: [surface] file = \"scan.txt\". It is solved as by `asperity bem`,
-and what the models make of its asperities stands beside it.
+and the models use the asperities of the same scan.
 Deviations are relative to bem; of the mean gap, over the rms height of the scan.
-A model that would need more area than there is, or more pressure on it than 1.5 times
-the hardness, has no answer: its row is blank, and said why, as wherever a number is.
+A model that needs more than the nominal area, or a mean pressure above 1.5 times the
+hardness, has no result. Rows and values without a result are blank; the reason is printed.
 The stiffness of bem is a difference between pressures 5 % to either side.
 
 Examples:
@@ -35,15 +35,15 @@ pub struct TruthCommand {
     /// Scene file that names a scan
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Models; all that the scene allows by default, random asperities and Persson beside them
+    /// Models [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     #[command(flatten)]
     loads: Loads,
     #[command(flatten)]
     way: Way,
-    /// The answer on every second pixel as a row of its own, bem-half-grid: how far it depends on
-    /// the grid
+    /// Add the results on every second pixel as row bem-half-grid, to show their dependence on the
+    /// grid
     #[arg(long)]
     refine: bool,
     #[command(flatten)]
@@ -84,7 +84,7 @@ impl TruthCommand {
             Ok(compare_with_bem(&scene.file.scene, bem, &pressures, models, watch)?)
         };
         let found = solve(&bem, &models)?;
-        let half = match self.refine && !interrupt::asked() {
+        let half = match self.refine && !interrupt::requested() {
             true => solve(&bem.half_grid()?, &[])?.into_iter().map(Result::ok).collect(),
             false => vec![],
         };
@@ -99,7 +99,7 @@ impl TruthCommand {
             found.iter().zip(half).filter(|(one, _)| one.is_ok()).map(|(_, half)| half).collect();
         let found: Vec<Truth> = found.into_iter().flatten().collect();
         if found.is_empty() {
-            if interrupt::asked() {
+            if interrupt::requested() {
                 interrupt::end(0, pressures.len());
             }
             bail!("{}: no load was solved", scene.name);
@@ -109,7 +109,7 @@ impl TruthCommand {
             truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
         };
         scene.report(found.iter().flat_map(of_truth).collect());
-        // Of each model the first reason of a kind: others differ by the load alone.
+        // One reason per model and kind: others differ only in the load.
         let mut missing: Vec<(String, ContactError)> = vec![];
         for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
             let same = |(id, known): &(String, ContactError)| {
@@ -124,9 +124,9 @@ impl TruthCommand {
         self.output.write(&table(&found, &half, area))?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
         if !models.is_empty() && states.all(|state| state == ContactState::default()) {
-            bail!("{}: no model has an answer", scene.name);
+            bail!("{}: no model has a result", scene.name);
         }
-        if interrupt::asked() {
+        if interrupt::requested() {
             interrupt::end(found.len(), pressures.len());
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! `asperity unload`: back from the closest approach.
+//! `asperity unload`: opening from the closest approach.
 
 use anyhow::{Context, Result, bail};
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
@@ -9,7 +9,7 @@ use clap::error::ErrorKind;
 
 use crate::commands::history;
 use crate::input::args::{Closed, DrawnArgs, separation_unit, tolerance};
-use crate::input::distances::{Distances, ask_unit};
+use crate::input::distances::{Distances, warn_unit};
 use crate::input::numbers::{Numbers, turning_loads};
 use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
 use crate::output::number::rounded;
@@ -18,27 +18,27 @@ use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message};
 use crate::scene::{LoadedScene, NamedModel};
 
-/// Retreats unless some are given, and in every picture at least.
+/// Number of default retreats, and the least number of points in a plot.
 const POINTS: usize = 101;
 
 /// Force, area and stiffness as a joint opens again, or through a history of loads
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg.default_value("csv")),
-    after_help = "The joint has been closed for the first time as far as --closest, --load or
---pressure says, and goes back by the retreats (unless given, to where contact ends).
+    after_help = "The joint has been closed for the first time up to --closest, --load or
+--pressure, and opens by the retreats (default: to the end of contact).
 Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, area_m2
 (not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
 below 1 most surfaces have parted, and values are averages over many surfaces).
-hertz: as a Hertzian contact of the force and area at the closest approach; brake:
+hertz: as a Hertzian contact with the force and area at the closest approach; brake:
 Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
 Coming closer again retraces these curves, and then follows the virgin one: the energy is
-dissipated in the first cycle only. The loss factor is that over 2 pi times the work of closing.
---history goes through turning points in place of that, from a new joint at the first;
+dissipated in the first cycle only. The loss factor is the energy dissipated over 2 pi times the work of closing.
+--history takes a new joint through turning points instead, from the first;
 columns: model, law, way, separation_over_sigma, separation_m, force_N, pressure_Pa,
 stiffness_N_per_m; a note gives the work of each way.
-Models of equal, upright asperities with circular contacts only, without adhesion (as
-jkr opens, the model jkr-separation says).
+Models of equal, upright asperities with circular contacts only, without adhesion;
+to open a joint with jkr adhesion, use the model jkr-separation.
 
 Examples:
   asperity unload scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
@@ -49,21 +49,21 @@ Examples:
 pub struct Unload {
     #[command(flatten)]
     closed: Closed,
-    /// How the asperities come back, hertz, brake, etsion, or several of them
+    /// Unloading laws of the asperities: hertz, brake, etsion, or several
     #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
     laws: Vec<UnloadingLaw>,
-    /// How far the joint opens from its closest approach, in sigma (of the asperity heights), or
-    /// with a unit as 0:100nm:11
+    /// Retreats from the closest approach, in units of asperity_height_std (sigma), or with a unit,
+    /// for example 0:100nm:11
     #[arg(long, value_name = "A:B:N[:log]|v,v")]
     retreat: Option<Distances>,
-    /// Unit of retreats and turning points without one, sigma (of the asperity heights) or m
+    /// Unit of retreats and turning points given without one: sigma (asperity_height_std) or m
     #[arg(long = "retreat-unit", value_name = "UNIT", value_parser = separation_unit)]
     #[arg(default_value = "sigma")]
     unit: SeparationUnit,
-    /// Turning points as separations, in sigma, or with a unit as 2um
+    /// Turning points as separations, in sigma, or with a unit, for example 2um
     #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
     history: Option<Distances>,
-    /// Turning points as loads in N, or with a unit as 2kN
+    /// Turning points as loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "v,v", group = "place", conflicts_with = "retreat")]
     #[arg(value_parser = turning_loads)]
     history_load: Option<Numbers>,
@@ -98,7 +98,7 @@ impl Unload {
         }
     }
 
-    /// The one place from which it goes back.
+    /// The closest approach; several are a usage error.
     fn place(&self, scene: &LoadedScene, model: &NamedModel) -> At {
         let [place] = self.closed.places(scene, model)[..] else {
             let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
@@ -111,7 +111,7 @@ impl Unload {
         let separations = self.history.as_ref().map(|list| {
             let unit = list.unit(self.unit);
             let height_std = scene.file.scene.surface.asperity_height_std;
-            ask_unit("history", &list.values, unit, height_std);
+            warn_unit("history", &list.values, unit, height_std);
             list.values.iter().map(|value| scene.file.separation(*value, unit).into()).collect()
         });
         let loads =
@@ -119,7 +119,7 @@ impl Unload {
         separations.or_else(loads)
     }
 
-    /// Back from one place by each law.
+    /// Writes the opening from one closest approach by each law.
     fn back(
         &self,
         scene: &LoadedScene,
@@ -133,18 +133,16 @@ impl Unload {
             let way = joint.unloading(place).with_context(context)?;
             if way.force(0.0).with_context(context)?.value() == 0.0 {
                 let (joint, at) = (context(), way.closest());
-                bail!(
-                    "{joint}: nothing touches at a separation of {at}: a closer one was required"
-                );
+                bail!("{joint}: nothing touches at a separation of {at}; choose a smaller one");
             }
             let end = way.last_contact();
             report_work(&model.0, joint, place, &end);
-            // Nothing but a default depends on it.
+            // Only a default depends on the end of contact.
             ends.extend(end.ok());
             ways.push(way);
         }
         let retreats = self.retreats(scene, ends.iter().copied().reduce(f64::max))?;
-        let of = |retreats: &[f64]| of_ways(scene, model, &ways, retreats).with_context(context);
+        let of = |retreats: &[f64]| tabulate(scene, model, &ways, retreats).with_context(context);
         let (table, warnings) = of(&retreats)?;
         warnings
             .iter()
@@ -165,21 +163,21 @@ impl Unload {
         })
     }
 
-    /// In metres; up to the end of contact unless some are given.
+    /// The retreats in metres, by default up to the end of contact.
     fn retreats(&self, scene: &LoadedScene, end: Option<f64>) -> Result<Vec<f64>> {
         let Some(given) = &self.retreat else {
-            let end = end.context("where contact ends is not known: --retreat was required")?;
+            let end = end.context("the end of contact was not found; give --retreat")?;
             return Ok(if end > 0.0 { linspace(0.0, end, POINTS) } else { vec![0.0] });
         };
         let sigma = scene.file.scene.surface.asperity_height_std;
         let unit = given.unit(self.unit);
-        ask_unit("retreat", &given.values, unit, sigma);
+        warn_unit("retreat", &given.values, unit, sigma);
         let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
         Ok(given.values.iter().map(|value| metres * value).collect())
     }
 }
 
-/// The work of closing and opening, and where contact ends.
+/// Reports the work of closing and opening, and the end of contact.
 fn report_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>) {
     let law = joint.law();
     let works = || -> Result<[f64; 3], ContactError> {
@@ -202,17 +200,19 @@ fn report_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactErro
                 ),
             );
         }
-        Err(error) => print_message("warning", &format!("{id} by {law}: no work: {error}")),
+        Err(error) => {
+            print_message("warning", &format!("{id} by {law}: the work is unavailable: {error}"))
+        }
     }
     let end = match end {
         Ok(end) => *end,
         Err(error) => {
-            let text = "where contact ends is not known";
+            let text = "the end of contact was not found";
             return print_message("note", &format!("{id} by {law}: {text}: {error}"));
         }
     };
     if end == 0.0 {
-        let text = "fewer than one asperity touches on average at the closest approach already";
+        let text = "even at the closest approach, fewer than one asperity touches on average";
         return print_message("warning", &format!("{id} by {law}: {text}"));
     }
     let end = rounded(end);
@@ -224,8 +224,8 @@ fn report_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactErro
     );
 }
 
-/// The table, and for each way back a warning of blanks and one of zeros.
-fn of_ways(
+/// The table, with warnings of blanks and zeros for each law.
+fn tabulate(
     scene: &LoadedScene,
     (id, _): &NamedModel,
     ways: &[Unloading],

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 
-use crate::input::distances::{Distances, ask_unit};
+use crate::input::distances::{Distances, warn_unit};
 use crate::input::numbers::{
     Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions,
 };
@@ -22,7 +22,7 @@ use crate::scene::{LoadedScene, NamedModel};
 
 /// Models of a scene, quantities, and separations or loads.
 #[derive(Debug, Args)]
-pub struct Asked {
+pub struct ModelArgs {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
@@ -102,7 +102,7 @@ impl Closed {
         let Place { closest, load, pressure } = &self.place;
         let separations = closest.iter().flat_map(|list| {
             let unit = list.unit(SeparationUnit::Sigma);
-            ask_unit("closest", &list.values, unit, file.scene.surface.asperity_height_std);
+            warn_unit("closest", &list.values, unit, file.scene.surface.asperity_height_std);
             list.values.iter().map(move |value| At::from(file.separation(*value, unit)))
         });
         let [loads, pressures] = [load, pressure].map(|list| list.iter().flat_map(|l| &l.0));
@@ -136,16 +136,16 @@ pub struct DrawnArgs {
     plot: Option<PathBuf>,
 }
 
-impl Asked {
-    /// The request; `usual` quantities and these separations where none are given.
+impl ModelArgs {
+    /// The request, by default with `usual` quantities and these separations.
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
         for list in &self.separations {
             let height_std = scene.scene.surface.asperity_height_std;
-            ask_unit("separation", &list.values, list.unit(self.unit), height_std);
+            warn_unit("separation", &list.values, list.unit(self.unit), height_std);
         }
         let at = self.at(scene, separations);
         let quantities = match (&self.quantities[..], &at[..], usual) {
-            // At a load, the force is known.
+            // At a load, the force is given.
             ([], [At::Load(_) | At::Pressure(_), ..], [Quantity::Force, others @ ..]) => others,
             ([], ..) => usual,
             (given, ..) => given,
@@ -217,7 +217,7 @@ pub fn model_id(name: &str) -> Result<String, String> {
     if name.trim().is_empty() {
         return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity models` lists them)".into());
     }
-    // Not in the registry: it belongs to the scan of a scene.
+    // bem is not in the registry, because it needs the scan of a scene.
     if name.trim().eq_ignore_ascii_case("bem") {
         return Ok("bem".into());
     }

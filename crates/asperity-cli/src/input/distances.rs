@@ -15,14 +15,14 @@ pub struct Distances {
     metres: bool,
 }
 
-/// One of them.
+/// A single separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distance {
     pub value: f64,
     metres: bool,
 }
 
-/// A range of them.
+/// A range of separations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DistanceSpan {
     pub span: Span,
@@ -34,21 +34,21 @@ fn unit_of(metres: bool, plain: SeparationUnit) -> SeparationUnit {
 }
 
 impl Distances {
-    /// Their unit, where plain numbers have this one.
+    /// The unit of the values; `plain` is that of plain numbers.
     pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
         unit_of(self.metres, plain)
     }
 }
 
 impl Distance {
-    /// Its unit, where plain numbers have this one.
+    /// The unit of the value; `plain` is that of plain numbers.
     pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
         unit_of(self.metres, plain)
     }
 }
 
 impl DistanceSpan {
-    /// Its unit, where plain numbers have this one.
+    /// The unit of the value; `plain` is that of plain numbers.
     pub fn unit(&self, plain: SeparationUnit) -> SeparationUnit {
         unit_of(self.metres, plain)
     }
@@ -95,7 +95,7 @@ fn metre(text: &str) -> Result<f64, String> {
 }
 
 /// Warns of values that look like another unit, by the largest of them.
-pub fn ask_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
+pub fn warn_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
     let largest = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()));
     if let Some(message) = largest.and_then(|value| mistaken_unit(name, value, unit, height_std)) {
         print_message(

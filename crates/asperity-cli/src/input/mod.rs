@@ -1,4 +1,4 @@
-//! What the command line gives: arguments, numbers, separations.
+//! Parsing of the command line: arguments, numbers, separations.
 
 pub mod args;
 pub mod distances;

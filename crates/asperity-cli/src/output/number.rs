@@ -1,8 +1,8 @@
-//! Numbers as text for the eye.
+//! Rounded numbers for tables.
 
 use asperity::shortest_digits;
 
-/// Six significant digits, for tables that are looked at.
+/// A number with six significant digits.
 pub fn rounded(x: f64) -> String {
     let six: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     let is_plain = six == 0.0 || !six.is_finite() || (1e-3..1e7).contains(&six.abs());

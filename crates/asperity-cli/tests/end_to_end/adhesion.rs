@@ -1,4 +1,4 @@
-//! Scenes whose surfaces stick: tensions, pull-off, and what is printed of the models.
+//! Scenes with adhesion: tensions, pull-off and messages about models.
 
 use asperity::{ContactModel, JkrBranch, JohnsonKendallRoberts, Quantity, Request, pull_off};
 
@@ -23,7 +23,7 @@ fn soft() -> Bench {
 }
 
 #[test]
-fn models_that_stick_are_compared_where_surfaces_do() {
+fn models_with_adhesion_are_compared_for_scenes_with_adhesion() {
     let bench = soft();
     let run = bench.run("recommend soft.toml --load 0.01 --format csv");
     let models = cells(&run.out, "model");
@@ -33,7 +33,7 @@ fn models_that_stick_are_compared_where_surfaces_do() {
 }
 
 #[test]
-fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
+fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     let bench = soft();
     let run = bench.run("pull-off soft.toml --model dmt,jkr --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -47,20 +47,22 @@ fn the_pull_off_is_the_librarys_and_blank_where_nothing_is_held() {
     assert!(place[1].to_bits() == found.separation.value.to_bits());
     assert!(run.messages.contains("note: tabor_parameter is 1733"), "{}", run.messages);
     let one = 1.5 * std::f64::consts::PI * 1e-4 * 0.05 * 1e5;
-    let (_, left) = run.messages.split_once("jkr-separation: roughness leaves ").unwrap();
+    let (_, left) =
+        run.messages.split_once("jkr-separation: roughness reduces the tension to ").unwrap();
     let left: f64 = left.split(' ').next().unwrap().parse().unwrap();
     assert!((-left / 100.0 * one / force[1] - 1.0).abs() < 1e-5, "{left} % of {one} N");
     let joules = bench.run("pull-off soft.toml --work-of-adhesion 50 --model jkr").messages;
     assert!(joules.contains("work_of_adhesion is 50 J/m2 (usual: 0.001 to 5)"), "{joules}");
-    // Exponential heights, stiff: the highest are always pressed harder than the others pull.
+    // With stiff exponential heights, the compression of the highest asperities exceeds the
+    // adhesion of the others.
     let stiff =
         SOFT.replace("1 MPa", "1 GPa").replace("[surface]", "[surface]\nheights = \"exponential\"");
     bench.write("stiff.toml", &stiff);
     let run = bench.run("pull-off stiff.toml --model dmt --format csv");
     assert!(run.code == Some(0) && cells(&run.out, "force_N") == [""], "{}", run.out);
-    assert!(run.messages.contains("dmt: nothing is held"), "{}", run.messages);
+    assert!(run.messages.contains("dmt: no tensile force"), "{}", run.messages);
     for (arguments, wanted) in [
-        ("pull-off soft.toml --model gw", "gw knows no adhesion"),
+        ("pull-off soft.toml --model gw", "gw has no adhesion"),
         ("pull-off scene.toml", "work_of_adhesion is missing"),
     ] {
         let run = bench.run(arguments);
@@ -90,14 +92,14 @@ fn tensions_are_loads_below_0() {
     for load in ["-1N", "-1kN"] {
         let beyond = bench.run(&format!("curve soft.toml --model jkr --load {load}")).messages;
         assert!(beyond.contains("a load from -2.4"), "{beyond}");
-        assert!(beyond.contains("jkr-separation, which follows surfaces"), "{beyond}");
+        assert!(beyond.contains("jkr-separation, which describes opening"), "{beyond}");
     }
     let far = bench.run("curve soft.toml --model jkr --separation 1e300").messages;
     assert!(far.contains("separation is 1e300 asperity_height_std: -1e6"), "{far}");
 }
 
 #[test]
-fn which_model_is_for_which_is_told_with_curves_and_advice() {
+fn curves_and_recommendations_name_the_adhesive_model_to_use() {
     let bench = soft();
     for arguments in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
         let run = bench.run(arguments);

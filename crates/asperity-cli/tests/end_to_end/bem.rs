@@ -25,7 +25,7 @@ pub fn bench() -> Bench {
 }
 
 #[test]
-fn a_scan_with_a_few_holes_is_pressed_once_they_may_be_filled() {
+fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
     let bench = bench();
     let scan = bench.read("scan.txt");
     let mut arguments: Vec<&str> = scan.split(' ').collect();
@@ -34,7 +34,8 @@ fn a_scan_with_a_few_holes_is_pressed_once_they_may_be_filled() {
     bench.write("scan.txt", &arguments.join(" "));
     for command in ["bem", "truth"] {
         let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
-        let why = "are missing, and boundary elements need all: fill_missing = true in [surface]";
+        let why =
+            "are missing, and boundary elements need all points: fill_missing = true in [surface]";
         assert!(refused.code == Some(1) && refused.messages.contains(why), "{}", refused.messages);
     }
     bench.write("scan.toml", &format!("{SCAN}fill_missing = true\n"));
@@ -105,12 +106,12 @@ fn rows_are_those_of_the_library() {
 }
 
 #[test]
-fn what_is_not_resolved_is_said_and_half_the_grid_stands_beside() {
+fn coarse_grids_have_a_warning_and_refine_adds_columns() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e6,1e7 --refine --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     for arguments in [
-        "note: the edges of the scan do not meet",
+        "note: the edges of the scan do not match",
         "warning: 96 x 96 pixels: the shortest waves are",
         " in contact in 2 rows, worst at a pressure of 1e6 Pa",
         ": at least 30 are needed",
@@ -158,7 +159,7 @@ fn pressures_are_written_and_drawn() {
 }
 
 #[test]
-fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
+fn impossible_loads_and_scenes_without_a_scan_are_reported() {
     let bench = bench();
     let run = bench.run("bem scan.toml --pressure 1e8,6e9 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -200,7 +201,7 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
             "bem scan.toml --pressure 1e6 --map x.txt",
             "'x.txt' for '--map <FILE.npy>': matrices are",
         ),
-        ("bem scan.toml --pressure 1e6 --picture -", "leaves no place for the data"),
+        ("bem scan.toml --pressure 1e6 --picture -", "name a file for the data"),
         ("bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg", "name the same file"),
     ] {
         let run = bench.run(arguments);
@@ -210,7 +211,7 @@ fn loads_that_cannot_be_and_scenes_without_a_scan_are_named() {
 }
 
 #[test]
-fn bem_stands_beside_the_models_by_name() {
+fn bem_is_a_model_by_name() {
     let arguments = "compare scan.toml --model gw,bem --reference bem --pressure 1e8,1e9";
     let data =
         bench().data(&format!("{arguments} --quantity area-fraction,mean-pressure --format csv"));
@@ -222,7 +223,7 @@ fn bem_stands_beside_the_models_by_name() {
 
 #[cfg(unix)]
 #[test]
-fn an_interrupted_list_keeps_the_loads_that_are_done() {
+fn an_interrupted_list_keeps_the_solved_loads() {
     let bench = bench();
     let arguments = "bem scan.toml --boundary free --pressure 1e6:2e9:5000 --format csv";
     let mut command = bench.command();

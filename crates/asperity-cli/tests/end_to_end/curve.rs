@@ -1,4 +1,4 @@
-//! `curve`: what is printed is what the library says.
+//! `curve`: the output agrees with the library.
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
@@ -19,7 +19,7 @@ fn the_default_is_every_model_at_401_separations() {
 }
 
 #[test]
-fn every_digit_is_the_librarys() {
+fn every_digit_agrees_with_the_library() {
     let bench = Bench::new();
     let scene = bench.scene("scene.toml").scene;
     let quantities = [Quantity::Force, Quantity::Area, Quantity::Tangent];
@@ -119,7 +119,7 @@ fn separations_from_the_mean_plane_are_printed_as_given() {
 }
 
 #[test]
-fn json_and_table_hold_what_the_csv_holds() {
+fn json_and_table_agree_with_the_csv() {
     let bench = Bench::new();
     let arguments =
         "curve scene.toml --model gw,at --separation 0:40:3 --quantity force,mean-pressure";
@@ -159,7 +159,7 @@ fn models_that_the_scene_does_not_allow_are_named() {
 }
 
 #[test]
-fn odd_answers_stand_and_are_warned_of() {
+fn unusual_results_are_printed_with_a_warning() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
     let run = bench.run("curve scene.toml --model at --separation 1,500 --quantity force,ln-force");
@@ -177,7 +177,7 @@ fn odd_answers_stand_and_are_warned_of() {
 }
 
 #[test]
-fn pictures_have_a_curve_for_every_model_and_nothing_that_is_no_number() {
+fn plots_have_a_curve_for_every_model_and_finite_numbers_only() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
     bench.data(
@@ -232,7 +232,7 @@ fn loads_and_pressures_are_places_like_separations() {
 }
 
 #[test]
-fn rows_without_a_value_are_blank_and_said_once() {
+fn rows_without_a_value_are_blank_with_one_message() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model jg,ke --load 100,1e30,2e30");
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -279,7 +279,7 @@ fn a_load_is_the_abscissa_of_its_picture() {
 }
 
 #[test]
-fn pictures_that_are_no_svg_are_refused_before_any_work() {
+fn plots_other_than_svg_are_refused_first() {
     let bench = Bench::new();
     for name in ["x.png", "x", "x.svg.pdf", ".svg"] {
         let run = bench.run(&format!("curve nowhere.toml --output out.csv --plot {name}"));
@@ -294,7 +294,7 @@ fn pictures_that_are_no_svg_are_refused_before_any_work() {
 }
 
 #[test]
-fn words_are_in_the_unit_and_from_the_plane_that_was_asked() {
+fn messages_use_the_unit_and_the_plane_of_the_user() {
     let bench = Bench::new();
     bench.write("plane.toml", &format!("{NEGATIVE}separation_from = \"surface-mean\"\n"));
     let run = bench.run("curve plane.toml --model at --separation 1.5e-6 --separation-unit m");
@@ -308,7 +308,7 @@ fn words_are_in_the_unit_and_from_the_plane_that_was_asked() {
 }
 
 #[test]
-fn facts_of_a_model_are_not_said_before_every_answer() {
+fn facts_about_a_model_are_not_repeated_with_results() {
     let bench = Bench::new();
     let run = bench.run("curve scene.toml --model gao,at --separation 2");
     assert_eq!((run.code, run.messages.as_str()), (Some(0), ""));

@@ -1,4 +1,4 @@
-//! `export`: the tables say how good they are, and are.
+//! `export`: the tables meet their stated errors.
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
@@ -18,7 +18,7 @@ fn stated_error(table: &str, before: &str) -> f64 {
 }
 
 #[test]
-fn cubics_through_the_csv_are_as_good_as_it_says() {
+fn cubics_through_the_csv_meet_the_stated_error() {
     let bench = Bench::new();
     let table = bench.data("export scene.toml --model ke --as csv --separation -1:4:51");
     let [x, p, k] =
@@ -43,7 +43,7 @@ fn cubics_through_the_csv_are_as_good_as_it_says() {
 }
 
 #[test]
-fn lines_through_the_abaqus_pairs_meet_the_error_asked_for() {
+fn lines_through_the_abaqus_pairs_meet_the_requested_error() {
     let bench = Bench::new();
     let table =
         bench.data("export scene.toml --model ke --as abaqus --separation -1:4 --max-error 1e-2");
@@ -96,7 +96,7 @@ fn a_table_may_be_between_loads_or_pressures() {
 }
 
 #[test]
-fn what_a_solver_cannot_use_is_refused() {
+fn tables_unusable_by_a_solver_are_refused() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
     let run = bench.run("export scene.toml --model at --as csv --separation 0:3:31");
@@ -108,7 +108,7 @@ fn what_a_solver_cannot_use_is_refused() {
 }
 
 #[test]
-fn other_solvers_read_the_same_lines_in_their_own_words() {
+fn other_solvers_get_the_same_lines_in_their_formats() {
     let bench = Bench::new();
     let of = |form: &str, arguments: &str| {
         bench.run(&format!("export scene.toml --model ke --as {form} --load 1:1e3 {arguments}"))
@@ -161,7 +161,7 @@ fn block(text: &str, keyword: &str) -> Vec<Vec<f64>> {
 }
 
 #[test]
-fn conductance_and_friction_stand_beside_the_table_as_the_model_has_them() {
+fn conductance_and_friction_agree_with_the_model() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());
     let scene = bench.scene("scene.toml").scene;

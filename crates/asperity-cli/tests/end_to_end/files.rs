@@ -1,4 +1,4 @@
-//! Pipes that break, files that cannot be written, names that are no text.
+//! Broken pipes, files that cannot be written, names that are not UTF-8.
 
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -9,7 +9,7 @@ use crate::bench::{Bench, Run};
 const CURVE: &str = "curve scene.toml --model ke --separation 0:4:3";
 
 #[test]
-fn a_reader_that_has_seen_enough_is_no_error() {
+fn a_closed_pipe_is_no_error() {
     let bench = Bench::new();
     for format in ["csv", "json", "table"] {
         let arguments =
@@ -100,7 +100,7 @@ fn a_scene_is_overwritten_only_by_force() {
 
 #[cfg(unix)]
 #[test]
-fn names_that_are_no_text_are_files_like_any_other() {
+fn file_names_may_be_invalid_utf8() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 

@@ -62,7 +62,7 @@ fn quiet_leaves_out_warnings_and_notes_and_keeps_errors() {
 }
 
 #[test]
-fn the_help_says_which_files_are_overwritten() {
+fn the_help_states_which_files_are_overwritten() {
     let bench = Bench::new();
     for (command, texts) in [
         ("curve", &["Write to this file, which is overwritten"][..]),

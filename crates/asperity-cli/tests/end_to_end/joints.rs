@@ -1,11 +1,11 @@
-//! `unload`: a joint that was closed, as it opens again.
+//! `unload`: the opening of a closed joint.
 
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, Model, Tolerance};
 
 use crate::bench::{Bench, NEGATIVE, cells, column, csv};
 
-/// A joint that was closed, by the library.
+/// A closed joint, by the library.
 pub fn joint(bench: &Bench, model: &str, at: At, law: UnloadingLaw) -> Unloading {
     let scene = bench.scene("scene.toml").scene;
     let model: Model = model.parse().unwrap();
@@ -44,7 +44,7 @@ fn unloading_is_printed_as_it_is_computed() {
 }
 
 #[test]
-fn pictures_show_what_is_printed() {
+fn plots_show_the_printed_data() {
     let bench = Bench::new();
     for (arguments, points) in [
         ("unload scene.toml --model ke --load 100 --retreat 0:2:41", 3),
@@ -65,7 +65,7 @@ fn pictures_show_what_is_printed() {
 }
 
 #[test]
-fn markers_of_pictures_stand_where_something_was_asked() {
+fn plots_have_markers_at_the_requested_points() {
     let bench = Bench::new();
     for (arguments, panels, points) in [
         ("slip scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
@@ -84,7 +84,7 @@ fn markers_of_pictures_stand_where_something_was_asked() {
 }
 
 #[test]
-fn what_reads_0_is_told_once_and_where_contacts_are_few() {
+fn zeros_and_few_contacts_are_reported_once() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --load 100 --retreat 0,100um,200um");
     assert_eq!(column(&run.out, "force_N")[1..], [0.0, 0.0]);
@@ -107,7 +107,7 @@ fn what_reads_0_is_told_once_and_where_contacts_are_few() {
 }
 
 #[test]
-fn of_several_loads_the_worst_is_named() {
+fn the_worst_of_several_loads_is_reported() {
     let bench = Bench::new();
     let arguments = |loads: &str| {
         let arguments = "slip scene.toml --model ke --friction 20% --amplitude 50nm --load";
@@ -124,7 +124,7 @@ fn of_several_loads_the_worst_is_named() {
 }
 
 #[test]
-fn what_a_joint_lacks_is_named() {
+fn missing_properties_of_a_joint_are_reported() {
     let bench = Bench::new();
     for (arguments, wanted) in [
         (
@@ -157,7 +157,7 @@ fn what_a_joint_lacks_is_named() {
 }
 
 #[test]
-fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
+fn all_laws_have_their_loss_and_end_of_contact() {
     let bench = Bench::new();
     let run = bench.run("unload scene.toml --model ke --law hertz,brake,etsion --load 2kN");
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -177,7 +177,7 @@ fn all_laws_come_in_one_call_with_what_they_lose_and_where_contact_ends() {
     );
     assert!(run.messages.contains(&end), "{}", run.messages);
     assert_eq!(run.messages.matches("loss factor 0.0").count(), 3, "{}", run.messages);
-    // Lengths have units, and what is mistaken for multiples is asked about.
+    // Lengths have units, and likely unit errors have a warning.
     let short = "unload scene.toml --model ke --closest 1um --retreat 0,100nm,200nm";
     let retreats = column(&bench.data(short), "retreat_m");
     assert!((retreats[2] / 2e-7 - 1.0).abs() < 1e-15, "{retreats:?}");
@@ -196,7 +196,7 @@ fn histories_turn_at_separations_and_at_loads() {
         let last = way.iter().rposition(|way| *way == number).unwrap();
         assert!((force[last] / wanted - 1.0).abs() < 1e-8, "{number}: {}", force[last]);
     }
-    assert!(run.messages.contains("J in all") && bench.read("h.svg").starts_with("<svg"));
+    assert!(run.messages.contains("J in total") && bench.read("h.svg").starts_with("<svg"));
     // Back to the start of an elastic joint, what is in it is the work of the first closing.
     let round = bench.run("unload scene.toml --model gw --history-load 10,200,10").messages;
     let (_, first) = round.split_once("first closing takes ").unwrap();
@@ -217,7 +217,7 @@ fn histories_turn_at_separations_and_at_loads() {
     .value();
     assert!((first.parse::<f64>().unwrap() / spent - 1.0).abs() < 1e-5, "{first}: {spent}");
     let one = bench.run("unload scene.toml --model ke --history-load 100").messages;
-    assert!(one.contains("J, to the one turning point"), "{one}");
+    assert!(one.contains("closing to the turning point takes"), "{one}");
     let open = bench.run("unload scene.toml --model ke --history-load 100,0");
     assert!(
         open.code == Some(2) && open.messages.contains("0 is not a turning load"),
@@ -226,7 +226,9 @@ fn histories_turn_at_separations_and_at_loads() {
     );
     let light = bench.run("unload scene.toml --model ke --closest 6");
     assert!(
-        light.messages.contains("warning: ke by hertz: fewer than one asperity"),
+        light
+            .messages
+            .contains("warning: ke by hertz: even at the closest approach, fewer than one"),
         "{}",
         light.messages
     );
@@ -270,7 +272,7 @@ fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
 }
 
 #[test]
-fn a_joint_that_creates_energy_is_warned_of_and_the_tolerance_counts() {
+fn a_joint_that_creates_energy_has_a_warning_within_the_tolerance() {
     let bench = Bench::new();
     bench.write("low.toml", &NEGATIVE.replace("plasticity_index = 2.0", "plasticity_index = 0.5"));
     let of = |arguments: &str| {

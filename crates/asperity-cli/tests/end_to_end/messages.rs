@@ -1,9 +1,9 @@
-//! The commands that answer in arguments: plan, recommend, models.
+//! Messages of the commands, with plan, recommend and models.
 
 use crate::bench::{Bench, NO_SHEAR, cells, column, csv};
 
 #[test]
-fn a_plan_says_what_is_integrated() {
+fn a_plan_lists_its_integrals() {
     let bench = Bench::new();
     let plan = bench.data("plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
     assert!(
@@ -16,7 +16,7 @@ fn a_plan_says_what_is_integrated() {
 }
 
 #[test]
-fn separations_that_look_like_metres_are_warned_of_and_skewness_is_reported() {
+fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
     let bench = Bench::new();
     let warning =
         "is 1e-6 asperity_height_std: 1e-6 looks like metres; 1e-6 m is 1 asperity_height_std";
@@ -92,7 +92,7 @@ fn the_order_of_the_recommendation_is_the_one_that_is_printed() {
 }
 
 #[test]
-fn the_recommendation_comes_with_evidence_or_says_that_there_is_none() {
+fn the_recommendation_reports_evidence_or_its_absence() {
     let bench = Bench::new();
     let arguments = "recommend scene.toml --model gw,ke,persson-fudge --quantity area --format csv";
     let run = bench.run(&format!("{arguments} --load 20000"));
@@ -116,7 +116,7 @@ fn the_recommendation_comes_with_evidence_or_says_that_there_is_none() {
 }
 
 #[test]
-fn each_load_has_its_own_evidence_and_what_does_not_hold_is_not_recommended() {
+fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
     let bench = Bench::new();
     let run = bench.run("recommend scene.toml --load 1,19000,20000 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
@@ -128,7 +128,7 @@ fn each_load_has_its_own_evidence_and_what_does_not_hold_is_not_recommended() {
     );
     let printed = "note: boundary elements on surfaces like this one at 2 places from a load of 19000 N to a load of 20000 N, alpha";
     assert!(run.messages.contains(printed), "{}", run.messages);
-    // Whoever is named has a row.
+    // Every model in a note has a row.
     let ids = cells(&run.out, "model");
     let pieces: Vec<&str> = run.messages.split(" (at most ").collect();
     let named: Vec<&str> = pieces[..pieces.len() - 1]
@@ -169,7 +169,7 @@ fn the_list_of_models_has_every_source() {
 }
 
 #[test]
-fn persson_stands_beside_the_models_of_asperities_at_loads() {
+fn persson_is_compared_with_asperity_models_at_loads() {
     let bench = Bench::new();
     let ask = "--model persson,persson-fudge,gw --pressure 1e7 --quantity area-fraction,tangent";
     let run = bench.run(&format!("compare scene.toml {ask} --format csv"));
@@ -198,7 +198,7 @@ fn persson_stands_beside_the_models_of_asperities_at_loads() {
 }
 
 #[test]
-fn models_of_the_whole_surface_are_not_held_to_what_asperities_may_do() {
+fn models_of_the_whole_surface_have_no_asperity_warnings() {
     let bench = Bench::new();
     // Few asperities on the nominal area, heavy loads, a broad surface: nothing to Persson.
     let surface = "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 1e7\n";
@@ -229,7 +229,7 @@ fn models_of_the_whole_surface_are_not_held_to_what_asperities_may_do() {
 }
 
 #[test]
-fn advice_and_tables_come_with_what_is_unusual_about_them() {
+fn recommendations_and_tables_have_warnings() {
     let bench = Bench::new();
     let arguments = |line: &str| {
         let run = bench.run(line);
@@ -254,7 +254,7 @@ fn advice_and_tables_come_with_what_is_unusual_about_them() {
 }
 
 #[test]
-fn what_is_unusual_about_the_scene_hides_nothing_about_its_answers() {
+fn findings_about_the_scene_hide_none_about_results() {
     let bench = Bench::new();
     let dense = asperity_scene::template().replace("_density = 2e8 ", "_density = 2e9 ");
     bench.write("dense.toml", &dense);

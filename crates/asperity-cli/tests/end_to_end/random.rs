@@ -17,7 +17,7 @@ fn bench() -> Bench {
 }
 
 #[test]
-fn a_word_in_the_scene_is_enough() {
+fn one_key_of_the_scene_selects_random_asperities() {
     let bench = bench();
     let curve = |scene: &str, models: &str| {
         let arguments = "--pressure 1e7,1e8 --quantity area --format csv";
@@ -43,7 +43,7 @@ fn a_word_in_the_scene_is_enough() {
 }
 
 #[test]
-fn what_has_no_such_asperities_is_refused_by_name() {
+fn models_without_random_asperities_are_refused_by_name() {
     let bench = bench();
     for (arguments, printed) in [
         ("--model gao", "its contacts are inclined"),

@@ -7,7 +7,7 @@ use crate::bench::{Bench, cells, column, column_of, csv};
 use crate::joints::joint;
 
 #[test]
-fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
+fn slip_is_printed_with_its_loop_and_its_loss() {
     let bench = Bench::new();
     let arguments = "slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7";
     let run = bench.run(&format!("{arguments} --points 5"));
@@ -36,7 +36,7 @@ fn slip_is_printed_with_its_loop_and_the_loss_is_said() {
 }
 
 #[test]
-fn slips_of_the_hand_are_told_and_slip_speaks_of_slip() {
+fn unit_errors_and_unsuitable_models_are_reported() {
     let bench = Bench::new();
     let arguments = |line: &str| bench.run(line).messages;
     let far = arguments("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 100");

@@ -45,7 +45,7 @@ fn loads_that_no_separation_carries_are_refused_with_the_range() {
 }
 
 #[test]
-fn all_crossings_of_a_force_that_rises_and_falls_are_rows_on_request() {
+fn all_separations_of_a_load_are_rows_on_request() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
     let far = bench.data("curve scene.toml --model at --separation 5 --quantity force");
@@ -107,7 +107,7 @@ fn printed(arguments: &str, before: &str, after: &str) -> f64 {
 }
 
 #[test]
-fn what_cancels_is_told_with_what_it_does_to_the_answer() {
+fn cancellation_is_reported_with_its_error() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
     let run = |arguments: &str| bench.run(&format!("{arguments} --model at,jg,ke"));

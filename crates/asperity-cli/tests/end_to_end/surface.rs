@@ -49,7 +49,7 @@ fn json(bench: &Bench, arguments: &str) -> serde_json::Value {
 }
 
 #[test]
-fn of_a_periodic_scan_the_mean_alone_is_taken() {
+fn only_the_mean_of_a_periodic_scan_is_removed() {
     let bench = Bench::new();
     let turn = std::f64::consts::TAU / 64.0;
     let height = |x: f64, y: f64| (3.0 * turn * x).sin() + (2.0 * turn * y + turn * x).sin();
@@ -70,24 +70,24 @@ fn of_a_periodic_scan_the_mean_alone_is_taken() {
     assert!(!bench.run(&format!("surface {arguments}")).messages.contains("level"));
     bench.data(&format!("surface {arguments} --scene waves.toml"));
     assert!(bench.read("waves.toml").contains("\nperiodic = true "));
-    assert!(!tilted.messages.contains("do not meet") || plane > usual, "{}", tilted.messages);
+    assert!(!tilted.messages.contains("do not match") || plane > usual, "{}", tilted.messages);
     // A part of it is not periodic.
     let part: Vec<&str> = rows.iter().take(37).map(String::as_str).collect();
     bench.write("part.txt", &part.join("\n"));
     let open = bench.run("surface part.txt --unit um --pixel-size 5 --periodic").messages;
-    let wanted = "warning: part.txt: the edges of the scan do not meet, with a step ";
+    let wanted = "warning: part.txt: the edges of the scan do not match (step ";
     assert!(open.contains(wanted), "{open}");
-    assert!(!bench.run(&format!("surface {arguments}")).messages.contains("do not meet"));
+    assert!(!bench.run(&format!("surface {arguments}")).messages.contains("do not match"));
 }
 
 #[test]
-fn a_scan_in_the_place_of_a_scene_is_told_from_one() {
+fn a_scan_instead_of_a_scene_is_recognised() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
     std::fs::write(bench.path("scan.x3p"), [0x50, 0x4b, 3, 4, 0xff, 0xfe]).unwrap();
     for name in ["scan.txt", "scan.x3p"] {
         let run = bench.run(&format!("curve {name} --load 1"));
-        let way = format!("{name} --scene scene.toml` makes a scene of it");
+        let way = format!("create a scene with `asperity surface {name} --scene scene.toml`");
         assert!(
             run.code == Some(1) && run.messages.contains("looks like a scan"),
             "{}",
@@ -100,7 +100,7 @@ fn a_scan_in_the_place_of_a_scene_is_told_from_one() {
 }
 
 #[test]
-fn the_numbers_are_the_librarys_under_the_names_asked_for() {
+fn the_numbers_agree_with_the_library() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
     let text = bench.data(
@@ -203,7 +203,7 @@ fn a_measured_density_takes_the_place_of_the_gaussian() {
 }
 
 #[test]
-fn nothing_is_guessed_and_nothing_odd_is_taken() {
+fn missing_and_invalid_input_is_refused() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
     let holes: Vec<String> = scan(0.0).lines().map(|row| format!("nan {}", &row[8..])).collect();
@@ -249,7 +249,7 @@ fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
     std::fs::rename(bench.path("made"), bench.path("moved")).unwrap();
     let run = bench.run("curve moved/rough.toml --model ke --separation 3");
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    // No word of a density that is wider than its summits.
+    // No warning about the width of the density.
     assert_eq!(run.messages, "");
 }
 
@@ -314,7 +314,7 @@ fn scales_show_what_the_shortest_wave_changes() {
     ));
     for (arguments, printed) in [
         ("--pixel-size 2 --smooth 12", "12 looks like um"),
-        ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and less than an atom"),
+        ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and smaller than an atom"),
     ] {
         let run = bench.run(&format!("surface scan.txt --unit um {arguments}"));
         assert!(

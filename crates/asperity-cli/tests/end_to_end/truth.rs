@@ -1,10 +1,10 @@
-//! `truth`: which model holds on a scan.
+//! `truth`: comparison of models with boundary elements on a scan.
 
 use crate::bem::bench;
 use crate::bench::{NO_SHEAR, cells, column};
 
 #[test]
-fn models_stand_beside_boundary_elements() {
+fn models_are_compared_with_boundary_elements() {
     let bench = bench();
     let arguments = "truth scan.toml --pressure 1e8,1e9 --model zmc,ke --format csv";
     let run = bench.run(arguments);
@@ -32,7 +32,7 @@ fn models_stand_beside_boundary_elements() {
 }
 
 #[test]
-fn random_asperities_and_the_whole_surface_stand_beside_them_unasked() {
+fn random_asperities_and_persson_are_included_by_default() {
     let bench = bench();
     let run = bench.run("truth scan.toml --pressure 1e9 --format csv");
     let ids = cells(&run.out, "model");
@@ -42,7 +42,7 @@ fn random_asperities_and_the_whole_surface_stand_beside_them_unasked() {
 }
 
 #[test]
-fn what_cannot_be_told_is_named() {
+fn missing_scans_and_unsolved_loads_are_reported() {
     let bench = bench();
     bench.write("none.toml", NO_SHEAR);
     for (arguments, printed) in [
@@ -57,7 +57,7 @@ fn what_cannot_be_told_is_named() {
 }
 
 #[test]
-fn why_a_row_is_blank_is_told() {
+fn the_reason_for_a_blank_row_is_reported() {
     let bench = bench();
     let measured = format!("{}heights = \"measured\"\n", crate::bem::SCAN);
     bench.write("measured.toml", &measured);
@@ -67,7 +67,7 @@ fn why_a_row_is_blank_is_told() {
     assert_eq!(run.code, Some(1), "{}", run.messages);
     assert_eq!(cells(&run.out, "area_fraction")[1], "", "{}", run.out);
     assert!(run.messages.contains(printed), "{}", run.messages);
-    assert!(run.messages.contains("no model has an answer"), "{}", run.messages);
+    assert!(run.messages.contains("no model has a result"), "{}", run.messages);
     let two = bench.run(&format!("{ask} --model ke-random,ke"));
     assert!(two.code == Some(0) && two.messages.contains(printed), "{}", two.messages);
     let all = bench.run(ask);
@@ -77,7 +77,7 @@ fn why_a_row_is_blank_is_told() {
 }
 
 #[test]
-fn what_is_no_answer_is_told_and_left_blank() {
+fn invalid_results_are_reported_and_blank() {
     let bench = bench();
     let scan = crate::bem::SCAN;
     // GPa where Pa was needed: thousands of times the area.

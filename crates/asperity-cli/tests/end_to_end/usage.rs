@@ -1,4 +1,4 @@
-//! What is wrong on the command line ends with 2, what is wrong in a file with 1.
+//! Exit codes: 2 for errors of the command line, 1 for errors of a file.
 
 use crate::bench::Bench;
 
@@ -20,7 +20,7 @@ fn an_empty_model_name_leads_to_the_list_of_models() {
 }
 
 #[test]
-fn bad_usage_ends_with_2_and_says_what_is_expected() {
+fn bad_usage_ends_with_2_and_states_the_requirement() {
     let bench = Bench::new();
     for (arguments, printed) in [
         ("curv scene.toml", "similar subcommand exists: 'curve'"),
@@ -106,7 +106,7 @@ fn bad_usage_ends_with_2_and_says_what_is_expected() {
 }
 
 #[test]
-fn bad_input_ends_with_1_and_says_where_it_stands() {
+fn bad_input_ends_with_1_and_names_the_place() {
     let bench = Bench::new();
     let template = asperity_scene::template();
     let commands = [

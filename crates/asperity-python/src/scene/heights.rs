@@ -29,7 +29,7 @@ pub(crate) enum OptionValue {
 impl From<OptionValue> for asperity_scene::OptionValue {
     fn from(value: OptionValue) -> Self {
         match value {
-            OptionValue::Name(name) => Self::Word(name),
+            OptionValue::Name(name) => Self::Name(name),
             OptionValue::Number(number) => Self::Number(number),
             OptionValue::Numbers(numbers) => Self::Numbers(numbers),
         }

@@ -159,7 +159,10 @@ mod tests {
             for k in 0..60 {
                 let scale = 1e-6 * 1.9f64.powi(k);
                 let exact = ShiftedGaussian::new(power(1.425), scale, 1e-14);
-                for s in [-70.0, -8.5, -7.99, -3.2, -1e-3, -1e-15, -1e-20, -1e-300, 0.0, 0.2, 3.0, 44.0, 1e7] {
+                for s in [
+                    -70.0, -8.5, -7.99, -3.2, -1e-3, -1e-15, -1e-20, -1e-300, 0.0, 0.2, 3.0, 44.0,
+                    1e7,
+                ] {
                     let (a, b) = (any.at(s, scale).unwrap(), exact.at(s).unwrap());
                     let error = (a.value / b.value - 1.0).abs();
                     assert!(error <= a.error + b.error, "{s} {scale} {error:e}");

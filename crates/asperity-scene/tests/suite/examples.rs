@@ -1,4 +1,4 @@
-//! The example scenes are what their comments say they are.
+//! The example scenes agree with their comments.
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +27,7 @@ fn every_example_is_solved_by_every_model_it_allows() {
         let (models, left_out) = file.models();
         let counts = match path.file_name().and_then(|name| name.to_str()) {
             Some("elastomer-on-glass.toml") => (1, 11),
-            // Models over angles have no asperities of a random surface.
+            // Models with inclined contacts have no random asperities.
             Some("ground-steel.toml") => (8, 4),
             _ => (12, 0),
         };
@@ -53,7 +53,7 @@ fn an_elastomer_has_no_hardness_and_greenwood_and_williamson_need_none() {
 }
 
 #[test]
-fn metals_yield_and_greenwood_and_williamson_will_not_do() {
+fn metals_yield_and_need_more_than_greenwood_and_williamson() {
     for (name, index) in [("wheel-rail.toml", 9.0), ("bolted-joint.toml", 15.0)] {
         let file = example(name);
         let found = file.scene.plasticity_index().unwrap();
@@ -63,8 +63,8 @@ fn metals_yield_and_greenwood_and_williamson_will_not_do() {
 }
 
 #[test]
-fn the_real_area_under_the_loads_is_that_of_the_hardness() {
-    // Fully plastic contacts carry H: A/A_n = p/H, and somewhat more before they are.
+fn the_real_area_follows_from_load_and_hardness() {
+    // Fully plastic contacts carry H, A/A_n = p/H; elastic-plastic ones have somewhat more area.
     for (name, load) in [("wheel-rail.toml", 100e3), ("bolted-joint.toml", 20e3)] {
         let file = example(name);
         let request = Request::new([Quantity::Force, Quantity::Area]);

@@ -1,11 +1,11 @@
-//! Tables of heights beside a scene file.
+//! Tables of heights in files beside a scene file.
 
 use asperity_scene::{SceneFile, load};
 
 use crate::scene_files::{INTERFACE, SURFACE, directory, text};
 
 #[test]
-fn a_table_of_heights_is_found_beside_the_scene_and_keeps_its_metres() {
+fn a_table_of_heights_beside_the_scene_is_read_in_metres() {
     let directory = directory("heights");
     // Triangular, of standard deviation sqrt(6)/6 of its half width, mean 2e-6.
     let table = "# measured\nheight_m, density_per_m\n0,0\n2e-6,5e5\n4e-6,0\n";
@@ -27,14 +27,14 @@ fn a_table_of_heights_is_found_beside_the_scene_and_keeps_its_metres() {
         "{:?}",
         other.warnings
     );
-    // The same metres of separation, the same force, whatever the unit.
+    // The same separation in metres gives the same force in either unit.
     let force = |file: &SceneFile, metres: f64| {
         let request = asperity::Request::new([asperity::Quantity::Force]).at_metres([metres]);
         let answer = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
         answer.values(asperity::Quantity::Force).unwrap()[0]
     };
     assert!((force(&own, 0.5e-6) / force(&other, 0.5e-6) - 1.0).abs() < 1e-12);
-    // Its mean is the offset from the plane that its heights are measured from.
+    // The mean of the table is the offset from the mean plane.
     let plane = read("separation_from = \"surface-mean\"").unwrap();
     assert!((plane.scene.mean_plane_offset() - 2e-6).abs() < 1e-18);
     std::fs::write(directory.join("pdf.csv"), "height_m,density_per_m\n-2e-6,0\n0,1\n2e-6,0\n")
@@ -54,7 +54,7 @@ fn a_table_of_heights_is_found_beside_the_scene_and_keeps_its_metres() {
 }
 
 #[test]
-fn tables_of_heights_that_are_none_are_refused_with_their_line() {
+fn invalid_tables_of_heights_are_refused_with_the_line() {
     let directory = directory("bad-heights");
     let surface = format!("{SURFACE}heights = {{ file = \"pdf.csv\" }}\n");
     std::fs::write(directory.join("scene.toml"), text("", INTERFACE, &surface)).unwrap();

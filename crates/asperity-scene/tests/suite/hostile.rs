@@ -1,4 +1,4 @@
-//! Nothing that a file can hold ends in a panic, or takes long.
+//! No content of a file causes a panic or takes long.
 
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -11,7 +11,7 @@ fn refused(text: &str) -> String {
 }
 
 #[test]
-fn named_attacks_end_in_an_error_soon() {
+fn known_attacks_give_an_error_within_seconds() {
     let deep = 100_000;
     let attacks = [
         ("nested lists", format!("x = {}", "[".repeat(deep))),
@@ -22,7 +22,7 @@ fn named_attacks_end_in_an_error_soon() {
         ("many bodies", "[[body]]\n".repeat(deep)),
         ("many keys", (0..deep).map(|k| format!("k{k} = 1\n")).collect()),
         ("a long number", format!("nominal_area = {}", "9".repeat(10 * deep))),
-        ("a long word", format!("[options]\nstick = \"{}\"", "x".repeat(deep))),
+        ("a long name", format!("[options]\nstick = \"{}\"", "x".repeat(deep))),
         ("a long option", format!("[options]\nforce = {{ {} = \"\" }}", "x".repeat(deep))),
         ("a long key", format!("{} = 1", "x".repeat(deep))),
         ("zero bytes", "\0".repeat(1000)),
@@ -38,7 +38,7 @@ fn named_attacks_end_in_an_error_soon() {
 }
 
 #[test]
-fn numbers_at_the_ends_of_their_range_are_refused_or_answered() {
+fn extreme_numbers_are_refused_or_solved() {
     use asperity::{Quantity, Request, Tolerance};
     for number in ["5e-324", "1e-300", "1e300", "1.7976931348623157e308", "-0.0", "inf", "nan", "0"]
     {
@@ -77,15 +77,15 @@ proptest! {
     }
 
     #[test]
-    fn words_of_the_format_in_any_order_are_read_or_refused(
-        words in prop::collection::vec(prop::sample::select(vec![
+    fn tokens_in_any_order_are_read_or_refused(
+        tokens in prop::collection::vec(prop::sample::select(vec![
             "nominal_area", "=", "1", "\n", "[", "]", "[[", "]]", "{", "}", ",", "\"", "heights",
             "body", "surface", "interface", "options", "file", "1e-6", "m0", "true", ".", "#", "'",
             "separation_from", "displacement", "zeta", "-1", "nan", "angle_density", "a20", "\"\"\"",
         ]), 0..60),
     ) {
-        let _ = parse(&words.join(" "), Path::new("."));
-        let _ = parse(&words.concat(), Path::new("."));
+        let _ = parse(&tokens.join(" "), Path::new("."));
+        let _ = parse(&tokens.concat(), Path::new("."));
     }
 
     #[test]

@@ -28,7 +28,7 @@ fn scene(directory: &Path, surface: &str) -> Result<SceneFile, SceneError> {
 }
 
 #[test]
-fn what_is_wrong_with_a_measured_surface_is_said_with_line_and_field() {
+fn errors_of_a_measured_surface_name_line_and_field() {
     let directory = directory("measured-errors");
     std::fs::write(directory.join("empty.txt"), "").unwrap();
     std::fs::write(
@@ -104,7 +104,7 @@ fn scan(phase: f64) -> String {
 }
 
 #[test]
-fn a_periodic_scan_keeps_its_moments_unless_a_plane_is_asked_for() {
+fn a_periodic_scan_keeps_its_moments_by_default() {
     let directory = tempfile::tempdir().unwrap();
     let rough = asperity_bem::RandomSurface::new(2.0, 2.0, 12.0).unwrap();
     let rough = rough.side(96e-6).unwrap().gradient(0.02).unwrap().seed(2);
@@ -126,22 +126,26 @@ fn a_periodic_scan_keeps_its_moments_unless_a_plane_is_asked_for() {
     let (usual, mean) = (read(""), read("level = \"mean\""));
     let (m2, m4) = moments(&usual);
     assert_eq!((m2, m4), moments(&mean));
-    // Differences see the shortest waves, of 8 pixels, 2.5 and 5 % too low.
+    // Differences underestimate the shortest waves, of 8 pixels, by 2.5 and 5 %.
     let exact = rough.moments();
     assert!((m2 / exact.m2 - 1.0).abs() < 0.04 && (m4 / exact.m4 - 1.0).abs() < 0.06, "{m2} {m4}");
     let tilted = read("level = \"plane\"");
     assert!(moments(&tilted).1 > 1.1 * m4);
-    let told = |file: &asperity_scene::SceneFile| {
+    let tilt_warning = |file: &asperity_scene::SceneFile| {
         file.warnings.iter().any(|w| w.message().contains("level plane of a periodic surface"))
     };
-    assert!(told(&tilted) && !told(&usual) && !told(&mean), "{:?}", tilted.warnings);
-    // Boundary elements are pressed on what was measured.
+    assert!(
+        tilt_warning(&tilted) && !tilt_warning(&usual) && !tilt_warning(&mean),
+        "{:?}",
+        tilted.warnings
+    );
+    // Boundary elements use the same scan.
     let bem = usual.bem(asperity_bem::Boundary::Periodic, true).unwrap();
     assert!(bem.seam().is_none());
 }
 
 #[test]
-fn files_become_the_surfaces_that_topography_makes_of_them() {
+fn files_give_the_surfaces_of_the_topography_crate() {
     let directory = directory("measured-files");
     let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
     std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
@@ -161,8 +165,9 @@ fn files_become_the_surfaces_that_topography_makes_of_them() {
 
     let bare = scene(&directory, "file = \"bare.txt\"").unwrap_err().to_string();
     assert!(bare.contains("scene.toml:8: surface.file: ") && bare.contains("bare.txt"), "{bare}");
-    let told = scene(&directory, "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = 1000").unwrap();
-    assert!((told.scene.surface.asperity_radius / a.asperity_radius - 1.0).abs() < 1e-9);
+    let tilt_warning =
+        scene(&directory, "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = 1000").unwrap();
+    assert!((tilt_warning.scene.surface.asperity_radius / a.asperity_radius - 1.0).abs() < 1e-9);
     let wide = "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = [1000, 2000]";
     let wide = scene(&directory, wide).unwrap().scene.surface;
     assert!(wide.asperity_radius > 1.1 * a.asperity_radius);
@@ -178,13 +183,14 @@ fn files_become_the_surfaces_that_topography_makes_of_them() {
 }
 
 #[test]
-fn a_scan_gives_its_own_heights_and_is_smoothed_and_continued_as_asked() {
+fn measured_heights_smooth_and_periodic_are_applied() {
     let directory = directory("measured-heights");
     let header = "# Width: 96 um\n# Height: 96 um\n# Value units: nm\n";
     std::fs::write(directory.join("a.txt"), header.to_string() + &scan(5.1)).unwrap();
-    let of = |words: &str| scene(&directory, &format!("file = \"a.txt\"\n{words}"));
-    let file =
-        of("heights = \"measured\"\nestimator = \"summits\"\nseparation_from = \"surface-mean\"");
+    let read_with = |keys: &str| scene(&directory, &format!("file = \"a.txt\"\n{keys}"));
+    let file = read_with(
+        "heights = \"measured\"\nestimator = \"summits\"\nseparation_from = \"surface-mean\"",
+    );
     let file = file.unwrap();
     let topography = read(&directory.join("a.txt"), &ReadOptions::default()).unwrap();
     let topography = topography.level(Level::Plane).unwrap();
@@ -192,11 +198,11 @@ fn a_scan_gives_its_own_heights_and_is_smoothed_and_continued_as_asked() {
     let table = file.table.as_ref().unwrap();
     let std = summits.surface().unwrap().asperity_height_std;
     assert!((table.standard_deviation() / std - 1.0).abs() < 1e-9);
-    // The summits lie above the mean plane, as far as they were found to.
+    // The offset from the mean plane is that of the summits.
     let offset = summits.mean() - topography.mean();
     assert!(offset > 0.3 * std && (file.scene.mean_plane_offset() / offset - 1.0).abs() < 1e-9);
-    let plain = of("").unwrap();
-    let smooth = of("smooth = 12e-6\nperiodic = true").unwrap();
+    let plain = read_with("").unwrap();
+    let smooth = read_with("smooth = 12e-6\nperiodic = true").unwrap();
     let options = Statistics::clone(&plain.measured.as_ref().unwrap().statistics);
     assert!(smooth.scene.surface.asperity_radius > 1.05 * plain.scene.surface.asperity_radius);
     assert!((options.sq - topography.statistics(Estimator::Moments).unwrap().sq).abs() < 1e-20);
@@ -206,7 +212,7 @@ fn a_scan_gives_its_own_heights_and_is_smoothed_and_continued_as_asked() {
 }
 
 #[test]
-fn a_scan_is_looked_at_before_it_is_believed() {
+fn unusual_scans_have_warnings() {
     let directory = directory("measured-check");
     std::fs::write(directory.join("a.txt"), scan(5.1)).unwrap();
     // Pits: most of the surface is flat.

@@ -1,4 +1,4 @@
-//! Options of the models: every value changes a result, and every way in is the same door.
+//! Options of the models: every value changes a result, and all interfaces agree.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ fn scene(option: &str) -> SceneFile {
 }
 
 fn values(file: &SceneFile, id: &str) -> Vec<f64> {
-    // Loose laws are quick to build; the same law gives the same digits all the same.
+    // A loose tolerance is fast; the same law still gives the same digits.
     let request = Request::new([Quantity::Force]).at([0.5, 2.0]);
     let request = request.within(Tolerance::new(1e-3).unwrap());
     let answer = file.model(id).unwrap().solve(&file.scene, &request).unwrap();
@@ -20,7 +20,7 @@ fn values(file: &SceneFile, id: &str) -> Vec<f64> {
 }
 
 #[test]
-fn every_option_changes_the_results_of_its_models_and_of_no_other() {
+fn every_option_changes_the_results_of_its_models_only() {
     let ids = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af", "gao", "at"];
     let ids = ids.into_iter().chain(["at-additive", "at-overlap"]);
     let plain = scene("");
@@ -58,14 +58,14 @@ fn every_option_changes_the_results_of_its_models_and_of_no_other() {
             );
         }
     }
-    // ξ counts as ζ does, and neither for the other.
+    // ξ has its own effect, like ζ.
     let [a, b] = ["{ zeta = 0.1, xi = 0.3 }", "{ zeta = 0.1, xi = 0.1 }"]
         .map(|d| values(&scene(&format!("displacement = {d}")), "gao"));
     assert!((a[0] / b[0] - 1.0).abs() > 1e-6, "{a:?} {b:?}");
 }
 
 #[test]
-fn plain_ids_stand_for_what_the_options_say() {
+fn plain_ids_mean_the_models_of_the_options() {
     let file = scene("at_reading = \"overlap\"\njg_hardness = \"cosine\"");
     assert_eq!(values(&file, "at"), values(&file, "at-overlap"));
     assert_eq!(values(&file, "jg"), values(&file, "jg-cosine"));
@@ -100,7 +100,7 @@ fn models_that_a_scene_does_not_allow_are_left_out_with_the_reason() {
 }
 
 #[test]
-fn a_hurst_exponent_that_is_none_is_refused_at_its_own_line() {
+fn an_invalid_hurst_exponent_is_refused_at_its_line() {
     let text = format!("{}hurst_exponent = 2.0\n", template());
     let line = text.lines().count();
     let message = parse(&text, Path::new(".")).unwrap_err().to_string();
@@ -111,7 +111,7 @@ fn a_hurst_exponent_that_is_none_is_refused_at_its_own_line() {
 }
 
 #[test]
-fn keywords_serde_and_scene_files_are_one_door() {
+fn keywords_serde_and_scene_files_agree() {
     let text = "at_reading = \"additive\"
         angle_density = \"upright\"
         displacement = { zeta = 0.1, xi = 0.2 }
@@ -157,7 +157,7 @@ fn keywords_serde_and_scene_files_are_one_door() {
     ] {
         let message = by_keyword.set(name, &bad).unwrap_err().to_string();
         assert!(message.starts_with(name) && message.ends_with(" was required"), "{message}");
-        assert_eq!(by_keyword, from_file, "a refused option leaves all as they were");
+        assert_eq!(by_keyword, from_file, "a refused option changes nothing");
     }
     let changed = by_keyword.changed();
     assert!(changed.len() == 7 && ModelOptions::default().changed().is_empty());

@@ -1,5 +1,4 @@
-//! Asperities of a random surface by one word of the scene file: the reference rows through it, and
-//! what refuses it.
+//! Random asperities by one key of the scene file: reference values and errors.
 
 use std::path::Path;
 
@@ -27,9 +26,9 @@ fn scenes() -> impl Iterator<Item = &'static str> {
     include_str!("../../../../tests/reference/population_scenes.csv").lines().skip(1)
 }
 
-/// Every row of three models on every surface. The program behind the file leaves the sharpest
-/// asperities out, some 1e-9 of all and more of those that touch first. `asperity-random` adds
-/// them, and has all rows to 1e-11.
+/// Every row of three models on every surface. The reference program leaves out the sharpest
+/// asperities, some 1e-9 of all and a larger share of the highest. `asperity-random` includes them,
+/// and agrees with all rows to 1e-11.
 #[test]
 fn reference_rows_are_met_through_the_scene_file() {
     let mut count = 0;
@@ -49,7 +48,7 @@ fn reference_rows_are_met_through_the_scene_file() {
                 let at = file.separation(height, asperity::SeparationUnit::Metres);
                 let found = contact.evaluate(fields[3].parse().unwrap(), at).unwrap().value();
                 let error = found / fields[4].parse::<f64>().unwrap() - 1.0;
-                // The higher the place, the sharper what touches there.
+                // Asperities in contact at larger separations are sharper.
                 let allowed = 1e-8 * 10f64.powf(0.8 * fields[2].parse::<f64>().unwrap().max(0.0));
                 assert!(error.abs() < allowed, "{row}: {error:e}");
                 count += 1;
@@ -60,7 +59,7 @@ fn reference_rows_are_met_through_the_scene_file() {
 }
 
 #[test]
-fn the_word_changes_what_ids_stand_for_and_nothing_else() {
+fn the_key_changes_the_meaning_of_ids_only() {
     let line = scenes().next().unwrap();
     let ((random, rms), (equal, _)) = (scene(line, "random"), scene(line, "equal"));
     assert_eq!(random.options.asperities, Asperities::Random);
@@ -77,7 +76,7 @@ fn the_word_changes_what_ids_stand_for_and_nothing_else() {
     assert_eq!(value(&random, "ke"), value(&equal, "ke-random"));
     assert_eq!(value(&random, "ke-random"), value(&equal, "ke-random"));
     assert!((value(&random, "ke")[0] / value(&equal, "ke")[0] - 1.0).abs() > 0.01);
-    // As an option, and with others.
+    // The key as an option, and with other options.
     let mut file = equal.clone();
     file.options.set("asperities", &OptionValue::from("random")).unwrap();
     file.options.set("af_flow_pressure", &"H".into()).unwrap();
@@ -87,13 +86,13 @@ fn the_word_changes_what_ids_stand_for_and_nothing_else() {
     assert!(af.options().unwrap().to_string().contains("\"H\""), "{:?}", af.options());
     let back = read(&file.to_toml(&[]).unwrap());
     assert_eq!(back.options, file.options);
-    // And with other numbers.
+    // The same scene with other numbers.
     let moved = random.with_numbers(random.scene.interface, random.scene.surface, 2.0).unwrap();
     assert!((value(&moved, "ke")[0] / value(&random, "ke")[0] - 2.0).abs() < 1e-12);
 }
 
 #[test]
-fn models_that_have_no_such_asperities_say_why() {
+fn models_without_random_asperities_give_the_reason() {
     let (file, _) = scene(scenes().next().unwrap(), "random");
     let (allowed, left_out) = file.models();
     let ids: Vec<&str> = allowed.iter().map(|model| model.id()).collect();

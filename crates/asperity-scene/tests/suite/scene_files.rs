@@ -1,4 +1,4 @@
-//! What a scene file may say, and what it is told when it errs.
+//! Reading of scene files, and their errors.
 
 use std::path::{Path, PathBuf};
 
@@ -39,7 +39,7 @@ pub fn directory(name: &str) -> PathBuf {
 }
 
 #[test]
-fn the_scene_of_the_manual_is_read_as_it_stands() {
+fn the_scene_of_the_manual_is_read() {
     let file = read(&text("", INTERFACE, SURFACE)).unwrap();
     let mut interface = Interface::new(116e9, 0.31, 1.12e9);
     interface.equivalent_shear_modulus = Some(41e9);
@@ -52,7 +52,7 @@ fn the_scene_of_the_manual_is_read_as_it_stands() {
 }
 
 #[test]
-fn two_bodies_and_a_rigid_counterface_give_the_librarys_interfaces() {
+fn two_bodies_and_a_rigid_counterface_give_the_interfaces_of_the_library() {
     let soft = "[[body]]\nyoungs_modulus = 70e9\npoissons_ratio = 0.33\nyield_strength = 300e6\n";
     let hard = "[[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 7e9\nyield_strength = 2e9\n";
     let a = Body::yielding(70e9, 0.33, 300e6);
@@ -71,7 +71,7 @@ fn two_bodies_and_a_rigid_counterface_give_the_librarys_interfaces() {
 }
 
 #[test]
-fn the_ways_lead_to_the_librarys_surfaces() {
+fn every_way_gives_the_surface_of_the_library() {
     let interface = read(&text("", INTERFACE, SURFACE)).unwrap().scene.interface;
     let index =
         "[surface]\nplasticity_index = 6\nroughness_parameter = 0.04\nasperity_height_std = 1e-6";
@@ -90,15 +90,15 @@ fn the_ways_lead_to_the_librarys_surfaces() {
     let of_surface = SURFACE.replace("asperity_height_std", "surface_height_std");
     let wanted = Surface::from_surface_std(3.59e-4, 1.11e8, 1e-6).unwrap();
     assert_eq!(read(&text("", INTERFACE, &of_surface)).unwrap().scene.surface, wanted);
-    // As an instrument reports them, in its own units.
+    // Parameters in the units of the instrument.
     let iso = "[surface]\nsq = \"1 um\"\nspd = \"111 1/mm2\"\nspc = \"2.5 1/mm\"";
     let wanted = Surface::from_surface_std(1.0 / 2500.0, 1.11e8, 1e-6).unwrap();
     assert_eq!(read(&text("", INTERFACE, iso)).unwrap().scene.surface, wanted);
-    // What does not make sense of it is told by the keys of the file.
+    // Findings name the keys of the file.
     let found = read(&text("", INTERFACE, &iso.replace("\"1 um\"", "1.0"))).unwrap().findings();
     let (whole, keys) = (found[0].message(), "asperities from sq, spd, spc: ");
     assert!(whole.contains("looks like um") && whole.starts_with(keys), "{whole}");
-    for (surface, words) in [
+    for (surface, wanted) in [
         (iso.replace("2.5 1/mm", "-2.5 1/mm"), "surface.spc is -2500.0: a finite number above 0"),
         (format!("{iso}\nm2 = 1e-2"), "exclude each other"),
         (
@@ -107,19 +107,22 @@ fn the_ways_lead_to_the_librarys_surfaces() {
         ),
         (
             format!("{iso}\nsurface_height_std = 1e-6"),
-            "asperity_radius and asperity_density beside it",
+            "asperity_radius and asperity_density with it",
         ),
-        (format!("{SURFACE}heights = \"measured\""), "a measured file, whose heights they are"),
+        (
+            format!("{SURFACE}heights = \"measured\""),
+            "a measured file, from which the heights are taken",
+        ),
         // Too little roughness for so many peaks.
         (iso.replace("1 um", "1 nm"), "roughness_parameter is 4.44e-5"),
     ] {
-        let said = message(&text("", INTERFACE, &surface));
-        assert!(said.contains(words), "{said}");
+        let found = message(&text("", INTERFACE, &surface));
+        assert!(found.contains(wanted), "{found}");
     }
 }
 
 #[test]
-fn separations_from_the_mean_plane_are_moved_by_its_offset() {
+fn separations_from_the_mean_plane_are_shifted_by_its_offset() {
     let from = format!("{SURFACE}separation_from = \"surface-mean\"\n");
     let file = read(&text("", INTERFACE, &from)).unwrap();
     let offset = file.scene.surface.mean_plane_offset();
@@ -133,7 +136,7 @@ fn separations_from_the_mean_plane_are_moved_by_its_offset() {
 }
 
 #[test]
-fn every_error_names_line_and_field_and_what_is_needed() {
+fn every_error_names_line_field_and_requirement() {
     let bodies = "[[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n";
     let two = format!("{bodies}{}", bodies.replace("0.3", "0.7"));
     let with = |line: &str| format!("{SURFACE}{line}\n");

@@ -24,7 +24,7 @@ const RADIUS: f64 = 3.6e-4;
 const DENSITY: f64 = 1.1e8;
 const AREA: f64 = 3e-5;
 
-/// The laws of GW and KE for one asperity, written down anew.
+/// The laws of GW and KE for one asperity, independent of the library.
 fn terms(model: &str, quantity: Quantity) -> Vec<Term> {
     let (e, h, s) = (116e9, 1.12e9, 0.454 + 0.41 * 0.31);
     let term = |from, to, factor, exponent| Term { from, to, factor, exponent };
@@ -54,7 +54,7 @@ fn powers(a: f64, b: f64, n: f64) -> f64 {
     if a > 0.0 { a.powf(n) * (n * (b / a).ln()).exp_m1() / n } else { b.powf(n) / n }
 }
 
-/// The points of a table with integral 1, heights about the mean: a reference of its own.
+/// The points of a table with integral 1, heights about the mean, independent of the library.
 fn normalised(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     // Simpson's rule is exact for the squares of linear functions and less.
     let moment = |f: &dyn Fn(f64) -> f64| {
@@ -88,7 +88,7 @@ fn reference(points: &[(f64, f64)], terms: &[Term], d: f64) -> (f64, f64) {
             tangent += p * t.factor * (a * powers(low, high, p) + b * powers(low, high, p + 1.0));
         }
     }
-    // Jumps of the law meet the density there.
+    // Jumps of the law multiply the density there.
     for two in terms.windows(2) {
         let w = two[0].to;
         let side = |t: &Term| t.factor * w.powf(t.exponent);
@@ -138,7 +138,7 @@ fn tables() -> Vec<(&'static str, Vec<(f64, f64)>)> {
 }
 
 #[test]
-fn values_and_tangents_are_those_of_the_closed_forms() {
+fn values_and_tangents_agree_with_closed_forms() {
     let asked = [Quantity::Force, Quantity::Area, Quantity::Tangent];
     let mut worst = 0.0f64;
     for (name, points) in tables() {
@@ -163,12 +163,12 @@ fn values_and_tangents_are_those_of_the_closed_forms() {
                     // the size of their terms.
                     let cancels = found.size / found.scaled.abs();
                     let error = (found.value() / wanted - 1.0).abs() / cancels;
-                    // The reference itself takes differences of heights near the top.
+                    // The reference itself loses digits to differences of heights near the top.
                     let lost = 2e-15 * (s.abs() + 1.0) / (top - s).min(1.0);
-                    let what = format!("{name} {model} {quantity} at {s}: {found:?} {wanted:e}");
-                    assert!(error < 1e-12 + 4.0 * lost, "{what} off by {error:e}");
+                    let case = format!("{name} {model} {quantity} at {s}: {found:?} {wanted:e}");
+                    assert!(error < 1e-12 + 4.0 * lost, "{case} off by {error:e}");
                     // The two means may differ by an ulp of 5 µm, in slopes of 50 per σ.
-                    assert!(error < found.error + 4.0 * lost + 1e-13, "{what} off by {error:e}");
+                    assert!(error < found.error + 4.0 * lost + 1e-13, "{case} off by {error:e}");
                     if top - s > 0.1 {
                         worst = worst.max(error);
                     }
@@ -183,7 +183,7 @@ fn values_and_tangents_are_those_of_the_closed_forms() {
 }
 
 #[test]
-fn loads_lead_back_to_separations_on_a_table() {
+fn separations_at_a_load_are_found_on_a_table() {
     let scene = scene(&measured(50), None);
     for model in ["gw", "ke", "ceb"] {
         let request = Request::new([Quantity::Force]);
@@ -200,7 +200,7 @@ fn loads_lead_back_to_separations_on_a_table() {
 }
 
 #[test]
-fn a_finely_tabulated_normal_density_is_the_gaussian() {
+fn a_finely_tabulated_normal_density_agrees_with_gaussian_heights() {
     let normal = |k: i32| (f64::from(k) * 0.005e-6, (-0.5 * (f64::from(k) * 0.005).powi(2)).exp());
     let table = scene(&(-1600..=1600).map(normal).collect::<Vec<_>>(), None);
     let mut gaussian = table.clone();

@@ -1,9 +1,9 @@
-//! Numbers with units, and words for keys that other people use.
+//! Numbers with units, and synonyms of keys.
 
 use crate::scene_files::{INTERFACE, SURFACE, message, read, text};
 
 #[test]
-fn numbers_may_say_their_unit() {
+fn numbers_may_have_a_unit() {
     let plain = read(&text("", INTERFACE, SURFACE)).unwrap().scene;
     let with_units = text("", INTERFACE, SURFACE)
         .replace("116e9", "\"116 GPa\"")
@@ -15,14 +15,14 @@ fn numbers_may_say_their_unit() {
     let found = read(&with_units).unwrap().scene;
     assert_eq!((found.interface, found.surface), (plain.interface, plain.surface));
     assert!((found.nominal_area - plain.nominal_area).abs() < 1e-20);
-    // Lines stay what they are behind a number of two lines.
+    // Line numbers stay the same after a text of two lines.
     let odd = with_units.replace("\"1 \u{b5}m\"", "-1");
     assert!(
         message(&odd).contains("line 13: surface.asperity_height_std is -1"),
         "{}",
         message(&odd)
     );
-    for (from, to, words) in [
+    for (from, to, wanted) in [
         (
             "116e9",
             "\"116 mm\"",
@@ -32,13 +32,13 @@ fn numbers_may_say_their_unit() {
         ("1.11e8", "\"111 mm2\"", "surface.asperity_density is \"111 mm2\": a number in 1/m^2"),
         ("0.31", "\"0.31\"", "interface.poissons_ratio is \"0.31\": a number in SI units, without"),
     ] {
-        let said = message(&text("", INTERFACE, SURFACE).replace(from, to));
-        assert!(said.contains(words), "{said}");
+        let found = message(&text("", INTERFACE, SURFACE).replace(from, to));
+        assert!(found.contains(wanted), "{found}");
     }
 }
 
 #[test]
-fn conductivities_may_say_their_unit() {
+fn conductivities_may_have_a_unit() {
     let conducting = format!(
         "{INTERFACE}thermal_conductivity = \"0.5 W/(cm K)\"\nelectrical_resistivity = \"17 uohm cm\"\n"
     );
@@ -57,21 +57,24 @@ fn conductivities_may_say_their_unit() {
 }
 
 #[test]
-fn other_words_for_a_key_lead_to_it() {
+fn synonyms_of_a_key_suggest_it() {
     let with = |key: &str| message(&text("", &format!("{INTERFACE}{key} = 1.0\n"), SURFACE));
-    let told = with("electrical_conductivity");
-    assert!(told.contains("did you mean \"electrical_resistivity\"?"), "{told}");
-    assert!(told.contains("it is 1/conductivity, in ohm m"), "{told}");
-    for word in ["adhesion", "surface_energy"] {
-        let told = with(word);
-        assert!(told.contains("did you mean \"work_of_adhesion\"?"), "{told}");
-        let told = message(&text("", INTERFACE, &format!("{SURFACE}{word} = 0.05\n")));
-        assert!(told.contains("work_of_adhesion\"?): it belongs to the top of the file"), "{told}");
+    let refused = with("electrical_conductivity");
+    assert!(refused.contains("did you mean \"electrical_resistivity\"?"), "{refused}");
+    assert!(refused.contains("it is 1/conductivity, in ohm m"), "{refused}");
+    for name in ["adhesion", "surface_energy"] {
+        let refused = with(name);
+        assert!(refused.contains("did you mean \"work_of_adhesion\"?"), "{refused}");
+        let refused = message(&text("", INTERFACE, &format!("{SURFACE}{name} = 0.05\n")));
+        assert!(
+            refused.contains("work_of_adhesion\"?): it belongs to the top of the file"),
+            "{refused}"
+        );
     }
 }
 
 #[test]
-fn what_is_odd_of_a_body_hides_nothing_else() {
+fn a_finding_about_a_body_hides_no_other() {
     let steel = "youngs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n";
     let bodies =
         |more: &str| format!("[[body]]\n{steel}{more}[[body]]\n{steel}thermal_conductivity = 50\n");
@@ -87,9 +90,9 @@ fn what_is_odd_of_a_body_hides_nothing_else() {
     };
     let found = fields("nominal_area = 100\nwork_of_adhesion = 50", "thermal_conductivity = 5e4\n");
     for field in ["body[1].thermal_conductivity", "nominal_area", "work_of_adhesion"] {
-        assert!(found.iter().any(|known| known == field), "{field}: {found:?}");
+        assert!(found.iter().any(|name| name == field), "{field}: {found:?}");
     }
-    // One mistake is told once.
+    // One mistake is text once.
     assert!(!found.iter().any(|field| field == "thermal_conductivity"), "{found:?}");
     let stiff = steel.replace("210e9", "210");
     let text = text("", &bodies(""), SURFACE).replacen(steel, &stiff, 1);

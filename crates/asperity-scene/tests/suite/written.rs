@@ -12,7 +12,7 @@ fn read(text: &str) -> SceneFile {
     parse(text, Path::new(".")).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Written and read again, which must change nothing.
+/// Writes the scene and reads it again, unchanged.
 fn again(file: &SceneFile) -> (String, SceneFile) {
     let text = file.to_toml(&["any"]).unwrap();
     let again = read(&text);
@@ -42,7 +42,7 @@ fn assert_same(one: &SceneFile, other: &SceneFile) {
 }
 
 #[test]
-fn the_template_is_read_without_a_warning_and_has_the_defaults() {
+fn the_template_has_the_defaults_and_no_warning() {
     let file = read(template());
     assert!(file.warnings.is_empty());
     assert_eq!(file.options, ModelOptions::default());
@@ -54,7 +54,7 @@ fn the_template_is_read_without_a_warning_and_has_the_defaults() {
 }
 
 #[test]
-fn every_alternative_of_the_template_is_read_and_written_when_it_is_chosen() {
+fn every_alternative_of_the_template_is_read_and_written() {
     let lines: Vec<&str> = template().lines().collect();
     let block = |from: &str, to: &str| {
         let place = |mark: &str| lines.iter().position(|line| line.contains(mark)).unwrap();
@@ -127,7 +127,7 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
     ] {
         let file = parse(&format!("{head}{surface}\n"), folder.path()).unwrap();
         let (text, again) = again(&file);
-        // Names of keys, in a form that does not depend on the values.
+        // Names of keys, independent of the values.
         let names = |text: &str| -> Vec<String> {
             let lines = text.lines().filter_map(|line| line.trim().split_once(" = "));
             let mut names: Vec<String> = lines.map(|(name, _)| name.to_string()).collect();
@@ -135,7 +135,7 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
             names
         };
         let (mut given, written) = (names(&format!("{head}{surface}")), names(&text));
-        // Equal to what the model's options say.
+        // `asperities` is written with the options.
         given.retain(|name| name != "asperities");
         given.retain(|name| written.contains(name) || name != "heights");
         for name in &given {
@@ -152,7 +152,7 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
 }
 
 #[test]
-fn numbers_that_were_changed_are_written_as_they_are_now() {
+fn changed_numbers_are_written() {
     let mut file = read(template());
     file.scene.interface.hardness = Some(3e9);
     let (text, _) = written_only(&file);
@@ -167,7 +167,7 @@ fn numbers_that_were_changed_are_written_as_they_are_now() {
     assert!(text.contains("asperity_radius") && !text.contains("plasticity_index"), "{text}");
 }
 
-/// Of scenes whose bodies are not what they were.
+/// Writes and reads a scene whose bodies have changed.
 fn written_only(file: &SceneFile) -> (String, SceneFile) {
     let text = file.to_toml(&[]).unwrap();
     let again = read(&text);
@@ -193,7 +193,7 @@ fn heights_and_comments_are_written() {
 }
 
 #[test]
-fn a_table_of_heights_stands_in_the_text_or_beside_the_file() {
+fn a_table_of_heights_is_in_the_text_or_beside_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let points: Vec<(f64, f64)> =
         (0..50).map(|k| (1e-6 * f64::from(k) / 7.0, (f64::from(k) / 3.0).sin().powi(2))).collect();
@@ -203,7 +203,7 @@ fn a_table_of_heights_stands_in_the_text_or_beside_the_file() {
     file.scene.heights = HeightDistribution::other(table.clone());
     file.scene.mean_plane_offset = Some(table.mean());
     file.separation_from = Datum::SurfaceMean;
-    // Without the table itself, nobody knows what the density is.
+    // Without its points the density cannot be written.
     let refused = file.to_toml(&[]).unwrap_err().to_string();
     assert_eq!(refused, "surface.heights cannot be written: own: a density that is not a table");
     file.table = Some(table);
@@ -214,10 +214,10 @@ fn a_table_of_heights_stands_in_the_text_or_beside_the_file() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
     assert_same(&file, &load(&path).unwrap());
     let refused = file.save(&folder.path().join("scene.csv"), &[]).unwrap_err().to_string();
-    assert!(refused.ends_with("must be text and must not end in .csv"), "{refused}");
+    assert!(refused.ends_with("must be valid UTF-8 and must not end in .csv"), "{refused}");
     let refused = file.save(&folder.path().join("no/scene.toml"), &[]).unwrap_err().to_string();
     assert!(refused.contains("cannot be written"), "{refused}");
-    // An offset that is not the table's has no key.
+    // An offset other than the table's has no key.
     file.scene.mean_plane_offset = Some(1e-6);
     let refused = file.to_toml(&[]).unwrap_err().to_string();
     assert!(refused.starts_with("surface.mean_plane_offset cannot be written"), "{refused}");
@@ -233,7 +233,7 @@ fn scenes_that_cannot_be_read_are_not_written() {
 
 proptest! {
     #[test]
-    fn any_scene_reads_back_to_the_last_digit(
+    fn any_scene_reads_back_bit_for_bit(
         numbers in prop::array::uniform8(-12f64..12.0),
         nu in -0.99f64..0.5,
         given in prop::array::uniform5(any::<bool>()),

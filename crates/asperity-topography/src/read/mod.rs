@@ -1,4 +1,4 @@
-//! Files and bytes to surfaces.
+//! Readers of scans, from files and bytes.
 
 mod npy;
 mod options;
@@ -22,25 +22,24 @@ use crate::{Topography, TopographyError};
 pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
 /// The surface in a file.
-///
-/// The extension or the first bytes tell NumPy, X3P and SUR files; all else is text, distinguished
-/// by its number of columns:
+/// The extension or the first bytes identify NumPy, X3P and SUR files; other files are text,
+/// distinguished by the number of columns:
 ///
 /// | columns | |
 /// |---|---|
 /// | 1 | a profile: heights at a distance of `pixel_size` |
-/// | 2 | a profile: equidistant places and heights |
+/// | 2 | a profile: equidistant positions and heights |
 /// | 3 | points x y z of a regular grid, in any order |
 /// | 4 and more | a matrix: a row of heights to a line |
 ///
-/// Columns are parted by semicolons, tabs, commas or spaces, whichever the first row of numbers
-/// has, in this order; decimals by points. Lines before that row are a header. It may name units
-/// over the columns (`x [mm], z [µm]` or `x_mm, z_um`), and for a matrix the size
-/// (`Width: 10 µm`, `Height: 10 µm`: n pixels of 10/n µm) and the unit of the heights
-/// (`Value units: nm`). `nan`, `bad`, `***`, `--` and empty fields are missing points.
+/// Columns are separated by semicolons, tabs, commas or spaces: the first of these that the first
+/// row of numbers has. The decimal separator is a point. Lines before that row are a header. It may
+/// name units over the columns (`x [mm], z [µm]` or `x_mm, z_um`), and for a matrix the size
+/// (`Width: 10 µm`, `Height: 10 µm`: n pixels of 10/n µm) and the unit of the heights (`Value
+/// units: nm`). `nan`, `bad`, `***`, `--` and empty fields are missing points.
 ///
 /// # Errors
-/// [`TopographyError::File`] with the path and what was wrong.
+/// [`TopographyError::File`] with the path and the error.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Topography, TopographyError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let checked = options.check().and_then(|()| all_bytes(path));
@@ -52,7 +51,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Topography, Topography
 /// The surface in the bytes of a file called `name`: see [`read`].
 ///
 /// # Errors
-/// [`TopographyError`] with what was wrong.
+/// [`TopographyError`] without a path.
 pub fn read_bytes(
     name: &str,
     bytes: &[u8],
@@ -62,7 +61,7 @@ pub fn read_bytes(
     scan(name, bytes)?.topography(options)
 }
 
-/// Takes the bytes, so that those of a file are let go before the surface is measured.
+/// Takes the bytes, so that the memory of the file is freed before the surface is measured.
 fn scan(name: &str, bytes: impl AsRef<[u8]>) -> Result<scan::Scan, TopographyError> {
     let bytes = bytes.as_ref();
     let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
@@ -86,7 +85,7 @@ fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {
     let mut bytes = Vec::new();
     if size <= MAX_FILE_BYTES {
         bytes.reserve_exact(size as usize);
-        // Devices and growing files have no size that could be believed.
+        // The size of devices and growing files is unreliable.
         file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
     }
     let size = size.max(bytes.len() as u64);

@@ -1,7 +1,7 @@
 //! NumPy `.npy`, versions 1 to 3: a header as a Python literal, then plain numbers.
 //!
-//! The header is read here and not by a crate: those at hand multiply declared shapes and set
-//! memory aside before they can be checked against the file, and take nested brackets to any depth.
+//! The header is parsed here because crates for it multiply declared shapes and allocate before
+//! checking against the file, and accept nested brackets of any depth.
 
 use std::io::Cursor;
 
@@ -13,7 +13,7 @@ use crate::TopographyError;
 use crate::error::excerpt;
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
-/// What NumPy itself accepts by default.
+/// The limit of NumPy itself.
 const MAX_HEADER: usize = 10_000;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
@@ -22,26 +22,28 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let (rows, columns) = match header.shape[..] {
         [n] => (1, n),
         [rows, columns] => (rows, columns),
-        _ => return Err(bad("shape", &format!("{:?}", header.shape), "(n,) or (rows, columns)")),
+        _ => {
+            return Err(refuse("shape", &format!("{:?}", header.shape), "(n,) or (rows, columns)"));
+        }
     };
     let n = points(columns, rows)?;
-    // Both factors are small by now.
+    // Both factors are limited above.
     let needed = n * header.sample.size();
     if data.len() != needed {
-        let required = format!("{needed}, as the shape and the type say");
-        return Err(bad("data", &format!("{} bytes", data.len()), &required));
+        let required = format!("{needed}, by the shape and the type");
+        return Err(refuse("data", &format!("{} bytes", data.len()), &required));
     }
     let mut heights = Vec::with_capacity(n);
     header.sample.decode(data, &mut heights);
     let (rows, columns) = (rows as usize, columns as usize);
     if header.fortran_order && rows > 1 {
-        // Column by column in the file.
+        // The file stores the heights column by column.
         heights = (0..n).map(|i| heights[i / columns + rows * (i % columns)]).collect();
     }
     Ok(Scan { heights, columns, unit: None, pixel_size: PixelSize::Unknown })
 }
 
-/// The error for an `.npz`: which of its arrays is the surface is unknown.
+/// The error for an `.npz`, an archive of several arrays.
 pub(super) fn archive(bytes: &[u8]) -> TopographyError {
     let archive = ZipArchive::new(Cursor::new(bytes)).ok();
     let names =
@@ -58,9 +60,9 @@ pub(super) fn archive(bytes: &[u8]) -> TopographyError {
 
 /// Header text and data.
 fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
-    let short = || bad("header", &format!("{} bytes", bytes.len()), "a whole header");
+    let short = || refuse("header", &format!("{} bytes", bytes.len()), "a whole header");
     if !bytes.starts_with(MAGIC) {
-        return Err(bad("file", "something else", "a file that begins with \\x93NUMPY"));
+        return Err(refuse("file", "something else", "a file that begins with \\x93NUMPY"));
     }
     let (version, rest) =
         bytes.get(MAGIC.len()..).and_then(<[u8]>::split_first_chunk).ok_or_else(short)?;
@@ -74,16 +76,16 @@ fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
             (u32::from_le_bytes(*length) as usize, rest)
         }
         [major, minor] => {
-            return Err(bad("version", &format!("{major}.{minor}"), "1.0, 2.0 or 3.0"));
+            return Err(refuse("version", &format!("{major}.{minor}"), "1.0, 2.0 or 3.0"));
         }
     };
     if length > MAX_HEADER {
         let required = format!("at most {MAX_HEADER} bytes");
-        return Err(bad("header", &format!("{length} bytes"), &required));
+        return Err(refuse("header", &format!("{length} bytes"), &required));
     }
     let (header, data) = rest.split_at_checked(length).ok_or_else(short)?;
     let text = std::str::from_utf8(header)
-        .map_err(|_| bad("header", "something that is not UTF-8", "text"))?;
+        .map_err(|_| refuse("header", "something that is not UTF-8", "text"))?;
     Ok((text, data))
 }
 
@@ -94,11 +96,11 @@ struct Header {
 }
 
 impl Header {
-    /// Of `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }`.
+    /// Parses `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }`.
     fn parse(text: &str) -> Result<Self, TopographyError> {
         let wrong = || {
             let required = "{'descr': .., 'fortran_order': .., 'shape': ..} of plain numbers";
-            bad("header", &format!("{:?}", text.trim_end()), required)
+            refuse("header", &format!("{:?}", text.trim_end()), required)
         };
         let inner = text.trim().strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
         let mut rest = inner.ok_or_else(wrong)?.trim();
@@ -106,15 +108,15 @@ impl Header {
         while !rest.is_empty() {
             let (key, value) = rest.split_once(':').ok_or_else(wrong)?;
             let value = value.trim_start();
-            // A shape has commas of its own.
+            // A shape contains commas.
             let end = match value.starts_with('(') {
                 true => value.find(')').ok_or_else(wrong)? + 1,
                 false => value.find(',').unwrap_or(value.len()),
             };
             let (value, after) = value.split_at(end);
             let value = value.trim();
-            match unquoted(key.trim()) {
-                Some("descr") => descr = Some(unquoted(value).ok_or_else(wrong)?),
+            match unquote(key.trim()) {
+                Some("descr") => descr = Some(unquote(value).ok_or_else(wrong)?),
                 Some("fortran_order") => fortran_order = Some(value),
                 Some("shape") => shape = Some(value),
                 _ => return Err(wrong()),
@@ -125,25 +127,25 @@ impl Header {
         let fortran_order = match fortran_order.ok_or_else(wrong)? {
             "True" => true,
             "False" => false,
-            other => return Err(bad("fortran_order", other, "True or False")),
+            other => return Err(refuse("fortran_order", other, "True or False")),
         };
         let shape = shape.ok_or_else(wrong)?;
         let numbers = shape.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
         let numbers = numbers.ok_or_else(wrong)?.split(',').map(str::trim);
         let shape = numbers
             .filter(|number| !number.is_empty())
-            .map(|number| number.parse().map_err(|_| bad("shape", shape, "whole numbers")))
+            .map(|number| number.parse().map_err(|_| refuse("shape", shape, "whole numbers")))
             .collect::<Result<_, _>>()?;
         Ok(Self { sample: sample(descr.ok_or_else(wrong)?)?, fortran_order, shape })
     }
 }
 
-fn unquoted(text: &str) -> Option<&str> {
+fn unquote(text: &str) -> Option<&str> {
     ['\'', '"'].iter().find_map(|quote| text.strip_prefix(*quote)?.strip_suffix(*quote))
 }
 
 fn sample(descr: &str) -> Result<Sample, TopographyError> {
-    let wrong = || bad("descr", descr, "a type such as <f8, <f4, >f8, <i2 or |u1");
+    let wrong = || refuse("descr", descr, "a type such as <f8, <f4, >f8, <i2 or |u1");
     let mut letters = descr.chars();
     let big_endian = match letters.next() {
         Some('<' | '|') => false,
@@ -166,7 +168,7 @@ fn sample(descr: &str) -> Result<Sample, TopographyError> {
     Ok(Sample { kind, big_endian })
 }
 
-fn bad(field: &'static str, found: &str, required: &str) -> TopographyError {
+fn refuse(field: &'static str, found: &str, required: &str) -> TopographyError {
     let (found, required) = (excerpt(found), required.to_owned());
     TopographyError::Field { format: "npy", field, found, required }
 }

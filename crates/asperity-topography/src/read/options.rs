@@ -1,18 +1,17 @@
-//! What a file may leave open.
+//! Options for reading scans.
 
 use crate::{LengthUnit, TopographyError};
 
-/// What a file may leave open, and how much of it may be missing.
+/// Properties that a file may not state, and the accepted share of missing points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadOptions {
-    /// Unit of the heights, and of `pixel_size` where that is given. A file that states its unit
-    /// must agree.
+    /// Unit of the heights and of `pixel_size`. A unit stated in the file must agree.
     pub unit: Option<LengthUnit>,
-    /// Distance of neighbouring points along a row and along a column, in `unit` (in the unit the
-    /// file states for its heights where `unit` is not given). A file that states it must agree
-    /// to one part in a thousand.
+    /// Distance of neighbouring points along a row and along a column, in `unit` (by default in the
+    /// unit stated in the file). A distance stated in the file must agree to one part in a
+    /// thousand.
     pub pixel_size: Option<[f64; 2]>,
-    /// The largest share of missing points that is accepted, 0 to 1; 0.1 by default.
+    /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
     pub max_missing: f64,
 }
 

@@ -1,31 +1,30 @@
-//! Scattered places to a regular grid.
+//! Points in any order on a regular grid.
 
 use super::scan;
 use crate::TopographyError;
 
-/// How far a place may lie from its grid point, over the distance of grid points: files print
-/// places with few digits.
+/// Tolerance of a position, relative to the grid distance: files print positions with few digits.
 const SLACK: f64 = 0.1;
 
-/// The distance of places that ascend or descend by equal steps.
+/// The distance of positions that ascend or descend by equal steps.
 pub(super) fn equidistant(places: &[f64]) -> Result<f64, TopographyError> {
     let wrong = |found: String| TopographyError::Grid {
         field: "x",
         found,
-        required: "at least two places at equal distances".to_owned(),
+        required: "at least two positions at equal distances".to_owned(),
     };
     let (Some(first), Some(last)) = (places.first(), places.last()) else {
-        return Err(wrong("no place".to_owned()));
+        return Err(wrong("no position".to_owned()));
     };
     let step = (last - first) / (places.len().max(2) - 1) as f64;
     if !(step.abs() > 0.0 && step.is_finite()) {
-        return Err(wrong(format!("{} places from {first:?} to {last:?}", places.len())));
+        return Err(wrong(format!("{} positions from {first:?} to {last:?}", places.len())));
     }
     for (i, place) in places.iter().enumerate() {
         let expected = first + step * i as f64;
         if place.is_nan() || (place - expected).abs() > SLACK * step.abs() {
             let found = format!(
-                "{place:?} as place {} of {}, where equal distances have {expected:?}",
+                "{place:?} as position {} of {}, where equal distances give {expected:?}",
                 i + 1,
                 places.len()
             );
@@ -35,19 +34,19 @@ pub(super) fn equidistant(places: &[f64]) -> Result<f64, TopographyError> {
     Ok(step.abs())
 }
 
-/// Heights, columns and pixel size of x, y, z, x, y, z...: points of a regular grid, in any order,
-/// NaN where none was.
+/// Heights, columns and pixel size of x, y, z, x, y, z...: points of a regular grid, in any order;
+/// NaN for grid points without a point.
 pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), TopographyError> {
-    let across = Axis::of(&values, 0, "x")?;
-    let along = Axis::of(&values, 1, "y")?;
+    let across = Axis::new(&values, 0, "x")?;
+    let along = Axis::new(&values, 1, "y")?;
     let n = scan::points(across.n, along.n)?;
     let given = values.len() / 3;
-    // A grid far larger than its points is no grid, and its memory nobody's wish.
+    // A grid far larger than the number of points is an error and would take much memory.
     if n / 1000 > given {
         return Err(TopographyError::Grid {
             field: "x and y",
             found: format!("{given} points on a grid of {} x {}", across.n, along.n),
-            required: "points that fill a thousandth of their grid".to_owned(),
+            required: "points at a thousandth of the grid points or more".to_owned(),
         });
     }
     let mut heights = vec![f64::NAN; n];
@@ -59,7 +58,7 @@ pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), Topo
             return Err(TopographyError::Grid {
                 field: "x and y",
                 found: format!("a second point at {:?}, {:?}", point[0], point[1]),
-                required: "one point at each place".to_owned(),
+                required: "one point per grid point".to_owned(),
             });
         }
         taken[index] = true;
@@ -77,21 +76,21 @@ struct Axis {
 }
 
 impl Axis {
-    fn of(values: &[f64], offset: usize, field: &'static str) -> Result<Self, TopographyError> {
+    fn new(values: &[f64], offset: usize, field: &'static str) -> Result<Self, TopographyError> {
         let mut places: Vec<f64> = values.iter().skip(offset).step_by(3).copied().collect();
         let wrong = |found: String| TopographyError::Grid {
             field,
             found,
-            required: "at least two places of a regular grid".to_owned(),
+            required: "at least two positions of a regular grid".to_owned(),
         };
         if places.iter().any(|place| place.is_nan()) {
-            return Err(wrong("a point without a place".to_owned()));
+            return Err(wrong("a point without a position".to_owned()));
         }
         places.sort_unstable_by(f64::total_cmp);
         places.dedup();
         let (first, last) = match places[..] {
             [first, .., last] if (last - first).is_finite() => (first, last),
-            _ => return Err(wrong(format!("{} places", places.len()))),
+            _ => return Err(wrong(format!("{} positions", places.len()))),
         };
         let whole = Self {
             field,
@@ -104,15 +103,15 @@ impl Axis {
         if places.iter().enumerate().all(in_order) {
             return Ok(whole);
         }
-        // Some rows or columns have no point at all: the usual distance gives the grid.
+        // Some rows or columns have no points: the median distance gives the grid.
         let mut steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let middle = (steps.len() - 1) / 2;
         let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
         let intervals = ((last - first) / usual).round();
-        // Compared as numbers: a quotient may be beyond any whole one.
+        // Compared as floats: the quotient may overflow an integer.
         if !(intervals >= 1.0 && intervals < crate::MAX_POINTS as f64) {
             return Err(wrong(format!(
-                "places from {first:?} to {last:?}, mostly {usual:?} apart"
+                "positions from {first:?} to {last:?}, mostly {usual:?} apart"
             )));
         }
         let axis = Self { field, first, step: (last - first) / intervals, n: intervals as u64 + 1 };
@@ -120,7 +119,7 @@ impl Axis {
         Ok(axis)
     }
 
-    /// Which grid point a place is.
+    /// The index of the grid point at a position.
     fn index(&self, place: f64) -> Result<usize, TopographyError> {
         let at = (place - self.first) / self.step;
         let nearest = at.round();
@@ -140,8 +139,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_in_any_order_find_their_place() {
-        // 4 x 3 points with places printed to two digits; one point is not there.
+    fn points_in_any_order_give_the_grid() {
+        // 4 x 3 points with positions printed to two digits; one point is missing.
         let mut values = Vec::new();
         for i in (0..12).map(|i| (i * 5) % 12).filter(|i| *i != 7) {
             let x = (f64::from(i % 4) * 12.7656).round() / 100.0;
@@ -167,9 +166,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_grid_is_refused() {
+    fn irregular_grids_are_refused() {
         let message = |values: &[f64]| grid(values.to_vec()).unwrap_err().to_string();
-        assert!(message(&[0.0, 0.0, 1.0]).contains("1 places was found"));
+        assert!(message(&[0.0, 0.0, 1.0]).contains("1 positions was found"));
         assert!(
             message(&[0., 0., 1., 1., 0., 1., 0., 1., 1., 1., 0., 2.]).contains("a second point")
         );
@@ -178,7 +177,7 @@ mod tests {
         let far = [0., 0., 1., 1., 1., 1., 2., 2., 1., 1e30, 3., 1.];
         assert!(message(&far).starts_with("x: "), "{}", message(&far));
         let nan = [0., 0., 1., f64::NAN, 1., 1.];
-        assert!(message(&nan).contains("without a place"));
+        assert!(message(&nan).contains("without a position"));
         let diagonal: Vec<f64> =
             (0..5000).flat_map(|i| [f64::from(i), f64::from(i), 1.0]).collect();
         assert!(message(&diagonal).contains("thousandth"));
@@ -188,9 +187,9 @@ mod tests {
     fn profiles_have_equal_steps() {
         assert!((equidistant(&[3.0, 2.0, 1.01, 0.0]).unwrap() - 1.0).abs() < 1e-12);
         let message = |places: &[f64]| equidistant(places).unwrap_err().to_string();
-        assert!(message(&[0.0, 1.0, 3.0]).contains("1.0 as place 2 of 3"));
-        assert!(message(&[1.0]).contains("1 places"));
-        assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as place 2"));
+        assert!(message(&[0.0, 1.0, 3.0]).contains("1.0 as position 2 of 3"));
+        assert!(message(&[1.0]).contains("1 positions"));
+        assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
         assert!(message(&[0.0, f64::NAN]).contains("from 0.0 to NaN"));
     }
 }

@@ -1,6 +1,6 @@
-//! Numbers as binary files keep them.
+//! Number types of binary files.
 
-/// A kind of number in a binary file.
+/// A number type of binary files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     I8,
@@ -15,7 +15,7 @@ pub(super) enum Kind {
     F64,
 }
 
-/// How a binary file keeps its heights.
+/// The number type and byte order of the heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Sample {
     pub(super) kind: Kind,
@@ -23,7 +23,7 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// Bytes to a number.
+    /// Bytes per number.
     pub(super) fn size(self) -> usize {
         match self.kind {
             Kind::I8 | Kind::U8 => 1,
@@ -33,7 +33,7 @@ impl Sample {
         }
     }
 
-    /// Appends the whole numbers in `bytes`.
+    /// Appends the numbers in `bytes`, without an incomplete last one.
     pub(super) fn decode(self, bytes: &[u8], into: &mut Vec<f64>) {
         macro_rules! numbers {
             ($of:ty) => {
@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_ends_come_first() {
+    fn both_byte_orders_are_decoded() {
         let mut numbers = Vec::new();
         Sample { kind: Kind::I16, big_endian: true }.decode(&[1, 2, 255, 254, 7], &mut numbers);
         Sample { kind: Kind::I16, big_endian: false }.decode(&[1, 2], &mut numbers);

@@ -1,14 +1,14 @@
-//! What a reader found, and how options complete it.
+//! The content of a file, completed by the options.
 
 use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
 
-/// No instrument sees less \[m\].
+/// Smaller pixels \[m\] are refused: no instrument resolves them.
 const ATOM: f64 = 1e-11;
 
-/// The distance between points in the file.
+/// The distance between points, as stated in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PixelSize {
-    /// Nothing.
+    /// Not stated.
     Unknown,
     /// A number in the unit of the heights.
     InUnit([f64; 2]),
@@ -16,13 +16,13 @@ pub(super) enum PixelSize {
     Metres([f64; 2]),
 }
 
-/// A surface as its file has it.
+/// A surface as stored in its file.
 #[derive(Debug)]
 pub(super) struct Scan {
-    /// In the unit; NaN where missing.
+    /// Heights in `unit`; NaN for missing points.
     pub(super) heights: Vec<f64>,
     pub(super) columns: usize,
-    /// Unit of the heights, where the file states it.
+    /// Unit of the heights, if the file states it.
     pub(super) unit: Option<LengthUnit>,
     pub(super) pixel_size: PixelSize,
 }
@@ -72,7 +72,7 @@ impl Scan {
             PixelSize::Metres(size) => Some(size),
         };
         if let (Some(given), Some(in_file)) = (given, in_file) {
-            // Of a profile only the first counts.
+            // A profile uses the first only.
             let axes = if self.heights.len() == self.columns { 1 } else { 2 };
             for (given, in_file) in given.into_iter().zip(in_file).take(axes) {
                 if (given - in_file).abs() > 1e-3 * in_file {
@@ -88,7 +88,7 @@ impl Scan {
     }
 }
 
-/// The product of two counts that a file declares, if it may be held in memory.
+/// The product of two counts declared in a file, if it is within the limit of points.
 pub(super) fn points(columns: u64, rows: u64) -> Result<usize, TopographyError> {
     let (size, limit) = (columns.saturating_mul(rows), MAX_POINTS as u64);
     if size > limit {
@@ -110,12 +110,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_is_asked_for() {
+    fn missing_units_and_pixel_sizes_are_requested() {
         let options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
         let unit = Some(LengthUnit::Nanometre);
         assert!(message(scan(None, PixelSize::Unknown), &options).contains("--unit"));
         assert!(message(scan(unit, PixelSize::Unknown), &options).contains("--pixel-size"));
-        // The unit of the heights is that of the pixel size given.
+        // The pixel size given is in the unit of the heights.
         let options = ReadOptions { pixel_size: Some([2.0, 3.0]), ..options };
         let surface = scan(unit, PixelSize::Unknown).topography(&options).unwrap();
         assert!((surface.pixel_size()[1] / 3e-9 - 1.0).abs() < 1e-15);
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn what_contradicts_the_file_is_refused() {
+    fn options_that_contradict_the_file_are_refused() {
         let options = ReadOptions {
             unit: Some(LengthUnit::Micrometre),
             pixel_size: Some([2.0, 2.0]),

@@ -1,4 +1,4 @@
-//! Text to a table of numbers: a header, then rows of equal length.
+//! Parser of text to a table of numbers: a header, then rows of equal length.
 
 use crate::error::excerpt;
 use crate::{MAX_POINTS, TopographyError};
@@ -12,7 +12,7 @@ pub(super) struct Table {
     pub(super) delimiter: Delimiter,
 }
 
-/// What parts the fields of a line.
+/// The separator of the fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Delimiter {
     Semicolon,
@@ -22,9 +22,9 @@ pub(super) enum Delimiter {
 }
 
 impl Delimiter {
-    /// Of the first row. A line of numbers with semicolons or tabs may have commas only as
-    /// decimals, which are refused, not as delimiters.
-    fn of(line: &[u8]) -> Self {
+    /// The delimiter of the first row. Beside semicolons or tabs, commas can only be decimal
+    /// commas, which are refused.
+    fn detect(line: &[u8]) -> Self {
         let has = |byte| line.contains(&byte);
         match () {
             () if has(b';') => Self::Semicolon,
@@ -50,7 +50,7 @@ impl Delimiter {
             .filter(move |field| self != Self::Space || !field.is_empty())
     }
 
-    /// A line without the delimiter that ends it.
+    /// The line without its trailing delimiter, if it has one.
     fn open(self, line: &[u8]) -> Option<&[u8]> {
         let (last, rest) = line.split_last()?;
         (self != Self::Space && self.parts(*last)).then_some(rest)
@@ -59,8 +59,8 @@ impl Delimiter {
 
 impl Table {
     /// # Errors
-    /// When there is no row of numbers, when a row has another length than the first, when a field
-    /// is neither a number nor a mark for a missing point, when there are too many.
+    /// [`TopographyError`] when there is no row of numbers, when rows differ in length, when a
+    /// field is neither a number nor a mark of a missing point, or when there are too many values.
     pub(super) fn parse(bytes: &[u8]) -> Result<Self, TopographyError> {
         let mut header = Vec::new();
         let mut rows: Option<Rows> = None;
@@ -73,16 +73,16 @@ impl Table {
                 Some(_) if line.starts_with(b"#") => {}
                 Some(rows) => rows.add(number, line)?,
                 None if is_row(line) => {
-                    let mut first = Rows::of(line, bytes.len());
+                    let mut first = Rows::new(line, bytes.len());
                     first.add(number, line)?;
                     rows = Some(first);
                 }
-                None => header.push((number, decoded(line))),
+                None => header.push((number, decode(line))),
             }
         }
         let Some(rows) = rows else {
             let (line, found) = header.into_iter().next().unwrap_or((1, String::new()));
-            let required = "a row of numbers here or below".to_owned();
+            let required = "a row of numbers in this line or below".to_owned();
             return Err(TopographyError::Line { line, found: excerpt(&found), required });
         };
         let Rows { values, columns, delimiter, .. } = rows;
@@ -90,7 +90,7 @@ impl Table {
     }
 }
 
-/// Rows in the making.
+/// The rows parsed so far.
 struct Rows {
     values: Vec<f64>,
     columns: usize,
@@ -100,14 +100,13 @@ struct Rows {
 }
 
 impl Rows {
-    /// Shaped by the first row.
-    fn of(line: &[u8], bytes: usize) -> Self {
-        let delimiter = Delimiter::of(line);
+    /// No rows, with the delimiter and the number of columns of the first row.
+    fn new(line: &[u8], bytes: usize) -> Self {
+        let delimiter = Delimiter::detect(line);
         let open = delimiter.open(line);
         let closed = open.is_some();
         let columns = delimiter.fields(open.unwrap_or(line)).count();
-        // Memory for as many rows as would fit, were all as long as the first: no row has more
-        // fields than bytes.
+        // Capacity for rows as long as the first; no row has more fields than bytes.
         let expected = (bytes / (line.len() + 1) + 1) * columns;
         let values = Vec::with_capacity(expected.min(MAX_POINTS));
         Self { values, columns, delimiter, closed }
@@ -119,7 +118,7 @@ impl Rows {
         for field in self.delimiter.fields(open.unwrap_or(line)) {
             self.values.push(value(field).ok_or_else(|| TopographyError::Line {
                 line: number,
-                found: excerpt(&decoded(field)),
+                found: excerpt(&decode(field)),
                 required: "a finite number with a decimal point, or nan,".to_owned(),
             })?);
         }
@@ -137,15 +136,15 @@ impl Rows {
     }
 }
 
-/// Whether a line can be the first row: fields that all have a value, and not only marks such as
-/// `---`, which underline a header too.
+/// Whether a line can be the first row: all fields are values, and not all are marks such as `---`,
+/// which may underline a header.
 fn is_row(line: &[u8]) -> bool {
-    let fields = || Delimiter::of(line).fields(line);
+    let fields = || Delimiter::detect(line).fields(line);
     fields().all(|field| value(field).is_some())
         && fields().any(|field| field.iter().any(u8::is_ascii_alphanumeric))
 }
 
-/// A finite number, NaN for a missing point, nothing for anything else.
+/// A finite number, NaN for a missing point, `None` for any other text.
 fn value(field: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(field).ok()?;
     match text.parse::<f64>() {
@@ -153,15 +152,15 @@ fn value(field: &[u8]) -> Option<f64> {
         Ok(number) => Some(number),
         Err(_) => {
             let marks = field.iter().all(|byte| matches!(byte, b'*' | b'-'));
-            let word = ["bad", "null", "none", "na", "n/a"];
-            let missing = marks || word.iter().any(|word| text.eq_ignore_ascii_case(word));
+            let names = ["bad", "null", "none", "na", "n/a"];
+            let missing = marks || names.iter().any(|name| text.eq_ignore_ascii_case(name));
             missing.then_some(f64::NAN)
         }
     }
 }
 
-/// UTF-8, or Latin 1 where it is not: instruments write µ in either.
-fn decoded(bytes: &[u8]) -> String {
+/// UTF-8 text, or else Latin 1: instruments write µ in either.
+fn decode(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
@@ -182,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn delimiters_are_those_of_the_first_row() {
+    fn the_first_row_sets_the_delimiter() {
         for text in [
             "1 2.5  3\n-4 5e1 6",
             "1,2.5,3\r\n-4, 5e1 ,6\r\n",
@@ -194,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn missing_points_have_many_names() {
+    fn missing_points_have_several_marks() {
         let (columns, found) = values("head, er\n1,nan,,NaN\n***,2,bad,--\n# later\n1,2,3,4");
         assert_eq!((columns, found.len()), (4, 12));
         let missing: Vec<_> = found.iter().map(|value| value.is_nan()).collect();
@@ -205,11 +204,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_table_is_refused_with_its_line() {
+    fn invalid_tables_are_refused_with_the_line() {
         assert!(message(b"").starts_with("line 1: \"\" was found, a row of numbers"));
         assert!(message(b"some\nwords").starts_with("line 1: \"some\""));
         let ragged = message(b"h\n1 2 3\n1 2\n");
-        assert_eq!(ragged, "line 3 has 2 numbers: 3, as the first row has, were required");
+        assert_eq!(ragged, "line 3 has 2 numbers: 3 were required, as in the first row");
         assert!(message(b"1 2\n3 inf\n").starts_with("line 2: \"inf\" was found, a finite number"));
         assert!(message(b"1 2\n3 1e999\n").starts_with("line 2: \"1e999\""));
         assert!(message(b"1;2\n3;1,5\n").starts_with("line 2: \"1,5\" was found"));

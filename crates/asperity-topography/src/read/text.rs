@@ -8,59 +8,59 @@ use crate::{LengthUnit, TopographyError};
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    // Text in two bytes to the letter, and binary files of other formats.
+    // UTF-16 text, and binary files of other formats.
     if bytes[..bytes.len().min(4096)].contains(&0) {
         return Err(TopographyError::UnknownFormat);
     }
     let table = Table::parse(bytes)?;
-    let said = Header::read(&table)?;
+    let header = Header::read(&table)?;
     match table.columns {
-        1 => Ok(column(table, &said)),
-        2 if said.size == [None; 2] => profile(table, &said),
-        3 if said.size == [None; 2] => xyz(table, &said),
-        _ => matrix(table, &said),
+        1 => Ok(column(table, &header)),
+        2 if header.size == [None; 2] => profile(table, &header),
+        3 if header.size == [None; 2] => xyz(table, &header),
+        _ => matrix(table, &header),
     }
 }
 
-fn matrix(table: Table, said: &Header) -> Result<Scan, TopographyError> {
+fn matrix(table: Table, header: &Header) -> Result<Scan, TopographyError> {
     let Table { values: heights, columns, .. } = table;
     let rows = heights.len() / columns;
     points(columns as u64, rows as u64)?;
-    let pixel_size = match said.size {
+    let pixel_size = match header.size {
         [Some(width), Some(height)] => {
             PixelSize::Metres([width / columns as f64, height / rows as f64])
         }
         [Some(width), None] if rows == 1 => PixelSize::Metres([width / columns as f64; 2]),
         _ => PixelSize::Unknown,
     };
-    Ok(Scan { heights, columns, unit: said.unit, pixel_size })
+    Ok(Scan { heights, columns, unit: header.unit, pixel_size })
 }
 
-fn column(table: Table, said: &Header) -> Scan {
+fn column(table: Table, header: &Header) -> Scan {
     let heights = table.values;
     let columns = heights.len();
-    let pixel_size = match said.size[0] {
+    let pixel_size = match header.size[0] {
         Some(width) => PixelSize::Metres([width / columns as f64; 2]),
         None => PixelSize::Unknown,
     };
-    let unit = said.unit.or(said.columns.first().copied().flatten());
+    let unit = header.unit.or(header.columns.first().copied().flatten());
     Scan { heights, columns, unit, pixel_size }
 }
 
-fn profile(table: Table, said: &Header) -> Result<Scan, TopographyError> {
+fn profile(table: Table, header: &Header) -> Result<Scan, TopographyError> {
     let (places, heights): (Vec<f64>, Vec<f64>) =
         table.values.chunks(2).map(|row| (row[0], row[1])).unzip();
     drop(table);
     let step = super::points::equidistant(&places)?;
-    let pixel_size = said.pixel_size([step; 2])?;
-    let unit = said.columns.get(1).copied().flatten().or(said.unit);
+    let pixel_size = header.pixel_size([step; 2])?;
+    let unit = header.columns.get(1).copied().flatten().or(header.unit);
     Ok(Scan { columns: heights.len(), heights, unit, pixel_size })
 }
 
-fn xyz(table: Table, said: &Header) -> Result<Scan, TopographyError> {
+fn xyz(table: Table, header: &Header) -> Result<Scan, TopographyError> {
     let (heights, columns, pixel_size) = grid(table.values)?;
-    let pixel_size = said.pixel_size(pixel_size)?;
-    let unit = said.columns.get(2).copied().flatten().or(said.unit);
+    let pixel_size = header.pixel_size(pixel_size)?;
+    let unit = header.columns.get(2).copied().flatten().or(header.unit);
     Ok(Scan { heights, columns, unit, pixel_size })
 }
 
@@ -77,7 +77,7 @@ struct Header {
 
 impl Header {
     fn read(table: &Table) -> Result<Self, TopographyError> {
-        let mut said = Self::default();
+        let mut header = Self::default();
         for (line, text) in &table.header {
             let bare = text.trim_start_matches(['#', '%', '\\', '/', '*', '"', ' ']);
             let Some((key, value)) = bare.split_once([':', '=']) else { continue };
@@ -89,10 +89,12 @@ impl Header {
             };
             match key.trim().to_ascii_lowercase().as_str() {
                 "width" => {
-                    said.size[0] = Some(length(value).ok_or_else(|| wrong("a length, as 10 um,"))?);
+                    header.size[0] =
+                        Some(length(value).ok_or_else(|| wrong("a length, for example 10 um,"))?);
                 }
                 "height" => {
-                    said.size[1] = Some(length(value).ok_or_else(|| wrong("a length, as 10 um,"))?);
+                    header.size[1] =
+                        Some(length(value).ok_or_else(|| wrong("a length, for example 10 um,"))?);
                 }
                 "value units"
                 | "value unit"
@@ -104,12 +106,12 @@ impl Header {
                 | "units"
                 | "unit" => {
                     let unit = value.parse();
-                    said.unit = Some(unit.map_err(|_| wrong("a unit of length"))?);
+                    header.unit = Some(unit.map_err(|_| wrong("a unit of length"))?);
                 }
                 _ => {}
             }
         }
-        // The last line may stand over the columns.
+        // The last line may name the columns.
         if let Some((_, names)) = table.header.last() {
             let names = names.trim_start_matches(['#', '%', '\\', '/', '*']).as_bytes();
             let delimiter = match table.delimiter {
@@ -118,16 +120,16 @@ impl Header {
             };
             if table.columns <= 3 && delimiter.fields(names).count() == table.columns {
                 let unit = |name| unit_in(&String::from_utf8_lossy(name));
-                said.columns = delimiter.fields(names).map(unit).collect();
+                header.columns = delimiter.fields(names).map(unit).collect();
             }
         }
-        Ok(said)
+        Ok(header)
     }
 
-    /// The distance of points in the units over the columns of places.
+    /// The distance of points in the units over the columns of positions.
     fn pixel_size(&self, size: [f64; 2]) -> Result<PixelSize, TopographyError> {
-        let of = |column: usize| self.columns.get(column).copied().flatten();
-        let places = if self.columns.len() > 2 { [of(0), of(1)] } else { [of(0); 2] };
+        let unit = |column: usize| self.columns.get(column).copied().flatten();
+        let places = if self.columns.len() > 2 { [unit(0), unit(1)] } else { [unit(0); 2] };
         match places {
             [Some(x), Some(y)] => {
                 Ok(PixelSize::Metres([size[0] * x.metres(), size[1] * y.metres()]))
@@ -136,7 +138,7 @@ impl Header {
             _ => Err(TopographyError::Grid {
                 field: "header",
                 found: "a unit over one of the columns x and y".to_owned(),
-                required: "units over both, or over none,".to_owned(),
+                required: "units over both or over neither".to_owned(),
             }),
         }
     }

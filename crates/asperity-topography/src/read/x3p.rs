@@ -1,6 +1,6 @@
-//! ISO 25178-72 `.x3p`: a zip archive with `main.xml` and the heights beside it, in metres.
+//! ISO 25178-72 `.x3p`: a zip archive of `main.xml` and a file of heights in metres.
 //!
-//! The layout is that of the reader of SurfaceTopography; the standard itself was not at hand.
+//! The layout follows the reader of SurfaceTopography, not the standard.
 
 use std::io::{Cursor, Read};
 
@@ -14,33 +14,37 @@ use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
-/// The most of `main.xml` that is unpacked.
+/// The largest size of `main.xml` \[bytes\].
 const MAX_XML: u64 = 1 << 20;
-/// The most elements, texts and comments in it.
+/// The largest number of elements, texts and comments in it.
 const MAX_NODES: u32 = 10_000;
 
-/// Deflate packs at most 258 bytes into two bits: 1032 to one.
+/// The highest ratio of deflate: 258 bytes in two bits.
 const DEFLATE_RATIO: usize = 1032;
 
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes))
-        .map_err(|error| bad("archive", error, "a zip archive"))?;
+        .map_err(|error| refuse("archive", error, "a zip archive"))?;
     if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
         return Err(npy::archive(bytes));
     }
     let xml = main_xml(&mut archive)?;
     let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
     let document = Document::parse_with_options(&xml, options)
-        .map_err(|error| bad("main.xml", error, "an XML document"))?;
+        .map_err(|error| refuse("main.xml", error, "an XML document"))?;
     let Description { columns, rows, pixel_size, sample, step, offset, data, valid } =
         Description::read(document.root_element())?;
     let n = points(columns, rows)?;
     let packed = (n * sample.size()).div_ceil(DEFLATE_RATIO);
     if packed > bytes.len() {
         let found = format!("{columns} x {rows} points in a file of {} bytes", bytes.len());
-        return Err(bad("MatrixDimension", found, &format!("{packed} bytes for so many points")));
+        return Err(refuse(
+            "MatrixDimension",
+            found,
+            &format!("at least {packed} bytes for these points"),
+        ));
     }
     let mut heights = Vec::with_capacity(n);
     unpack(&mut archive, &data, n * sample.size(), |bytes| sample.decode(bytes, &mut heights))?;
@@ -67,37 +71,37 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
 fn main_xml(archive: &mut Archive<'_>) -> Result<String, TopographyError> {
     let entry = archive
         .by_name("main.xml")
-        .map_err(|error| bad("main.xml", error, "an entry of this name"))?;
+        .map_err(|error| refuse("main.xml", error, "an entry of this name"))?;
     let mut xml = Vec::new();
     entry
         .take(MAX_XML + 1)
         .read_to_end(&mut xml)
-        .map_err(|error| bad("main.xml", error, "an entry that can be unpacked"))?;
+        .map_err(|error| refuse("main.xml", error, "an entry that can be unpacked"))?;
     if xml.len() as u64 > MAX_XML {
-        return Err(bad("main.xml", "more", &format!("at most {MAX_XML} bytes")));
+        return Err(refuse("main.xml", "more", &format!("at most {MAX_XML} bytes")));
     }
-    String::from_utf8(xml).map_err(|_| bad("main.xml", "something else", "UTF-8"))
+    String::from_utf8(xml).map_err(|_| refuse("main.xml", "something else", "UTF-8"))
 }
 
-/// Hands an entry of exactly `size` bytes over in pieces of whole numbers. Not a byte more than
-/// that is unpacked, whatever the archive declares.
+/// Passes on an entry of exactly `size` bytes in pieces of complete numbers. At most `size` bytes
+/// are unpacked, whatever the archive declares.
 fn unpack(
     archive: &mut Archive<'_>,
     name: &str,
     size: usize,
     mut piece: impl FnMut(&[u8]),
 ) -> Result<(), TopographyError> {
-    let named = |error: &dyn ToString| format!("{name}: {}", error.to_string());
+    let entry_error = |error: &dyn ToString| format!("{name}: {}", error.to_string());
     let mut entry = archive
         .by_name(name)
-        .map_err(|error| bad("DataLink", named(&error), "an entry of this name"))?;
+        .map_err(|error| refuse("DataLink", entry_error(&error), "an entry of this name"))?;
     let mut buffer = [0; 1 << 13];
     let mut left = size;
     while left > 0 {
         let part = &mut buffer[..left.min(1 << 13)];
         entry.read_exact(part).map_err(|error| {
-            let required = format!("{size} bytes, as main.xml says");
-            bad("DataLink", named(&error), &required)
+            let required = format!("{size} bytes, by main.xml");
+            refuse("DataLink", entry_error(&error), &required)
         })?;
         piece(part);
         left -= part.len();
@@ -105,8 +109,10 @@ fn unpack(
     // Reading to the end also checks the checksum.
     match entry.read(&mut buffer) {
         Ok(0) => Ok(()),
-        Ok(_) => Err(bad("DataLink", named(&"more"), &format!("{size} bytes, as main.xml says"))),
-        Err(error) => Err(bad("DataLink", named(&error), "an entry that can be unpacked")),
+        Ok(_) => {
+            Err(refuse("DataLink", entry_error(&"more"), &format!("{size} bytes, by main.xml")))
+        }
+        Err(error) => Err(refuse("DataLink", entry_error(&error), "an entry that can be unpacked")),
     }
 }
 
@@ -127,24 +133,24 @@ impl Description {
         let profile = match text(root, &["Record1", "FeatureType"], "FeatureType")? {
             "SUR" => false,
             "PRF" => true,
-            other => return Err(bad("FeatureType", other, "SUR (surface) or PRF (profile)")),
+            other => return Err(refuse("FeatureType", other, "SUR (surface) or PRF (profile)")),
         };
         let size = &["Record3", "MatrixDimension"];
         let count = |name: &'static str| -> Result<u64, TopographyError> {
             let found = text(root, &[size[0], size[1], name], name)?;
             let n = found.parse().ok().filter(|n| *n > 0);
-            n.ok_or_else(|| bad(name, found, "a whole number of at least 1"))
+            n.ok_or_else(|| refuse(name, found, "a whole number of at least 1"))
         };
         let (columns, rows) = (count("SizeX")?, count("SizeY")?);
         if count("SizeZ")? != 1 {
-            return Err(bad("SizeZ", count("SizeZ")?, "1: a single layer"));
+            return Err(refuse("SizeZ", count("SizeZ")?, "1: a single layer"));
         }
         let kind = match text(root, &["Record1", "Axes", "CZ", "DataType"], "CZ DataType")? {
             "I" => Kind::I16,
             "L" => Kind::I32,
             "F" => Kind::F32,
             "D" => Kind::F64,
-            other => return Err(bad("CZ DataType", other, "I, L, F or D")),
+            other => return Err(refuse("CZ DataType", other, "I, L, F or D")),
         };
         let dx = increment(root, "CX", "CX AxisType", "CX Increment")?;
         let dy = match profile && rows == 1 {
@@ -156,9 +162,9 @@ impl Description {
                 Some(node) => number(node, field),
                 None => Ok(default),
             };
-        let link = |name: &str| find(root, &["Record3", "DataLink", name]).map(words);
+        let link = |name: &str| find(root, &["Record3", "DataLink", name]).map(trimmed_text);
         let data = link("PointDataLink").ok_or_else(|| {
-            bad(
+            refuse(
                 "PointDataLink",
                 "nothing",
                 "the name of an entry (heights in main.xml are not read)",
@@ -185,18 +191,18 @@ fn increment(
 ) -> Result<f64, TopographyError> {
     let found = text(root, &["Record1", "Axes", axis, "AxisType"], kind)?;
     if found != "I" {
-        return Err(bad(kind, found, "I: points at equal distances"));
+        return Err(refuse(kind, found, "I: points at equal distances"));
     }
     match find(root, &["Record1", "Axes", axis, "Increment"]) {
         Some(node) => number(node, field),
-        None => Err(bad(field, "nothing", "the distance of the points in m")),
+        None => Err(refuse(field, "nothing", "the distance of the points in m")),
     }
 }
 
 fn number(node: Node<'_, '_>, field: &'static str) -> Result<f64, TopographyError> {
-    let number: Option<f64> = words(node).parse().ok();
+    let number: Option<f64> = trimmed_text(node).parse().ok();
     let number = number.filter(|number| number.is_finite());
-    number.ok_or_else(|| bad(field, words(node), "a finite number"))
+    number.ok_or_else(|| refuse(field, trimmed_text(node), "a finite number"))
 }
 
 fn text<'a>(
@@ -204,7 +210,9 @@ fn text<'a>(
     path: &[&str],
     field: &'static str,
 ) -> Result<&'a str, TopographyError> {
-    find(root, path).map(words).ok_or_else(|| bad(field, "nothing", "an element of this name"))
+    find(root, path)
+        .map(trimmed_text)
+        .ok_or_else(|| refuse(field, "nothing", "an element of this name"))
 }
 
 fn find<'a, 'input>(root: Node<'a, 'input>, path: &[&str]) -> Option<Node<'a, 'input>> {
@@ -212,11 +220,11 @@ fn find<'a, 'input>(root: Node<'a, 'input>, path: &[&str]) -> Option<Node<'a, 'i
         .try_fold(root, |node, name| node.children().find(|child| child.tag_name().name() == *name))
 }
 
-fn words<'a>(node: Node<'a, '_>) -> &'a str {
+fn trimmed_text<'a>(node: Node<'a, '_>) -> &'a str {
     node.text().unwrap_or_default().trim()
 }
 
-fn bad(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
+fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
     let (found, required) = (excerpt(&found.to_string()), required.to_owned());
     TopographyError::Field { format: "x3p", field, found, required }
 }

@@ -1,4 +1,4 @@
-//! Writers of small binary files, the readers' counterparts.
+//! Writers of small binary files for the tests of the readers.
 
 #![allow(clippy::unwrap_used, dead_code, reason = "writers for tests; each test uses some")]
 
@@ -11,7 +11,7 @@ pub struct Sur {
     pub bits: u16,
     pub unit: &'static [u8],
     pub inversion: u16,
-    /// Lowest height, if points may be missing.
+    /// Lowest height, for files with missing points.
     pub lowest: Option<i32>,
     pub comment: u16,
     pub size: [i32; 2],
@@ -24,7 +24,8 @@ impl Default for Sur {
 }
 
 impl Sur {
-    /// With these heights in steps of an eighth of the unit; 5 and 2.5 of the unit between points.
+    /// The file with these heights in steps of an eighth of the unit; points are 5 and 2.5 units
+    /// apart.
     pub fn bytes(&self, heights: &[f64]) -> Vec<u8> {
         let mut header = vec![0; 512];
         let mut put = |at: usize, bytes: &[u8]| header[at..at + bytes.len()].copy_from_slice(bytes);

@@ -8,7 +8,7 @@ use asperity_topography::{LengthUnit, ReadOptions, Topography, read, read_bytes}
 
 use crate::files::{Sur, X3p, x3p_of};
 
-/// 5 columns, 4 rows, heights that tell row and column.
+/// 5 columns and 4 rows of different heights.
 const HEIGHTS: [f64; 20] =
     [0., 1., 2., 3., 4., 10., 11., 12., 13., 14., 20., 21., 22., 23., 24., 30., 31., 32., 33., 34.];
 
@@ -40,7 +40,7 @@ fn message(name: &str, bytes: &[u8], options: &ReadOptions) -> String {
 }
 
 #[test]
-fn matrices_with_and_without_header() {
+fn matrices_are_read_with_and_without_header() {
     for delimiter in [" ", "\t", ",", "; "] {
         let bare = read_bytes("a.txt", lines(delimiter).as_bytes(), &in_um([0.5, 0.25])).unwrap();
         check(&bare, 1e-6, [5e-7, 2.5e-7]);
@@ -55,10 +55,10 @@ fn matrices_with_and_without_header() {
     );
     let latin: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
     check(&read_bytes("a.txt", &latin, &ReadOptions::default()).unwrap(), 1e-9, [2e-6, 1e-6]);
-    // The unit alone: the pixel size is asked for, in that unit.
+    // With the unit alone, the pixel size is requested.
     let text = "\\Exported image units: nm\n".to_owned() + &lines(" ");
-    let asked = message("a.txt", text.as_bytes(), &ReadOptions::default());
-    assert!(asked.contains("pixel_size"), "{asked}");
+    let no_size = message("a.txt", text.as_bytes(), &ReadOptions::default());
+    assert!(no_size.contains("pixel_size"), "{no_size}");
     let options = ReadOptions { pixel_size: Some([3.0, 4.0]), ..ReadOptions::default() };
     check(&read_bytes("a.txt", text.as_bytes(), &options).unwrap(), 1e-9, [3e-9, 4e-9]);
     let wrong = message("a.txt", b"# Value units: V\n1 2 3 4\n", &in_um([1.0; 2]));
@@ -66,7 +66,7 @@ fn matrices_with_and_without_header() {
 }
 
 #[test]
-fn points_of_a_grid() {
+fn points_of_a_grid_are_read() {
     let mut text = String::from("x_mm,y_mm,z_nm\n");
     for i in (0..20).map(|i| (i * 7) % 20) {
         let (x, y) = (0.1 * (i % 5) as f64, 0.2 * (i / 5) as f64);
@@ -74,19 +74,19 @@ fn points_of_a_grid() {
     }
     let surface = read_bytes("a.xyz", text.as_bytes(), &ReadOptions::default()).unwrap();
     check(&surface, 1e-9, [1e-4, 2e-4]);
-    // Without a header all three are in the unit asked for.
+    // Without a header all three columns are in the unit of the options.
     let bare: String = text.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
     assert!(message("a.xyz", bare.as_bytes(), &ReadOptions::default()).contains("--unit"));
     let options = ReadOptions { unit: Some(LengthUnit::Millimetre), ..ReadOptions::default() };
     check(&read_bytes("a.xyz", bare.as_bytes(), &options).unwrap(), 1e-3, [1e-4, 2e-4]);
-    // A point that is not there is missing.
+    // An absent point is missing.
     let holed: String = bare.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
     let surface = read_bytes("a.xyz", holed.as_bytes(), &options).unwrap();
     assert!((surface.missing_share() - 0.05).abs() < 1e-12 && surface.heights()[0].is_nan());
 }
 
 #[test]
-fn profiles() {
+fn profiles_are_read() {
     let text = "x [mm]; z [µm]\n0;1.5\n0.01;2.5\n0.02;nan\n0.03;4.5\n";
     let options = ReadOptions { max_missing: 0.25, ..ReadOptions::default() };
     let profile = read_bytes("a.csv", text.as_bytes(), &options).unwrap();
@@ -98,11 +98,11 @@ fn profiles() {
     let row = read_bytes("a.txt", b"1 2 3 4 5", &in_um([0.5, 9.0])).unwrap();
     assert_eq!((row.is_profile(), row.columns()), (true, 5));
     let uneven = message("a.csv", b"0,1\n1,2\n3,3\n", &in_um([1.0; 2]));
-    assert!(uneven.starts_with("x: 1.0 as place 2 of 3"), "{uneven}");
+    assert!(uneven.starts_with("x: 1.0 as position 2 of 3"), "{uneven}");
 }
 
 #[test]
-fn numpy_arrays() {
+fn numpy_arrays_are_read() {
     let options = in_um([0.5, 0.25]);
     for array in [
         &include_bytes!("numpy/f8.npy")[..],
@@ -125,16 +125,16 @@ fn numpy_arrays() {
 }
 
 #[test]
-fn x3p_archives() {
+fn x3p_archives_are_read() {
     let doubles: Vec<u8> = HEIGHTS.iter().flat_map(|z| (z * 1e-6).to_le_bytes()).collect();
     let surface = x3p_of(&X3p { data: doubles.clone(), ..X3p::default() });
     check(&read_bytes("a.x3p", &surface, &ReadOptions::default()).unwrap(), 1e-6, [5e-7, 2.5e-7]);
-    // The options may say the same, and nothing else.
+    // Options must agree with the file.
     let options = ReadOptions { unit: Some(LengthUnit::Metre), ..ReadOptions::default() };
     assert!(read_bytes("a.x3p", &surface, &options).is_ok());
     let unit = message("a.x3p", &surface, &in_um([0.5, 0.25]));
     assert!(unit.starts_with("unit is um, but m in the file"), "{unit}");
-    // Whole numbers with a step and an offset, points valid but one.
+    // Whole numbers with a step and an offset, all points valid except one.
     let data = HEIGHTS.iter().flat_map(|z| (*z as i16 - 100).to_le_bytes()).collect();
     let whole = X3p {
         data,
@@ -153,13 +153,13 @@ fn x3p_archives() {
 }
 
 #[test]
-fn digital_surf_files() {
+fn digital_surf_files_are_read() {
     let options = ReadOptions::default();
     let sur = Sur::default();
     check(&read_bytes("a.sur", &sur.bytes(&HEIGHTS), &options).unwrap(), 1.25e-7, [5e-6, 2.5e-6]);
     let short = Sur { bits: 16, comment: 300, ..Sur::default() };
     check(&read_bytes("a.sur", &short.bytes(&HEIGHTS), &options).unwrap(), 1.25e-7, [5e-6, 2.5e-6]);
-    // µ as in MS-DOS; upside down; points that were not measured.
+    // µ as in MS-DOS; upside down; missing points.
     let mut heights = HEIGHTS.map(|z| -z);
     (heights[7], heights[12]) = (-36.0, -36.0);
     let holes = Sur { unit: b"\xe6m", inversion: 1, lowest: Some(-34), ..Sur::default() };
@@ -175,14 +175,14 @@ fn digital_surf_files() {
 }
 
 #[test]
-fn files_are_named_in_their_errors() {
+fn errors_name_the_file() {
     let folder = std::env::temp_dir().join(format!("asperity-topography-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let path = folder.join("scan.txt");
     std::fs::File::create(&path).unwrap().write_all(lines(" ").as_bytes()).unwrap();
     check(&read(&path, &in_um([0.5, 0.25])).unwrap(), 1e-6, [5e-7, 2.5e-7]);
     let error = read(&path, &ReadOptions::default()).unwrap_err().to_string();
-    assert!(error.contains("scan.txt: the file has no unit"), "{error}");
+    assert!(error.contains("scan.txt: the file does not state the unit"), "{error}");
     let error = read(&folder.join("none.txt"), &ReadOptions::default()).unwrap_err().to_string();
     assert!(error.contains("none.txt: cannot be read"), "{error}");
     assert!(read(&folder, &ReadOptions::default()).is_err());

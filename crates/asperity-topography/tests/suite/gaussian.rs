@@ -1,4 +1,4 @@
-//! Gaussian surfaces of known spectrum: sums of cosines with phases from a generator of our own.
+//! Gaussian surfaces of known spectrum: sums of cosines with random phases.
 
 #![allow(clippy::unwrap_used, dead_code, reason = "a generator for tests; each test uses some")]
 
@@ -38,7 +38,7 @@ impl Spectrum {
     ) -> Self {
         let k = to as i32;
         let mut waves = Vec::new();
-        // Half of the plane: the other half are the same waves.
+        // Half of the plane: the other half has the same waves.
         for q in 0..=k {
             for p in (if q == 0 { 1 } else { -k })..=k {
                 let size = f64::from(p * p + q * q).sqrt();
@@ -52,7 +52,7 @@ impl Spectrum {
         Self { n, pixel_size: [pixel; 2], waves }
     }
 
-    /// One surface of it, with phases from the seed.
+    /// A realisation with phases from the seed.
     pub fn surface(&self, seed: u64) -> Topography {
         let n = self.n;
         let mut uniform = Uniform(seed);
@@ -80,7 +80,7 @@ impl Spectrum {
         Topography::new(heights, n, self.pixel_size).unwrap().with_periodic(true)
     }
 
-    /// m₂ and m₄ along rows and along columns, seen through differences of points or exactly.
+    /// m₂ and m₄ along rows and along columns, by differences of points or exactly.
     pub fn moments(&self, differences: bool) -> [[f64; 2]; 2] {
         let mut moments = [[0.0; 2]; 2];
         for (p, q, power) in &self.waves {

@@ -1,11 +1,11 @@
-//! Broken and hostile files end in an error that says what was wrong.
+//! Broken and hostile files give an error that states the fault.
 
 use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, read_bytes};
 use proptest::prelude::*;
 
 use crate::files::{Sur, X3p, archive, x3p_of};
 
-/// Everything allowed, so that little is refused for its units.
+/// Options that accept as many files as possible.
 fn lenient() -> ReadOptions {
     ReadOptions { unit: Some(LengthUnit::Micrometre), pixel_size: Some([1.0; 2]), max_missing: 1.0 }
 }
@@ -44,7 +44,7 @@ fn empty_and_foreign_files() {
         refused(name, b"", "required");
         refused(name, b"\x00\x01\x02\x03", "required");
     }
-    refused("a.txt", b"\xff\xfe1\x00 \x002\x00\n\x00", "the format is not known");
+    refused("a.txt", b"\xff\xfe1\x00 \x002\x00\n\x00", "the file format is not supported");
     refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a row of numbers");
 }
 
@@ -87,7 +87,7 @@ fn hostile_npy() {
     let mut gigantic = b"\x93NUMPY\x02\x00\xff\xff\xff\xff".to_vec();
     gigantic.extend([b' '; 100]);
     refused("a.npy", &gigantic, "4294967295 bytes");
-    // Read from the wrong end, numbers of a µm are beyond all heights or below all differences.
+    // In the wrong byte order, heights of a µm are out of range or vanish.
     let wrong: Vec<u8> = (1..7).flat_map(|i| f64::from(i).to_be_bytes()).collect();
     let swapped = read_bytes("a.npy", &npy_of("<f8", "(2, 3)", &wrong), &lenient());
     let flat = swapped.map(|surface| surface.statistics(Estimator::Moments).is_err());
@@ -97,7 +97,7 @@ fn hostile_npy() {
 }
 
 #[test]
-fn archives_of_numpy_are_called_what_they_are() {
+fn npz_archives_are_recognised() {
     let array = npy_of("<f8", "(2, 3)", &[0; 48]);
     let archive = archive(&[("height.npy", &array), ("x.npy", &array)]);
     for name in ["a.npz", "a.NPZ", "a.x3p", "a.zip", "a"] {
@@ -159,9 +159,9 @@ fn hostile_x3p() {
     }
     let sized = |size| x3p_of(&X3p { data: data.clone(), size, ..X3p::default() });
     refused("a.x3p", &sized([u64::MAX, u64::MAX]), "the number of points is");
-    refused("a.x3p", &sized([10_000, 10_000]), "for so many points");
-    refused("a.x3p", &sized([5, 5]), "200 bytes, as main.xml says");
-    refused("a.x3p", &sized([5, 3]), "120 bytes, as main.xml says");
+    refused("a.x3p", &sized([10_000, 10_000]), "bytes for these points");
+    refused("a.x3p", &sized([5, 5]), "200 bytes, by main.xml");
+    refused("a.x3p", &sized([5, 3]), "120 bytes, by main.xml");
     refused("a.x3p", &sized([5, 0]), "SizeY: 0");
     let of_z = |of_z| x3p_of(&X3p { data: data.clone(), of_z, ..X3p::default() });
     refused("a.x3p", &of_z("<Increment>inf</Increment>"), "CZ Increment: inf");
@@ -169,7 +169,7 @@ fn hostile_x3p() {
     refused("a.x3p", &x3p_of(&X3p { kind: "X", ..X3p::default() }), "CZ DataType: X");
     refused("a.x3p", &x3p_of(&X3p { feature: "PCL", ..X3p::default() }), "FeatureType: PCL");
     let short = X3p { data: data.clone(), valid: Some(vec![0xff; 2]), ..X3p::default() };
-    refused("a.x3p", &x3p_of(&short), "3 bytes, as main.xml says");
+    refused("a.x3p", &x3p_of(&short), "3 bytes, by main.xml");
     refused("a.x3p", &archive(&[("other.xml", b"<a/>")]), "main.xml");
     refused("a.x3p", &archive(&[("main.xml", b"<a/>")]), "FeatureType: nothing");
     refused("a.x3p", &archive(&[("main.xml", b"<a><b></a>")]), "an XML document");
@@ -183,7 +183,7 @@ fn hostile_x3p() {
     refused("a.x3p", &archive(&[("main.xml", broad.as_bytes())]), "an XML document");
     let lol = "<!DOCTYPE a [<!ENTITY b \"bbbbbbbb\"><!ENTITY c \"&b;&b;&b;\">]><a>&c;</a>";
     refused("a.x3p", &archive(&[("main.xml", lol.as_bytes())]), "an XML document");
-    // A flipped bit is noticed by the checksum.
+    // The checksum detects a flipped bit.
     let mut flipped = good.clone();
     let at = good.windows(8).position(|part| part == 3e-6f64.to_le_bytes());
     if let Some(at) = at {
@@ -192,7 +192,7 @@ fn hostile_x3p() {
     }
 }
 
-/// Whatever a surface is read from, measuring it does not panic.
+/// Measuring a surface from any input does not panic.
 fn measure(name: &str, bytes: &[u8]) {
     for options in [lenient(), ReadOptions { max_missing: 1.0, ..ReadOptions::default() }] {
         let Ok(surface) = read_bytes(name, bytes, &options) else { continue };
@@ -210,7 +210,7 @@ fn measure(name: &str, bytes: &[u8]) {
     }
 }
 
-/// A good file with some bytes changed and its end cut.
+/// A valid file with some bytes changed and a truncated end.
 fn broken(good: Vec<u8>) -> impl Strategy<Value = Vec<u8>> {
     let n = good.len();
     let changes = prop::collection::vec((0..n, any::<u8>()), 0..6);

@@ -1,4 +1,4 @@
-//! Gaussian surfaces of known spectrum give their moments back.
+//! Moments of Gaussian surfaces of known spectrum.
 
 use asperity_core::Diagnostic;
 use asperity_core::{ProfileMoments, Surface};
@@ -10,7 +10,7 @@ fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() < tolerance, "{found:e} is not {expected:e}");
 }
 
-/// Broad, well sampled: 19 points to the shortest wave.
+/// Broad, well sampled: 19 points per shortest wave.
 fn broad() -> Spectrum {
     Spectrum::isotropic(768, 1e-6, [4.0, 40.0], 2.5, 1e-6, |_, _| true)
 }
@@ -21,13 +21,13 @@ fn moments_are_those_of_the_spectrum() {
     let surface = spectrum.surface(1);
     let moments = surface.moments().unwrap();
     let [x, y] = spectrum.moments(true);
-    // Sums over waves and sums over points, for the differences of a periodic surface.
+    // Sums over waves equal sums over points for the differences of a periodic surface.
     close(moments.profile.m0, spectrum.m0(), 1e-10);
     close(moments.along_rows[0], x[0], 1e-10);
     close(moments.along_rows[1], x[1], 1e-10);
     close(moments.along_columns.unwrap()[0], y[0], 1e-10);
     close(moments.along_columns.unwrap()[1], y[1], 1e-10);
-    // Of the surface itself, as far as its sampling shows it.
+    // The moments of the surface itself, up to the sampling error.
     let [x, y] = spectrum.moments(false);
     close(moments.profile.m2, 0.5 * (x[0] + y[0]), 0.005);
     close(moments.profile.m4, 0.5 * (x[1] + y[1]), 0.015);
@@ -50,14 +50,14 @@ fn both_estimators_find_the_asperities_of_the_spectrum() {
         close(by_moments.asperity_height_std, expected.asperity_height_std, 0.002);
         close(by_moments.beta.powi(2) * 768.0 * std::f64::consts::PI, by_moments.alpha, 1e-10);
         assert_eq!(by_moments.warnings, []);
-        // Some thousand summits: their count, mean and spread are those numbers but for chance.
+        // With some thousand summits, their count, mean and spread have small statistical errors.
         let by_summits = surface.statistics(Estimator::Summits).unwrap();
         close(by_summits.asperity_density, expected.asperity_density, 0.05);
         close(by_summits.asperity_radius, expected.asperity_radius, 0.05);
         close(by_summits.asperity_height_std, expected.asperity_height_std, 0.05);
         assert_eq!(by_summits.warnings, []);
         assert_eq!(by_summits.other, Some(by_moments.surface()));
-        // The mean of the summits lies where the moments say.
+        // The mean of the summits agrees with the moments.
         let heights = surface.summits().unwrap().heights;
         let mean = heights.iter().sum::<f64>() / heights.len() as f64;
         close(mean, expected.mean_plane_offset(), 0.1);
@@ -65,7 +65,7 @@ fn both_estimators_find_the_asperities_of_the_spectrum() {
 }
 
 #[test]
-fn a_tilted_surface_that_is_not_periodic_is_measured_as_well() {
+fn a_tilted_surface_has_the_moments_of_its_roughness() {
     let spectrum = broad();
     let surface = spectrum.surface(5);
     let whole = surface.statistics(Estimator::Moments).unwrap();
@@ -86,8 +86,8 @@ fn a_tilted_surface_that_is_not_periodic_is_measured_as_well() {
 }
 
 #[test]
-fn two_surfaces_are_one_with_the_sum_of_moments() {
-    // Waves of odd and of even p do not meet: the sum of the surfaces has the sum of the moments.
+fn moments_of_two_surfaces_add() {
+    // Waves of odd and of even p are orthogonal, so the moments of the surfaces add exactly.
     let odd = Spectrum::isotropic(384, 1e-6, [3.0, 20.0], 2.0, 1e-6, |p, _| p % 2 != 0);
     let even = Spectrum::isotropic(384, 1e-6, [3.0, 24.0], 3.0, 4e-7, |p, _| p % 2 == 0);
     let (a, b) = (odd.surface(1), even.surface(2));
@@ -123,7 +123,7 @@ fn summits_of_two_surfaces_are_refused() {
 #[test]
 fn skewness_and_kurtosis_of_two_surfaces_are_those_of_their_sum() {
     let mut uniform = Uniform(5);
-    // Blocks of two by two points: noise by the point is on the edge of having asperities.
+    // Blocks of two by two points, because uncorrelated points barely have asperities.
     let mut skew = |power| {
         let blocks: Vec<f64> = (0..62_500).map(|_| uniform.next().powi(power)).collect();
         (0..250_000).map(|i| blocks[i % 500 / 2 + i / 1000 * 250]).collect::<Vec<_>>()
@@ -148,7 +148,7 @@ fn noisy(noise: f64) -> Topography {
 }
 
 #[test]
-fn noise_is_warned_of_and_smoothing_takes_it_away() {
+fn noise_has_a_warning_and_smoothing_removes_it() {
     let noisy = noisy(2e-7);
     let warnings = noisy.statistics(Estimator::Moments).unwrap().warnings;
     let follows = |warning: &Diagnostic| warning.code == "summits-follow-sampling";
@@ -158,7 +158,7 @@ fn noise_is_warned_of_and_smoothing_takes_it_away() {
     assert!(warnings.iter().all(|warning| warning.to_string().len() > 60));
     let smooth = noisy.smooth(10e-6).unwrap().statistics(Estimator::Moments).unwrap();
     assert!(!smooth.warnings.iter().any(follows), "{:?}", smooth.warnings);
-    // A profile of it is warned of as well.
+    // A profile of it has a warning, too.
     let profile = Topography::new(noisy_row(), 768, [1e-6; 2]).unwrap();
     let warnings = profile.statistics(Estimator::Moments).unwrap().warnings;
     let follows = |warning: &Diagnostic| warning.code == "curvature-follows-sampling";
@@ -166,8 +166,8 @@ fn noise_is_warned_of_and_smoothing_takes_it_away() {
 }
 
 #[test]
-fn estimators_that_disagree_are_one_cause_however_many_parameters_show_it() {
-    // Few high summits on what is all but flat.
+fn estimators_that_disagree_give_one_warning() {
+    // A few high summits on a nearly flat surface.
     let heights = broad().surface(7).heights().iter().map(|z| (4e6 * z).exp()).collect();
     let peaked = Topography::new(heights, 768, [1e-6; 2]).unwrap();
     let warnings = peaked.statistics(Estimator::Moments).unwrap().warnings;
@@ -201,7 +201,7 @@ fn profiles_have_the_moments_of_the_surface() {
 }
 
 #[test]
-fn missing_points_change_little_and_are_reported() {
+fn missing_points_change_the_statistics_little_and_are_reported() {
     let surface = broad().surface(9);
     let whole = surface.statistics(Estimator::Summits).unwrap();
     let mut uniform = Uniform(3);
@@ -216,7 +216,7 @@ fn missing_points_change_little_and_are_reported() {
 
 #[test]
 fn a_load_on_the_density_is_the_load_on_the_summits() {
-    // ⟨(z - d)^1.5⟩ over z > d, what the Greenwood-Williamson force is proportional to.
+    // ⟨(z - d)^1.5⟩ over z > d, to which the Greenwood-Williamson force is proportional.
     let summits = broad().surface(4).summits().unwrap();
     let std = summits.surface().unwrap().asperity_height_std;
     let n = summits.heights.len() as f64;
@@ -241,7 +241,7 @@ fn a_load_on_the_density_is_the_load_on_the_summits() {
 }
 
 #[test]
-fn a_stretched_surface_is_warned_of() {
+fn an_anisotropic_surface_has_a_warning() {
     let surface = broad().surface(9);
     let stretched = Topography::new(surface.heights().to_vec(), 768, [1e-6, 3e-6]).unwrap();
     let warnings = stretched.statistics(Estimator::Moments).unwrap().warnings;
@@ -250,7 +250,7 @@ fn a_stretched_surface_is_warned_of() {
 }
 
 #[test]
-fn a_flat_or_regular_surface_is_refused_or_warned_of() {
+fn a_flat_or_regular_surface_is_refused() {
     let flat = Topography::new(vec![1e-6; 100], 10, [1e-6; 2]).unwrap();
     let error = flat.statistics(Estimator::Moments).unwrap_err().to_string();
     assert_eq!(
@@ -264,7 +264,7 @@ fn a_flat_or_regular_surface_is_refused_or_warned_of() {
 }
 
 #[test]
-fn json_has_the_numbers_and_nothing_else() {
+fn json_has_the_numbers_only() {
     let statistics = broad().surface(2).statistics(Estimator::Moments).unwrap();
     let json: serde_json::Map<String, serde_json::Value> =
         serde_json::from_str(&serde_json::to_string(&statistics).unwrap()).unwrap();

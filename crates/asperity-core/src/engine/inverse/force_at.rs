@@ -55,7 +55,7 @@ impl Falls {
     pub(crate) fn rises_above(law: &Law, scene: &Scene, s: f64) -> bool {
         let scale = law.interference_unit / scene.surface.asperity_height_std;
         let highest = farthest(&scene.heights, scene.surface.asperity_height_std);
-        let met = (highest - s.min(0.0)) / scale - law.begins;
+        let met = (highest - s.min(0.0)) / scale - law.onset;
         let (least, most) = range(scale);
         Variation::new(law, (least, most.min(met.max(2.0 * least)))).falls.is_none()
     }
