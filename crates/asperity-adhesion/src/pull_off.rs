@@ -3,18 +3,19 @@
 use asperity_core::{Contact, ContactError, Evaluation, Quantity, Separation};
 use serde::Serialize;
 
-/// Where the force is least.
+/// The separation of the least force.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PullOff {
-    /// The force there \[N\], below 0; on rough stiff surfaces too small for a double.
+    /// The force there \[N\], below 0.
     pub force: Evaluation,
-    /// Where it is, over σ_z from the mean of the asperity heights.
+    /// Its separation, in σ_z from the mean of the asperity heights.
     pub separation: Separation,
 }
 
-/// The least force of a contact that was compiled for it; `None` where the force falls all the way
-/// to 0: without adhesion, and under heights with a tail so heavy that the highest asperities are
-/// always pressed harder than the others pull (exponential heights from θ = 2√π on, by DMT).
+/// The least force of a contact compiled for the force; `None` if no force below 0 is within the range
+/// of f64: without adhesion, on rough stiff surfaces, and for heights with so heavy a tail that the
+/// highest asperities always push more than the others pull (exponential heights from θ = 2√π, by
+/// DMT).
 ///
 /// # Errors
 /// Those of [`Contact::pull_off`] and [`evaluate`](Contact::evaluate_at).

@@ -1,12 +1,11 @@
 //! Plots and messages shared by `unload` and its histories.
 
 use anyhow::Result;
-use asperity::joints::{Joint, Work};
+use asperity::joints::{EnergyGain, Joint, Work};
 use asperity::{At, ContactError};
 use asperity_plot::{Axis, Curve};
 
 use crate::output::plot;
-use crate::output::print_message;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
 
@@ -19,10 +18,14 @@ pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
 }
 
 /// Warns of a joint that creates energy when it is closed to a place and opened.
-pub fn warn_energy_gain(joint: &Joint, closest: At, work: &Work) -> Result<(), ContactError> {
-    if let Some(gain) = joint.energy_gain(closest, work)? {
-        print_message("warning", &gain.to_string());
-    }
+pub fn warn_energy_gain(
+    scene: &LoadedScene,
+    joint: &Joint,
+    closest: At,
+    work: &Work,
+) -> Result<(), ContactError> {
+    let gain = joint.energy_gain(closest, work)?;
+    scene.report(gain.iter().map(EnergyGain::diagnostic).collect());
     Ok(())
 }
 

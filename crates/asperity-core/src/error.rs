@@ -197,7 +197,7 @@ fn reach(load: f64, largest: f64, at: At) -> String {
         }
         (true, true) => format!("a load from {largest:e} N, the greatest tension found, at {at},"),
         // The tension is so large that the search ends where no asperity touches.
-        (true, false) => "a smaller tension (pull-off finds the greatest)".into(),
+        (true, false) => "a smaller tension, or a load above 0,".into(),
     }
 }
 

@@ -182,8 +182,9 @@ impl Lateral {
         let closed = |powers| angle_average_of_powers(powers, range.clone(), angle_density);
         let response = match quantity {
             Quantity::Force => Some(Response::Force(force)),
-            Quantity::Area => None,
-            _ => Some(Response::Stiffness),
+            Quantity::Stiffness => Some(Response::Stiffness),
+            // The area is the only other quantity with a law.
+            _ => None,
         };
         let normal_only = displacement == Displacement::None && force == ForceComponent::Size;
         let (form, kinks) = match response {

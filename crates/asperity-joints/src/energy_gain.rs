@@ -1,8 +1,6 @@
 //! Energy created by a pair of loading and unloading laws.
 
-use std::fmt;
-
-use asperity_core::{At, ContactError, QuadratureError};
+use asperity_core::{At, ContactError, Diagnostic, QuadratureError};
 use asperity_quadrature::{fallible, gauss_kronrod};
 
 use crate::asperity_laws::{AsperityLaws, MAX_SAMPLES, UnloadingQuantity};
@@ -40,23 +38,26 @@ pub struct EnergyGain {
 impl EnergyGain {
     /// The code of the finding.
     pub const CODE: &str = "energy-gain";
-}
 
-impl fmt::Display for EnergyGain {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// The finding as a warning.
+    #[must_use]
+    pub fn diagnostic(&self) -> Diagnostic {
         let Self { model, law, amount, is_net } = self;
-        let (percent, why) = (100.0 * amount, "asperities recover by more than their interference");
-        let advice = "use another unloading law or another model";
-        match is_net {
-            true => write!(
-                f,
-                "{model} by {law}: opening returns {percent:.1} % more energy than closing took, because {why}; cycles create energy, {advice}"
+        let percent = 100.0 * amount;
+        let fact = match is_net {
+            true => format!(
+                "by {law}, opening returns {percent:.1} % more energy than closing took, because asperities recover by more than their interference"
             ),
-            false => write!(
-                f,
-                "{model} by {law}: the loss is too small by {percent:.1} % of the work of closing, because {why}; {advice}"
+            false => format!(
+                "by {law}, the loss is too small by {percent:.1} % of the work of closing, because asperities recover by more than their interference"
             ),
-        }
+        };
+        Diagnostic::warning(Self::CODE, "energy_gain", *amount)
+            .usual([0.0, 0.0])
+            .of_model(model.as_str())
+            .of_law(law.to_string())
+            .fact(fact)
+            .advice("use another unloading law or another model")
     }
 }
 

@@ -142,7 +142,7 @@ def test_an_energy_gain_is_warned_of_once_a_call_at_the_line_of_the_caller(
         with pytest.warns(asperity.ContactWarning) as seen:
             assert call() > 0.0
         (warning,) = seen
-        text = "AF by brake: the loss is too small by 1.9 % of the work of closing, "
+        text = "AF: by brake, the loss is too small by 1.9 % of the work of closing, "
         assert str(warning.message).startswith(text) and warning.filename == __file__
 
 

@@ -347,6 +347,16 @@ impl SceneFile {
         let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
         let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
         let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
-        Ok(Self { scene, bodies, measured, warnings: Diagnostics::default(), scan, ..self.clone() })
+        let follows_from: &[&str] =
+            if surface == self.scene.surface { self.follows_from } else { &[] };
+        Ok(Self {
+            scene,
+            bodies,
+            measured,
+            follows_from,
+            warnings: Diagnostics::default(),
+            scan,
+            ..self.clone()
+        })
     }
 }

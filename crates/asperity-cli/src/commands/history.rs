@@ -75,7 +75,8 @@ pub fn write(
         report_work(id, joint, &path);
         if let Some(last) = path.points.last().filter(|_| path.points.len() > 1) {
             let closest = At::metres(last.closest);
-            let warned = joint.work(closest).and_then(|w| warn_energy_gain(joint, closest, &w));
+            let warned =
+                joint.work(closest).and_then(|w| warn_energy_gain(scene, joint, closest, &w));
             // Missing work has a warning of its own.
             warned.or_else(|error| match error {
                 ContactError::Integral { .. } | ContactError::OutOfRange { .. } => Ok(()),

@@ -51,7 +51,8 @@ impl Models {
         for model in [Model::all(), Model::whole_surface(), Model::adhesive()].concat() {
             let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
-            let notes: String = model.notes().iter().map(ToString::to_string).collect();
+            let notes: Vec<String> = model.notes().iter().map(ToString::to_string).collect();
+            let notes = notes.join("; ");
             let row: [&str; COLUMNS.len()] = [
                 source.id,
                 source.name,

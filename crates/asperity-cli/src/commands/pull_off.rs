@@ -75,7 +75,7 @@ impl PullOff {
                     print_message(
                         "note",
                         &format!(
-                            "{id}: no tensile force: the force decreases to 0 and does not become negative"
+                            "{id}: no tensile force within the range of f64 at any separation"
                         ),
                     );
                 }
@@ -87,15 +87,6 @@ impl PullOff {
                         .map(place)
                         .collect();
                     let force = found.force.value();
-                    if force == 0.0 {
-                        let power = rounded(found.force.ln_value() / std::f64::consts::LN_10);
-                        print_message(
-                            "note",
-                            &format!(
-                                "{id}: the tension is 10^{power} N, too small for f64: roughness hides the adhesion"
-                            ),
-                        );
-                    }
                     note_reduction(&id, force, contact);
                     row.extend(
                         [force, force / contact.nominal_area].map(|x| Cell::Number(Some(x))),

@@ -136,7 +136,7 @@ impl Unload {
                 bail!("{joint}: nothing touches at a separation of {at}; choose a smaller one");
             }
             let end = way.last_contact();
-            report_work(&model.0, joint, place, &end);
+            report_work((scene, &model.0), joint, place, &end);
             // Only a default depends on the end of contact.
             ends.extend(end.ok());
             ways.push(way);
@@ -178,11 +178,16 @@ impl Unload {
 }
 
 /// Reports the work of closing and opening, and the end of contact.
-fn report_work(id: &str, joint: &Joint, place: At, end: &Result<f64, ContactError>) {
+fn report_work(
+    (scene, id): (&LoadedScene, &str),
+    joint: &Joint,
+    place: At,
+    end: &Result<f64, ContactError>,
+) {
     let law = joint.law();
     let works = || -> Result<[f64; 3], ContactError> {
         let work = joint.work(place)?;
-        warn_energy_gain(joint, place, &work)?;
+        warn_energy_gain(scene, joint, place, &work)?;
         let lost = work.lost();
         // A loss below its error is 0.
         Ok(match lost.relative_error() < 1.0 {

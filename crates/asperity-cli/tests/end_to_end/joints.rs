@@ -281,9 +281,11 @@ fn a_joint_that_creates_energy_has_a_warning_within_the_tolerance() {
         run
     };
     let created = of("--model ceb --law brake").messages;
-    assert!(created.contains("warning: CEB by brake: "), "{created}");
+    assert!(created.contains("warning: CEB: by brake, "), "{created}");
     // 0.1 % more is less than the error of a coarse tolerance.
-    assert!(of("--model ke").messages.contains("warning: KE by hertz: opening returns 0.1 % more"));
+    assert!(
+        of("--model ke").messages.contains("warning: KE: by hertz, opening returns 0.1 % more")
+    );
     assert!(!of("--model ke --tolerance 1e-2").messages.contains("more energy"));
     let slip = "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-7";
     assert!(bench.data(&format!("{slip} --tolerance 1e-8")).starts_with("model,shift_m"));

@@ -9,7 +9,8 @@ use super::Diagnostic;
 const OWN_KEYS: [&str; 4] = ["ln_value", "fraction", "condition", "minimum"];
 
 impl Serialize for Diagnostic {
-    /// Writes code, severity, field, value, usual and message, and if set unit, model, quantity,
+    /// Writes code, severity, field, value, usual and message, and if set unit, model, also (other models
+    /// with the same finding), quantity,
     /// law, at, count and origin.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -24,6 +25,9 @@ impl Serialize for Diagnostic {
         }
         if let Some(model) = &self.model {
             map.serialize_entry("model", model)?;
+        }
+        if !self.also.is_empty() {
+            map.serialize_entry("also", &self.also)?;
         }
         if let Some(quantity) = &self.quantity {
             map.serialize_entry("quantity", quantity)?;

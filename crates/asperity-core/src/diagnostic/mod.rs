@@ -101,20 +101,6 @@ impl Diagnostic {
         Self::new(Severity::Note, code, field.into(), value)
     }
 
-    /// Unloading by this `law` that returns more energy than loading spent: `amount` is the excess
-    /// over the work of loading.
-    #[must_use]
-    pub fn energy_gain(model: impl Into<String>, law: impl Into<String>, amount: f64) -> Self {
-        let law = law.into();
-        let percent = short(100.0 * amount);
-        Self::warning("energy-gain", "energy_gain", amount)
-            .usual([0.0, 0.0])
-            .of_model(model)
-            .fact(format!("unloading by {law} returns {percent} % more energy than loading spent"))
-            .advice("this unloading law is less steep than the loading law; use another one")
-            .of_law(law)
-    }
-
     fn new(severity: Severity, code: &'static str, field: Cow<'static, str>, value: f64) -> Self {
         Self {
             code,

@@ -99,7 +99,7 @@ pub(crate) fn plan(prepared: &Prepared, request: &Request) -> Result<Plan, Conta
     Ok(Plan {
         model: prepared.facts.model.clone(),
         heights: prepared.scene.heights.name().into(),
-        tolerance: request.tolerance.relative(),
+        tolerance: prepared.facts.tolerance.relative(),
         rows: places.len(),
         range: first.zip(last).map(|((_, first), (_, last))| (*first, *last)),
         steps: steps.collect::<Result<_, _>>()?,

@@ -108,7 +108,8 @@ impl TabulatedHeights {
         let count = self.heights.len();
         let after = self.heights.partition_point(|height| *height <= z);
         // The last height belongs to the last piece.
-        let right = if after == count { count - 1 } else { after };
+        let last = || self.heights.partition_point(|height| *height < z);
+        let right = if after == count { last() } else { after };
         let left = right.checked_sub(1)?;
         let (a, b) = (z - self.heights[left], self.heights[right] - z);
         (a >= 0.0 && b >= 0.0).then_some([(a, self.densities[left]), (b, self.densities[right])])

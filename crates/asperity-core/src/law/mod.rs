@@ -2,6 +2,7 @@
 
 pub(crate) mod contact_radii;
 pub(crate) mod formula;
+mod mapped;
 pub(crate) mod shape;
 pub mod testkit;
 
@@ -14,6 +15,7 @@ use asperity_quadrature::{Density, Piece, QuadratureError, Sampler};
 use serde::Serialize;
 
 use crate::law::formula::{Formula, FunctionKey, Power};
+use crate::law::mapped::Mapped;
 
 /// The kind of deformation that a part describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -146,18 +148,15 @@ impl Law {
         }
         let from = self.value_unit;
         let mapped = |part: &Part| {
-            let (inner, f, sign) = (part.form.clone(), f.clone(), part.sign);
-            let form = Formula::sampled(Arc::new(move |x: &[f64], out: &mut [f64]| {
-                inner.sample(x, out)?;
-                out.iter_mut().for_each(|q| *q = f(from * sign * *q) / value_unit);
-                Ok(())
-            }));
+            let (f, factor) = (f.clone(), from * part.sign);
+            let f = move |q: f64| f(factor * q) / value_unit;
+            let form = Formula::sampled(Arc::new(Mapped { inner: part.form.clone(), f }));
             // A function without a key is never shared.
             let of = match &part.form {
                 Formula::Powers(powers) => Some(format!("{powers:?}")),
                 Formula::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
             };
-            let parameters = vec![from * sign, value_unit];
+            let parameters = vec![from * part.sign, value_unit];
             let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
             let form = key.into_iter().fold(form, Formula::with_key);
             Part { sign: 1.0, form, ..part.clone() }

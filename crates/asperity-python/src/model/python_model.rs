@@ -87,17 +87,27 @@ impl PythonModel {
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);
         let kinks: Vec<f64> = kinks.into_iter().map(|kink| kink / unit).collect();
-        let one = asperity;
-        let shear = one.equivalent_shear_modulus.unwrap_or(0.0);
-        let numbers = vec![
-            one.equivalent_modulus,
-            shear,
-            one.poissons_ratio,
-            one.hardness.unwrap_or(0.0),
-            one.yield_strength.unwrap_or(0.0),
-            one.pressure_factor,
-            one.radius,
-        ];
+        // The law may use every field; a new one must be added here to compile.
+        let asperity::Asperity {
+            equivalent_modulus,
+            equivalent_shear_modulus,
+            poissons_ratio,
+            hardness,
+            yield_strength,
+            pressure_factor,
+            work_of_adhesion,
+            radius,
+        } = *asperity;
+        let optional =
+            |value: Option<f64>| [f64::from(u8::from(value.is_some())), value.unwrap_or(0.0)];
+        let numbers = [equivalent_modulus, poissons_ratio, pressure_factor, radius]
+            .into_iter()
+            .chain(
+                [equivalent_shear_modulus, hardness, yield_strength, work_of_adhesion]
+                    .into_iter()
+                    .flat_map(optional),
+            )
+            .collect();
         let form =
             Formula::sampled(Arc::new(PythonLaw { function, unit, raised: self.raised.clone() }))
                 .known_as(format!("python model {} {quantity}", self.number), numbers);

@@ -200,8 +200,7 @@ impl Evidence {
         let of = |case: &EvidenceCase| [case.alpha, case.plasticity_index, case.load];
         for (k, field) in ["alpha (m0 m4/m2^2)", "plasticity_index", "p/(E g)"].iter().enumerate() {
             let [low, high] = self.range(|case| of(case)[k]);
-            let (low, high) = (low / BEYOND, high * BEYOND);
-            if place[k] > 0.0 && !(low..=high).contains(&place[k]) {
+            if place[k] > 0.0 && !(low / BEYOND..=high * BEYOND).contains(&place[k]) {
                 let value = place[k];
                 let found = match k {
                     0 => format!("{value:.1}; solved range {low:.1} to {high:.1}"),

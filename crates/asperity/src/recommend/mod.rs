@@ -190,7 +190,8 @@ fn evidence(
     let places = || request.at.iter().copied();
     let pressed = Request::new([Quantity::Pressure]).within(request.tolerance).at(places());
     let contact = reference.compile(scene, &pressed)?;
-    let touching = reference.compile(scene, &Request::new([Quantity::Contacts])).ok();
+    let counted = Request::new([Quantity::Contacts]).within(request.tolerance).at(places());
+    let touching = reference.compile(scene, &counted).ok();
     let near = |at: At| {
         let touching = touching.as_ref().and_then(|t| t.evaluate(Quantity::Contacts, at).ok());
         let contacts = touching.map(|contacts| contacts.value());
@@ -373,6 +374,10 @@ mod tests {
         let far = Request::new([Quantity::Force]).at([30.0]);
         let summary =
             recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
+        assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
+        let light = Request::new([Quantity::Force]).at_loads([1e-9]);
+        let light = recommend(&scene, &light, &"ke".parse().unwrap(), 0.1).unwrap();
+        let summary = light.summary().remove(0);
         assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
         let refused = recommend(&scene, &request, &"ke".parse().unwrap(), 5.0).unwrap_err();
         assert!(refused.to_string().starts_with("within is 5.0: a share above 0"), "{refused}");

@@ -12,12 +12,16 @@ pub(crate) fn kinks(
     scene: &Scene,
     tolerance: Tolerance,
 ) -> Result<Vec<f64>, ContactError> {
-    let HeightDistribution::Other(heights) = &scene.heights else {
-        return Ok(vec![]);
+    let breaks = match &scene.heights {
+        HeightDistribution::Other(heights) => {
+            let heights = heights.heights();
+            let (lowest, highest) = heights.support();
+            [&[lowest, highest], heights.breaks()].concat()
+        }
+        // The density jumps at the lowest asperity.
+        HeightDistribution::Exponential => vec![0.0],
+        _ => return Ok(vec![]),
     };
-    let heights = heights.heights();
-    let (lowest, highest) = heights.support();
-    let breaks = [lowest, highest].into_iter().chain(heights.breaks().iter().copied());
     let law = match model.asperity_model() {
         Some(model) => model.law(&scene.asperity()?, Quantity::Force, tolerance)?,
         None => None,
@@ -29,7 +33,7 @@ pub(crate) fn kinks(
     }
     let sigma = scene.surface.asperity_height_std;
     let at = |z: f64| interferences.iter().map(move |w| (z - w) / sigma);
-    let mut kinks: Vec<f64> = breaks.filter(|z| z.is_finite()).flat_map(at).collect();
+    let mut kinks: Vec<f64> = breaks.into_iter().filter(|z| z.is_finite()).flat_map(at).collect();
     kinks.sort_by(f64::total_cmp);
     kinks.dedup_by(|a, b| (*a - *b).abs() <= SAME_KINK);
     Ok(kinks)
