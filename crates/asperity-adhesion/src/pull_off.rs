@@ -12,10 +12,10 @@ pub struct PullOff {
     pub separation: Separation,
 }
 
-/// The least force of a contact compiled for the force; `None` if no force below 0 is within the range
-/// of f64: without adhesion, on rough stiff surfaces, and for heights with so heavy a tail that the
-/// highest asperities always push more than the others pull (exponential heights from θ = 2√π, by
-/// DMT).
+/// The least force of a contact compiled for the force; `None` if no force below 0 is within the
+/// range of f64: without adhesion, on rough stiff surfaces, and for heights with so heavy a tail
+/// that the highest asperities always push more than the others pull (exponential heights from θ =
+/// 2√π, by DMT).
 ///
 /// # Errors
 /// Those of [`Contact::pull_off`] and [`evaluate`](Contact::evaluate_at).

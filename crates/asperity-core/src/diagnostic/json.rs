@@ -9,9 +9,8 @@ use super::Diagnostic;
 const OWN_KEYS: [&str; 4] = ["ln_value", "fraction", "condition", "minimum"];
 
 impl Serialize for Diagnostic {
-    /// Writes code, severity, field, value, usual and message, and if set unit, model, also (other models
-    /// with the same finding), quantity,
-    /// law, at, count and origin.
+    /// Writes code, severity, field, value, usual and message, and if set unit, model, also (other
+    /// models with the same finding), quantity, law, at, count and origin.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("code", self.code)?;
