@@ -296,3 +296,18 @@ fn a_force_that_falls_though_it_claims_not_to_is_searched_all_the_same() {
     let found = testkit::check(&Wavy, &asperity).unwrap();
     assert!(found.iter().any(|f| f.code == "not-monotone"), "{found:?}");
 }
+
+/// A search that starts far from the root meets separations at which hardly any height is left.
+#[test]
+fn loads_on_heights_with_a_light_tail_are_met() {
+    let mut scene =
+        Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.59e-4, 1.11e8, 1e-6), 3e-5);
+    scene.heights = HeightDistribution::Weibull(WeibullHeights::new(-1.0).unwrap());
+    let contact = model("gw").compile(&scene, &Request::new([Quantity::Force])).unwrap();
+    for s in [-300.0, -100.8, -60.0, -5.0, 0.0, 1.5] {
+        let load = contact.evaluate(Quantity::Force, s).unwrap().value();
+        let found = contact.separation_at(load).unwrap().value;
+        assert!((found - s).abs() <= 1e-8 * (1.0 + s.abs()), "{s}: {found}");
+        assert_eq!(contact.separations_at(load).unwrap().len(), 1, "{s}");
+    }
+}

@@ -134,7 +134,7 @@ fn missing_properties_of_a_joint_are_reported() {
         ("unload scene.toml --model ke --closest 1 --retreat -0.1", "retreat is -"),
         (
             "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e-300",
-            "amplitude is 1e-300: an amplitude whose loss is",
+            "amplitude is 1e-300: an amplitude with a loss of",
         ),
         (
             "slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1e300",

@@ -132,8 +132,10 @@ impl Reading<'_> {
         self.number(quantity, force.ln_value())?;
         let (share, size) = integrals.share(regime)?;
         // Each part is as good as the tolerance, and so is the force that divides it.
-        let error = size * (self.tolerance.relative() + force.cancelled());
-        Ok(Evaluation::absolute(share, error))
+        let error = self.tolerance.relative() + force.cancelled();
+        // A force of unknown size has no shares.
+        self.number(quantity, error)?;
+        Ok(Evaluation::absolute(share, size * error))
     }
 
     /// Ratios and logarithms have no value where nothing is in contact.

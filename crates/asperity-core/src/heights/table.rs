@@ -108,7 +108,7 @@ impl TabulatedHeights {
         let count = self.heights.len();
         let after = self.heights.partition_point(|height| *height <= z);
         // The last height belongs to the last piece.
-        let last = || self.heights.partition_point(|height| *height < z);
+        let last = || self.heights.partition_point(|height| *height < z).min(count - 1);
         let right = if after == count { last() } else { after };
         let left = right.checked_sub(1)?;
         let (a, b) = (z - self.heights[left], self.heights[right] - z);

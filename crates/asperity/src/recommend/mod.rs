@@ -361,7 +361,7 @@ mod tests {
         let summary = advice.summary().remove(0);
         assert!(
             summary.starts_with(
-                "no boundary-element solution is close: plasticity_index = 30.0; solved up to 6.0"
+                "no boundary-element solution is close: plasticity_index = 30.0; solved up to 4.0"
             ),
             "{summary}"
         );

@@ -6,6 +6,8 @@ use crate::engine::inverse::variation::Variation;
 use crate::error::integral_failed;
 use crate::request::separation::LOWEST;
 use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
+use std::sync::OnceLock;
+
 use asperity_quadrature::Moments;
 
 /// What the variation is needed to: bounds take its error in.
@@ -21,6 +23,8 @@ pub(crate) struct Falls {
     variation: HeightIntegral,
     /// Where force or slope may have kinks, and between them: descending.
     places: Vec<f64>,
+    /// The samples at these places, made once for all loads.
+    samples: Vec<OnceLock<Result<Sample, ContactError>>>,
 }
 
 impl Falls {
@@ -46,7 +50,8 @@ impl Falls {
         let variation = HeightIntegral::new(density, law, scene, enough);
         let unseen =
             farthest(&scene.heights, scene.surface.asperity_height_std) - first - law.onset * scale;
-        Some(Self { unseen, variation, places })
+        let samples = places.iter().map(|_| OnceLock::new()).collect();
+        Some(Self { unseen, variation, places, samples })
     }
 }
 
@@ -86,9 +91,15 @@ impl ForceAt<'_> {
         Ok(Sample { s, force: self.force(s)?, variation: self.variation(s)? })
     }
 
-    /// Places to look at first, below one, descending.
-    pub(crate) fn places(&self, below: f64) -> impl Iterator<Item = f64> {
-        self.falls.places.iter().copied().filter(move |s| *s < below)
+    /// Places to look at first, below one, descending, each with its sample.
+    pub(crate) fn places(
+        &self,
+        below: f64,
+    ) -> impl Iterator<Item = (f64, Result<Sample, ContactError>)> {
+        let known = self.falls.places.iter().zip(&self.falls.samples);
+        known
+            .filter(move |(s, _)| **s < below)
+            .map(|(s, sample)| (*s, sample.get_or_init(|| self.sample(*s)).clone()))
     }
 }
 

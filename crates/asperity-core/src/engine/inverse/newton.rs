@@ -28,6 +28,8 @@ impl Target {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         // Below this, deep down, integrals are refused.
         let mut refused = f64::NEG_INFINITY;
+        // Above this, in a light tail of the heights, integrals are refused.
+        let mut empty = f64::INFINITY;
         let mut last = f64::INFINITY;
         for _ in 0..MOST {
             let moments = match curve.at(s) {
@@ -39,6 +41,15 @@ impl Target {
                         return Err(self.out_of_reach(&curve.at(answered)?, answered));
                     }
                     s = 0.5 * (refused + answered);
+                    continue;
+                }
+                Err(error @ ContactError::Integral { .. }) if s > 0.0 => {
+                    empty = s;
+                    let answered = low.max(0.0);
+                    if empty - answered <= 1e-9 * empty {
+                        return Err(error);
+                    }
+                    s = 0.5 * (answered + empty);
                     continue;
                 }
                 other => other?,
@@ -59,13 +70,14 @@ impl Target {
             let mut next = s + above / fall;
             let unit = f64::EPSILON * (1.0 + s.abs());
             // A root that is met lies on its own bracket.
-            let within = next > low.max(refused) && next < high;
+            let (bottom, top) = (low.max(refused), high.min(empty));
+            let within = next > bottom && next < top;
             let inside = within || (next - s).abs() <= unit;
             if !(inside || above == 0.0) {
-                next = match (low.max(refused).is_finite(), high.is_finite()) {
-                    (true, true) => 0.5 * (low.max(refused) + high),
-                    (false, _) => high - 2.0 * (1.0 + high.abs()),
-                    (true, false) => low + 2.0 * (1.0 + low.abs()),
+                next = match (bottom.is_finite(), top.is_finite()) {
+                    (true, true) => 0.5 * (bottom + top),
+                    (false, _) => top - 2.0 * (1.0 + top.abs()),
+                    (true, false) => bottom + 2.0 * (1.0 + bottom.abs()),
                 };
             }
             next = next.clamp(LOWEST, HIGHEST);

@@ -9,7 +9,7 @@ use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
 use crate::request::separation::{HIGHEST, LOWEST};
 
 /// Separations at which a search gives up.
-const MOST: usize = 20_000;
+const MOST: usize = 4000;
 /// A force is larger than another by more than this share, the square of what rounding moves the
 /// place of a maximum by.
 const LARGER: f64 = 1e-14;
@@ -26,8 +26,8 @@ impl ForceAt<'_> {
     ) -> Result<Vec<f64>, ContactError> {
         let mut found = vec![];
         let mut high = self.sample(top)?;
-        for place in self.places(top) {
-            let (low, last) = match self.sample(place) {
+        for (place, sample) in self.places(top) {
+            let (low, last) = match sample {
                 Err(ContactError::Integral { .. }) if place < DEEP => {
                     (self.last(place, high)?, true)
                 }
@@ -137,10 +137,15 @@ impl ForceAt<'_> {
             }
             _ => least,
         };
-        let mut high = self.sample(HIGHEST)?;
+        // Heights with a light tail cannot be integrated so far out, where nothing touches.
+        let far = std::iter::once((HIGHEST, self.sample(HIGHEST)));
+        let places = far.chain(self.places(HIGHEST));
+        let mut places = places.skip_while(|(place, sample)| *place > 0.0 && sample.is_err());
+        let Some((_, first)) = places.next() else { return self.sample(LOWEST) };
+        let mut high = first?;
         let (mut best, mut open) = (high, vec![]);
-        for place in self.places(HIGHEST) {
-            let (low, last) = match self.sample(place) {
+        for (place, sample) in places {
+            let (low, last) = match sample {
                 Err(ContactError::Integral { .. }) if place < DEEP => {
                     (self.last(place, high)?, true)
                 }
