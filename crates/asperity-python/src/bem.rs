@@ -253,7 +253,7 @@ pub(crate) fn truth(
         left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
     for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
         if !refused.contains_key(model.id()) {
-            warn(py, &format!("{model}: {why}"), 1)?;
+            warn(py, format!("{model}: {why}"), 1)?;
             refused.insert(model.id().into(), why.to_string());
         }
     }

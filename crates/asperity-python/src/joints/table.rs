@@ -88,7 +88,7 @@ impl JointTable {
     /// closest approach so far is ``closest``; the returned one is that of the next step.
     #[pyo3(signature = (separation, closest=f64::INFINITY))]
     fn step(&self, py: Python<'_>, separation: f64, closest: f64) -> PyResult<(f64, f64, f64)> {
-        let reply = self.table.at(self.from_mean(separation), self.from_mean(closest));
+        let reply = self.table.at(self.above_mean(separation), self.above_mean(closest));
         let reply = reply.map_err(|error| self.model.get().raise(py, error))?;
         Ok((reply.force, reply.stiffness, closest.min(separation)))
     }
@@ -102,7 +102,7 @@ impl JointTable {
         let passed = py.detach(|| {
             let mut contact = self.table.new_contact();
             given.iter().try_for_each(|separation| {
-                let reply = contact.step(self.from_mean(*separation))?;
+                let reply = contact.step(self.above_mean(*separation))?;
                 force.push(reply.force);
                 stiffness.push(reply.stiffness);
                 Ok(())
@@ -133,7 +133,7 @@ impl JointTable {
 
 impl JointTable {
     /// A separation from the mean of the asperity heights [m].
-    fn from_mean(&self, separation: f64) -> f64 {
+    fn above_mean(&self, separation: f64) -> f64 {
         self.metres * separation + self.plane
     }
 }
