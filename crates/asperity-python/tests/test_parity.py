@@ -35,7 +35,7 @@ def test_a_scan_is_read_levelled_filtered_and_smoothed(tmp_path: Path) -> None:
     smooth = scan.smooth(1e-5)
     assert isinstance(smooth, asperity.Topography)
     assert smooth.surface().asperity_radius > 1.05 * scan.surface().asperity_radius
-    with pytest.raises(ValueError, match="the file has no unit of its heights"):
+    with pytest.raises(ValueError, match="the file does not state the unit of the heights"):
         asperity.read(tmp_path / "scan.txt")
     # Too much is missing, as the program has it.
     holes = waves(0.0)
