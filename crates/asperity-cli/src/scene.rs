@@ -43,7 +43,7 @@ impl LoadedScene {
         Ok(scene)
     }
 
-    /// Reports what is unusual about the scene.
+    /// Reports the findings about the scene.
     pub fn report_scene(&self) {
         report(&self.file.findings().at_least(Severity::Warning));
     }
@@ -154,7 +154,7 @@ fn note_left_out(left_out: &[LeftOut]) {
     }
 }
 
-/// Models and what they lack, one message for each reason.
+/// The models without a result, one message for each reason.
 pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
     let mut reasons: Vec<(String, Vec<&str>)> = vec![];
     for (id, reason) in lacking {

@@ -170,7 +170,7 @@ impl Builder {
         (from.stiffness / secant, to.stiffness / secant)
     }
 
-    /// Whether what is interpolated falls all the way.
+    /// Whether the interpolated curve falls everywhere.
     fn monotone(&self, from: &ContactNode, to: &ContactNode) -> bool {
         if to.pressure >= from.pressure {
             return false;

@@ -1,16 +1,17 @@
 //! The force of a scene to be inverted: its integral, its variation's, and where to look.
 
+use std::sync::OnceLock;
+
+use asperity_quadrature::Moments;
+
 use crate::engine::height_integral::HeightIntegral;
 use crate::engine::inverse::interval::Sample;
 use crate::engine::inverse::variation::Variation;
 use crate::error::integral_failed;
 use crate::request::separation::LOWEST;
 use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
-use std::sync::OnceLock;
 
-use asperity_quadrature::Moments;
-
-/// What the variation is needed to: bounds take its error in.
+/// Tolerance of the variation; bounds include its error.
 const ENOUGH: f64 = 1e-8;
 /// More breaks of a density than these are not looked at one by one.
 const BREAKS: usize = 16;

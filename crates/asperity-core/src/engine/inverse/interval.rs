@@ -183,7 +183,7 @@ impl Interval {
     }
 
     /// What cubics through both ends show, as far as force and variation in the middle agree.
-    /// The variation has a step wherever the force has a bump, and none is lost in a difference.
+    /// The variation steps wherever the force has a bump, so that no bump cancels in a difference.
     pub(crate) fn course(&self, middle: &Sample, level: Level) -> Course {
         self.tilted(middle, level, 0.0)
     }
