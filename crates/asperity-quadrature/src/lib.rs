@@ -11,7 +11,7 @@
 //! Whatever q is, I is an entire function of s, and smooth in c: integrating anew for every s pays
 //! for q at every evaluation, and a polynomial pays for it once.
 //!
-//! 1. [`discretise`] replaces q(t) φ(s + t) by point masses, on panels that end at the kinks and
+//! 1. adaptive discretisation replaces q(t) φ(s + t) by point masses, on panels that end at the kinks and
 //!    are refined until a Legendre tail shows that they are resolved;
 //! 2. the sums over these hundreds of masses are taken at Chebyshev's points of a short range of s
 //!    (and of scales, for [`AnyScale`]), and become a polynomial of 8 to 16 terms: those left out
@@ -41,7 +41,6 @@ mod weighted;
 
 pub use chebyshev::{chebyshev_roots, chebyshev_terms};
 pub use density::{Density, Discretised, Piece, Sampler, Weighted};
-pub use discretise::{Goal, discretise};
 pub use error::{QuadratureError, WeightFault};
 pub use gaussian::{
     AnyScale, Column, ColumnAccuracy, Curvature, Moments, Nearby, ShiftedGaussian, reach,
@@ -50,3 +49,5 @@ pub use roots::{bracketed_root, fallible, highest, last_place};
 pub use rules::{Estimate, Legendre, Point, TanhSinh, gauss_kronrod, legendre};
 pub use tabulated::Tabulated;
 pub use weighted::{Cells, Overlap, Weight};
+
+pub(crate) use discretise::{Goal, discretise};

@@ -20,11 +20,11 @@ const MOST: usize = 200_000;
 
 /// How well masses are wanted, relative to the integral of the absolute value.
 #[derive(Debug, Clone, Copy)]
-pub struct Goal {
+pub(crate) struct Goal {
     /// What panels are bisected for,
-    pub aim: f64,
+    pub(crate) aim: f64,
     /// and what is refused: an aim near rounding may be missed by a little.
-    pub refuse: f64,
+    pub(crate) refuse: f64,
 }
 
 impl From<f64> for Goal {
@@ -42,7 +42,7 @@ impl From<f64> for Goal {
 /// # Errors
 /// What the density's samplers refuse, non-finite samples, and [`QuadratureError::NotConverged`]
 /// when the error estimate stays above what the goal refuses.
-pub fn discretise(
+pub(crate) fn discretise(
     density: &Density,
     (low, high): (f64, f64),
     edges: &[f64],

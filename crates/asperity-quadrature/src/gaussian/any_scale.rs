@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
-use super::moments::{Moments, fill};
+use super::moments::Moments;
 use super::patch::Place;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
@@ -49,7 +49,7 @@ impl AnyScale {
     /// I(s, c) alone, with `slope` and its size left at 0.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`at`](Self::at).
     #[inline]
     pub fn value(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
         match self.ready(s, scale) {
@@ -62,35 +62,10 @@ impl AnyScale {
         }
     }
 
-    /// [`value`](Self::value) at each s and scale, in any order, into `out`, which is to be as
-    /// long.
-    ///
-    /// # Errors
-    /// The first place that is refused, by its index, and why; what stands before it is answered.
-    pub fn values(
-        &self,
-        places: &[(f64, f64)],
-        out: &mut [Moments],
-    ) -> Result<(), (usize, QuadratureError)> {
-        fill(places, out, |(s, scale)| self.value(s, scale))
-    }
-
-    /// [`at`](Self::at) at each s and scale, as [`values`](Self::values) does it.
-    ///
-    /// # Errors
-    /// Those of [`values`](Self::values).
-    pub fn values_and_slopes(
-        &self,
-        places: &[(f64, f64)],
-        out: &mut [Moments],
-    ) -> Result<(), (usize, QuadratureError)> {
-        fill(places, out, |(s, scale)| self.at(s, scale))
-    }
-
     /// Terms of the polynomial that serves s and a scale; 0 where each evaluation integrates anew.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`at`](Self::at).
     pub fn terms(&self, s: f64, scale: f64) -> Result<usize, QuadratureError> {
         Ok(self.build(s, scale)?.map_or(0, |(segment, _)| segment.terms()))
     }

@@ -37,19 +37,6 @@ pub struct Curvature {
     pub error: f64,
 }
 
-/// One answer after the other, up to the first error.
-#[inline]
-pub(crate) fn fill<T: Copy>(
-    places: &[T],
-    out: &mut [Moments],
-    answer: impl Fn(T) -> Result<Moments, QuadratureError>,
-) -> Result<(), (usize, QuadratureError)> {
-    for (index, (place, out)) in places.iter().zip(out).enumerate() {
-        *out = answer(*place).map_err(|error| (index, error))?;
-    }
-    Ok(())
-}
-
 impl Moments {
     /// No integral at all.
     pub const NONE: Self =

@@ -24,8 +24,9 @@ impl Nearby {
     /// Integrates `density(t/scale)` against φ(s + t) to a relative `tolerance`, without a rule.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`]; [`QuadratureError::OutOfRange`] unless s is finite and at
-    /// most 1e9, `scale` positive and finite.
+    /// A refusal of the density, a sample that is not finite, or a missed tolerance;
+    /// [`QuadratureError::OutOfRange`] unless s is finite and at most 1e9, `scale` positive and
+    /// finite.
     pub fn new(
         density: &Density,
         scale: f64,

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
-use super::moments::{Curvature, Moments, fill, ln_scale};
+use super::moments::{Curvature, Moments, ln_scale};
 use super::patch::Place;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
@@ -28,7 +28,8 @@ impl ShiftedGaussian {
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`], and [`QuadratureError::OutOfRange`].
+    /// A refusal of the density, a sample that is not finite, or a missed tolerance;
+    /// [`QuadratureError::OutOfRange`] for any other s.
     #[inline]
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Place::at(s);
@@ -41,7 +42,7 @@ impl ShiftedGaussian {
     /// I(s) alone, with `slope` and its size left at 0: about half the work of [`at`](Self::at).
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`at`](Self::at).
     #[inline]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Place::at(s);
@@ -51,31 +52,10 @@ impl ShiftedGaussian {
         }
     }
 
-    /// [`value`](Self::value) at each s, in any order, into `out`, which is to be as long: 9 ns
-    /// each at 1e-10 where the rules are built. The digits are those of one at a time.
-    ///
-    /// # Errors
-    /// The first s that is refused, by its index, and why; what stands before it is answered.
-    pub fn values(&self, s: &[f64], out: &mut [Moments]) -> Result<(), (usize, QuadratureError)> {
-        fill(s, out, |s| self.value(s))
-    }
-
-    /// [`at`](Self::at) at each s, as [`values`](Self::values) does it.
-    ///
-    /// # Errors
-    /// Those of [`values`](Self::values).
-    pub fn values_and_slopes(
-        &self,
-        s: &[f64],
-        out: &mut [Moments],
-    ) -> Result<(), (usize, QuadratureError)> {
-        fill(s, out, |s| self.at(s))
-    }
-
     /// d²I/ds².
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`at`](Self::at).
     pub fn curvature(&self, s: f64) -> Result<Curvature, QuadratureError> {
         let ([value, square], error) = self.anew(s, 2)?;
         let (value, size) = (square.0 - value.0, square.1 + value.1);
@@ -105,7 +85,7 @@ impl ShiftedGaussian {
     /// Terms of the polynomial that serves s; 0 where each evaluation integrates anew.
     ///
     /// # Errors
-    /// Those of [`crate::discretise`].
+    /// Those of [`at`](Self::at).
     pub fn terms(&self, s: f64) -> Result<usize, QuadratureError> {
         Ok(self.rules.at(Place::at(s), &self.task)?.map_or(0, Segment::terms))
     }
@@ -168,34 +148,10 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn arrays_have_the_digits_of_one_at_a_time_in_any_order() {
-        // From below the rules to their end, repeated and scrambled.
-        let mut s: Vec<f64> = (0..700).map(|k| -65.0 + 0.1 * f64::from(k * 619 % 701)).collect();
-        s.extend((0..300).map(|k| 10f64.powf(-3.0 + 0.04 * f64::from(k * 7 % 300))));
-        s.extend([0.0, -0.0, -64.0, 1e9, 1e9, 0.5, -1.0, -1e-300]);
-        for density in [power(1.425), power(20.0), both_signs(1.5)] {
-            for tolerance in [1e-3, 1e-8, 1e-14] {
-                let integral = ShiftedGaussian::new(density.clone(), 0.3, tolerance);
-                let mut out = vec![Moments::NONE; s.len()];
-                integral.values(&s, &mut out).unwrap();
-                for (s, out) in s.iter().zip(&out) {
-                    assert_eq!(*out, integral.value(*s).unwrap(), "{s}");
-                }
-                integral.values_and_slopes(&s, &mut out).unwrap();
-                for (s, out) in s.iter().zip(&out) {
-                    assert_eq!(*out, integral.at(*s).unwrap(), "{s}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn what_is_refused_in_an_array_is_named_by_its_index() {
+    fn separations_that_are_no_numbers_or_too_large_are_refused() {
         let integral = ShiftedGaussian::new(power(1.0), 1.0, 1e-10);
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 2e9] {
-            let mut out = [Moments::NONE; 3];
-            let (index, error) = integral.values(&[1.0, 0.0, wrong], &mut out).unwrap_err();
-            assert!(index == 2 && out[1].value > 0.0);
+            let error = integral.value(wrong).unwrap_err();
             assert!(error.to_string().starts_with(&format!("s is {wrong}")), "{error}");
             assert!(integral.at(wrong).is_err() && integral.curvature(wrong).is_err());
         }

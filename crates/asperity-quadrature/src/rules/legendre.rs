@@ -19,7 +19,7 @@ pub struct Legendre {
 }
 
 /// How far inside [0, 1] the points are that `Legendre::at_ends` is for.
-pub const INSET: f64 = 1e-7;
+pub(crate) const INSET: f64 = 1e-7;
 
 const LARGEST: usize = 128;
 
@@ -98,8 +98,7 @@ impl Legendre {
     /// information: the samples are resolved. The rule errs from degree 2n on only, so that the
     /// fall could count twice for a geometric one; next to the kinks of lateral laws it does not,
     /// and that cost 5e-12.
-    #[must_use]
-    pub fn error(&self, samples: &[f64]) -> f64 {
+    pub(crate) fn error(&self, samples: &[f64]) -> f64 {
         let tail = self.tail(samples);
         let largest = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
         if tail <= 3e-14 * largest {
@@ -112,15 +111,13 @@ impl Legendre {
 
     /// The Legendre series of the function with these samples, 1e-7 inside 0 and 1: where the
     /// function itself is elsewhere, a kink hides beyond the outermost nodes.
-    #[must_use]
-    pub fn at_ends(&self, samples: &[f64]) -> [f64; 2] {
+    pub(crate) fn at_ends(&self, samples: &[f64]) -> [f64; 2] {
         let at = |row: &Vec<f64>| row.iter().zip(samples).map(|(r, f)| r * f).sum();
         [at(&self.ends[0]), at(&self.ends[1])]
     }
 
     /// The largest of three Legendre coefficients around degree n/2, to judge how the tail falls.
-    #[must_use]
-    pub fn middle(&self, samples: &[f64]) -> f64 {
+    pub(crate) fn middle(&self, samples: &[f64]) -> f64 {
         largest(&self.middle, samples)
     }
 }
