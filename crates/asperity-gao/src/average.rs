@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{Formula, FunctionKey, Power};
-use asperity_quadrature::{Discretised, QuadratureError, Sampler, Tabulated, Weighted};
+use asperity_quadrature::{FunctionTable, PointMasses, QuadratureError, Sampler, WeightFunction};
 
 use crate::oblique::AngleAverage;
 use crate::{AngleDensity, ObliqueContact, nested};
@@ -37,7 +37,8 @@ pub fn angle_average(
     let parameters = vec![density.0, density.1, range.start, range.end, tolerance];
     let average = Arc::new(AngleAverage::new(contact, range, density, tolerance));
     let sampled = average.clone();
-    let table = Tabulated::new(Arc::new(move |x| sampled.value(x)), &average.kinks(), tolerance);
+    let table =
+        FunctionTable::new(Arc::new(move |x| sampled.value(x)), &average.kinks(), tolerance);
     let kinks = table.kinks().to_vec();
     let formula = Formula::sampled(Arc::new(TabulatedAverage { average, table }));
     (with_key(formula, "angle average, tabulated", parameters), kinks)
@@ -52,7 +53,7 @@ fn table_tolerance(tolerance: f64) -> f64 {
 /// An angle average, tabulated at first use.
 struct TabulatedAverage {
     average: Arc<AngleAverage>,
-    table: Tabulated,
+    table: FunctionTable,
 }
 
 impl Sampler for TabulatedAverage {
@@ -84,7 +85,7 @@ impl Sampler for AngleAverage {
         self.azimuth_tolerance()
     }
 
-    fn masses(&self, against: &Weighted<'_>) -> Option<Discretised> {
+    fn masses(&self, against: &WeightFunction<'_>) -> Option<PointMasses> {
         Some(nested::masses(self, against))
     }
 }

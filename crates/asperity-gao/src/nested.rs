@@ -3,7 +3,7 @@
 
 use std::sync::LazyLock;
 
-use asperity_quadrature::{Discretised, Weighted};
+use asperity_quadrature::{PointMasses, WeightFunction};
 
 use crate::gauss::{Gauss, Sum, bisect, whole_powers};
 use crate::oblique::AngleAverage;
@@ -20,10 +20,10 @@ const RATIO: f64 = 3.5;
 static RULE: LazyLock<Gauss<NODES>> = LazyLock::new(Gauss::new);
 
 /// The masses of q(x) = (1/x) ∫ (c₀ + c₂ y²/x²) m(y, x) dy times a weight.
-pub(crate) fn masses(average: &AngleAverage, against: &Weighted<'_>) -> Discretised {
+pub(crate) fn masses(average: &AngleAverage, against: &WeightFunction<'_>) -> PointMasses {
     let (from, to) = (average.range.start, average.range.end.min(against.range.1));
     let unit = 1.0 / against.likely();
-    let found = Discretised::default();
+    let found = PointMasses::default();
     let azimuths = average.azimuth_tolerance();
     let mut nest = Nest { average, against, azimuths, found, unit, size: 0.0 };
     let mut ends: Vec<f64> = average.singular.iter().copied().filter(|y| *y < to).collect();
@@ -86,9 +86,9 @@ impl Panel {
 
 struct Nest<'a> {
     average: &'a AngleAverage,
-    against: &'a Weighted<'a>,
+    against: &'a WeightFunction<'a>,
     azimuths: f64,
-    found: Discretised,
+    found: PointMasses,
     /// Factor of x. Slopes of integrals use the same masses times x and must be as accurate; next
     /// to the maximum of the weight, differences of x matter.
     unit: f64,
@@ -133,7 +133,7 @@ impl Nest<'_> {
     /// weight of this y, are stored.
     fn over_x(&mut self, y: f64, share: f64) -> [f64; 2] {
         let rule = &*RULE;
-        let Weighted { range: (start, end), weight, aim, beside, .. } = *self.against;
+        let WeightFunction { range: (start, end), weight, aim, beside, .. } = *self.against;
         let (c0, c2) = self.average.density;
         // Contributions below this size need no further refinement.
         let beside = 0.01 * (self.size + beside) / share;

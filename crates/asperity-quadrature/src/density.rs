@@ -39,14 +39,14 @@ pub trait Sampler: Send + Sync {
 
     /// The function times a weight as point masses, where that costs less than samples do: a
     /// function that is an average itself can be averaged in another order.
-    fn masses(&self, _against: &Weighted<'_>) -> Option<Discretised> {
+    fn masses(&self, _against: &WeightFunction<'_>) -> Option<PointMasses> {
         None
     }
 }
 
 /// Point masses that stand for a density times a weight.
 #[derive(Debug, Clone, Default)]
-pub struct Discretised {
+pub struct PointMasses {
     /// Where the masses are, ascending within each panel.
     pub points: Vec<f64>,
     /// The masses. Their sum is the integral.
@@ -59,7 +59,7 @@ pub struct Discretised {
 
 /// What a function is integrated against.
 #[derive(Clone, Copy)]
-pub struct Weighted<'a> {
+pub struct WeightFunction<'a> {
     /// Where the weight is looked at.
     pub range: (f64, f64),
     /// Panel ends that suit the weight, ascending.
@@ -72,7 +72,7 @@ pub struct Weighted<'a> {
     pub beside: f64,
 }
 
-impl Weighted<'_> {
+impl WeightFunction<'_> {
     /// The edge at which x² times the weight is largest: about where most of the integral of a
     /// growing function comes from.
     #[must_use]
@@ -83,9 +83,9 @@ impl Weighted<'_> {
     }
 }
 
-impl fmt::Debug for Weighted<'_> {
+impl fmt::Debug for WeightFunction<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Weighted").field("range", &self.range).finish_non_exhaustive()
+        f.debug_struct("WeightFunction").field("range", &self.range).finish_non_exhaustive()
     }
 }
 

@@ -33,21 +33,21 @@ mod chebyshev;
 mod density;
 mod discretise;
 mod error;
+mod function_table;
 mod gaussian;
 mod roots;
 mod rules;
-mod tabulated;
 mod weighted;
 
 pub use chebyshev::{chebyshev_roots, chebyshev_terms};
-pub use density::{Density, Discretised, Piece, Sampler, Weighted};
+pub use density::{Density, Piece, PointMasses, Sampler, WeightFunction};
 pub use error::{QuadratureError, WeightFault};
+pub use function_table::FunctionTable;
 pub use gaussian::{
     AnyScale, Column, ColumnAccuracy, Curvature, Moments, Nearby, ShiftedGaussian, reach,
 };
 pub use roots::{bracketed_root, fallible, highest, last_place};
 pub use rules::{Estimate, Legendre, Point, TanhSinh, gauss_kronrod, legendre};
-pub use tabulated::Tabulated;
 pub use weighted::{Cells, Overlap, Weight};
 
 pub(crate) use discretise::{Goal, discretise};

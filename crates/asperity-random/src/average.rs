@@ -7,7 +7,7 @@ use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Formula, Law, Part,
     Quantity, Tolerance, Validity,
 };
-use asperity_quadrature::{Estimate, QuadratureError, Sampler, Tabulated, TanhSinh};
+use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
 
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
@@ -70,7 +70,8 @@ impl AsperityModel for Average<'_> {
             // Most of the contribution of larger interferences comes from those near this one.
             let deep = (part.range.start / scale).max(SQRT_2);
             let integral = Integral { form, scale, breaks, power, deep };
-            let table = Tabulated::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
+            let table =
+                FunctionTable::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
             let form = Formula::sampled(Arc::new(Averaged { table, deep }));
             let (range, kinks) = (FIRST..f64::INFINITY, vec![BEGIN]);
             Part { range, kinks, form, ..part.clone() }
@@ -89,7 +90,7 @@ fn envelope(u: f64, deep: f64) -> f64 {
 
 /// A table of x M/envelope, x = u + `BEGIN`.
 struct Averaged {
-    table: Tabulated,
+    table: FunctionTable,
     deep: f64,
 }
 

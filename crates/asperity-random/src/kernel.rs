@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::f64::consts::SQRT_2;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use asperity_quadrature::{Estimate, Tabulated, TanhSinh};
+use asperity_quadrature::{Estimate, FunctionTable, TanhSinh};
 
 /// Range of mean curvatures above the smallest one, in √(m₄/3): exp(-16²/4) is negligible.
 const BEYOND: f64 = 16.0;
@@ -25,7 +25,7 @@ const KEPT: usize = 4096;
 pub(crate) struct Kernel {
     u: f64,
     /// y G exp(κ*²/4), which varies slowly with y.
-    table: Tabulated,
+    table: FunctionTable,
 }
 
 impl Kernel {
@@ -39,7 +39,7 @@ impl Kernel {
             kernels.clear();
         }
         let new = || {
-            let table = Tabulated::new(Arc::new(move |y| flat(u, y, power)), &[], TOLERANCE);
+            let table = FunctionTable::new(Arc::new(move |y| flat(u, y, power)), &[], TOLERANCE);
             Arc::new(Self { u, table })
         };
         kernels.entry((u.to_bits(), power)).or_insert_with(new).clone()

@@ -4,7 +4,7 @@ pub(crate) mod panel;
 
 use std::cmp::Ordering;
 
-use crate::{Density, Discretised, Piece, QuadratureError, Weighted};
+use crate::{Density, Piece, PointMasses, QuadratureError, WeightFunction};
 use panel::{POINTS, Panel};
 
 /// Without a known origin, panels grow by no more than this ratio.
@@ -48,7 +48,7 @@ pub(crate) fn discretise(
     edges: &[f64],
     weight: &dyn Fn(f64) -> f64,
     goal: impl Into<Goal>,
-) -> Result<Discretised, QuadratureError> {
+) -> Result<PointMasses, QuadratureError> {
     let Goal { aim, refuse } = goal.into();
     let (mut result, sampled) = own_masses(density, (low, high), edges, weight, aim)?;
     let density = sampled.as_ref().unwrap_or(density);
@@ -112,9 +112,9 @@ fn own_masses(
     edges: &[f64],
     weight: &dyn Fn(f64) -> f64,
     aim: f64,
-) -> Result<(Discretised, Option<Density>), QuadratureError> {
-    let (mut all, mut own) = (Discretised::default(), vec![]);
-    let mut against = Weighted { range, edges, weight, aim, beside: 0.0 };
+) -> Result<(PointMasses, Option<Density>), QuadratureError> {
+    let (mut all, mut own) = (PointMasses::default(), vec![]);
+    let mut against = WeightFunction { range, edges, weight, aim, beside: 0.0 };
     // What is small beside other pieces need be no better: the one that begins just before the
     // weight is largest is likely to be large.
     let likely = 0.6 * against.likely();
@@ -199,7 +199,7 @@ mod tests {
         Piece { from, to, sign: 1.0, kinks: vec![], origin, sampler: Arc::new(sampler) }
     }
 
-    fn sum(density: &Density, high: f64, tolerance: f64) -> (f64, Discretised) {
+    fn sum(density: &Density, high: f64, tolerance: f64) -> (f64, PointMasses) {
         let masses = discretise(density, (0.0, high), &[], &|_| 1.0, tolerance).unwrap();
         (masses.masses.iter().sum(), masses)
     }

@@ -4,7 +4,7 @@ use fearless_simd::{Simd, f64x8};
 
 use super::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
 use crate::chebyshev::polynomial::Chebyshev;
-use crate::{Density, Discretised, Goal, QuadratureError};
+use crate::{Density, Goal, PointMasses, QuadratureError};
 
 /// Scales that are summed together.
 const LANES: usize = 4;
@@ -224,7 +224,7 @@ impl Masses {
         // Far below 0 slopes are so much smaller than their positive and negative parts.
         let aim = middle.noise().max(0.01 * tolerance / (1.0 - centre.min(0.0)));
         let goal = Goal { aim, refuse: (0.2 * tolerance).max(4.0 * aim) };
-        let Discretised { points, mut masses, error, evaluations } =
+        let PointMasses { points, mut masses, error, evaluations } =
             masses(density, scale, (centre, &window), &|t| at(t).sum(), goal)?;
         found.evaluations = evaluations;
         if points.is_empty() {

@@ -1,6 +1,6 @@
 //! The shifted Gaussian as a weight, and a density under it as point masses.
 
-use crate::{Density, Discretised, Goal, QuadratureError, discretise};
+use crate::{Density, Goal, PointMasses, QuadratureError, discretise};
 
 /// Below this s each evaluation integrates anew: rules would be needed for every unit of s.
 pub(crate) const LOWEST: f64 = -64.0;
@@ -95,7 +95,7 @@ pub(crate) fn masses(
     (s, window): (f64, &dyn Fn(f64) -> (f64, f64)),
     weight: &dyn Fn(f64) -> f64,
     goal: Goal,
-) -> Result<Discretised, QuadratureError> {
+) -> Result<PointMasses, QuadratureError> {
     let (mut depth, mut evaluations) = (CUT, 0);
     loop {
         let (near, far) = window(depth);
@@ -127,7 +127,7 @@ fn masses_on(
     (s, window): (f64, (f64, f64)),
     weight: &dyn Fn(f64) -> f64,
     goal: Goal,
-) -> Result<Discretised, QuadratureError> {
+) -> Result<PointMasses, QuadratureError> {
     let edges: Vec<f64> = edges(s, window).iter().map(|t| t / scale).collect();
     let range = (window.0 / scale, window.1 / scale);
     let mut masses = discretise(density, range, &edges, &|x| weight(x * scale) * scale, goal)?;
