@@ -13,43 +13,42 @@ pub trait Sampler: Send + Sync {
     /// [`QuadratureError::Refused`] with the reason when the function has no value there.
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError>;
 
-    /// Writes the derivative at `x` to `out`, if there is a formula for it, and returns whether
-    /// there is.
+    /// Writes the derivative at `x` to `out` and returns true, if there is a formula for it.
     fn slope(&self, _x: &[f64], _out: &mut [f64]) -> bool {
         false
     }
 
-    /// Error of the values at `x`, where they have been sampled, relative to the function's size
-    /// nearby, if they are approximations. It may depend on nothing that others have sampled.
+    /// Error of the values at the sampled `x`, relative to the function's size nearby, if they are
+    /// approximations. It must not depend on other samples.
     fn relative_error(&self, _x: &[f64]) -> f64 {
         0.0
     }
 
-    /// The same function for a single integral, where that saves preparing it: nothing is kept from
-    /// one sample to the next.
+    /// The same function without preparation, for a single integral, if the function has one:
+    /// nothing is kept between samples.
     fn unprepared(&self) -> Option<Arc<dyn Sampler>> {
         None
     }
 
-    /// The same function for a single integral, to a relative `tolerance`, where this one is an
+    /// The same function to a relative `tolerance`, for a single integral, if this one is an
     /// approximation that may be coarser.
     fn finer(&self, _tolerance: f64) -> Option<Arc<dyn Sampler>> {
         None
     }
 
-    /// The function times a weight as point masses, where that costs less than samples do: a
-    /// function that is an average itself can be averaged in another order.
+    /// The function times a weight as point masses, where they cost less than samples: a function
+    /// that is itself an average can be averaged in another order.
     fn masses(&self, _against: &WeightFunction<'_>) -> Option<PointMasses> {
         None
     }
 }
 
-/// Point masses that stand for a density times a weight.
+/// Point masses that replace a density times a weight.
 #[derive(Debug, Clone, Default)]
 pub struct PointMasses {
-    /// Where the masses are, ascending within each panel.
+    /// Places of the masses, ascending within each panel.
     pub points: Vec<f64>,
-    /// The masses. Their sum is the integral.
+    /// The masses; their sum is the integral.
     pub masses: Vec<f64>,
     /// Estimate of the absolute error of that sum.
     pub error: f64,
@@ -57,24 +56,24 @@ pub struct PointMasses {
     pub evaluations: usize,
 }
 
-/// What a function is integrated against.
+/// The weight of an integral, and the wanted accuracy.
 #[derive(Clone, Copy)]
 pub struct WeightFunction<'a> {
-    /// Where the weight is looked at.
+    /// Range of the integral.
     pub range: (f64, f64),
     /// Panel ends that suit the weight, ascending.
     pub edges: &'a [f64],
     /// The weight.
     pub weight: &'a dyn Fn(f64) -> f64,
-    /// How well the integral is wanted, relative to its size
+    /// Wanted error of the integral, relative to its size
     pub aim: f64,
-    /// or to that of the other integrals it will be added to.
+    /// or to the size of the other integrals of the same sum.
     pub beside: f64,
 }
 
 impl WeightFunction<'_> {
-    /// The edge at which x² times the weight is largest: about where most of the integral of a
-    /// growing function comes from.
+    /// The edge at which x² times the weight is largest: about the place of most of the integral of
+    /// a growing function.
     #[must_use]
     pub fn likely(&self) -> f64 {
         let at = |x: &f64| x * x * (self.weight)(*x);
@@ -101,17 +100,17 @@ where
 /// One piece of a density, on `[from, to)`.
 #[derive(Clone)]
 pub struct Piece {
-    /// Where the piece begins, ≥ 0.
+    /// The lower end, ≥ 0.
     pub from: f64,
-    /// Where it ends; may be infinite.
+    /// The upper end; may be infinite.
     pub to: f64,
     /// Factor of the values in the sum, mostly 1 or -1.
     pub sign: f64,
-    /// Declared kinks inside the piece. An undeclared one costs time; the error stays below the
-    /// tolerance, but a jump may hide from the bound, which is then too small.
+    /// Declared kinks inside the piece. An undeclared kink costs time, and the error stays below
+    /// the tolerance; the bound may miss an undeclared jump.
     pub kinks: Vec<f64>,
-    /// The point o from which the piece is a sum of powers (x-o)^p, if it is one: then one panel
-    /// spans any ratio of scales.
+    /// The origin o if the piece is a sum of powers (x-o)^p: one panel then spans any ratio of
+    /// scales.
     pub origin: Option<f64>,
     /// The values.
     pub sampler: Arc<dyn Sampler>,
@@ -171,13 +170,12 @@ impl Density {
         breaks
     }
 
-    /// Where the first piece begins; infinite if there is none.
+    /// The beginning of the first piece; infinite if there is none.
     pub(crate) fn begin(&self) -> f64 {
         self.pieces.iter().map(|piece| piece.from).fold(f64::INFINITY, f64::min)
     }
 
-    /// The largest relative error of the pieces' values at the points `x`, where they have been
-    /// sampled.
+    /// The largest relative error of the pieces' values at the sampled points `x`.
     #[must_use]
     pub fn relative_error(&self, x: &[f64]) -> f64 {
         let of = |p: &Piece| {
@@ -222,12 +220,12 @@ impl Density {
         Ok(total)
     }
 
-    /// Whether all pieces active on `[low, high]` know their derivative.
+    /// Whether all pieces active on `[low, high]` have a formula for the derivative.
     pub(crate) fn has_slope(&self, (low, high): (f64, f64)) -> bool {
         self.active(low, high).all(|piece| piece.sampler.slope(&[], &mut []))
     }
 
-    /// Adds up the derivatives of the pieces active on `[low, high]`, which all know theirs.
+    /// Adds up the derivatives of the pieces active on `[low, high]`, which all have formulas.
     pub(crate) fn slope(
         &self,
         (low, high): (f64, f64),

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// Why an integral could not be given.
+/// Why an integral has no value.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
 #[serde(tag = "code", rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -10,25 +10,25 @@ pub enum QuadratureError {
     /// The density returned NaN or an infinity.
     #[error("the density is {value} at {at}: a finite number was required")]
     NotFinite {
-        /// Where it was sampled.
+        /// The place of the sample.
         at: f64,
-        /// What it returned.
+        /// The sample.
         value: f64,
     },
-    /// The density refused to be sampled.
+    /// The density has no value at a sample.
     #[error("the density could not be sampled: {reason}")]
     Refused {
         /// The reason given by the density.
         reason: String,
     },
-    /// There is no such place.
+    /// The separation or the scale is out of range.
     #[error(
         "s is {s} and the scale {scale}: a finite s up to 1e9 and a positive, finite scale were required"
     )]
     OutOfRange {
-        /// The separation asked for.
+        /// The separation.
         s: f64,
-        /// The scale asked for.
+        /// The scale.
         scale: f64,
     },
     /// Refinement ended before the tolerance was met.
@@ -38,85 +38,87 @@ pub enum QuadratureError {
     NotConverged {
         /// The relative error estimate that was reached.
         reached: f64,
-        /// The relative tolerance that was asked.
+        /// The requested relative tolerance.
         asked: f64,
         /// How often the integrand was evaluated.
         evaluations: usize,
     },
-    /// A weight cannot be integrated.
+    /// A weight has no usable integral.
     #[error("{weight}: {fault}")]
     Weight {
         /// The weight's name.
         weight: String,
-        /// What is wrong with it.
+        /// The fault.
         fault: WeightFault,
     },
 }
 
-/// What is wrong with a weight, at places in its own unit.
+/// A fault of a weight, at places in its own unit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum WeightFault {
     /// The support is empty.
-    #[error("its support is from {low:?} to {high:?}: a lower and a higher end were required")]
+    #[error("the support is from {low:?} to {high:?}: a lower and a higher end were required")]
     Support {
         /// The lower end.
         low: f64,
         /// The higher end.
         high: f64,
     },
-    /// One of its breaks is not a number.
-    #[error("one of its breaks is {at:?}: finite numbers were required")]
+    /// A break is not a finite number.
+    #[error("a break is {at:?}: finite numbers were required")]
     Break {
         /// The break.
         at: f64,
     },
-    /// Its logarithm is not a number, or infinite.
-    #[error("its logarithm is {value} at {at:e}: a number was required")]
+    /// The logarithm is NaN or infinite.
+    #[error("the logarithm is {value} at {at:e}: a number was required")]
     Value {
         /// The place.
         at: f64,
         /// The logarithm.
         value: f64,
     },
-    /// It has a pole that is none of an integrable power of the distance to a declared place.
+    /// A pole is not an integrable power of the distance to a declared place.
     #[error(
-        "it has a pole at {at:e}: a power above -0.95 of the distance to an end of the support or a break was required"
+        "pole at {at:e}: a power above -0.95 of the distance to an end of the support or a break was required"
     )]
     Pole {
         /// The place.
         at: f64,
     },
-    /// It is zero wherever it was looked at.
-    #[error("it is zero everywhere from {low:?} to {high:?}: numbers above 0 were required")]
+    /// All samples are zero.
+    #[error("zero everywhere from {low:?} to {high:?}: numbers above 0 were required")]
     Zero {
         /// The lower end of the support.
         low: f64,
         /// The higher end.
         high: f64,
     },
-    /// It is no probability density.
+    /// The integral is not 1.
     #[error(
-        "its integral is {integral:.6}: 1 was required (support and breaks, where it has jumps, kinks, poles or peaks, must be declared)"
+        "the integral is {integral:.6}: 1 was required (declare the support, and breaks at jumps, kinks, poles and peaks)"
     )]
     Integral {
-        /// What was found.
+        /// The integral.
         integral: f64,
     },
-    /// It varies too wildly to be followed.
-    #[error("it cannot be followed near {at:e}: fewer kinks, jumps and peaks were required")]
+    /// The samples do not suffice to represent the weight.
+    #[error(
+        "too many kinks, jumps or peaks near {at:e}: a density that is smooth between them was required"
+    )]
     Wild {
-        /// Where samples ran out.
+        /// The place of the last sample.
         at: f64,
     },
-    /// It is too small there, compared with its largest value, to be integrated.
-    #[error("it is too small above {above:e} to be integrated, yet not beyond its support")]
+    /// The weight there is too small, compared with its largest value, to be integrated.
+    #[error("too small above {above:e} to be integrated, though within the support")]
     Faint {
         /// The place.
         above: f64,
     },
-    /// Times the density that grows, it has no integral.
-    #[error("the integral of the law over it diverges")]
+    /// The integral of the growing density over the weight is infinite.
+    #[error("the integral of the law over this density diverges")]
     Diverges,
 }

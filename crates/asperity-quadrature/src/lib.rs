@@ -1,5 +1,5 @@
-//! Quadrature for densities with kinks: adaptive discretisation, polynomials that stand for the
-//! integral, and the classical methods they are measured against.
+//! Quadrature for densities with kinks: adaptive discretisation, polynomials that replace the
+//! integral, and the classical methods of the comparisons.
 //!
 //! The integrals of this workspace are all of one kind,
 //!
@@ -8,22 +8,22 @@
 //! ```
 //!
 //! with a density q ≥ 0 that has kinks, jumps and fractional powers, and an entire function φ.
-//! Whatever q is, I is an entire function of s, and smooth in c: integrating anew for every s pays
-//! for q at every evaluation, and a polynomial pays for it once.
+//! For every q, I is an entire function of s, and smooth in c: it is sampled at a few s, and a
+//! polynomial through these samples then gives I without a sample of q.
 //!
 //! 1. adaptive discretisation replaces q(t) φ(s + t) by point masses, on panels that end at the kinks and
 //!    are refined until a Legendre tail shows that they are resolved;
-//! 2. the sums over these hundreds of masses are taken at Chebyshev's points of a short range of s
-//!    (and of scales, for [`AnyScale`]), and become a polynomial of 8 to 16 terms: those left out
-//!    are known, and small enough;
-//! 3. [`ShiftedGaussian`] does both once for each range, on demand, and then answers the value and
-//!    its derivatives without a branch, a power or an exponential: the same digits on every
-//!    processor, and as fast without wide registers as sums of exponentials are with them;
-//! 4. [`ShiftedGaussian::fill`] answers whole arrays, with the values of one range side by side in
-//!    the widest registers there are.
+//! 2. the sums over these hundreds of masses at Chebyshev's points of a short range of s (and of
+//!    scales, for [`AnyScale`]) become a polynomial of 8 to 16 terms; the terms left out are
+//!    computed, and bound the error;
+//! 3. [`ShiftedGaussian`] does both once for each range, on demand, and then evaluates the value
+//!    and its derivatives without a branch, a power or an exponential, with the same digits on
+//!    every processor;
+//! 4. [`ShiftedGaussian::fill`] evaluates whole arrays, with the values of one range side by side
+//!    in the widest registers of the processor.
 //!
-//! [`Weight`], [`Overlap`] and [`Cells`] do the same for any other density in the place of φ, which
-//! has kinks, jumps and poles of its own.
+//! [`Weight`], [`Overlap`] and [`Cells`] do the same for any other density in place of φ, with
+//! kinks, jumps and poles of its own.
 //!
 //! This crate knows nothing of contact mechanics, and reads no files.
 

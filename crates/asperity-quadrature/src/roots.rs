@@ -1,16 +1,16 @@
-//! Where a function of one number is 0, stops to hold or turns, between two places.
+//! Roots, changes of a condition, and maxima of a function between two places.
 
-/// Calls `of` with a function that cannot fail in place of one that may: what it returns once `f`
-/// has failed is thrown away, and the first failure comes out.
+/// The result of `search` for a function `f` that may fail: `search` sees NaN in place of an error,
+/// and its result is dropped if there was one.
 ///
 /// # Errors
-/// The first of `f`.
+/// The first error of `f`.
 pub fn fallible<T, E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
-    of: impl FnOnce(&mut dyn FnMut(f64) -> f64) -> T,
+    search: impl FnOnce(&mut dyn FnMut(f64) -> f64) -> T,
 ) -> Result<T, E> {
     let mut first = None;
-    let found = of(&mut |x| {
+    let found = search(&mut |x| {
         f(x).unwrap_or_else(|error| {
             first.get_or_insert(error);
             f64::NAN
@@ -19,8 +19,8 @@ pub fn fallible<T, E>(
     first.map_or(Ok(found), Err)
 }
 
-/// Finds x in [low, high] with f(x) = 0 to the last bits, by bisection sped up with the secant
-/// (the "Illinois" rule); `None` when the signs at both ends agree or a value is not finite.
+/// The x in [low, high] with f(x) = 0 to the last bits, by bisection and the secant (the
+/// "Illinois" rule); `None` when the signs at both ends agree or a value is not finite.
 #[must_use]
 pub fn bracketed_root(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
     let (mut f_low, mut f_high) = (f(low), f(high));
@@ -67,8 +67,8 @@ pub fn bracketed_root(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64
     Some(0.5 * (low + high))
 }
 
-/// The last place on the way from one where something holds to one where it does not, by bisection:
-/// the next number does not hold.
+/// The last number on the way from `holding` to `lost` at which a condition holds, by bisection: at
+/// the next number it does not.
 pub fn last_place(mut holds: impl FnMut(f64) -> bool, mut holding: f64, mut lost: f64) -> f64 {
     loop {
         let middle = lost + 0.5 * (holding - lost);
@@ -79,8 +79,8 @@ pub fn last_place(mut holds: impl FnMut(f64) -> bool, mut holding: f64, mut lost
     }
 }
 
-/// Where a function with one maximum between `low` and `high` has it, by golden sections, to 4e-9
-/// of the way between them: values do not determine it much better.
+/// The place of the only maximum of a function between `low` and `high`, by golden sections, to
+/// 4e-9 of their distance: values do not determine it much better.
 pub fn highest(mut f: impl FnMut(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let inside =
@@ -107,7 +107,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn finds_roots_and_refuses_where_there_is_none() {
+    fn roots_are_found_where_the_sign_changes() {
         let root = bracketed_root(|x| x * x - 2.0, 0.0, 2.0).unwrap();
         assert!((root - 2f64.sqrt()).abs() < 4e-16);
         let steep = bracketed_root(|x| (x - 1e-9).cbrt(), -1.0, 1.0).unwrap();
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn changes_and_turns_are_found_from_either_side() {
+    fn changes_of_a_condition_and_maxima_are_found() {
         for (from, to) in [(0.0, 3.0), (-1.0, 7.0)] {
             let last = last_place(|x| x * x < 2.0, from, to);
             assert!(last * last < 2.0 && last.next_up() * last.next_up() >= 2.0, "{last}");

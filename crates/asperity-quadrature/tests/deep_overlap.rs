@@ -1,4 +1,4 @@
-//! Far below s = 0, where the weight is a narrow bump at t = -s and slopes are small differences.
+//! Far below s = 0: the weight is a narrow bump at t = -s, and slopes are small differences.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ fn piece(from: f64, to: f64, f: fn(f64) -> f64) -> Piece {
     Piece { from, to, sign: 1.0, kinks: vec![], origin: None, sampler: Arc::new(sampler) }
 }
 
-/// A jump and two regimes, as the force of Jackson and Green has them.
+/// A jump and two regimes, as in the force of Jackson and Green.
 fn jump() -> Density {
     let above = |x: f64| {
         let elastic = (-0.25 * x.powf(5.0 / 12.0)).exp() * x.powf(1.5);
@@ -21,7 +21,7 @@ fn jump() -> Density {
     Density { pieces: vec![piece(0.0, 1.9, |x| x.powf(1.5)), piece(1.9, f64::INFINITY, above)] }
 }
 
-/// Jumps at 1, 6 and 110, as those of Kogut and Etsion.
+/// Jumps at 1, 6 and 110, as in the force of Kogut and Etsion.
 fn jumps() -> Density {
     Density {
         pieces: vec![
@@ -38,7 +38,7 @@ fn share(k: u32, irrational: f64) -> f64 {
     (f64::from(k) * irrational).fract()
 }
 
-/// Below -9, where 1e-20 is left above 0, the moments of a Gaussian about -s.
+/// Below -9, where all but 1e-20 of the weight is at t > 0: the moments of a Gaussian about -s.
 #[test]
 fn powers_are_met_within_bounds_near_rounding_at_every_scale() {
     type Power = (fn(f64) -> f64, i32, fn(f64) -> [f64; 2]);
@@ -98,7 +98,7 @@ fn slopes_meet_the_tolerance_relative_to_themselves() {
 }
 
 #[test]
-fn what_one_scale_answers_any_scale_does() {
+fn any_scale_agrees_with_one_scale() {
     for (density, name) in [(jump(), "one jump"), (jumps(), "three jumps")] {
         let tight = AnyScale::new(density.clone(), 1e-14);
         for k in 0..6000 {

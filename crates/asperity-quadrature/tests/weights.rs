@@ -1,5 +1,4 @@
-//! Densities with kinks that nobody declared and poles that hold much of the mass, against closed
-//! forms.
+//! Weights with undeclared kinks, and with poles that hold much of the mass, against closed forms.
 
 use std::sync::Arc;
 
@@ -18,8 +17,8 @@ fn power(p: f64) -> Density {
     Density { pieces: vec![piece] }
 }
 
-/// Within its bound of the exact value and slope, which are `rounded` by as much, and the bound
-/// within the tolerance.
+/// Asserts that value and slope are exact within the bound, apart from `rounded`, the rounding of
+/// the reference, and that the bound is within the tolerance.
 fn check(name: &str, d: f64, found: &Moments, exact: [f64; 2], rounded: f64) {
     let scale = found.ln_scale.exp();
     for (n, found_one) in [found.value, found.slope].into_iter().enumerate() {
@@ -29,7 +28,7 @@ fn check(name: &str, d: f64, found: &Moments, exact: [f64; 2], rounded: f64) {
     assert!(found.error < 1e-10, "{name} {d}: {:e}", found.error);
 }
 
-/// Triangular on [0, 1] with its mode anywhere, a kink that nobody declared.
+/// A triangle on [0, 1], whose mode is an undeclared kink.
 #[test]
 fn undeclared_kinks_are_found_next_to_the_ends_too() {
     let mut modes = vec![0.5, 0.91, 0.93, 0.96, 0.98, 0.04, 0.07];
@@ -62,7 +61,7 @@ fn undeclared_kinks_are_found_next_to_the_ends_too() {
     }
 }
 
-/// A density with no kink but one next to its end: 3z² below, nothing above.
+/// An undeclared jump next to the end of the support: 3z² below, 0 above.
 #[test]
 fn a_curved_density_that_ends_before_its_support_does_is_found() {
     for near in (2..=12).map(|k| 10f64.powi(-k)) {
@@ -94,7 +93,7 @@ const LN_BETA: [(f64, f64); 7] = [
     (0.5, 1.144_729_885_849_400_2),
 ];
 
-/// Much of Beta(a, a) is next to its ends, where places are rounded by more than their distance.
+/// Much of Beta(a, a) is next to its ends, at distances below the rounding of places.
 #[test]
 fn poles_at_both_ends_are_integrated_within_bounds() {
     for (a, ln_beta) in LN_BETA {
@@ -113,7 +112,7 @@ fn poles_at_both_ends_are_integrated_within_bounds() {
 fn the_upper_end_of_a_table_is_reached_with_few_samples() {
     let end = 1e-6;
     for cell in [1e-6, 2e-9] {
-        // Even but for a last cell that falls to 0; the first rises likewise.
+        // Constant but for the first and the last cell, which rise from 0 and fall to 0.
         let height = 1.0 / (2.0 * end - cell);
         let ln = move |z: f64| {
             let share = (end - z.abs()) / cell;
@@ -133,7 +132,7 @@ fn the_upper_end_of_a_table_is_reached_with_few_samples() {
                     let found = found.unwrap();
                     for (n, value) in [found.value, found.slope].into_iter().enumerate() {
                         let off = (value * found.ln_scale.exp() / exact[n] - 1.0).abs();
-                        // What is left above d is known no better than d itself.
+                        // The height left above d has the rounding of d.
                         let allowed = 1e-10 + 4.0 * f64::EPSILON * end / left;
                         assert!(off <= allowed, "{cell} {unit} {share} [{n}]: {off:e} {found:?}");
                     }

@@ -1,5 +1,4 @@
-//! Chebyshev's points on [0, 1], ends included: interpolation, its derivative, and how well it
-//! does.
+//! Chebyshev's points on [0, 1], ends included: interpolation, its derivative and its error.
 
 use std::sync::OnceLock;
 
@@ -11,11 +10,10 @@ pub(crate) const NODES: usize = 20;
 /// A value at each point.
 pub(crate) type Samples = [f64; NODES];
 
-/// What interpolation between the points needs, for the interval [0, 1].
+/// Interpolation between the points, for the interval [0, 1].
 #[derive(Debug)]
 pub(crate) struct Lobatto {
-    /// Ascending; the outermost a hair inside, so that no kink at an end decides which side of it
-    /// is meant.
+    /// Ascending; the outermost lie just inside, on the interval's side of a kink at an end.
     pub(crate) nodes: Samples,
     /// Row i turns samples into the derivative at node i.
     slope: Box<[Samples; NODES]>,
@@ -31,7 +29,7 @@ pub(crate) fn lobatto() -> &'static Lobatto {
     RULE.get_or_init(Lobatto::new)
 }
 
-/// Angle of point i: its place is -cos in [-1, 1].
+/// Angle of point i: its place in [-1, 1] is minus the cosine.
 fn angle(i: usize) -> f64 {
     std::f64::consts::PI * i as f64 / (NODES - 1) as f64
 }

@@ -1,4 +1,4 @@
-//! Chebyshev series: the roots to sample at, the coefficients, and their sum.
+//! Chebyshev series: roots, coefficients, and sum.
 
 pub(crate) mod lobatto;
 pub(crate) mod polynomial;
@@ -26,7 +26,7 @@ pub fn chebyshev_terms(samples: &[f64]) -> Vec<f64> {
 /// coefficients of degree 0 to n - 1.
 pub(crate) fn extremes(n: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
     let last = n - 1;
-    // Whole turns are taken off: multiples of π are rounded.
+    // Whole turns are subtracted, as multiples of π are rounded.
     let at = |k: usize, i: usize| (PI * (k * i % (2 * last)) as f64 / last as f64).cos();
     let half = |k: usize| if k.is_multiple_of(last) { 0.5 } else { 1.0 };
     let row = |k: usize| {
@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn polynomials_come_back() {
+    fn polynomials_are_reproduced() {
         let f = |y: f64| 3.0 - y + 0.5 * y.powi(5);
         let samples: Vec<f64> = chebyshev_roots(8).map(f).collect();
         let terms = chebyshev_terms(&samples);

@@ -1,4 +1,4 @@
-//! Polynomials of one and of two variables in [-1, 1], through samples at Chebyshev's points.
+//! Polynomials in one and in two variables in [-1, 1], through samples at Chebyshev's points.
 
 use std::sync::OnceLock;
 
@@ -6,9 +6,9 @@ use fearless_simd::{Simd, SimdBase, f64x8};
 
 use super::extremes;
 
-/// Coefficients that are handled together: products that do not wait for each other.
+/// Coefficients evaluated together: their products are independent.
 const LANES: usize = 4;
-/// Numbers of points that are tried, fewest first. With more, powers would lose digits.
+/// Numbers of points to try, fewest first. With more points, powers lose digits.
 const POINTS: [usize; 6] = [8, 12, 16, 20, 24, 32];
 /// The number of last terms that must vanish for the others to be resolved.
 const GUARDS: usize = 3;
@@ -17,11 +17,11 @@ const UNSEEN: usize = 2;
 /// Terms below this share of the largest sample are rounding.
 const NOISE: f64 = 5e-16;
 
-/// Chebyshev's points in [-1, 1], and what makes a series of samples there.
+/// Chebyshev's points in [-1, 1], and the matrix from samples to terms.
 #[derive(Debug)]
 pub(crate) struct Chebyshev {
     pub(crate) points: Vec<f64>,
-    /// Row k makes the term of degree k.
+    /// Row k gives the term of degree k.
     rows: Vec<Vec<f64>>,
 }
 
@@ -32,7 +32,7 @@ impl Chebyshev {
         LADDER.get_or_init(|| POINTS.into_iter().map(Self::new).collect())
     }
 
-    /// The one point 0, for a variable that nothing depends on.
+    /// The one point 0, for a function that does not depend on the variable.
     pub(crate) fn single() -> &'static Self {
         static SINGLE: OnceLock<Chebyshev> = OnceLock::new();
         SINGLE.get_or_init(|| Self { points: vec![0.0], rows: vec![vec![1.0]] })
@@ -48,7 +48,7 @@ impl Chebyshev {
         self.rows.iter().map(term).collect()
     }
 
-    /// How many terms may be used.
+    /// The number of terms that may be used.
     fn usable(&self) -> usize {
         self.points.len().saturating_sub(GUARDS).max(1)
     }
@@ -60,23 +60,23 @@ pub(crate) struct Series {
     /// Coefficients of four powers of u each, the even ones first: highest powers first, and among
     /// those of the same powers of u the highest power of v first.
     fours: Box<[[f64; LANES]]>,
-    /// How many pairs of powers of v each four powers of u have; empty where there is no v.
+    /// The number of pairs of powers of v for each four powers of u; empty without v.
     rows: Box<[u8]>,
 }
 
-/// A series, and what it leaves out.
+/// A series, and a bound on its truncation.
 #[derive(Debug)]
 pub(crate) struct Fit {
     pub(crate) series: Series,
     /// Bound on the terms left out.
     pub(crate) left: f64,
-    /// Whether the points of u and of v were enough.
+    /// Whether the points of u and of v suffice.
     pub(crate) resolved: [bool; 2],
 }
 
 impl Series {
-    /// The shortest series through samples at all points of u for each of v that leaves out less
-    /// than `allowed`; samples are sums of terms of this size, and known no better.
+    /// The shortest series, through samples at all points of u for each of v, that leaves out less
+    /// than `allowed`; samples are sums of terms of size `size`, whose rounding they contain.
     pub(crate) fn fit(
         (u, v): (&Chebyshev, &Chebyshev),
         samples: &[f64],
@@ -110,7 +110,7 @@ impl Series {
             }
             let above = |term: &f64| (term.abs() - noise).max(0.0);
             let dropped = |(row, n): (&Vec<f64>, &usize)| {
-                // Terms beyond the last ones are smaller than those.
+                // The terms beyond the points are smaller than the last ones.
                 row[*n..]
                     .iter()
                     .chain(&row[row.len().saturating_sub(UNSEEN)..])
@@ -130,7 +130,8 @@ impl Series {
         }
     }
 
-    /// Chebyshev's polynomials become powers: good for functions as smooth as to need few of them.
+    /// Powers in place of Chebyshev's polynomials: without loss of digits for the few terms of
+    /// smooth functions.
     fn of_terms(terms: &[Vec<f64>]) -> Self {
         let of_u: Vec<_> = terms.iter().map(|row| powers(row)).collect();
         let blocks = of_u[0].len() / LANES;
@@ -142,7 +143,7 @@ impl Series {
                     of_u[..height].iter().map(|row| row[LANES * block + lane]).collect();
                 powers(&column)
             });
-            // Even powers first: both are then added to both odd ones times u at once.
+            // Even powers first: both odd powers times u are then added to them at once.
             let [a, b, c, d] = &columns;
             let four = |j: usize| [a, c, b, d].map(|column| column.get(j).copied().unwrap_or(0.0));
             let height = if terms.len() == 1 { 1 } else { height.next_multiple_of(2) };
@@ -174,7 +175,7 @@ impl Series {
         fours.iter().fold(sum, |sum, four| powers.add(sum, four))
     }
 
-    /// The values at eight u, where there is no v, with the digits of one at a time.
+    /// The values at eight u, without v, with the digits of [`at`](Self::at).
     #[inline(always)]
     pub(crate) fn eight<S: Simd>(&self, simd: S, u: f64x8<S>) -> f64x8<S> {
         let square = u * u;
@@ -245,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn entire_functions_are_found_to_rounding_and_no_better_than_asked() {
+    fn entire_functions_are_fitted_to_the_allowed_error_with_few_terms() {
         let u = &Chebyshev::ladder()[2];
         let samples = samples(u, Chebyshev::single(), |u, _| (-0.5 * u).exp());
         let mut before = usize::MAX;
@@ -285,12 +286,12 @@ mod tests {
     }
 
     #[test]
-    fn too_few_points_are_found_out() {
+    fn too_few_points_are_detected() {
         let u = &Chebyshev::ladder()[2];
         let single = Chebyshev::single();
         let kink = samples(u, single, |u, _| (u - 0.3).abs());
         assert!(!Series::fit((u, single), &kink, 1e-6, 0.0).resolved[0]);
-        // Nothing but rounding is resolved, however little is allowed.
+        // A constant is resolved, even if only rounding is allowed.
         assert!(Series::fit((u, single), &samples(u, single, |_, _| 0.7), 0.0, 0.0).resolved[0]);
         assert!(Series::fit((u, single), &samples(u, single, |_, _| 0.0), 0.0, 0.0).resolved[0]);
     }

@@ -1,4 +1,4 @@
-//! From a density times a smooth weight to point masses, on panels refined until resolved.
+//! Point masses of a density times a smooth weight, on panels refined until resolved.
 
 pub(crate) mod panel;
 
@@ -7,23 +7,23 @@ use std::cmp::Ordering;
 use crate::{Density, Piece, PointMasses, QuadratureError, WeightFunction};
 use panel::{POINTS, Panel};
 
-/// Without a known origin, panels grow by no more than this ratio.
+/// Without a known origin, each panel ends at most at this multiple of its beginning.
 const RATIO: f64 = 4.0;
-/// Bisection stops here; a panel that thin carries less than any tolerance.
+/// Depth of bisection; a thinner panel carries less than any tolerance.
 const DEEPEST: u32 = 50;
-/// So does it after this many halvings in a row that did not help.
+/// Bisection of a panel also stops after this number of halvings in a row that did not help.
 const STALLED: u32 = 4;
 
-/// And so does all bisection once the density was sampled this often: dozens of undeclared kinks
-/// take a tenth of it, and halving noise would never end.
+/// All bisection stops at this number of samples: dozens of undeclared kinks need a tenth of them,
+/// and noise has no end.
 const MOST: usize = 200_000;
 
-/// How well masses are wanted, relative to the integral of the absolute value.
+/// Wanted and accepted error, relative to the integral of the absolute value.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Goal {
-    /// What panels are bisected for,
+    /// Panels are bisected to this error,
     pub(crate) aim: f64,
-    /// and what is refused: an aim near rounding may be missed by a little.
+    /// and a larger one than this is refused: an aim near rounding may be missed by a little.
     pub(crate) refuse: f64,
 }
 
@@ -33,15 +33,15 @@ impl From<f64> for Goal {
     }
 }
 
-/// Replaces `density(x) · weight(x)` on `[low, high]` by point masses.
+/// The point masses that replace `density(x) · weight(x)` on `[low, high]`.
 ///
 /// `edges` are extra panel ends that suit the weight; the density's own breaks are added. Panels
-/// are bisected until their estimated errors sum to less than the goal's aim times the integral of
-/// the absolute value, or until they are too thin to matter.
+/// are bisected until the sum of their estimated errors is below the goal's aim times the integral
+/// of the absolute value, or until they are too thin to matter.
 ///
 /// # Errors
-/// What the density's samplers refuse, non-finite samples, and [`QuadratureError::NotConverged`]
-/// when the error estimate stays above what the goal refuses.
+/// A refusal of a sampler, a sample that is not finite, and [`QuadratureError::NotConverged`] when
+/// the error estimate stays above the accepted one.
 pub(crate) fn discretise(
     density: &Density,
     (low, high): (f64, f64),
@@ -57,8 +57,8 @@ pub(crate) fn discretise(
     for panel in &mut panels {
         evaluations += panel.sample(density, weight)?;
     }
-    // Each panel may err by its share of the whole; the whole is known after the first pass, and
-    // a panel already below rounding of the whole is left alone.
+    // Each panel is allowed its share of the error of the sum, which is known after the first pass;
+    // a panel below the rounding of the sum is not bisected.
     let count = panels.len().max(1) as f64;
     let mut stuck = result.error;
     let mut done = Vec::with_capacity(panels.len());
@@ -78,7 +78,7 @@ pub(crate) fn discretise(
             evaluations += half.sample(density, weight)?;
             total += half.size();
         }
-        // A kink or jump is left in one half; noise stays in both, and halving does not help.
+        // A kink or a jump remains in one half, noise in both, where halving does not help.
         let noisy = halves[0].error + halves[1].error > 0.75 * panel.error;
         for mut half in halves {
             half.stalled = if noisy { panel.stalled + 1 } else { 0 };
@@ -105,7 +105,7 @@ pub(crate) fn discretise(
     Ok(result)
 }
 
-/// The masses of pieces that have their own, and the density without those pieces, if any has.
+/// The masses of pieces that provide them, and the density without those pieces, if there are any.
 fn own_masses(
     density: &Density,
     range: (f64, f64),
@@ -115,8 +115,8 @@ fn own_masses(
 ) -> Result<(PointMasses, Option<Density>), QuadratureError> {
     let (mut all, mut own) = (PointMasses::default(), vec![]);
     let mut against = WeightFunction { range, edges, weight, aim, beside: 0.0 };
-    // What is small beside other pieces need be no better: the one that begins just before the
-    // weight is largest is likely to be large.
+    // A piece that is small beside others needs fewer digits, so the largest comes first: likely
+    // the one that begins just before the weight is largest.
     let likely = 0.6 * against.likely();
     let beyond = |piece: &Piece| (piece.from > likely, (piece.from - likely).abs());
     let mut pieces: Vec<(usize, &Piece)> = density.pieces.iter().enumerate().collect();
@@ -231,7 +231,7 @@ mod tests {
     #[test]
     fn no_jump_hides_next_to_the_end_of_a_panel() {
         for k in 0..2000 {
-            // Everywhere, also next to where halving ends panels.
+            // Everywhere, also next to the ends of halved panels.
             let at = 2.0 * (0.5 + f64::from(k) / 4000.0).powi(5);
             let sampler = move |x: &[f64], out: &mut [f64]| {
                 out.iter_mut().zip(x).for_each(|(out, x)| *out = if *x < at { 1.0 } else { 1.03 });
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_is_given_up_in_the_end() {
+    fn halving_of_noise_ends_with_an_error() {
         let noise = |x: f64| 1.5 + (1e15 * x).sin();
         let density = Density { pieces: vec![piece(0.0, 2.0, None, noise)] };
         let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12).unwrap_err();
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn not_a_number_is_an_error_that_says_where() {
+    fn samples_that_are_not_finite_are_refused_with_their_place() {
         let density = Density { pieces: vec![piece(0.0, 2.0, None, |x| (x - 1.0).sqrt())] };
         let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12).unwrap_err();
         assert!(matches!(error, QuadratureError::NotFinite { at, .. } if at < 1.0));

@@ -1,12 +1,12 @@
-//! One panel of a density times a smooth weight: its samples, and how well they resolve it.
+//! One panel of a density times a smooth weight: samples, masses and error.
 
 use crate::rules::legendre::{INSET, Legendre, legendre};
 use crate::{Density, Piece, QuadratureError};
 
 /// Points of the rule on each panel.
 pub(crate) const POINTS: usize = 20;
-/// Fractional powers at a panel's left end, (x-o)^p with p ≥ 0, become u^(5p+4): smooth enough
-/// for `POINTS` nodes to integrate to rounding.
+/// Fractional powers at a panel's left end, (x-o)^p with p ≥ 0, become u^(5p+4), which `POINTS`
+/// nodes integrate to rounding.
 const MAP_POWER: i32 = 5;
 
 /// One panel: x = origin + (v·span)^5-mapped, v in [low, high].
@@ -15,10 +15,10 @@ pub(crate) struct Panel {
     span: f64,
     low: f64,
     high: f64,
-    /// Ends in x, by which the active pieces are chosen (never by the nodes).
+    /// Ends in x, which select the active pieces (the nodes never do).
     ends: (f64, f64),
     pub(crate) depth: u32,
-    /// How many halvings in a row have not helped.
+    /// Number of halvings in a row that have not helped.
     pub(crate) stalled: u32,
     pub(crate) points: [f64; POINTS],
     pub(crate) masses: [f64; POINTS],
@@ -75,10 +75,11 @@ impl Panel {
             *x = self.origin + self.span * (v * v4);
             *slope = self.span * f64::from(MAP_POWER) * v4;
         }
-        // Kinks of formulas that are sums of powers are known: their ends need no look. Nor does
-        // the end where the map begins: next to nothing is there.
+        // The ends are checked for hidden kinks, except where all kinks are known, as those of sums
+        // of powers, and where the map begins, which carries next to nothing.
         let (low, high) = self.ends;
-        // So are those of tables, whose own error, known only while they grow, must not decide.
+        // Kinks of tables are known too, and their own error, known only as they are built, must not
+        // decide.
         let unknown =
             |piece: &Piece| piece.origin.is_none() && piece.sampler.relative_error(&[]) <= 0.0;
         let judged = density.active(low, high).any(unknown);
@@ -119,8 +120,8 @@ impl Panel {
     }
 }
 
-/// What a kink or jump beyond the outermost nodes hides, at most: the share of the panel out there
-/// times how far the function is, at its ends, from the series through the nodes.
+/// Bound on the error of a kink or jump beyond the outermost nodes: the share of the panel there
+/// times the deviation at its ends from the series through the nodes.
 pub(crate) fn hidden(rule: &Legendre, samples: &[f64], ends: [Option<f64>; 2]) -> f64 {
     let largest = samples.iter().chain(ends.iter().flatten()).fold(0.0, |m: f64, f| m.max(f.abs()));
     let rounding = 1e-12 * largest;

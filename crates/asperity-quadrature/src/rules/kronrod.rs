@@ -1,5 +1,4 @@
-//! Adaptive Gauss-Kronrod quadrature with 21 points: the general method the rules are measured
-//! against, and the one for height densities that are not Gaussian.
+//! Adaptive Gauss-Kronrod quadrature with 21 points: the general method of comparisons and tests.
 
 use crate::QuadratureError;
 
@@ -10,7 +9,7 @@ pub struct Estimate {
     pub value: f64,
     /// Estimate of the absolute error.
     pub error: f64,
-    /// How often the integrand was evaluated.
+    /// Number of evaluations of the integrand.
     pub evaluations: usize,
 }
 
@@ -131,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn adapts_to_a_kink_and_says_when_it_cannot() {
+    fn kinks_are_bisected_and_a_missed_tolerance_is_an_error() {
         let kink = |x: f64| (x - 0.3).abs();
         let exact = 0.5 * (0.09 + 0.49);
         let found = gauss_kronrod(kink, &[0.0, 1.0], 1e-10, 100_000).unwrap();

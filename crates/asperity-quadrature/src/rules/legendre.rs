@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
-/// An n-point Gauss-Legendre rule on [0, 1], with what is needed to judge whether a function
-/// sampled at its nodes is resolved.
+/// An n-point Gauss-Legendre rule on [0, 1], with the rows that estimate the error of samples at
+/// its nodes.
 #[derive(Debug)]
 pub struct Legendre {
     /// Nodes in (0, 1), ascending.
@@ -18,7 +18,7 @@ pub struct Legendre {
     ends: [Vec<f64>; 2],
 }
 
-/// How far inside [0, 1] the points are that `Legendre::at_ends` is for.
+/// Distance from the ends of [0, 1] of the two points of `Legendre::at_ends`.
 pub(crate) const INSET: f64 = 1e-7;
 
 const LARGEST: usize = 128;
@@ -87,17 +87,16 @@ impl Legendre {
     }
 
     /// The largest of the last three Legendre coefficients of the function with these samples:
-    /// an estimate of how well n points resolve it (the rule itself is exact to degree 2n-1).
+    /// large if n points do not resolve it (the rule itself is exact to degree 2n-1).
     #[must_use]
     pub fn tail(&self, samples: &[f64]) -> f64 {
         largest(&self.tail, samples)
     }
 
-    /// Estimates the error of the rule from how the Legendre coefficients fall: a fall from degree
-    /// n/2 to n goes on beyond, a kink's does not, and a tail at the level of rounding carries no
-    /// information: the samples are resolved. The rule errs from degree 2n on only, so that the
-    /// fall could count twice for a geometric one; next to the kinks of lateral laws it does not,
-    /// and that cost 5e-12.
+    /// The error of the rule, estimated from the fall of the Legendre coefficients between degrees
+    /// n/2 and n, which continues beyond n, except at a kink. A tail at the level of rounding means
+    /// that the samples are resolved. The rule is exact to degree 2n-1, but the fall counts once
+    /// only: beside the kinks of lateral laws it is slower than geometric, by 5e-12.
     pub(crate) fn error(&self, samples: &[f64]) -> f64 {
         let tail = self.tail(samples);
         let largest = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
@@ -109,14 +108,14 @@ impl Legendre {
         10.0 * tail * fall
     }
 
-    /// The Legendre series of the function with these samples, 1e-7 inside 0 and 1: where the
-    /// function itself is elsewhere, a kink hides beyond the outermost nodes.
+    /// The Legendre series of the function with these samples, 1e-7 inside 0 and 1: a function that
+    /// deviates there has a kink beyond the outermost nodes.
     pub(crate) fn at_ends(&self, samples: &[f64]) -> [f64; 2] {
         let at = |row: &Vec<f64>| row.iter().zip(samples).map(|(r, f)| r * f).sum();
         [at(&self.ends[0]), at(&self.ends[1])]
     }
 
-    /// The largest of three Legendre coefficients around degree n/2, to judge how the tail falls.
+    /// The largest of three Legendre coefficients around degree n/2.
     pub(crate) fn middle(&self, samples: &[f64]) -> f64 {
         largest(&self.middle, samples)
     }

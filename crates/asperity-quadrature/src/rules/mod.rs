@@ -1,4 +1,4 @@
-//! Quadrature rules for functions that are sampled anew for every integral.
+//! Quadrature rules for single integrals.
 
 mod kronrod;
 pub(crate) mod legendre;

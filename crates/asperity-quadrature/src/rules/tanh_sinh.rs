@@ -37,9 +37,9 @@ impl TanhSinh {
         RULES.get_or_init(|| Self { levels: (0..LEVELS).map(level).collect() })
     }
 
-    /// Integrates `f` from `low` to `high`, halving the step until successive sums agree so well
-    /// that the next (whose number of right digits doubles) is within the relative `tolerance`.
-    /// The returned error is an estimate; nothing is refused here.
+    /// The integral of `f` from `low` to `high`. The step is halved until two sums in a row agree so
+    /// well that the next one, with twice the digits, is within the relative `tolerance`. The error
+    /// is an estimate, which may exceed the tolerance.
     pub fn integrate(
         &self,
         low: f64,
@@ -50,8 +50,8 @@ impl TanhSinh {
         self.integrate_beside(low, high, tolerance, 0.0, f)
     }
 
-    /// As [`integrate`](Self::integrate), with `tolerance` relative to this integral or to one of
-    /// size `beside`, to which it will be added: whichever is larger.
+    /// As [`integrate`](Self::integrate), with `tolerance` relative to the larger of this integral
+    /// and `beside`, the size of another term of the same sum.
     pub fn integrate_beside(
         &self,
         low: f64,

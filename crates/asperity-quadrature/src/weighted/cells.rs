@@ -1,37 +1,38 @@
-//! An integral over a weight as Chebyshev series in d, made where they are asked for.
+//! An integral over a weight as Chebyshev series in d, made when first needed.
 
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-use super::integral::{Found, Overlap, SCALED};
+use super::integral::{Overlap, SCALED, Sums};
 use super::weight::Weight;
 use crate::chebyshev::{chebyshev_roots, chebyshev_sum, chebyshev_terms};
 use crate::{Moments, QuadratureError};
 
-/// Terms of a series; its error is estimated from the last few,
+/// Terms of a series; its error is estimated from the last three,
 const TERMS: usize = 12;
 const LAST: usize = 3;
 /// and from the integral at these shares of a cell.
 const CHECKED: [f64; 3] = [0.004, 0.47, 0.993];
-/// The share of the tolerance that series may take, beside the integrals they are made of.
+/// The share of the tolerance for the series, apart from the integrals they interpolate.
 const SHARE: f64 = 0.25;
-/// Cells narrower than this, relative to their place, are not made.
+/// The least width of a cell, relative to its place.
 const NARROW: f64 = 1e-12;
-/// Cells no wider than this share of the weight are tried; beyond it, as wide as they are far.
+/// The largest width of a cell, as a share of the weight's width; outside the weight, the distance
+/// to it is added.
 const WIDE: f64 = 0.3;
-/// Cells reach this number of widths of the weight beyond it; farther out each d is integrated
-/// anew.
+/// Cells reach this number of widths of the weight beyond it; farther out, there is an integral for
+/// each d.
 const REACH: f64 = 64.0;
 
-/// The integral I(d) of one density over one weight for many d: between the d at which a break of
-/// the weight meets a kink of the density I is smooth, but for powers of the distance to them.
+/// The integral I(d) of one density over one weight for many d. I is smooth between the d at which a
+/// break of the weight meets a kink of the density, but for powers of the distance to them.
 ///
-/// Cells are made when d first falls into them, by bisection, to an error that is measured
-/// against the integral itself, and shared by all threads.
+/// A cell is made when a d first falls into it, by bisection, with an error measured against the
+/// integral itself; cells are shared by all threads.
 pub struct Cells {
     overlap: Arc<Overlap>,
     weight: Arc<Weight>,
-    /// Where breaks and kinks meet, ascending.
+    /// The d at which breaks and kinks meet, ascending.
     meetings: Vec<f64>,
     range: (f64, f64),
     root: Node,
@@ -43,23 +44,23 @@ impl fmt::Debug for Cells {
     }
 }
 
-/// A range of d, once it has been looked at.
+/// A range of d, made when first needed.
 #[derive(Default)]
 struct Node(OnceLock<State>);
 
 enum State {
     Series(Box<Series>),
-    /// Where the range was divided, and whether breaks and kinks meet there.
+    /// The range is divided here; the index of the meeting if breaks and kinks meet here.
     Divided {
         at: f64,
         meeting: Option<usize>,
         parts: Box<[Node; 2]>,
     },
-    /// Nothing is smooth here, or too narrow.
+    /// The range is too narrow for a series, or the integral is an error.
     Direct,
 }
 
-/// A range of d on its way down.
+/// A range of d during bisection.
 #[derive(Clone)]
 struct Range {
     low: f64,
@@ -72,13 +73,13 @@ struct Range {
 
 struct Series {
     map: Map,
-    /// Value, slope and their sizes, over exp(`ln_scale`); no sizes where they are the values.
+    /// Value, slope and their sizes, over exp(`ln_scale`); no sizes if they equal the values.
     terms: [Vec<f64>; 4],
     /// The logarithm of the scale at the lower end, and its slope.
     ln_scale: [f64; 2],
     /// The smallest sizes of value and slope, over their scale.
     least: [f64; 2],
-    /// What the integration has left of value and slope, and the bound.
+    /// The integration errors of value and slope, and the bound.
     reached: [f64; 2],
     error: f64,
 }
@@ -96,7 +97,7 @@ enum Kind {
     Linear,
     /// The distance to the lower end is v².
     Low,
-    /// The distance to the higher end is.
+    /// The distance to the higher end is v².
     High,
 }
 
@@ -130,7 +131,7 @@ impl Map {
 }
 
 impl Cells {
-    /// For all separations; nothing is integrated yet.
+    /// Cells for all separations, none of them made yet.
     #[must_use]
     pub fn new(overlap: Arc<Overlap>, weight: Arc<Weight>) -> Self {
         let (low, high) = weight.bulk();
@@ -143,12 +144,12 @@ impl Cells {
         let mut meetings: Vec<f64> = weight.breaks().iter().flat_map(meet).collect();
         meetings.retain(|d| *d > range.0 && *d < range.1);
         meetings.sort_by(f64::total_cmp);
-        // Closer ones are one: what lies between them counts for nothing.
+        // Closer ones are one: the range between them is negligible.
         meetings.dedup_by(|a, b| (*a - *b).abs() <= NARROW * a.abs());
         Self { overlap, weight, meetings, range, root: Node::default() }
     }
 
-    /// I(d), -dI/dd; the bound holds for the slope only where that is asked for.
+    /// I(d) and -dI/dd; the bound holds for the slope only if `slope` is true.
     ///
     /// # Errors
     /// Those of [`Overlap::at`].
@@ -157,7 +158,7 @@ impl Cells {
             Some(series) if self.overlap.check(series.reached, 0, slope).is_ok() => {
                 Ok(series.moments(d, slope))
             }
-            // The same digits whether the slope is asked for or not.
+            // The same digits with and without the slope.
             _ => self.overlap.answer(&self.overlap.find(&self.weight, d, true)?, slope),
         }
     }
@@ -194,7 +195,7 @@ impl Cells {
         if width <= NARROW * low.abs().max(high.abs()) {
             return State::Direct;
         }
-        // Too wide to be worth a look.
+        // Too wide for a series.
         let outside = (bulk.0 - high).max(low - bulk.1).max(0.0);
         if width > WIDE * (bulk.1 - bulk.0) + outside {
             return divided(0.5 * (low + high), None);
@@ -214,20 +215,20 @@ impl Cells {
         }
     }
 
-    /// A series over a range, if one follows the integral there.
+    /// A series over a range, if it meets the tolerance.
     fn fit(&self, range: &Range) -> Result<Option<Series>, QuadratureError> {
         let map = Map::new(range);
         let find = |v: f64| -> Result<Sample, QuadratureError> {
             let d = map.d(v);
             let found = self.overlap.find(&self.weight, d, true)?;
-            // A slope that nobody may ask for is refused when it is asked for.
+            // A slope that misses the tolerance is refused only when requested.
             self.overlap.check(found.errors, found.evaluations, false)?;
             Ok((d, found))
         };
         let samples: Vec<Sample> =
             chebyshev_roots(TERMS).map(|v| find(0.5 + 0.5 * v)).collect::<Result<_, _>>()?;
         let (mut series, left) = Series::through(map, &samples);
-        let most = |of: &dyn Fn(&Found) -> f64| {
+        let most = |of: &dyn Fn(&Sums) -> f64| {
             samples.iter().map(|(_, found)| of(found)).fold(0.0, f64::max)
         };
         series.reached = [0, 1].map(|n| most(&|found| found.errors[n]));
@@ -248,7 +249,7 @@ impl Cells {
 }
 
 /// The integral at one d.
-type Sample = (f64, Found);
+type Sample = (f64, Sums);
 
 impl Range {
     fn part(self, at: f64, meeting: Option<usize>, upper: bool) -> Self {
@@ -265,10 +266,10 @@ impl Range {
 }
 
 impl Series {
-    /// Through the integrals at the roots; and the largest of what the last terms leave, relative
-    /// to the smallest size of each of value and slope.
+    /// The series through the integrals at the roots, and the last terms of value and of slope,
+    /// relative to their smallest sizes.
     fn through(map: Map, samples: &[Sample]) -> (Self, [f64; 2]) {
-        // Sizes are nearly exponentials of d far out.
+        // Far out, sizes are nearly exponentials of d.
         let ln = |(d, found): &Sample| (*d, found.sizes[0].ln() + found.ln_scale);
         let ((d, from), (to, there)) = (ln(&samples[0]), ln(&samples[TERMS - 1]));
         let slope = (there - from) / (to - d);
@@ -279,7 +280,7 @@ impl Series {
         let numbers: Vec<[f64; 4]> = samples.iter().map(|sample| series.numbers(sample)).collect();
         for n in [0, 1] {
             series.least[n] = numbers.iter().map(|f| f[n + 2]).fold(f64::INFINITY, f64::min);
-            // Sizes are the values themselves where nothing changes its sign.
+            // Sizes are the values themselves if nothing changes sign.
             let same = |f: &[f64; 4]| (f[n] - f[n + 2]).abs() <= 1e-13 * f[n + 2];
             let wanted = if numbers.iter().all(same) { vec![n] } else { vec![n, n + 2] };
             for n in wanted {
@@ -294,7 +295,7 @@ impl Series {
 
     /// Value, slope and sizes of a sample, in the cell's scale.
     fn numbers(&self, (d, found): &Sample) -> [f64; 4] {
-        let Found { sums: [value, slope], sizes: [size, slope_size], ln_scale, .. } = *found;
+        let Sums { sums: [value, slope], sizes: [size, slope_size], ln_scale, .. } = *found;
         let scale = (ln_scale - self.ln_scale(*d)).exp();
         [value, slope, size, slope_size].map(|number| number * scale)
     }
@@ -303,14 +304,14 @@ impl Series {
         self.ln_scale[0] + self.ln_scale[1] * (d - self.map.low)
     }
 
-    /// A deviation over the smallest size. What is no number, as on ranges over which the scale
-    /// leaves the doubles, is too much.
+    /// A deviation over the smallest size; infinite if NaN, as on ranges over which the scale
+    /// overflows f64.
     fn relative(&self, n: usize, off: f64) -> f64 {
         let share = if off == 0.0 { 0.0 } else { off / self.least[n] };
         if share.is_nan() { f64::INFINITY } else { share }
     }
 
-    /// How far it is from a sample.
+    /// The deviations from a sample.
     fn off(&self, sample: &Sample) -> [f64; 2] {
         let y = 2.0 * self.map.v(sample.0) - 1.0;
         let numbers = self.numbers(sample);

@@ -1,22 +1,22 @@
-//! Panels cut at the kinks of a density, into strips with maps that suit both.
+//! Panels cut at the kinks of a density, into strips with maps that suit panel and density.
 
 use super::panel::{MAP_POWER, Panel};
 use super::run::Run;
 use super::strip::{Map, Strip, View};
 use crate::{Piece, QuadratureError, WeightFault};
 
-/// A density of unknown form is looked at on panels that span this ratio of x.
+/// Ratio of the ends of a strip for a density of unknown form.
 const RATIO: f64 = 4.0;
-/// An end that is more panels' widths away than this needs no map.
+/// An end farther away than this number of widths needs no map.
 const FAR: f64 = 3.0;
-/// Far out, strips end where the logarithm has changed by this much,
+/// Far out, the logarithm changes by at most this over a strip,
 const STEP: f64 = 8.0;
-/// and one of which this is left, in logarithms, adds nothing.
+/// and a strip smaller than this share, in logarithms, is negligible.
 const LN_NOTHING: f64 = -50.0;
-/// A weight that needs more samples of the density before anything is halved is refused.
+/// A weight that needs more samples of the density before bisection is refused.
 const ENOUGH: usize = 1_000_000;
 
-/// A place as z and as x: kinks are known exactly in x.
+/// A place as z and as x: kinks are exact in x.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     z: f64,
@@ -62,7 +62,7 @@ impl<'a> Run<'a> {
         if gentle {
             return self.ends(panel, left, right);
         }
-        // Far out: where most of it is first, and what adds nothing not at all.
+        // Far out: the larger part first; negligible parts are left out.
         let mut parts = vec![(left, right)];
         while let Some((left, right)) = parts.pop() {
             let middle = Place { z: 0.5 * (left.z + right.z), x: 0.5 * (left.x + right.x) };
@@ -96,7 +96,7 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Strips with maps that suit what panel and density have at their ends.
+    /// Strips with maps for the powers that panel and density have at their ends.
     fn ends(&mut self, panel: &'a Panel, left: Place, right: Place) -> Result<(), QuadratureError> {
         let View { d, unit, .. } = self.view;
         let width = right.z - left.z;
@@ -113,7 +113,7 @@ impl<'a> Run<'a> {
             let anchor = (panel.anchor - d) / unit;
             if panel.side < 0.0 {
                 if to_begin < FAR * width && panel.distance(right.z) < FAR * width {
-                    // Something at both ends.
+                    // Powers at both ends.
                     let middle = Place { z: left.z + 0.5 * width, x: 0.5 * (left.x + right.x) };
                     if middle.z > left.z && middle.z < right.z && to_begin < 0.5 * width {
                         let smooth = Map {
@@ -144,7 +144,7 @@ impl<'a> Run<'a> {
         let u = if to_begin == 0.0 { to_anchor } else { panel.distance(d + begin * unit) };
         let mut from = left.x;
         loop {
-            // Of unknown form, and so of unknown scales.
+            // A density of unknown form has unknown scales.
             let endless = known.is_some() || from <= 0.0;
             let to = if endless { right.x } else { right.x.min(RATIO * from) };
             let to = if RATIO * to > right.x && to > 0.5 * right.x { right.x } else { to };
@@ -158,7 +158,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Down from what a panel has at its higher end.
+    /// A strip mapped from a power at the higher end of a panel.
     fn down(
         &mut self,
         panel: &'a Panel,
@@ -191,7 +191,7 @@ impl<'a> Run<'a> {
         self.evaluations += strip.sample(&self.view)?;
         self.nonzero |= strip.nonzero;
         self.count(&strip, 1.0);
-        self.look_at(&[ends.0, ends.1]);
+        self.add_sampled(&[ends.0, ends.1]);
         self.strips.push(strip);
         Ok(())
     }

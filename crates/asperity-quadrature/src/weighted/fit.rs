@@ -1,61 +1,61 @@
-//! From the logarithm of a weight to panels that follow it: bisection between its breaks.
+//! Panels of a weight from its logarithm, by bisection between its breaks.
 
 use super::panel::{Panel, RANGE, Series, Shape, end_shares};
 use super::source::Source;
 use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
 use crate::{QuadratureError, WeightFault};
 
-/// How well a logarithm is followed, rounding apart.
+/// Largest error of a logarithm, apart from rounding.
 const GOOD: f64 = 1e-13;
-/// Rounding of logarithms, and of places where they are steep, in units of the last place.
+/// Rounding of logarithms, and of places at steep ones, in units of the last place.
 const ROUNDED: f64 = 16.0;
-/// The share of what a series leaves that integrals see: polynomials of degree 16 and more change
-/// their sign often.
+/// The share of the truncated terms that affects integrals: polynomials of degree 16 and more change
+/// sign often.
 const SEEN: f64 = 0.125;
 /// Panels far out, smaller than exp(-SMALL) of the largest value, may vary by more than RANGE.
 const SMALL: f64 = 60.0;
-/// The share of an interval that is too short for a kink inside to count,
+/// The share of an interval that is too short for a kink inside to matter,
 const SLIVER: f64 = 1e-15;
-/// and how wide one may be in units of its place's last place.
+/// and its width in units of the last place.
 const ULPS: f64 = 64.0;
-/// After this number of halvings in a row that do not help it is noise, whose size is then known,
+/// After this number of halvings in a row that do not help, the error is taken for noise,
 const STALLED: u32 = 2;
-/// if it is small, or all of the weight is.
+/// if it is below this, or if the weight is small.
 const NOISE: f64 = 1e-6;
-/// A weight that takes more samples is not followed.
+/// A weight that needs more samples is refused.
 const MOST: usize = 400_000;
-/// What is smaller than exp(-FAINT) of the largest value next to an end is left out, and may be
-/// noisy elsewhere: logarithms of densities that underflow are.
+/// A weight smaller than exp(-FAINT) of its largest value is left out next to an end, and may be
+/// noisy elsewhere, as the logarithms of densities that underflow are.
 pub(crate) const FAINT: f64 = 600.0;
-/// Poles with lower powers of the distance leave too much of the weight where distances
-/// are not distinct in f64.
+/// With lower powers of the distance, too much of the weight is at distances below the rounding of
+/// places.
 const LOWEST_POWER: f64 = -0.95;
-/// The largest mass that may be in doubt in a sliver.
+/// The largest uncertain mass of a sliver.
 const HIDDEN: f64 = 1e-12;
 
-/// What has been found of a weight.
+/// The panels and kinks of a weight found so far.
 pub(crate) struct Fitter<'s> {
     source: &'s Source,
     pub(crate) panels: Vec<Panel>,
     /// Undeclared kinks and jumps.
     pub(crate) kinks: Vec<f64>,
-    /// Where it was left out next to a higher end, if it was.
+    /// The place above which the weight was left out.
     pub(crate) faint: Option<f64>,
-    /// Whether this is where most of the weight is.
+    /// Whether this is the bulk of the weight.
     near: bool,
     samples: usize,
     peak: f64,
 }
 
-/// Samples on a panel, and how a series follows them.
+/// Samples on a panel, with their series.
 struct Fit {
     low: f64,
     high: f64,
     samples: Samples,
     series: Series,
     error: f64,
-    /// The error is rounding, or next to it.
-    followed: bool,
+    /// The error is not much above rounding.
+    resolved: bool,
     /// The weight varies too much over the panel.
     steep: bool,
 }
@@ -68,7 +68,7 @@ impl Fit {
 }
 
 impl<'s> Fitter<'s> {
-    /// `peak` is the largest logarithm that is known already.
+    /// `peak` is the largest logarithm so far.
     pub(crate) fn new(source: &'s Source, near: bool, peak: f64) -> Self {
         Self { source, panels: vec![], kinks: vec![], faint: None, near, samples: 0, peak }
     }
@@ -108,12 +108,12 @@ impl<'s> Fitter<'s> {
         let largest = g.iter().copied().fold(0.0, f64::max);
         let slope = (g[3] - g[0]) / 0.75;
         let at = |share: f64| g[0] + slope * (share - AT[0]);
-        // Logarithms of small numbers are rounded, and so are places in a steep panel.
+        // Rounding of large logarithms, and of places in a steep panel.
         let size = 1.0 + (g[0] / largest).ln().abs().min(1.0) + largest.ln().abs();
         let place = low.abs().max(high.abs()) / (high - low);
         let rounding = 4.0 * f64::EPSILON * (size + place * (g[3] - g[0]).abs() / largest);
         let mut off = (g[1] - at(AT[1])).abs().max((g[2] - at(AT[2])).abs());
-        // A kink next to an end shows at the end alone.
+        // A kink next to an end affects samples at the end alone.
         for (end, other) in [(low, high), (high, low)] {
             let place = next_to(end, other);
             off = off.max((self.ln(place)?.exp() - at((place - low) / (high - low))).abs());
@@ -127,7 +127,7 @@ impl<'s> Fitter<'s> {
         }
         let end = |g: f64| if g < 8.0 * rounding * largest { 0.0 } else { g };
         let ends = [end(at(0.0)), end(at(1.0))];
-        // Distances are counted from where there is less: no difference is left of it there.
+        // Distances start at the smaller weight, which differences would round.
         let panel = if ends[0] <= ends[1] {
             Panel::new(low, high, Shape::Linear(ends), off / largest)
         } else {
@@ -138,18 +138,18 @@ impl<'s> Fitter<'s> {
         Ok(true)
     }
 
-    /// From a break or an end to a place below or above it: what it has of powers of the distance
-    /// is found on ever shorter panels.
+    /// From a break or an end to a place below or above it: panels get shorter until a power of the
+    /// distance times a series fits the one at the end.
     pub(crate) fn beside(&mut self, end: f64, far: f64) -> Result<(), QuadratureError> {
         let top = (far - end).abs();
         let mut far = far;
-        // Kinks between the end and the samples next to it show at the end alone.
+        // Kinks between the end and the nearest sample affect samples at the end alone.
         let place = next_to(end, far);
         let nearest = Nearest { distance: (place - end).abs(), ln: self.ln(place)? };
         loop {
             let width = (far - end).abs();
             let fit = self.fit(end.min(far), end.max(far), true)?;
-            if fit.followed && (fit.steep || nearest.agrees(fit.ln(place), 0.0, self.peak)) {
+            if fit.resolved && (fit.steep || nearest.agrees(fit.ln(place), 0.0, self.peak)) {
                 return self.plain(fit, top, 0);
             }
             let (_, most) = range(&fit.samples);
@@ -169,7 +169,7 @@ impl<'s> Fitter<'s> {
         }
     }
 
-    /// What is left between an end and a place next to it.
+    /// The interval left between an end and a place next to it.
     fn last(&mut self, end: f64, far: f64, ln: f64, faint: bool) -> Result<(), QuadratureError> {
         let width = (far - end).abs();
         let mut shape = Shape::Zero;
@@ -186,7 +186,7 @@ impl<'s> Fitter<'s> {
         Ok(())
     }
 
-    /// A panel with a power of the distance to an end, if that is what the weight has there.
+    /// A panel with a power of the distance to an end, if the weight has one there.
     fn at_end(
         &mut self,
         end: f64,
@@ -197,7 +197,7 @@ impl<'s> Fitter<'s> {
         for ((sample, moved), share) in samples.iter_mut().zip(&mut moved).zip(end_shares()) {
             let place = end + (far - end) * share;
             *sample = self.ln(place)?;
-            // Next to an end places are rounded by much of the distance, which is known.
+            // Next to an end, rounding moves a place by a known share of the distance.
             *moved = (share / ((place - end) / (far - end))).ln();
             if sample.is_infinite() || !moved.is_finite() {
                 return Ok(None);
@@ -206,7 +206,7 @@ impl<'s> Fitter<'s> {
         let power = Series::beside_an_end(&samples).0.power;
         samples.iter_mut().zip(moved).for_each(|(sample, moved)| *sample += power * moved);
         let (series, error) = Series::beside_an_end(&samples);
-        // The nearest samples are a thousandth of the panel away from the end.
+        // The nearest sample is a thousandth of the panel away from the end.
         let width = (far - end).abs();
         let place = 4e3 * f64::EPSILON * end.abs() / width * series.power.abs();
         let smooth = |k: usize| samples[k] - series.power * end_shares()[k].ln();
@@ -215,7 +215,7 @@ impl<'s> Fitter<'s> {
             all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), s| (l.min(s), m.max(s)));
         let largest = samples.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
         let allowed = 10.0 * GOOD + place + ROUNDED * f64::EPSILON * largest;
-        // Next to nothing is there: what it is counts where nothing else does, and is then known.
+        // A negligible mass matters only where the density sees nothing else; its error is kept.
         let mass = samples[NODES - 1].exp() * width / (1.0 + series.power);
         let good = (error <= allowed || error < NOISE && error * mass <= SLIVER)
             && series.power > LOWEST_POWER
@@ -233,7 +233,7 @@ impl<'s> Fitter<'s> {
         Ok((good && agrees).then_some(panel))
     }
 
-    /// Samples and follows a panel; beside an end, a pole is no surprise.
+    /// Samples of a panel and their series; beside an end, infinite samples are accepted.
     fn fit(&mut self, low: f64, high: f64, beside: bool) -> Result<Fit, QuadratureError> {
         let mut samples = [0.0; NODES];
         for (sample, share) in samples.iter_mut().zip(&lobatto().nodes) {
@@ -255,23 +255,23 @@ impl<'s> Fitter<'s> {
         } else if !(error <= 1.0 && most < f64::INFINITY && least > f64::NEG_INFINITY) {
             error = 1.0;
         }
-        // Rounding may hide a pole in a short panel, unless its mass shows it.
+        // In a short panel a pole may look like rounding, but its mass is large.
         let hidden = error > NOISE && error * most.exp() * (high - low) > HIDDEN;
-        let followed = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
+        let resolved = zero || error < 1.0 && error <= GOOD + rounding && !hidden;
         let steep = self.near && most - least > RANGE && most > self.peak - SMALL;
-        Ok(Fit { low, high, samples, series, error, followed, steep })
+        Ok(Fit { low, high, samples, series, error, resolved, steep })
     }
 
-    /// A panel without a special end, halved until it is followed.
+    /// A panel without a power at its ends, halved until it is resolved.
     fn plain(&mut self, fit: Fit, top: f64, stalled: u32) -> Result<(), QuadratureError> {
         let width = fit.high - fit.low;
         let (least, most) = range(&fit.samples);
         let small = fit.error < NOISE || most < self.peak - FAINT;
         let noise = small && stalled >= STALLED;
-        if !fit.steep && (fit.followed || noise) {
+        if !fit.steep && (fit.resolved || noise) {
             let shape = match (most == f64::NEG_INFINITY, least == f64::NEG_INFINITY) {
                 (true, _) => Shape::Zero,
-                // Next to where it underflows: as good as unknown.
+                // Next to the underflow, where the values have no digits.
                 (false, true) => Shape::Linear([most.exp(); 2]),
                 _ => Shape::Series(fit.series),
             };
@@ -279,14 +279,14 @@ impl<'s> Fitter<'s> {
             return Ok(());
         }
         let short = width <= ULPS * f64::EPSILON * fit.low.abs().max(fit.high.abs());
-        // Where a kink is, it need not be known closer than what it does to integrals.
+        // A kink needs no better place than its effect on integrals requires.
         let doubt = fit.error * width;
         let (narrow, light) = (doubt <= SLIVER * top, doubt * most.exp() <= SLIVER);
-        if short || !fit.followed && narrow && light {
+        if short || !fit.resolved && narrow && light {
             if doubt * most.exp() > HIDDEN {
                 return Err(self.source.fault(WeightFault::Pole { at: fit.low }));
             }
-            // The error is that of the series, where there is one: a line may be far worse.
+            // The error is that of the series, if there is one; a line may be far worse.
             let ends = [fit.samples[0].exp(), fit.samples[NODES - 1].exp()];
             let one = fit.error < 1.0;
             let shape = if one { Shape::Series(fit.series) } else { Shape::Linear(ends) };
@@ -296,9 +296,9 @@ impl<'s> Fitter<'s> {
         }
         let middle = 0.5 * (fit.low + fit.high);
         let halves = [self.fit(fit.low, middle, false)?, self.fit(middle, fit.high, false)?];
-        // A kink or a jump is left in one half; noise stays in both, and halving does not help.
+        // A kink or a jump remains in one half, noise in both, where halving does not help.
         let noisy =
-            !fit.followed && halves.iter().map(|half| half.error).sum::<f64>() > 1.5 * fit.error;
+            !fit.resolved && halves.iter().map(|half| half.error).sum::<f64>() > 1.5 * fit.error;
         for half in halves {
             self.plain(half, top, if noisy { stalled + 1 } else { 0 })?;
         }
@@ -312,14 +312,14 @@ impl<'s> Fitter<'s> {
     }
 }
 
-/// A place so near to an end of an interval that what lies between them carries nothing, yet far
-/// enough for its distance to be known.
+/// A place so near to an end of an interval that the part between them is negligible, but far enough
+/// for its distance to have digits.
 fn next_to(end: f64, other: f64) -> f64 {
     let width = other - end;
     end + width.signum() * (ULPS * f64::EPSILON * end.abs()).max(SLIVER * width.abs())
 }
 
-/// The weight next to an end.
+/// The sample next to an end.
 #[derive(Clone, Copy)]
 struct Nearest {
     distance: f64,
@@ -327,8 +327,8 @@ struct Nearest {
 }
 
 impl Nearest {
-    /// Whether a logarithm that was fitted farther away agrees, up to the rounding of the distance
-    /// of which the weight is a power; what is smaller than exp(-FAINT) of the peak may do so.
+    /// Whether a logarithm fitted farther away agrees with this one, up to the rounding of the
+    /// distance of which the weight is a power, or both are below exp(-FAINT) of the peak.
     fn agrees(&self, fitted: f64, power: f64, peak: f64) -> bool {
         let faint = self.ln.max(fitted) < peak - FAINT;
         faint || (self.ln - fitted).abs() <= NOISE * (1.0 + fitted.abs()) + 0.05 * power.abs()

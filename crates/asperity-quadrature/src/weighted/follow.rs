@@ -1,4 +1,4 @@
-//! From the logarithm of a density and its breaks to a weight, and the check of its integral.
+//! The panels of a weight, from its logarithm and breaks, and the check of its integral.
 
 use std::sync::Arc;
 
@@ -9,17 +9,17 @@ use super::tree::tree;
 use super::weight::{BULK, Tail, Weight};
 use crate::{Density, Piece, QuadratureError, WeightFault};
 
-/// The octave below which there is next to nothing.
+/// The octave beyond which the weight is negligible.
 const BOTTOM: i32 = 60;
-/// How far from 1 the integral of a weight may be that is no approximation.
+/// The largest deviation from 1 of the integral of an exact weight.
 const NORMALISED: f64 = 1e-6;
 
 impl Weight {
-    /// Follows a weight on its support. `breaks` are where it has kinks, jumps and poles; kinks and
-    /// jumps that are not among them are found. `error` is the weight's own, relative.
+    /// A weight on its support. `breaks` are the places of kinks, jumps and poles; undeclared kinks
+    /// and jumps are found. `error` is the relative error of the weight's own values.
     ///
     /// # Errors
-    /// [`QuadratureError::Weight`] with what is wrong.
+    /// [`QuadratureError::Weight`] with the fault.
     pub fn new(
         name: impl Into<String>,
         ln: impl Fn(f64) -> f64 + Send + Sync + 'static,
@@ -40,7 +40,7 @@ impl Weight {
         ends.sort_by(f64::total_cmp);
         ends.dedup();
         if ends.is_empty() {
-            // The mean is as good a place to begin, and a likely one for a kink.
+            // The mean, a likely place of a kink.
             ends.push(0.0);
         }
         let outermost = (ends[0], ends[ends.len() - 1]);
@@ -79,7 +79,7 @@ impl Weight {
         }
     }
 
-    /// The whole weight: poles, peaks and jumps that were not declared may be missing.
+    /// The integral of the weight: undeclared poles, peaks and jumps may be missing in it.
     fn integral(&self) -> Result<f64, QuadratureError> {
         let (low, high) = self.bulk();
         let below = self.tails[0].as_ref().map_or(low - (high - low), |tail| tail.at(BOTTOM));

@@ -10,9 +10,9 @@ use crate::{Density, Moments, QuadratureError, WeightFault};
 
 /// Rounding of the sums, and of the logarithms that weights come from.
 const ROUNDING: f64 = 1e-14;
-/// What is refused may not be less than this, whatever was asked.
+/// Errors up to this are accepted at any tolerance.
 const ATTAINABLE: f64 = 1e-13;
-/// Where a density that begins at 0 is looked at for its first value.
+/// The place of the first value of a density that begins at 0.
 const NEXT_TO_ZERO: f64 = 1e-30;
 /// Logarithms of weights as far from 0 as this need a scale.
 pub(crate) const SCALED: f64 = 200.0;
@@ -21,26 +21,26 @@ pub(crate) const SCALED: f64 = 200.0;
 #[derive(Debug)]
 pub struct Overlap {
     pub(crate) integrand: Integrand,
-    /// By how much the density jumps at each.
+    /// The jump of the density at each kink.
     jumps: OnceLock<Result<Vec<f64>, QuadratureError>>,
 }
 
 /// I(d) = sums\[0\]·exp(`ln_scale`) and -dI/dd = sums\[1\]·exp(`ln_scale`), with the integrals of
-/// absolute values and what is known of the errors.
+/// absolute values and the errors.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Found {
+pub(crate) struct Sums {
     pub(crate) sums: [f64; 2],
     pub(crate) sizes: [f64; 2],
     pub(crate) ln_scale: f64,
-    /// Of the integration, relative to the sizes.
+    /// Errors of the integration, relative to the sizes.
     pub(crate) errors: [f64; 2],
-    /// Of rounded places and of the density's own values, relative to the sizes.
+    /// Errors of rounded places and of the density's own values, relative to the sizes.
     pub(crate) inputs: [f64; 2],
     pub(crate) evaluations: usize,
 }
 
-impl Found {
-    /// All of the error of value and slope, relative to the sizes.
+impl Sums {
+    /// The whole errors of value and slope, relative to the sizes.
     pub(crate) fn total(&self) -> [f64; 2] {
         [0, 1].map(|n| self.errors[n] + self.inputs[n])
     }
@@ -53,22 +53,22 @@ impl Overlap {
         Self { integrand: Integrand::new(density, unit, tolerance), jumps: OnceLock::new() }
     }
 
-    /// The same without a look at jumps, for values alone.
+    /// The same without jumps, for values alone.
     pub(crate) fn smooth(density: Density, unit: f64, tolerance: f64) -> Self {
         Self { jumps: OnceLock::from(Ok(vec![])), ..Self::new(density, unit, tolerance) }
     }
 
-    /// I(d) and -dI/dd; the bound holds for the slope only where that is asked for.
+    /// I(d) and -dI/dd; the bound holds for the slope only if `slope` is true.
     ///
     /// # Errors
-    /// What the density's samplers refuse, [`QuadratureError::Weight`], and
+    /// A refusal of a sampler, [`QuadratureError::Weight`], and
     /// [`QuadratureError::NotConverged`] where the tolerance is missed.
     pub fn at(&self, weight: &Weight, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
         self.answer(&self.find(weight, d, slope)?, slope)
     }
 
-    /// What was found, unless it misses the tolerance.
-    pub(crate) fn answer(&self, found: &Found, slope: bool) -> Result<Moments, QuadratureError> {
+    /// The integral, unless it misses the tolerance.
+    pub(crate) fn answer(&self, found: &Sums, slope: bool) -> Result<Moments, QuadratureError> {
         self.check(found.errors, found.evaluations, slope)?;
         Ok(Moments {
             value: found.sums[0],
@@ -86,7 +86,7 @@ impl Overlap {
         if held { total[0].max(total[1]) } else { total[0] }
     }
 
-    /// Refuses what misses the tolerance.
+    /// Refuses errors above the tolerance.
     pub(crate) fn check(
         &self,
         errors: [f64; 2],
@@ -100,7 +100,7 @@ impl Overlap {
         Err(QuadratureError::NotConverged { reached, asked: self.integrand.tolerance, evaluations })
     }
 
-    /// The d from which on there is nothing: the top of the weight meets the density's beginning.
+    /// The d above which the integral is 0: the top of the weight is below the density's beginning.
     pub(crate) fn end(&self, weight: &Weight) -> f64 {
         weight.top() - self.first() * self.integrand.unit
     }
@@ -114,9 +114,9 @@ impl Overlap {
         weight: &Weight,
         d: f64,
         slope: bool,
-    ) -> Result<Found, QuadratureError> {
+    ) -> Result<Sums, QuadratureError> {
         let start = d + self.first() * self.integrand.unit;
-        let mut found = Found {
+        let mut found = Sums {
             sums: [0.0; 2],
             sizes: [0.0; 2],
             ln_scale: 0.0,
@@ -153,14 +153,14 @@ impl Overlap {
         };
         (found.sums, found.sizes, found.evaluations) = (run.sums, run.sizes, run.evaluations);
         found.errors = [0, 1].map(|n| relative(n, run.errors[n]));
-        // Places are rounded against zero: seen as a shift of the density.
+        // The rounding of places acts as a shift of the density.
         let distance = if run.sizes[1] > 0.0 { run.sizes[0] / run.sizes[1] } else { 0.0 };
         let shift = f64::EPSILON * (d.abs() + 2.0 * distance);
         let steepness = relative(0, run.sizes[1]);
-        let own = self.integrand.density.relative_error(&run.looked_at);
+        let own = self.integrand.density.relative_error(&run.sampled);
         found.inputs = [0, 1].map(|_| 4.0 * shift * steepness + ROUNDING + own);
         found.inputs[1] += relative(1, places);
-        // What is as small as exp(-1e6) has no more digits: no sum mends that.
+        // A weight as small as exp(-1e6) has lost digits, which finer panels do not restore.
         for (error, input) in found.errors.iter_mut().zip(&mut found.inputs) {
             let part = run.noise.min(*error);
             *error -= part;
@@ -169,7 +169,7 @@ impl Overlap {
         Ok(found)
     }
 
-    /// Adds the jumps of the density to the slope; what rounded places do to them.
+    /// Adds the jumps of the density to the slope; the error they have from rounded places.
     fn jumps_over(
         &self,
         weight: &Weight,
@@ -201,7 +201,7 @@ impl Overlap {
             let holds = |from: f64, to: f64| from <= x && x < to;
             let mut above = side(at, &holds)?;
             if !f64::is_finite(above) {
-                // A formula may be none at its very beginning.
+                // Some formulas are NaN at the first place.
                 above = side(at.next_up(), &holds)?;
             }
             let below = side(x.next_down(), &|from, to| from < x && x <= to)?;

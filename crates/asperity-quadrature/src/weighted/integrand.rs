@@ -2,7 +2,7 @@
 
 use crate::Density;
 
-/// What is integrated over weights: a density over x = (z - d)/`unit`, to a relative tolerance.
+/// A density over x = (z - d)/`unit`, to be integrated over weights to a relative tolerance.
 #[derive(Debug)]
 pub(crate) struct Integrand {
     pub(crate) density: Density,

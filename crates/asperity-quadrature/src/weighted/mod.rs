@@ -1,14 +1,16 @@
-//! Integrals of a density over a probability density that is known by its logarithm,
+//! Integrals of a density over a probability density, which is given by its logarithm,
 //!
 //! ```text
 //! I(d) = ∫ q((z - d)/unit) g(z) dz,
 //! ```
 //!
-//! and their slopes. The weight g is followed once, on panels between its breaks ([`Weight`]);
-//! groups of panels that lie far from the kinks of q count as twenty points each, so that a
-//! table of a thousand panels costs little more than one of ten ([`Overlap`]). For many d, the
-//! integral itself becomes Chebyshev series between the d at which a break of g meets a kink of q
-//! ([`Cells`]).
+//! and their slopes. Series represent the weight g on panels between its breaks, once for all d
+//! ([`Weight`]). A group of panels far from the kinks of q counts as twenty points ([`Overlap`]):
+//! a table of a thousand panels costs three times one of ten. For many d, Chebyshev series
+//! represent the integral itself, between the d at which a break of g meets a kink of q ([`Cells`]).
+//!
+//! Adaptive discretisation of q g anew for each d was measured as an alternative: two to sixty times
+//! the time on the same panels, seven to two hundred without panels, and wrong at poles.
 
 mod cells;
 mod cut;

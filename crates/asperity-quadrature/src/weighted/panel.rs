@@ -1,20 +1,20 @@
-//! One panel of a weight: from its logarithm at a few points to the weight at any.
+//! One panel of a weight: a series of its logarithm.
 
 use std::sync::OnceLock;
 
 use crate::chebyshev::chebyshev_sum;
 use crate::chebyshev::lobatto::{Samples, centred, coefficients, dot, lobatto};
 
-/// The logarithm varies by no more than this over a panel, unless all of it is small.
+/// The logarithm varies by no more than this over a panel, unless the weight is small there.
 pub(crate) const RANGE: f64 = 10.0;
 /// Terms of a series on a panel without a special end, at most; its error is estimated from the
 /// four beyond.
 const TERMS: usize = 16;
 /// Terms of a series beside a power of the distance to an end.
 const END_TERMS: usize = 10;
-/// Nearer to an end than this share of the panel, places are rounded by too much of the distance.
+/// Within this share of the panel from an end, rounding takes too much of the distance.
 const NEAREST: f64 = 1e-3;
-/// What fractional powers are made: see [`Map`](super::strip::Map).
+/// The power of the map that makes fractional powers smooth: see [`Map`](super::strip::Map).
 pub(crate) const MAP_POWER: f64 = 5.0;
 
 /// A part of a weight, smooth but for a power of the distance to one end.
@@ -22,9 +22,9 @@ pub(crate) const MAP_POWER: f64 = 5.0;
 pub(crate) struct Panel {
     pub(crate) low: f64,
     pub(crate) high: f64,
-    /// The end that distances u are counted from,
+    /// The end from which distances u are counted,
     pub(crate) anchor: f64,
-    /// and where they lead: 1 upwards, -1 downwards.
+    /// and their direction: 1 upwards, -1 downwards.
     pub(crate) side: f64,
     pub(crate) shape: Shape,
     /// Relative error of the weight, as estimated from its samples.
@@ -35,7 +35,7 @@ pub(crate) struct Panel {
 #[derive(Debug, Clone)]
 pub(crate) enum Shape {
     Zero,
-    /// Linear: the weights at u = 0 and at the other end.
+    /// Linear, with the weights at u = 0 and at the other end.
     Linear([f64; 2]),
     Series(Series),
 }
@@ -44,7 +44,7 @@ pub(crate) enum Shape {
 #[derive(Debug, Clone)]
 pub(crate) struct Series {
     pub(crate) power: f64,
-    /// v at which the series begins; it is continued to 0.
+    /// The v at which the series begins; towards 0 it is extrapolated.
     start: f64,
     terms: Vec<f64>,
 }
@@ -95,7 +95,7 @@ impl Panel {
         smooth.iter().all(|ln| ln - least <= 1.5 * RANGE)
     }
 
-    /// The power of v that makes what the panel has at its anchor smooth; `None` if nothing.
+    /// The power of v that makes the weight smooth at its anchor; `None` if it is smooth.
     pub(crate) fn map_power(&self) -> Option<f64> {
         match &self.shape {
             Shape::Series(series) if series.power != 0.0 => {
@@ -120,7 +120,7 @@ impl Series {
         let all = coefficients(samples);
         let (terms, beyond) = all.split_at(TERMS);
         let error = beyond.iter().map(|c| c.abs()).sum();
-        // Terms that are rounding only cost time.
+        // Terms of the size of rounding are dropped.
         let rounding = f64::EPSILON * terms.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
         let needed = terms.iter().rposition(|c| c.abs() > rounding).map_or(1, |last| last + 1);
         (Self { power: 0.0, start: 0.0, terms: terms[..needed].to_vec() }, error)
@@ -133,7 +133,7 @@ impl Series {
         let series = Self { power: found[0], start: NEAREST, terms: found[1..].to_vec() };
         let off = |(share, wanted): (&f64, &f64)| (series.ln(*share) - wanted).abs();
         let error = fit.shares.iter().zip(samples).map(off).fold(0.0, f64::max);
-        // Continued to the end, and integrated with a power that is off by as much.
+        // The error grows on the way to the end, and by that of the power.
         let error = 4.0 * error / (1.0 + series.power).clamp(1e-3, 1.0);
         (series, error)
     }
@@ -201,8 +201,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_at_an_end_are_found() {
-        // Densities like those of beta, Weibull and gamma distributions near their end.
+    fn powers_at_an_end_are_fitted() {
+        // Like the densities of beta, Weibull and gamma distributions near their end.
         for (power, factor) in [(-0.5, -0.5), (1.5, 3.0)] {
             let smooth = |u: f64| factor * (9.0 - u).ln() + 4.0;
             let samples = end_shares().map(|u| power * u.ln() + smooth(u));

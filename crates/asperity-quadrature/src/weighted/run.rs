@@ -9,44 +9,44 @@ use super::weight::{OCTAVES, Weight};
 use crate::chebyshev::lobatto::{NODES, dot, lobatto};
 use crate::{QuadratureError, WeightFault};
 
-/// Rounding of a large logarithm of the weight, and of the places it is sampled at, in units of its
-/// last place: far out it grows with some power of the distance.
+/// Rounding of a large logarithm of the weight, and of its places, in units of its last place: far
+/// out, the logarithm grows with some power of the distance.
 const LN_ROUNDING: f64 = 100.0;
-/// A group counts as points where the powers of a density begin at least this number of its widths
+/// A group counts as points if the powers of the density begin at least this number of its widths
 /// away: the error of the interpolation is then below 1e-15.
 const APART: f64 = 1.0;
-/// For densities of unknown form, whose interpolation is looked at, this is enough.
-const APART_LOOKED_AT: f64 = 0.5;
-/// How well those are to be interpolated.
+/// The same for densities of unknown form, whose interpolation error is estimated.
+const APART_ESTIMATED: f64 = 0.5;
+/// The largest error of that interpolation.
 const RESOLVED: f64 = 3e-14;
-/// An octave that adds less than this adds nothing.
+/// An octave with less than this share of the sum is negligible.
 const NOTHING: f64 = 1e-17;
-/// After this number of octaves that add as much as the one before the integral diverges.
+/// After this number of octaves that each add as much as the one before, the integral diverges.
 const ENDLESS: usize = 64;
-/// Bisection stops here,
+/// Bisection stops at this depth,
 const DEEPEST: u32 = 50;
 /// after this number of halvings in a row that did not help,
 const STALLED: u32 = 4;
-/// or when the density was sampled this often.
+/// or at this number of samples of the density.
 const MOST: usize = 200_000;
 
-/// Sums of one integral, as far as they have got.
+/// Sums of one integral, so far.
 pub(crate) struct Run<'a> {
     pub(super) integrand: &'a Integrand,
     pub(super) weight: &'a Weight,
     pub(crate) view: View<'a>,
-    /// Nothing lower counts.
+    /// The lower end of the integral.
     pub(super) start: f64,
     pub(crate) sums: [f64; 2],
     pub(crate) sizes: [f64; 2],
     pub(crate) errors: [f64; 2],
-    /// Whether the density was anything but zero.
+    /// Whether a sample of the density was not zero.
     pub(crate) nonzero: bool,
     pub(crate) evaluations: usize,
-    /// Some of the x the density was sampled at, where its error depends on them.
-    pub(crate) looked_at: Vec<f64>,
+    /// Ends of the sampled ranges, if the error of the density depends on them.
+    pub(crate) sampled: Vec<f64>,
     approximate: bool,
-    /// What rounding leaves unknown of the weight, relatively, where its logarithm is large.
+    /// Relative rounding of the weight, where its logarithm is large.
     pub(crate) noise: f64,
     pub(super) strips: Vec<Strip<'a>>,
 }
@@ -70,14 +70,14 @@ impl<'a> Run<'a> {
             errors: [0.0; 2],
             nonzero: false,
             evaluations: 0,
-            looked_at: vec![],
+            sampled: vec![],
             approximate,
             noise,
             strips: vec![],
         }
     }
 
-    /// The bulk of the weight, and its tails as far as they count.
+    /// The bulk of the weight, and its tails as far as they matter.
     pub(crate) fn everything(&mut self) -> Result<(), QuadratureError> {
         self.group(self.weight.nodes.len() - 1)?;
         for side in [0, 1] {
@@ -95,7 +95,7 @@ impl<'a> Run<'a> {
         if node.high <= self.start {
             return Ok(());
         }
-        // Weights have no scale of their own.
+        // The weights of groups are not scaled.
         if let Some(weights) = node.weights.as_ref().filter(|_| self.view.ln_scale.abs() < FAINT)
             && self.as_points(node, weights)?
         {
@@ -110,7 +110,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Adds a group as points, if the density is smooth enough over it; returns whether.
+    /// Adds a group as points and returns true, if the density is smooth enough over it.
     fn as_points(&mut self, node: &Node, weights: &[f64; NODES]) -> Result<bool, QuadratureError> {
         let (low, high) = (self.x(node.low), self.x(node.high));
         let kinks = &self.integrand.kinks;
@@ -126,7 +126,7 @@ impl<'a> Run<'a> {
             any = true;
             let apart = match piece.origin {
                 Some(origin) => low - origin >= APART * width,
-                None => low - kink >= APART_LOOKED_AT * width,
+                None => low - kink >= APART_ESTIMATED * width,
             };
             if !apart {
                 return Ok(false);
@@ -178,13 +178,13 @@ impl<'a> Run<'a> {
             }
         }
         self.nonzero |= largest > 0.0;
-        self.look_at(&[low, high]);
+        self.add_sampled(&[low, high]);
         Ok(true)
     }
 
-    pub(super) fn look_at(&mut self, x: &[f64]) {
+    pub(super) fn add_sampled(&mut self, x: &[f64]) {
         if self.approximate {
-            self.looked_at.extend_from_slice(x);
+            self.sampled.extend_from_slice(x);
         }
     }
 
@@ -194,7 +194,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Octave by octave, until they add nothing.
+    /// Octave by octave, until they are negligible.
     fn tail(&mut self, side: usize) -> Result<(), QuadratureError> {
         let weight = self.weight;
         let Some(tail) = &weight.tails[side] else { return Ok(()) };
@@ -234,8 +234,8 @@ impl<'a> Run<'a> {
         Err(weight.source.fault(WeightFault::Diverges))
     }
 
-    /// Halves strips until their errors add up to little, of the slope where it is asked for; each
-    /// may err by its share of the whole.
+    /// Halves strips until the sum of their errors, with those of the slope if `slope` is true, is
+    /// small; each strip is allowed its share.
     pub(crate) fn refine(&mut self, slope: bool) -> Result<(), QuadratureError> {
         let aim = (0.02 * self.integrand.tolerance).max(1e-15);
         let mut strips = std::mem::take(&mut self.strips);

@@ -3,26 +3,26 @@
 use crate::chebyshev::lobatto::{NODES, Samples, dot, lobatto};
 use crate::{Density, QuadratureError};
 
-/// The rounding of the derivative, in units of the largest value over the interval: of the
-/// interpolating polynomial's at its ends.
+/// The rounding of the interpolating polynomial's derivative at its ends, in units of the largest
+/// value over the interval.
 pub(crate) const DERIVED: f64 = 4.0 * f64::EPSILON;
-/// The share of the way to where powers begin below that is a large enough interval.
+/// The share of the distance to the origin of powers below that is a large enough interval.
 const ROOM: f64 = 0.25;
 
-/// The derivative over an interval, from samples there. Panels of a weight may be so
-/// small that neighbouring values of the density are equal: the interval is then larger.
+/// The derivative over an interval, from samples there. If a panel of a weight is so small that
+/// neighbouring values of the density are equal, the interval is larger than the panel.
 pub(crate) struct Slopes {
     low: f64,
     width: f64,
     by_place: Samples,
-    /// By rounding.
+    /// Error by rounding.
     pub(crate) noise: f64,
-    /// By what the samples leave out.
+    /// Error of the interpolation.
     pub(crate) off: f64,
 }
 
 impl Slopes {
-    /// By how much an interval between kinks is shorter than it may be; 0 where it is not.
+    /// The length by which an interval between kinks is too short; 0 if it is not.
     pub(crate) fn missing(
         density: &Density,
         (from, to): (f64, f64),

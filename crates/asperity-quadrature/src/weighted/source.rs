@@ -1,4 +1,4 @@
-//! Where the logarithm of a weight comes from.
+//! The logarithm of a weight, as its author defines it.
 
 use crate::{QuadratureError, WeightFault};
 
@@ -13,7 +13,7 @@ impl Source {
         QuadratureError::Weight { weight: self.name.clone(), fault }
     }
 
-    /// The distance from a place around which the weight is; `None` where it is zero.
+    /// The typical distance of the weight from a place, on one side; `None` where it is zero.
     pub(crate) fn scale(&self, anchor: f64, side: f64) -> Option<f64> {
         let (mut best, mut most) = (None, f64::NEG_INFINITY);
         for octave in -300..=300 {
@@ -22,7 +22,7 @@ impl Source {
             if u <= 64.0 * f64::EPSILON * anchor.abs() {
                 continue;
             }
-            // What is none here may be where nothing is ever followed to.
+            // NaN is no error here: the panels may never reach this place.
             let value = (self.ln)(z);
             let mass = value + u.ln();
             if mass > most && mass < f64::INFINITY {

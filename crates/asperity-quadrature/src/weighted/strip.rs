@@ -10,14 +10,14 @@ use crate::{Density, QuadratureError};
 
 /// Points of the rule on a strip,
 const POINTS: usize = 20;
-/// and with the two next to its ends, where laws of unknown form are looked at.
+/// and with the two next to its ends, at which laws of unknown form are sampled too.
 const ALL: usize = POINTS + 2;
-/// The share of a strip from 0 in which a law of unknown form is not looked at.
+/// The share of a strip from 0 in which a law of unknown form is not sampled.
 const NEXT_TO_ZERO: f64 = 1e-25;
-/// The rounding of the derivative of a law of unknown form, of its Legendre series.
+/// The rounding of the Legendre series of the derivative of a law of unknown form.
 const NOISE: f64 = 1e-11;
 
-/// What is integrated, seen from one separation.
+/// A density at one separation.
 pub(crate) struct View<'a> {
     pub(crate) density: &'a Density,
     /// x = (z - d)/unit.
@@ -29,11 +29,11 @@ pub(crate) struct View<'a> {
 /// Places at a distance δ = span·v^power from an origin: powers of the distance become smooth in v.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Map {
-    /// Where the origin is in the law's x,
+    /// The origin in the law's x,
     pub(crate) x: f64,
     /// and in the panel's distances u.
     pub(crate) u: f64,
-    /// Whether δ leads up or down in x: ±1.
+    /// Direction of δ in x: ±1.
     pub(crate) side: f64,
     pub(crate) span: f64,
     pub(crate) power: f64,
@@ -67,22 +67,22 @@ pub(crate) struct Strip<'a> {
     pub(crate) panel: &'a Panel,
     pub(crate) map: Map,
     pub(crate) range: (f64, f64),
-    /// Ends in x, by which the active pieces are chosen (never by the points).
+    /// Ends in x, which select the active pieces (the points never do).
     pub(crate) ends: (f64, f64),
     /// The law's kinks below and above.
     kinks: (f64, f64),
     pub(crate) depth: u32,
-    /// How many halvings in a row have not helped.
+    /// Number of halvings in a row that have not helped.
     pub(crate) stalled: u32,
     /// ∫ q g and ∫ q' g, over z and exp(`ln_scale`); q' is the derivative by z.
     pub(crate) sums: [f64; 2],
     pub(crate) sizes: [f64; 2],
     pub(crate) errors: [f64; 2],
-    /// The rounding of the slope, which halving does not help.
+    /// The rounding of the slope, which halving does not reduce.
     pub(crate) floor: f64,
-    /// What the slope errs by where it comes of samples that are even in x, but for rounding.
+    /// The error, without rounding, of a slope from interpolation in x.
     off: f64,
-    /// Whether the law is anything but zero.
+    /// Whether a sample of the law is not zero.
     pub(crate) nonzero: bool,
 }
 
@@ -120,18 +120,18 @@ impl<'a> Strip<'a> {
         })
     }
 
-    /// Samples the strip; the number of evaluations of the law.
+    /// Samples the strip; returns the number of evaluations of the law.
     pub(crate) fn sample(&mut self, view: &View<'_>) -> Result<usize, QuadratureError> {
         let Map { x: x0, u: u0, side, span, .. } = self.map;
         let (low, high) = self.range;
         let width = high - low;
         let interpolation = interpolation();
         let known = view.density.has_slope(self.ends);
-        // Formulas of unknown form may be none next to 0, where nothing is.
+        // Some formulas are NaN next to 0, where the integral is negligible.
         let lowest = if known { self.ends.0 } else { self.ends.0.max(NEXT_TO_ZERO * self.ends.1) };
         let (mut x, mut dz, mut mass) = ([0.0; ALL], [0.0; ALL], [0.0; ALL]);
         for (k, place) in interpolation.places.iter().enumerate() {
-            // Maps lead up or down; laws are sampled upwards.
+            // Maps lead up or down, but laws are sampled upwards.
             let v = if side > 0.0 { low + width * place } else { high - width * place };
             let (share, by_v) = self.map.share(v);
             let distance = span * share;
@@ -185,8 +185,8 @@ impl<'a> Strip<'a> {
         }
         let ends = [0, ALL - 1].map(|k| Some(q[k] * mass[k]));
         self.errors[0] += hidden(rule, &samples[0], ends);
-        // The derivative of samples is noisy; what is not noise is an error. Where the law jumps,
-        // only what the weight varies over the strip is one.
+        // The derivative of samples is noisy; a tail above the noise is an error. At a jump of the
+        // law, the error is at most the jump times the change of the weight over the strip.
         let extent = |f: &mut dyn Iterator<Item = f64>| {
             f.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), f| (l.min(f), m.max(f)))
         };
@@ -201,7 +201,7 @@ impl<'a> Strip<'a> {
         if !self.map.smooth {
             self.floor = DERIVED * largest(q_range) * largest(g_range);
         }
-        // A tail is an error once it is more than the rounding of the samples.
+        // A tail is an error if it is above the rounding of the samples.
         let off = if self.off > 1e2 * self.floor { 10.0 * self.off } else { 0.0 };
         self.errors[1] += self.floor + off;
         Ok(count)

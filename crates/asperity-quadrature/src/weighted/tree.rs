@@ -1,5 +1,5 @@
-//! Groups of panels, and groups of groups: far from the kinks of a law, a whole group counts as
-//! twenty points.
+//! Groups of panels, and groups of groups: far from the kinks of a law, a group counts as twenty
+//! points.
 
 use super::panel::{Panel, Shape};
 use crate::chebyshev::lobatto::{NODES, Samples, lobatto};
@@ -7,9 +7,9 @@ use crate::rules::legendre::legendre;
 
 /// Points of the rule on one panel.
 const POINTS: usize = 32;
-/// How often a panel beside an end is halved before the rest is small.
+/// Number of halvings of a panel beside an end.
 const HALVINGS: u32 = 10;
-/// A part this much smaller (in logarithms) than its neighbour adds nothing to it.
+/// A part smaller than its neighbour by this (in logarithms) is negligible.
 const NOTHING: f64 = 45.0;
 
 /// A panel, or two neighbouring groups of them.
@@ -19,20 +19,20 @@ pub(crate) struct Node {
     pub(crate) high: f64,
     /// ∫ g ℓⱼ of Lagrange's polynomials ℓⱼ over the points of [`lobatto`] on [low, high]: the
     /// integral of the weight g times a polynomial is a sum over the points. `None` where the
-    /// weight varies too much for that.
+    /// weight varies too much.
     pub(crate) weights: Option<Samples>,
     /// Error of the weights, relative to their sum.
     pub(crate) error: f64,
-    /// Logarithm of the largest weight, or nearly.
+    /// Roughly the logarithm of the largest weight.
     pub(crate) peak: f64,
     pub(crate) parts: Parts,
 }
 
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Parts {
-    /// The place of a panel.
+    /// The index of a panel.
     Panel(usize),
-    /// The places of two groups.
+    /// The indices of two groups.
     Groups(usize, usize),
 }
 
@@ -48,7 +48,7 @@ fn group(panels: &[Panel], from: usize, to: usize, nodes: &mut Vec<Node>) -> usi
     let node = if to - from == 1 {
         leaf(&panels[from], from)
     } else {
-        // As evenly as the panels allow; neither half empty.
+        // Halves as even as the panels allow, neither empty.
         let middle = 0.5 * (panels[from].low + panels[to - 1].high);
         let at = from + panels[from..to].partition_point(|p| p.low < middle);
         let near = |k: usize| (panels[k].low - middle).abs();
@@ -66,7 +66,7 @@ fn leaf(panel: &Panel, place: usize) -> Node {
     let (low, high) = (panel.low, panel.high);
     let width = panel.width();
     let ends = [0.0, 0.5, 1.0].map(|share| panel.ln(share * width));
-    // At a pole, the middle; where the end is zero as well.
+    // An infinite or zero end does not count.
     let finite = ends.into_iter().filter(|ln| *ln < f64::INFINITY);
     let peak = finite.fold(f64::NEG_INFINITY, f64::max);
     let weights = match &panel.shape {
@@ -85,8 +85,8 @@ fn leaf(panel: &Panel, place: usize) -> Node {
             };
             let rule = legendre(POINTS);
             let nodes = || rule.nodes.iter().zip(&rule.weights);
-            // Next to a power of the distance v^power makes that smooth, and all else steep: it is
-            // for a small share of the panel.
+            // The map v^power makes a power of the distance smooth and everything else steep, so it
+            // serves a small share of the panel only.
             let (mut top, power) = (1.0, panel.map_power());
             for _ in 0..power.map_or(0, |_| HALVINGS) {
                 nodes().for_each(|(v, w)| add(top * (0.5 + 0.5 * v), 0.5 * top * w));

@@ -1,4 +1,4 @@
-//! A weight known by its logarithm, followed once for all integrals over it.
+//! A weight as panels, made once for all integrals over it.
 
 use std::fmt;
 use std::sync::OnceLock;
@@ -9,13 +9,13 @@ use super::source::Source;
 use super::tree::{Node, Parts};
 use crate::{QuadratureError, WeightFault};
 
-/// Octaves beyond the bulk of a weight without an end, on each side.
+/// Octaves beyond the bulk of an unbounded weight, on each side.
 pub(crate) const OCTAVES: usize = 300;
 /// Octaves that belong to the bulk.
 pub(crate) const BULK: i32 = 3;
 
-/// A probability density with its ends, kinks, jumps and poles, cut into panels on which it is
-/// smooth but for a power of the distance to one end.
+/// A probability density with its ends, kinks, jumps and poles, as panels on which it is smooth
+/// but for a power of the distance to one end.
 pub struct Weight {
     pub(crate) source: Source,
     /// Ascending and contiguous.
@@ -25,7 +25,7 @@ pub struct Weight {
     /// Below and above the panels.
     pub(crate) tails: [Option<Tail>; 2],
     pub(super) breaks: Vec<f64>,
-    /// Above this it is known no more.
+    /// Above this place the weight underflows.
     pub(crate) faint: Option<f64>,
 }
 
@@ -39,24 +39,24 @@ impl fmt::Debug for Weight {
 }
 
 impl Weight {
-    /// Finite ends of the support, breaks, and the kinks and jumps that were found, ascending.
+    /// Finite ends of the support, declared breaks, and undeclared kinks and jumps, ascending.
     #[must_use]
     pub fn breaks(&self) -> &[f64] {
         &self.breaks
     }
 
-    /// Below and above this, the weight is smooth or zero.
+    /// The range of the panels: outside, the weight is smooth or zero.
     pub(crate) fn bulk(&self) -> (f64, f64) {
         let (first, last) = (self.panels.first(), self.panels.last());
         (first.map_or(0.0, |p| p.low), last.map_or(0.0, |p| p.high))
     }
 
-    /// The end of its support above, where there is one: it is zero from there on.
+    /// The upper end of the support, or infinity.
     pub(crate) fn top(&self) -> f64 {
         if self.tails[1].is_some() { f64::INFINITY } else { self.bulk().1 }
     }
 
-    /// The logarithm of the largest weight above a place, or nearly.
+    /// Roughly the logarithm of the largest weight above a place.
     pub(crate) fn peak_above(&self, z: f64) -> Result<f64, QuadratureError> {
         if z < self.bulk().1 {
             return Ok(self.peak_in(self.nodes.len() - 1, z));
@@ -82,7 +82,7 @@ impl Weight {
         }
     }
 
-    /// The weight at one place over exp(`ln_scale`), as its source has it.
+    /// The weight at one place over exp(`ln_scale`), from its source.
     pub(crate) fn at(&self, z: f64, ln_scale: f64) -> Result<f64, QuadratureError> {
         let (low, high) = self.bulk();
         if z < low && self.tails[0].is_none() || z > high && self.tails[1].is_none() {
@@ -97,10 +97,10 @@ impl Weight {
     }
 }
 
-/// Panels, once they are needed.
+/// Panels, made when first needed.
 type Octave = OnceLock<Result<Vec<Panel>, QuadratureError>>;
 
-/// A weight far out, followed octave by octave when it is needed.
+/// A weight far out: panels octave by octave, made when first needed.
 pub(crate) struct Tail {
     pub(super) anchor: f64,
     pub(crate) side: f64,
@@ -114,7 +114,7 @@ impl Tail {
         Self { anchor, side, scale, octaves }
     }
 
-    /// Where an octave begins, seen from the anchor.
+    /// The end of an octave towards the anchor.
     pub(super) fn at(&self, octave: i32) -> f64 {
         self.anchor + self.side * self.scale * 2f64.powi(octave)
     }
