@@ -1,4 +1,4 @@
-//! Plain arrays of values: those of one at a time within both bounds, whatever the model and place.
+//! Plain arrays of values: equal to single values within both bounds, for every model and place.
 
 use asperity::{
     Contact, ContactError, FillReport, HeightDistribution, Model, Quantity, Request, Tolerance,
@@ -7,7 +7,7 @@ use asperity::{
 
 use crate::scenes::{named, with_index};
 
-/// Multiples of integrals; the last is none, and is filled one at a time.
+/// Multiples of integrals, and one that is not, which is filled value by value.
 const ASKED: [Quantity; 7] = [
     Quantity::Force,
     Quantity::Tangent,
@@ -30,19 +30,19 @@ fn filled(
 }
 
 #[test]
-fn arrays_hold_what_one_at_a_time_is_answered() {
-    // Two chunks and a bit, scrambled; far out and deep within too.
+fn arrays_hold_the_single_values() {
+    // More than two chunks, scrambled, with the far tail and separations far below 0.
     let near: Vec<f64> = (0..300).map(|k| -1.0 + 6.0 * f64::from(k * 619 % 300) / 300.0).collect();
     let far: Vec<f64> = (0..40).map(|k| -40.0 + 2.03 * f64::from(k)).collect();
     let skewed = HeightDistribution::Weibull(WeibullHeights::new(-0.4).unwrap());
     for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential, skewed] {
-        // The last three begin elsewhere than at an interference of 0.
+        // The last three laws do not begin at an interference of 0.
         for id in ["gw", "ke", "jg", "at", "dmt", "jkr-separation", "gw-random"] {
             let model: Model = id.parse().unwrap();
             let mut scene = with_index(2.0);
             scene.interface.work_of_adhesion = Some(300.0);
             if id.ends_with("-random") {
-                scene.surface.asperity_density *= 10.0; // that of a surface that exists
+                scene.surface.asperity_density *= 10.0; // a surface that exists
             } else {
                 scene.heights = heights.clone();
             }
@@ -51,7 +51,7 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
             let both = |s| [(&ASKED[..6], s), (&ASKED[6..], s)];
             for (asked, s) in [both(&near), both(&far)].concat() {
                 let Ok((columns, known)) = filled(&*contact, asked, s) else {
-                    // Then one of them is refused by itself, too.
+                    // A single value is then refused too.
                     let refused =
                         |q: &Quantity| s.iter().any(|s| contact.evaluate(*q, *s).is_err());
                     assert!(asked.iter().any(refused), "{id}");
@@ -65,16 +65,16 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
                         largest = largest.max(wanted.bound(*quantity));
                         condition = condition.max(wanted.condition());
                         // An array has its own exponential and one product with the factor: the
-                        // last digits differ, and both bounds count them.
+                        // last digits differ, within both bounds.
                         let allowed =
                             (known.bound + wanted.bound(*quantity)) * wanted.value().abs();
                         let off = (value - wanted.value()).abs();
-                        // Values that underflow are made one at a time.
+                        // Values that underflow are computed one at a time.
                         let same = value.to_bits() == wanted.value().to_bits();
                         assert!(same || off <= allowed, "{id} {quantity} {s}: {value} {wanted:?}");
                     }
                 }
-                // The bound is no smaller, and not much larger; what cancels is the same.
+                // The bound is no smaller and not much larger; the cancellation is the same.
                 let FillReport { bound, .. } = known;
                 assert!(
                     bound >= 0.999 * largest && bound <= 3.0 * largest,
@@ -90,7 +90,7 @@ fn arrays_hold_what_one_at_a_time_is_answered() {
 }
 
 #[test]
-fn what_cannot_be_filled_is_named() {
+fn refused_arrays_name_the_separation() {
     let scene = named("at-paper");
     let request = Request::new([Quantity::Force]);
     let contact = "ke".parse::<Model>().unwrap().compile(&scene, &request).unwrap();

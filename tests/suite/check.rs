@@ -1,4 +1,4 @@
-//! Scenes that are looked at: mistakes are objected to, and what is merely unusual is not.
+//! Findings of `check`: mistakes are reported, unusual scenes are not.
 
 use asperity::{At, Body, Check, Diagnostic, Interface, Scene, Severity, Surface};
 
@@ -6,10 +6,10 @@ use crate::scenes::{model, named};
 
 type Change = (&'static str, fn(&mut Scene, f64));
 
-/// A mistake, how it is made, and parts of its message.
+/// A mistake, the function that makes it, and parts of its message.
 type Mistake = (&'static str, fn(&mut Scene), &'static [&'static str]);
 
-/// Every input of a scene, and how to multiply it.
+/// Every input of a scene, with a function that multiplies it.
 const INPUTS: [Change; 9] = [
     ("equivalent_modulus", |s, f| s.interface.equivalent_modulus *= f),
     ("equivalent_shear_modulus", |s, f| {
@@ -27,7 +27,7 @@ const INPUTS: [Change; 9] = [
     ("nominal_area", |s, f| s.nominal_area *= f),
 ];
 
-/// Scenes with nothing to object to: machined metals as in the papers and the examples.
+/// Scenes without findings: machined metals as in the papers and the examples.
 fn machined() -> Vec<(&'static str, Scene)> {
     let steel = Body::new(210e9, 0.3, 2e9);
     let aluminium = Body::yielding(69e9, 0.33, 275e6);
@@ -41,7 +41,7 @@ fn machined() -> Vec<(&'static str, Scene)> {
     ]
 }
 
-/// Scenes that are unusual, and right.
+/// Unusual but correct scenes.
 fn unusual() -> Vec<(&'static str, Scene)> {
     let scene = |interface, radius, density, std, area| {
         Scene::new(interface, Surface::new(radius, density, std), area)
@@ -49,7 +49,7 @@ fn unusual() -> Vec<(&'static str, Scene)> {
     let rigid = |body: &Body| Interface::against_rigid(body).unwrap();
     let rubber = rigid(&Body::elastic(2e6, 0.5));
     let filled = Interface::elastic(1.2e7, 0.49);
-    // As files say it that must name a hardness.
+    // As in files that must name a hardness.
     let with_hardness = Interface::new(2.7e6, 0.5, 2e6);
     let silicon = Body::new(165e9, 0.22, 12e9);
     let polysilicon = Interface::between(&silicon, &silicon).unwrap();
@@ -83,7 +83,7 @@ fn messages(findings: &[Diagnostic]) -> Vec<String> {
 }
 
 #[test]
-fn a_thousand_a_million_and_a_billion_times_too_much_or_little_is_objected_to() {
+fn factors_of_a_thousand_a_million_and_a_billion_are_reported() {
     let mut missed = vec![];
     let mut count = 0;
     for (name, right) in machined() {
@@ -113,10 +113,10 @@ fn a_thousand_a_million_and_a_billion_times_too_much_or_little_is_objected_to() 
 }
 
 #[test]
-fn good_scenes_are_passed_without_a_word() {
+fn good_scenes_have_no_findings() {
     for (name, scene) in machined().into_iter().chain(unusual()) {
         let found = scene.findings();
-        // Indium, and gold in small asperities, yield at less than the size of an atom: so it is.
+        // Indium, and gold in small asperities, yield at interferences below the size of an atom.
         let atomic =
             ["gold microswitch", "indium seal"].contains(&name) && found[0].code == "atomic";
         assert!(found.is_empty() || atomic && found.len() == 1, "{name}: {:?}", messages(&found));
@@ -129,7 +129,7 @@ fn good_scenes_are_passed_without_a_word() {
 
 /// Observed mistakes of users and their messages.
 #[test]
-fn the_mistakes_of_a_trial_are_named_with_their_unit() {
+fn mistakes_of_users_are_reported_with_the_unit() {
     let right = || machined().swap_remove(0).1;
     let mistakes: [Mistake; 14] = [
         (
@@ -207,7 +207,7 @@ fn the_mistakes_of_a_trial_are_named_with_their_unit() {
 }
 
 #[test]
-fn numbers_are_those_of_their_formulas() {
+fn derived_numbers_equal_their_formulas() {
     let scene = named("at-paper");
     let check = scene.check().unwrap();
     let number = |name| check.number(name).unwrap();
@@ -228,11 +228,11 @@ fn numbers_are_those_of_their_formulas() {
 }
 
 #[test]
-fn an_answer_says_how_deep_and_how_crowded_it_is() {
+fn findings_at_a_load_report_depth_and_crowding() {
     let scene = named("at-paper");
     let codes = |check: &Check| check.findings.iter().map(|f| f.code).collect::<Vec<_>>();
     let at = |id: &str, at: At| Check::at(&model(id), &scene, at).unwrap();
-    // psi = 6: nearly all of the load is carried by asperities that yield, which GW cannot know.
+    // psi = 6: yielding asperities carry nearly all of the load, which GW ignores.
     let gw = at("gw", At::from(2.0));
     assert_eq!(codes(&gw), ["yields"]);
     let text = gw.findings[0].message();
@@ -244,23 +244,23 @@ fn an_answer_says_how_deep_and_how_crowded_it_is() {
     let light = at("ke", At::Load(0.01));
     assert_eq!(codes(&light), ["few-contacts"]);
     assert!(light.number("contacts").unwrap() < 30.0);
-    // The load is the one that was asked for.
+    // The message contains the requested load.
     assert!((light.number("load").unwrap() / 0.01 - 1.0).abs() < 1e-5);
-    // Many places: the closest and the lightest are looked at, and each finding is there once.
+    // With many places, the closest and the lightest are checked, and findings are reported once.
     let places = [At::Load(0.01), At::Load(1.0), At::Load(30.0)];
     let found = Check::answers(&model("gw"), &scene, &places);
     let found: Vec<_> = found.iter().map(|f| f.code).collect();
     assert_eq!(found, ["yields", "few-contacts"]);
-    // In whatever unit: -1 σ_z is closer than 4e-6 m, a smaller number.
+    // Units count: -1 σ_z is closer than 4e-6 m, though a smaller number.
     let places = [At::from(-1.0), At::metres(4e-6)];
     let found = Check::answers(&model("ke"), &scene, &places);
     assert_eq!(found.first().map(|f| f.code), Some("crowded"));
 }
 
 #[test]
-fn depths_are_those_of_the_law() {
-    // Exponential heights, GW: the force per depth is w^1.5 exp(-w/sigma), whatever the separation;
-    // the share beyond w is the upper incomplete gamma function of 2.5, Q(2.5, 2) = 0.5494.
+fn depths_follow_from_the_law() {
+    // Exponential heights, GW: the force per depth is w^1.5 exp(-w/sigma) at every separation; the
+    // share beyond w is the upper incomplete gamma function of 2.5, Q(2.5, 2) = 0.5494.
     let mut scene = named("at-paper");
     scene.heights = asperity::HeightDistribution::Exponential;
     let critical = scene.asperity().unwrap().critical_interference().unwrap();
@@ -274,7 +274,7 @@ fn depths_are_those_of_the_law() {
 }
 
 #[test]
-fn one_range_of_beta_is_usual_everywhere() {
+fn the_usual_range_of_beta_is_the_same_everywhere() {
     let [least, most] = Surface::USUAL_ROUGHNESS;
     let beta = |beta: f64| {
         let mut scene = machined().swap_remove(0).1;

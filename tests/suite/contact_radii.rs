@@ -1,5 +1,5 @@
-//! Sums of contact radii against `reference/engineering.csv`, and what follows from them against
-//! sums over asperities that know nothing of the engine.
+//! Sums of contact radii against `reference/engineering.csv`, and the quantities derived from them
+//! against sums over asperities without the engine.
 
 use std::f64::consts::PI;
 
@@ -33,7 +33,7 @@ fn every_sum_and_number_of_the_reference_is_met_within_the_bound() {
         let (separation, value): (f64, f64) = (separation.parse().unwrap(), value.parse().unwrap());
         let quantity: Quantity = quantity.parse().unwrap();
         let model = scenes::model(id);
-        // Compiled, and a request of one row, which is answered in another way.
+        // Compiled, and by a request of one row, which takes another path.
         let compiled = scenes::compiled(&model, &scene(case), &[quantity], 1e-12);
         let request = Request::new([quantity]).within(Tolerance::new(1e-12).unwrap());
         let few = model.solve(&scene(case), &request.at([separation])).unwrap();
@@ -52,7 +52,7 @@ fn every_sum_and_number_of_the_reference_is_met_within_the_bound() {
 
 /// Σ √(A/π) over a fine grid of exponential heights, straight from the law of the area.
 #[test]
-fn what_follows_from_the_radii_is_a_sum_over_asperities() {
+fn quantities_derived_from_radii_are_sums_over_asperities() {
     let mut scene = scene("severe");
     scene.heights = HeightDistribution::Exponential;
     let (asperity, tolerance) = (scene.asperity().unwrap(), Tolerance::new(1e-12).unwrap());
@@ -71,7 +71,7 @@ fn what_follows_from_the_radii_is_a_sum_over_asperities() {
             for k in 0..=STEPS {
                 let v = f64::from(k) / f64::from(STEPS);
                 let weight = if k == 0 || k == STEPS { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
-                // A hair inside: at a jump the formula of this side counts.
+                // Just inside: at a jump the formula of this side applies.
                 let w = low + length * (v * v).clamp(1e-15, 1.0 - 1e-15);
                 let radius = (area.value(w).unwrap() / PI).sqrt();
                 let share = weight / f64::from(3 * STEPS) * 2.0 * v * length;
@@ -94,7 +94,7 @@ fn what_follows_from_the_radii_is_a_sum_over_asperities() {
 }
 
 #[test]
-fn for_elastic_asperities_unloading_is_loading_backwards() {
+fn elastic_asperities_unload_with_the_tangent() {
     let asked = [Quantity::Tangent, Quantity::UnloadingStiffness];
     for (id, same) in [("gw", true), ("ke", false)] {
         let contact = scenes::compiled(&scenes::model(id), &scene("severe"), &asked, 1e-12);
@@ -105,7 +105,7 @@ fn for_elastic_asperities_unloading_is_loading_backwards() {
 }
 
 #[test]
-fn contacts_that_are_no_upright_circles_and_missing_inputs_are_refused_by_name() {
+fn inclined_contacts_and_missing_inputs_are_refused_by_name() {
     let lateral = Model::all().into_iter().filter(|model| model.validity().angles);
     for model in lateral {
         for quantity in FOLLOW {

@@ -1,5 +1,5 @@
-//! Every separation that carries a load, against a scan of the force in steps far narrower than
-//! anything of it.
+//! Every separation that carries a load, against a scan of the force in steps far narrower than its
+//! features.
 
 use asperity::{
     Asperity, AsperityModel, Citation, Contact, ContactError, ContactModel, Described, Formula,
@@ -9,7 +9,7 @@ use asperity::{
 
 use crate::scenes::model;
 
-/// Numbers from 0 to 1, evenly spread.
+/// Evenly distributed numbers from 0 to 1.
 struct Spread(f64);
 
 impl Spread {
@@ -27,7 +27,7 @@ impl Spread {
     }
 }
 
-/// Heights of about this deviation.
+/// Heights with about this standard deviation.
 fn heights(name: &str, unit: f64, spread: &mut Spread) -> HeightDistribution {
     let table = |name: &str, points: &[(f64, f64)]| {
         let points: Vec<(f64, f64)> = points.iter().map(|(z, p)| (z * unit, *p)).collect();
@@ -57,10 +57,10 @@ fn heights(name: &str, unit: f64, spread: &mut Spread) -> HeightDistribution {
 const HEIGHTS: [&str; 6] =
     ["gaussian", "exponential", "weibull", "uniform", "triangular", "narrow peaks"];
 
-/// Where the force crosses the load between -80 and `top`, in cells of a scan.
+/// The cells of a scan between -80 and `top` in which the force crosses the load.
 fn scan(contact: &dyn Contact, load: f64, top: f64) -> Vec<(f64, f64)> {
     const COUNT: usize = 6_000;
-    // Narrow cells above -8, ever wider ones below.
+    // Narrow cells above -8, wider and wider ones below.
     let place = |k: usize| {
         let u = k as f64 / COUNT as f64;
         if u < 0.8 { -8.0 + (top + 8.0) * (u / 0.8) } else { -8.0 - 72.0 * ((u - 0.8) / 0.2) }
@@ -73,7 +73,7 @@ fn scan(contact: &dyn Contact, load: f64, top: f64) -> Vec<(f64, f64)> {
     (0..COUNT).filter(crosses).map(|k| (s[k], s[k + 1])).collect()
 }
 
-/// What is wrong with the separations that are found for a load.
+/// The fault of the separations of a load, if any.
 fn wrong(contact: &dyn Contact, load: f64) -> Option<String> {
     let top = 16.0;
     let wanted = scan(contact, load, top);
@@ -92,7 +92,7 @@ fn wrong(contact: &dyn Contact, load: f64) -> Option<String> {
     let force = |s: f64| contact.evaluate(Quantity::Force, s).unwrap();
     for s in s {
         let at = force(s);
-        // Between the floating-point neighbours of a jump the load is met by neither.
+        // At a jump, neither floating-point neighbour meets the load.
         let (lower, upper) = (force(s - hair(s)).value(), force(s + hair(s)).value());
         let met = (at.value() / load - 1.0).abs() <= at.relative_error() + 1e-9;
         if !met && (lower >= load) == (upper >= load) {
@@ -126,7 +126,7 @@ fn no_crossing_is_missed_on_any_heights() {
         scene.heights = heights(name, surface.asperity_height_std, &mut spread);
         let request = Request::new([Quantity::Force]).within(Tolerance::new(1e-9).unwrap());
         let contact = model(id).compile(&scene, &request).unwrap();
-        // A light load, or a force that there is, which may be a tension.
+        // A light load, or a force of the scene, which may be tensile.
         let mut load = 10f64.powf(spread.between(-8.0, 3.0));
         if adhesive {
             let from = spread.between(-1.0, 2.5);
@@ -141,7 +141,7 @@ fn no_crossing_is_missed_on_any_heights() {
     assert!(several > 10, "{several}");
 }
 
-/// The AT paper's materials with this hardness, as rough as this plasticity index asks.
+/// The AT paper's materials with this hardness, and the roughness of this plasticity index.
 fn printed(hardness: f64, shear: f64, index: f64) -> Scene {
     let mut interface = Interface::new(116e9, 0.31, hardness);
     interface.equivalent_shear_modulus = Some(shear);
@@ -165,7 +165,7 @@ fn the_first_contact_of_at_on_uniform_heights_is_found() {
     let all = contact.separations_at(0.03).unwrap();
     assert_eq!(wrong(&*contact, 0.03), None);
     assert!(all.len() >= 3 && (all[all.len() - 1].value - 1.715_617_5).abs() < 1e-4, "{all:?}");
-    // Both by a row alone and of the compiled scene.
+    // Both by a single row and by the compiled scene.
     let request = Request::new([Quantity::Area]).at_loads([0.03]);
     let row = model("at").solve(&scene, &request).unwrap().values(Quantity::Area).unwrap()[0];
     let area = contact.evaluate(Quantity::Area, *all.last().unwrap()).unwrap().value();
@@ -173,7 +173,7 @@ fn the_first_contact_of_at_on_uniform_heights_is_found() {
 }
 
 #[test]
-fn one_separation_and_all_of_them_answer_and_refuse_alike() {
+fn searches_for_one_and_for_all_separations_agree() {
     let mut exponential =
         printed(3_503_986_977.996_206_3, 10_564_220_552.024_988, 2.348_382_271_637_265);
     exponential.heights = HeightDistribution::Exponential;
@@ -187,7 +187,7 @@ fn one_separation_and_all_of_them_answer_and_refuse_alike() {
         for load in loads {
             let found = wrong(&*contact, load);
             assert_eq!(found, None, "{load}");
-            // A row alone refuses what the compiled scene refuses.
+            // A single row is refused if the compiled scene refuses.
             let row = model("at").solve(&scene, &Request::new([Quantity::Area]).at_loads([load]));
             let row = row.unwrap().values(Quantity::Area);
             assert_eq!(
@@ -199,7 +199,7 @@ fn one_separation_and_all_of_them_answer_and_refuse_alike() {
     }
 }
 
-/// The largest force of a scan from -1e6 to 20, and where it is.
+/// The largest force of a scan from -1e6 to 20, and its separation.
 fn largest(contact: &dyn Contact) -> (f64, f64) {
     let deep = (0..4000).map(|k| -10f64.powf(f64::from(k) * 6.0 / 3999.0));
     let s: Vec<f64> = deep.chain((0..4000).map(|k| -1.0 + 21.0 * f64::from(k) / 4000.0)).collect();
@@ -208,7 +208,7 @@ fn largest(contact: &dyn Contact) -> (f64, f64) {
 }
 
 #[test]
-fn a_refusal_names_the_largest_force_there_is() {
+fn a_refusal_names_the_largest_force() {
     // S_y/E = 0.17: the force of JG rises by far below -64 sigma, and falls again.
     let (e, nu) = (1e11, 0.377_946_684_464_134);
     let yields = 0.167_563_888_010_807_54 * e;
@@ -240,7 +240,7 @@ fn a_refusal_names_the_largest_force_there_is() {
     }
 }
 
-/// A load that is carried deep down.
+/// The fault of the separation of a load far below 0, if any.
 fn wrong_deep(contact: &dyn Contact, load: f64) -> Option<String> {
     let one = match contact.separation_at(load) {
         Ok(one) => one,
@@ -252,7 +252,7 @@ fn wrong_deep(contact: &dyn Contact, load: f64) -> Option<String> {
     (!right).then(|| format!("{one:?} {all:?} {force}"))
 }
 
-/// A law that rises and falls twice, though it claims not to.
+/// A law that rises and falls twice, though declared monotone.
 #[derive(Debug)]
 struct Wavy;
 
@@ -282,7 +282,7 @@ impl AsperityModel for Wavy {
 }
 
 #[test]
-fn a_force_that_falls_though_it_claims_not_to_is_searched_all_the_same() {
+fn forces_that_fall_though_declared_monotone_are_searched() {
     let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-4);
     let contact = Wavy.compile(&scene, &Request::new([Quantity::Force])).unwrap();
     for (load, count) in [(500.0, 5), (5000.0, 3)] {
@@ -297,7 +297,7 @@ fn a_force_that_falls_though_it_claims_not_to_is_searched_all_the_same() {
     assert!(found.iter().any(|f| f.code == "not-monotone"), "{found:?}");
 }
 
-/// A search that starts far from the root meets separations at which hardly any height is left.
+/// A search that starts far from the root meets separations above nearly all heights.
 #[test]
 fn loads_on_heights_with_a_light_tail_are_met() {
     let mut scene =

@@ -11,7 +11,7 @@ fn committed_figures_are_up_to_date() {
     assert_eq!(stale(&figures_folder(), &[]).unwrap(), Vec::<String>::new());
 }
 
-/// A copy of the committed figures of one name, in a folder that goes with the value.
+/// A copy of the committed figures of one name, in a folder that is removed on drop.
 struct Copy(PathBuf);
 
 impl Copy {
@@ -59,7 +59,7 @@ fn the_guard_fails_at_1e_6_and_passes_at_1e_12() {
 
     let nudged = perturbed(&committed, 1e-12);
     fs::write(&csv, &nudged).unwrap();
-    // The csv may stay as it is; a picture is drawn from its very text.
+    // The csv may stay unchanged; a picture is drawn from its exact text.
     assert!(!stale(copy.path(), &[name]).unwrap().contains(&format!("{name}.csv")));
     write(copy.path(), &[name]).unwrap();
     assert_eq!(fs::read_to_string(&csv).unwrap(), nudged);

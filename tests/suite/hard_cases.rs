@@ -1,5 +1,5 @@
-//! Every row of `reference/hard_cases.csv`: where naive methods fail (its last two columns say
-//! which, and how), computed another way by the script beside it: 45 digits with mpmath for
+//! Every row of `reference/hard_cases.csv`: cases in which naive methods fail (the last two columns
+//! state which, and how), computed another way by the script beside it: 45 digits with mpmath for
 //! GW..AF, 13 digits by integrating over (contact normal, tangential push) for Gao and AT.
 
 use std::collections::HashMap;
@@ -57,7 +57,7 @@ impl Row<'_> {
     }
 }
 
-/// The rows of these models, each met within the tolerance and within the bound that is claimed.
+/// Asserts that every row of these models is met within the tolerance and within the bound.
 fn are_met(models: &[&str], count: usize) {
     let table = include_str!("../reference/hard_cases.csv");
     let rows = table.lines().skip(1).map(|line| Row { fields: line.split(',').collect() });
@@ -68,8 +68,8 @@ fn are_met(models: &[&str], count: usize) {
     for row in &rows {
         let (model, quantity) = (row.model(), row.quantity());
         let lateral = model.validity().angles;
-        // The tightest tolerances that are promised. The lateral references themselves hold 13
-        // digits of the sum of sizes.
+        // The tightest tolerances of the models. The lateral references have 13 digits of the sum
+        // of sizes.
         let (tolerance, reference) = if lateral { (1e-11, 1e-13) } else { (1e-13, 1e-15) };
         let key = row.fields[2..14].join(",");
         let scene = compiled.entry(key).or_insert_with(|| {
@@ -90,8 +90,8 @@ fn are_met(models: &[&str], count: usize) {
     assert!(failures.is_empty(), "{} of {count}:\n{}", failures.len(), failures.join("\n"));
 }
 
-/// One test a model whose laws take long to build, so that they are built side by side; together
-/// they are all 605 rows.
+/// One test for each model with laws that take long to build, so that they are built in parallel;
+/// together they cover all 605 rows.
 macro_rules! hard_cases {
     ($($name:ident: $models:expr, $count:expr;)*) => {
         $(#[test]
@@ -116,8 +116,9 @@ hard_cases! {
     hard_cases_of_at_overlap_are_met: ["at-overlap"], 67;
 }
 
-/// Below exponential heights a tangent is a small difference of large numbers for laws that are
-/// functions. The row at -30 is among those above; the others are held to their own best.
+/// Below exponential heights, the tangent of a law given as a function is a small difference of
+/// large numbers. The row at -30 is tested above; the reference of the others is the tightest
+/// tolerance.
 #[test]
 fn tangents_far_below_exponential_heights_meet_any_tolerance() {
     let mut interface = Interface::new(2.5e9, 0.42, 4.5e8);
@@ -131,7 +132,7 @@ fn tangents_far_below_exponential_heights_meet_any_tolerance() {
                 Request::new([Quantity::Tangent]).within(Tolerance::new(tolerance).unwrap());
             model.compile(&scene, &request).unwrap().evaluate(Quantity::Tangent, s).unwrap()
         };
-        // What is left is known to some 4e-14 of what cancels.
+        // The difference has an error of some 4e-14 of its terms.
         for (s, finest) in [(-9.0, 1e-12), (-30.0, 5e-12), (-100.0, 2e-11), (-400.0, 1e-10)] {
             let best = at(finest, s);
             for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {

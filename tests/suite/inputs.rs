@@ -7,10 +7,10 @@ use asperity::{
 
 use crate::scenes::{compiled, lateral, model, named, with_index};
 
-/// A way to put a number into a scene.
+/// A function that puts a number into a scene.
 type Setter = fn(&mut Scene, f64);
 
-/// Every number of a scene, by the name its errors carry.
+/// Every number of a scene, by its name in errors.
 const FIELDS: [(&str, Setter); 10] = [
     ("equivalent_modulus", |s, v| s.interface.equivalent_modulus = v),
     ("equivalent_shear_modulus", |s, v| s.interface.equivalent_shear_modulus = Some(v)),
@@ -28,7 +28,7 @@ fn request() -> Request {
     Request::new([Quantity::Force, Quantity::Area]).within(Tolerance::new(1e-3).unwrap())
 }
 
-/// The message names the field, its value and the requirement.
+/// Asserts that the message names the field, its value and the requirement.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(answer: Result<T, ContactError>, field: &str, value: f64) {
     let message = answer.unwrap_err().to_string();
@@ -133,13 +133,13 @@ fn separations_and_tolerances_are_checked() {
 }
 
 #[test]
-fn what_was_not_requested_is_not_given() {
+fn quantities_that_were_not_requested_are_refused() {
     let scene = named("mild");
     let answer = model("ke").solve(&scene, &Request::new([Quantity::Area]).at([1.0])).unwrap();
     let error = answer.values(Quantity::Force).unwrap_err();
     assert!(error == ContactError::NotRequested { quantity: Quantity::Force });
     assert!(error.to_string().starts_with("force was not requested: add it"), "{error}");
-    // The tangent comes from the force's law, but only where it was asked for.
+    // The tangent comes from the force's law, but must be requested.
     let compiled = compiled(&model("ke"), &scene, &[Quantity::Tangent], 1e-6);
     assert!(compiled.evaluate(Quantity::Force, 0.0).is_err());
     assert!(compiled.shares(Quantity::Stiffness, 0.0).is_err());
@@ -147,7 +147,7 @@ fn what_was_not_requested_is_not_given() {
 }
 
 #[test]
-fn surfaces_that_no_roughness_has_are_refused() {
+fn moments_that_no_surface_has_are_refused() {
     let interface = named("mild").interface;
     // β = η R σ just below 0.02493, and inputs of the wrong sign.
     let beta = 1e8 * 1e-4 * 2.49e-6;
@@ -225,7 +225,7 @@ fn the_printed_sum_gives_its_negative_values_with_a_warning() {
     // At d = 30 the elastic part outweighs the rest: positive, if tiny.
     assert!(negative == 3 && forces[2] >= 0.0, "{forces:?}");
     assert!(found == Some(("AT", 3, At::sigmas(0.0), forces[0])), "{found:?}");
-    // And the angle density's own: 4π ψ falls to -1.27921.
+    // The warning of the angle density: 4π ψ falls to -1.27921.
     let notes = model("at").notes();
     let angles = notes
         .iter()
@@ -236,10 +236,10 @@ fn the_printed_sum_gives_its_negative_values_with_a_warning() {
 }
 
 #[test]
-fn no_odd_number_anywhere_makes_a_panic_or_a_value_that_is_none() {
+fn odd_numbers_cause_neither_panics_nor_nan() {
     let mut answered = 0;
     let mut odd = vec![];
-    // One lateral model with signs stands for all four: they share their parts.
+    // One lateral model with signs represents all four: they share their parts.
     let models = Model::all().into_iter().filter(|m| !m.validity().angles || m.id() == "at");
     for model in models {
         for (field, set) in FIELDS {
@@ -258,8 +258,8 @@ fn no_odd_number_anywhere_makes_a_panic_or_a_value_that_is_none() {
                         let Ok(found) = compiled.evaluate(quantity, separation) else { continue };
                         answered += 1;
                         let numbers = [found.value(), found.size, found.error, found.scaled];
-                        // A product of 1e200 and more may overflow; it is never NaN, never negative
-                        // infinity, and never anything but finite for lesser numbers.
+                        // A product of 1e200 and more may overflow to infinity, but is never NaN or
+                        // negative infinity; products of smaller numbers are finite.
                         let overflown = |x: &f64| value >= 1e200 && *x == f64::INFINITY;
                         if !numbers.iter().all(|x| x.is_finite() || overflown(x)) {
                             odd.push(format!("{model} {field} = {value:e}: {quantity} {found:?}"));
@@ -269,7 +269,7 @@ fn no_odd_number_anywhere_makes_a_panic_or_a_value_that_is_none() {
             }
         }
     }
-    // Some of these scenes are good, if strange: they must have been answered.
+    // Some of these scenes are odd but valid: they must have results.
     assert!(answered > 500, "{answered}");
     assert!(odd.is_empty(), "{} of {answered}:\n{}", odd.len(), odd.join("\n"));
 }

@@ -1,4 +1,4 @@
-//! Limits and identities that hold between the models, whatever their numbers.
+//! Limits and identities between the models, for all inputs.
 
 use asperity::{AngleDensity, Contact, Displacement, LateralOptions, Quantity, Scene, Surface};
 use asperity_quadrature::gauss_kronrod;
@@ -8,7 +8,7 @@ use crate::scenes::{close, compiled, lateral, model, named, unit, upright, value
 const BASIC: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Stiffness];
 const LATERAL: [&str; 4] = ["gao", "at", "at-additive", "at-overlap"];
 
-/// The AT paper's scene with a shear modulus that transmits nothing.
+/// The AT paper's scene with a negligible shear modulus.
 fn without_shear(plasticity_index: f64) -> Scene {
     let mut scene = with_index(plasticity_index);
     // λ = 4e-9 enters K by its square and F in directions that carry a share λ of it.
@@ -39,7 +39,7 @@ fn smooth_surfaces_make_every_model_greenwood_and_williamson() {
 }
 
 #[test]
-fn at_half_the_index_yielding_begins_to_show() {
+fn at_an_index_of_one_half_yielding_changes_the_force() {
     let scene = with_index(0.5);
     let [ceb, gw] = ["ceb", "gw"].map(|id| compiled(&model(id), &scene, &BASIC, 1e-12));
     let ratio = |q| value(&ceb, q, -2.0) / value(&gw, q, -2.0);
@@ -162,7 +162,7 @@ fn additive_is_gao_but_for_the_area_of_its_first_elastic_plastic_range() {
                 .map(|c| value(c, Quantity::Area, separation) / unit(&scene, Quantity::Area));
             let gap = |y: f64| 1.0 + 1.19 * (y - 1.0).powf(1.1) - y;
             let wanted = oblique_average(gap, (1.0, 6.0), 1.0 / (index * index), separation);
-            // 1e-11 of each area, of which the difference is a few percent.
+            // 1e-11 of each area; the difference is a few per cent of it.
             close(a - b, wanted, 2e-9, &format!("ψ = {index}, {separation}"));
             for quantity in [Quantity::Force, Quantity::Stiffness] {
                 let [a, b] = [&gao, &additive].map(|c| value(c, quantity, separation));
@@ -188,13 +188,13 @@ fn the_additive_reading_is_positive_at_any_roughness() {
     for index in [0.1, 0.7, 1.3, 2.0, 2.7, 3.5, 4.6, 6.0, 12.0, 100.0] {
         positive(&*first.on(&with_index(index)).unwrap(), index);
     }
-    // The same door shows the printed reading's negative totals: this test can fail.
+    // The same function finds the negative totals of the printed reading: this test can fail.
     let printed = compiled(&model("at"), &with_index(2.0), &[Quantity::Force], 1e-8);
     assert!(value(&printed, Quantity::Force, 0.0) < 0.0);
 }
 
 #[test]
-fn without_displacement_force_and_area_do_not_know_the_shear_modulus() {
+fn without_displacement_force_and_area_do_not_depend_on_the_shear_modulus() {
     let options = LateralOptions { displacement: Displacement::None, ..Default::default() };
     let both = [1e-9, 1.0].map(|factor| {
         let mut scene = with_index(6.0);

@@ -1,4 +1,4 @@
-//! From a load back to the separation, for every model.
+//! The separation of a load, for every model.
 
 use asperity::{
     At, Case, Contact, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface,
@@ -8,7 +8,7 @@ use asperity::{
 use crate::scenes;
 
 #[test]
-fn every_model_finds_the_separation_it_came_from() {
+fn every_model_recovers_the_separation_from_the_load() {
     for heights in [HeightDistribution::Gaussian, HeightDistribution::Exponential] {
         let mut scene = scenes::named("at-paper");
         scene.heights = heights;
@@ -29,7 +29,7 @@ fn every_model_finds_the_separation_it_came_from() {
 }
 
 #[test]
-fn where_the_printed_force_rises_and_falls_all_crossings_are_given() {
+fn all_crossings_of_the_printed_force_are_found() {
     let mut scene = scenes::named("at-paper");
     scene.surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &scene.interface).unwrap();
     let model: Model = "at".parse().unwrap();
@@ -45,7 +45,7 @@ fn where_the_printed_force_rises_and_falls_all_crossings_are_given() {
     }
 }
 
-/// Crossings seen by looking closely: nothing of the force is narrower than a standard deviation.
+/// Crossings from a fine scan: no feature of the force is narrower than a standard deviation.
 fn seen(contact: &impl AsRef<dyn Contact>, load: f64) -> Vec<f64> {
     let contact = contact.as_ref();
     let force = |s: f64| contact.evaluate(Quantity::Force, s).unwrap().value() - load;
@@ -55,7 +55,7 @@ fn seen(contact: &impl AsRef<dyn Contact>, load: f64) -> Vec<f64> {
 
 #[test]
 fn no_crossing_of_a_printed_sum_is_missed() {
-    // A load of which -4.336 alone was found.
+    // A load for which only -4.336 was once found.
     let mut interface = Interface::new(116e9, 0.31, 1.12e9);
     interface.equivalent_shear_modulus = Some(41e9);
     interface.pressure_factor = Some(0.58);
@@ -97,7 +97,7 @@ fn no_crossing_of_a_printed_sum_is_missed() {
 }
 
 #[test]
-fn loads_of_many_scenes_lead_to_the_separations_of_each_alone() {
+fn loads_of_many_scenes_have_the_separations_of_each_single_scene() {
     for id in ["gw", "ke", "jg", "af", "etsion", "at"] {
         let model: Model = id.parse().unwrap();
         let count = if id == "at" { 3 } else { 40 };
@@ -126,7 +126,7 @@ fn loads_of_many_scenes_lead_to_the_separations_of_each_alone() {
 }
 
 #[test]
-fn loads_of_scenes_that_have_nothing_in_common_are_met_within_their_bounds() {
+fn loads_of_unrelated_scenes_are_met_within_their_bounds() {
     let steel = asperity::Body::new(210e9, 0.3, 2e9);
     let interface = Interface::between(&steel, &steel).unwrap();
     let scene = Scene::new(interface, Surface::new(2e-4, 2e8, 1e-6), 1e-4);
@@ -167,7 +167,7 @@ fn heavy_tails_and_single_asperities_are_not_confused_with_crossings_elsewhere()
 }
 
 #[test]
-fn asperities_of_a_random_surface_carry_a_load_where_they_are_asked_for_it() {
+fn separations_of_a_random_surface_carry_the_requested_load() {
     use asperity::{Interface, ProfileMoments, Quantity, Request, Scene, Surface};
     let surface = Surface::from_moments(&ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 5e4 }).unwrap();
     let scene = Scene::new(Interface::new(115e9, 0.3, 2e9), surface, 1e-4);

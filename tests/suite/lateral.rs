@@ -8,7 +8,7 @@ use asperity::{
 
 use crate::scenes;
 
-/// What a row, or a draw, asks.
+/// The inputs of a row or of a draw.
 struct Asked {
     scene: Scene,
     model: Model,
@@ -71,7 +71,7 @@ fn rows_of_the_reference_are_met_within_their_bounds() {
             let within = Tolerance::new(tolerance).unwrap();
             for found in [asked.once(within), asked.tabulated(within)] {
                 let error = (found.scaled - scaled).abs() / size;
-                // The two partitions of the reference may err alike.
+                // The two partitions of the reference may have a common error.
                 let allowed = found.error * found.size / size + 10.0 * agreement + 1e-13;
                 assert!(error <= allowed, "{line}: {error:e} for {allowed:e} at {tolerance:e}");
             }

@@ -1,21 +1,21 @@
-//! Long lists of separations go to all cores; neither digits nor order depend on it.
+//! Long lists of separations are computed on all cores, with the same digits in the same order.
 
 use asperity::{HeightDistribution, Quantity, Request, Tolerance, linspace};
 
 use crate::scenes::{model, named};
 
-/// Above the number from which a response is computed in parallel (2048).
+/// Above 2048, the least number of rows computed in parallel.
 const MANY: usize = 5000;
 
-/// Not sorted, so that an order by value or by thread would show.
+/// Not sorted, so that an order by value or by thread fails the test.
 fn separations() -> Vec<f64> {
     let sorted = linspace(-4.0, 45.0, MANY);
-    // 1777 and 5000 have no common divisor: every index once.
+    // 1777 and 5000 have no common divisor, so every index occurs once.
     (0..MANY).map(|k| sorted[k * 1777 % MANY]).collect()
 }
 
 #[test]
-fn many_separations_give_the_digits_of_each_alone_in_the_order_asked() {
+fn many_separations_have_the_digits_of_single_ones_in_their_order() {
     let asked = [Quantity::Area, Quantity::Force, Quantity::Tangent];
     for (id, heights) in [
         ("ke", HeightDistribution::Gaussian),
@@ -29,7 +29,7 @@ fn many_separations_give_the_digits_of_each_alone_in_the_order_asked() {
         let answer = compiled.respond(&request);
         assert!(answer.at == request.at);
         assert!(answer.columns.iter().map(|c| c.quantity).eq(asked));
-        // A second compilation, so that nothing is shared: built in another order, by one thread.
+        // A second, independent compilation, built in another order by one thread.
         let alone = model(id).compile(&scene, &request).unwrap();
         for column in &answer.columns {
             assert!(column.rows.len() == MANY);
@@ -48,7 +48,7 @@ fn many_separations_give_the_digits_of_each_alone_in_the_order_asked() {
 }
 
 #[test]
-fn one_bad_separation_among_many_has_its_reason_and_the_rest_their_values() {
+fn one_bad_separation_has_an_error_and_the_others_have_values() {
     let mut separations = separations();
     separations[MANY - 2] = f64::NAN;
     let request = Request::new([Quantity::Force]).at(separations);
@@ -60,7 +60,7 @@ fn one_bad_separation_among_many_has_its_reason_and_the_rest_their_values() {
 }
 
 #[test]
-fn threads_may_share_a_compiled_scene_while_it_builds_itself() {
+fn threads_may_share_a_compiled_scene_while_it_is_built() {
     let scene = named("at-paper");
     let request = Request::new([Quantity::Force]);
     let compiled = model("zmc").compile(&scene, &request).unwrap();
@@ -74,7 +74,7 @@ fn threads_may_share_a_compiled_scene_while_it_builds_itself() {
         threads.into_iter().map(|t| t.join().unwrap()).collect::<Vec<_>>()
     });
     assert!(all.iter().all(|other| *other == all[0]));
-    // Falling force: the digits are those of different separations.
+    // The force falls, so different separations have different digits.
     let values: Vec<f64> = all[0].iter().map(|bits| f64::from_bits(*bits)).collect();
     assert!(values.windows(2).all(|pair| pair[0] > pair[1] && pair[1] > 0.0));
 }
@@ -92,7 +92,7 @@ fn separations_in_metres_are_the_same_with_a_wider_bound() {
         let column = answer.column(Quantity::Force).unwrap();
         (column.values().unwrap()[0], column.bounds().unwrap()[0])
     });
-    // Rounding d/σ_z moves the force by s² ε: 2e-13 at s = 30, and the bound says so.
+    // Rounding of d/σ_z changes the force by s² ε: 2e-13 at s = 30, which the bound includes.
     assert!((metres.0 / exact.0 - 1.0).abs() <= metres.1 + exact.1);
     let added = metres.1 - exact.1;
     assert!(added > 900.0 * f64::EPSILON && added < 1000.0 * f64::EPSILON, "{added:e}");

@@ -1,5 +1,4 @@
-//! Plans say what is integrated, with how many terms and samples: the work is guarded like the
-//! answer.
+//! Plans list the integrals with their numbers of terms and samples, which are snapshots.
 
 use asperity::{HeightDistribution, Model, Quantity, Request, Tolerance, linspace};
 
@@ -16,7 +15,7 @@ fn plan(id: &str, quantities: &[Quantity], heights: HeightDistribution, toleranc
 }
 
 #[test]
-fn plans_are_as_they_were() {
+fn plans_equal_their_snapshots() {
     let gaussian = HeightDistribution::Gaussian;
     let all = [Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent];
     insta::assert_snapshot!("plan-ke", plan("ke", &all, gaussian.clone(), 1e-10));
@@ -32,7 +31,7 @@ fn plans_are_as_they_were() {
 }
 
 #[test]
-fn regimes_that_no_asperity_reaches_are_dropped_and_said_so() {
+fn plans_list_the_regimes_that_no_asperity_reaches() {
     // w_c is a hundred σ_z here.
     let mut scene = scenes::named("at-paper");
     let critical = scene.asperity().unwrap().critical_interference().unwrap();

@@ -1,4 +1,4 @@
-//! What holds for every scene, on scenes drawn at random.
+//! Properties of all scenes, on scenes drawn at random.
 
 use asperity::{Contact, Interface, Model, Quantity, Request, Scene, Surface, Tolerance};
 use proptest::prelude::*;
@@ -30,7 +30,7 @@ fn compiled(id: &str, scene: &Scene, tolerance: f64) -> Box<dyn Contact> {
     id.parse::<Model>().unwrap().compile(scene, &request).unwrap()
 }
 
-/// ln of a quantity: also where its value underflows.
+/// ln of a quantity, finite even where the value underflows.
 fn ln(compiled: &impl AsRef<dyn Contact>, quantity: Quantity, s: f64) -> f64 {
     let compiled = compiled.as_ref();
     compiled.evaluate(quantity, s).unwrap().ln_value()
@@ -76,7 +76,7 @@ proptest! {
 
     #[test]
     fn models_stay_within_their_laws_of_greenwood_and_williamson(scene in scenes(), s in -10.0..30.0f64) {
-        // Largest and smallest ratios of the laws themselves: KE 1.031 just above w_c; CEB 1.633 at
+        // Largest and smallest ratios of the laws: KE 1.031 just above w_c; CEB 1.633 at
         // 1.5 w_c; areas from 0.93 (KE at w_c) to 2.
         let gw = compiled("gw", &scene, 1e-12);
         let ratio = |id: &str, quantity| (ln(&compiled(id, &scene, 1e-12), quantity, s) - ln(&gw, quantity, s)).exp();

@@ -1,4 +1,4 @@
-//! Numbers that papers and the sheet of equations this project was built from print.
+//! Numbers printed in papers and in the project's sheet of equations.
 
 use asperity::{
     Displacement, ForceComponent, Interface, LateralOptions, Law, Quantity, Scene, Stick, Surface,
@@ -21,17 +21,17 @@ fn at(law: &Law, x: f64) -> f64 {
     law.value(x * law.interference_unit).unwrap() / law.value_unit
 }
 
-/// Value above x over that below, less 1.
+/// The value just above x over the value just below, minus 1.
 fn jump(law: &Law, x: f64) -> f64 {
-    // Away by more than the rounding of x · unit / unit, and by less than shows in 1e-10.
+    // A distance above the rounding of x · unit / unit, with an effect below 1e-10.
     at(law, x * (1.0 + 1e-13)) / at(law, x * (1.0 - 1e-13)) - 1.0
 }
 
 #[test]
-fn kogut_and_etsion_jump_where_and_by_what_the_sheet_says() {
+fn jumps_of_kogut_and_etsion_are_those_of_the_sheet() {
     let [force, area] = laws("ke");
     for (x, f, a) in [(1.0, 0.03, -0.07), (6.0, 0.0168, 0.0290), (110.0, 0.0788, 0.0712)] {
-        // Printed with three digits.
+        // Three digits are printed.
         assert!((jump(&force, x) - f).abs() < 6e-5, "F at {x}: {}", jump(&force, x));
         assert!((jump(&area, x) - a).abs() < 6e-5, "A at {x}: {}", jump(&area, x));
     }
@@ -41,12 +41,12 @@ fn kogut_and_etsion_jump_where_and_by_what_the_sheet_says() {
 }
 
 #[test]
-fn the_other_laws_join_as_the_sheet_says() {
+fn jumps_of_the_other_laws_are_those_of_the_sheet() {
     let [ceb, ceb_area] = laws("ceb");
     assert!((jump(&ceb, 1.0) - 0.5).abs() < 1e-11 && jump(&ceb_area, 1.0).abs() < 1e-11);
     let [etsion, etsion_area] = laws("etsion");
     assert!(jump(&etsion, 1.0).abs() < 1e-11 && jump(&etsion_area, 1.0).abs() < 1e-11);
-    // It dips below Hertz at 1+, where its slope is 0.
+    // Just above 1 its slope is 0, below that of Hertz.
     assert!(at(&etsion, 1.01) < 1.01f64.powf(1.5) && at(&etsion, 1.01) > 1.0);
     close(at(&etsion, 2.0), 2.32, 1e-12, "Etsion F at 2");
     close(at(&etsion_area, 101.0), 1.0 + 1.19 * 100f64.powf(1.1), 1e-12, "Etsion A at 101");
@@ -122,9 +122,9 @@ fn reference_values_of_the_lateral_models_are_met() {
 
 #[test]
 fn unlimited_stick_turns_the_printed_force_negative() {
-    // The reading that gives these numbers, by an independent sum in another language: T without
-    // limit in (17), (19) and (24), that is e, ep1 and p, and clamped in (23), that is ep2 alone.
-    // All four unlimited would be 96.797, ep1 clamped as well 19.25.
+    // An independent sum in another language gives these numbers with T unlimited in (17), (19) and
+    // (24), for e, ep1 and p, and limited in (23), for ep2. With all four unlimited the result is
+    // 96.797, with ep1 limited as well 19.25.
     let unlimited = LateralOptions { stick: Stick::Unlimited, ..LateralOptions::default() };
     let found = sheet("at", unlimited, Quantity::Force, &[0.0, 1.0, 2.0, 3.0]);
     for (found, wanted) in found.iter().zip([9.010, 0.6047, -0.05264, -0.006545]) {

@@ -7,7 +7,7 @@ use asperity::{Displacement, ForceComponent, LateralOptions, Model, Quantity};
 
 use crate::scenes;
 
-/// The model and quantity that a row's words stand for.
+/// The model and quantity of a row.
 pub fn meaning(model: &str, quantity: &str) -> (Model, Quantity) {
     let mut options = LateralOptions::default();
     let quantity = match quantity {
@@ -43,8 +43,8 @@ fn every_reference_value_is_met_within_the_reported_bound() {
     let mut count = 0;
     for ([case, id, words], rows) in rows() {
         let (model, quantity) = meaning(id, words);
-        // The table's own accuracy: 17 digits of a 40-digit value, or 13 digits and three
-        // implementations for the lateral models, whose tables miss 1e-12 (see below).
+        // The accuracy of the reference: 17 digits of a 40-digit value, or 13 digits for lateral
+        // models, whose own tables miss 1e-12 (see below).
         let own = if model.validity().angles { 3e-12 } else { 1e-13 };
         let compiled = scenes::compiled(&model, &scenes::named(case), &[quantity], 1e-12);
         for (separation, value) in rows {

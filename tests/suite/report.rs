@@ -1,4 +1,4 @@
-//! The report's errors and evaluations do not change unseen, and what is committed of it is whole.
+//! The report's errors and evaluations are snapshots, and the committed report is complete.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use xtask::folder::figures_folder;
 use xtask::report::{Scope, accuracy, errors_agree};
 use xtask::table::agree_by;
 
-/// Words agree exactly, errors and counts as far as they do not hang on rounding.
+/// Whether texts agree exactly, and errors and counts up to rounding.
 #[derive(Clone)]
 struct Errors;
 

@@ -1,4 +1,4 @@
-//! Rows: the same answer alone and in a list, with bounds that hold.
+//! Rows: the same result singly and in a list, within the bounds.
 
 use asperity::{
     ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance, linspace,
@@ -25,7 +25,7 @@ fn tangents(model: &Model, scene: &Scene, separations: &[f64], tolerance: f64) -
 }
 
 #[test]
-fn tangents_of_pressed_asperities_are_answered_alone_and_in_a_list() {
+fn tangents_far_below_0_are_the_same_singly_and_in_a_list() {
     let deep = [-60.0, -20.0, -10.0, -8.5];
     let list: Vec<f64> = deep.into_iter().chain(linspace(-8.0, 8.0, 33)).collect();
     for id in ["gao", "at-additive", "at-overlap", "ke"] {
@@ -42,7 +42,7 @@ fn tangents_of_pressed_asperities_are_answered_alone_and_in_a_list() {
 }
 
 #[test]
-fn logarithms_near_zero_are_known_to_the_rounding_of_their_scale() {
+fn logarithms_near_zero_have_the_rounding_of_their_scale() {
     let gw = model("gw");
     let lines = include_str!("../reference/ln_force.csv").lines().skip(1);
     for line in lines {

@@ -5,7 +5,7 @@ use asperity::{
     Scene, Surface, Tolerance,
 };
 
-/// The scene of this name.
+/// The scene with this name.
 pub fn named(name: &str) -> Scene {
     let table = include_str!("../reference/models_scenes.csv");
     let row = table.lines().find(|line| line.starts_with(&format!("{name},"))).unwrap();
@@ -20,8 +20,8 @@ pub fn named(name: &str) -> Scene {
     Scene::new(interface, surface, next())
 }
 
-/// The AT paper's materials and asperity radius, made as rough as this plasticity index asks:
-/// one asperity for all indices, so that compiled laws can be moved between them.
+/// The AT paper's materials and asperity radius with the roughness of this plasticity index: one
+/// asperity for all indices, so that compiled laws can be moved between them.
 pub fn with_index(plasticity_index: f64) -> Scene {
     let mut scene = named("at-paper");
     let critical = scene.asperity().unwrap().critical_interference().unwrap();
@@ -68,7 +68,7 @@ pub fn value(compiled: &impl AsRef<dyn Contact>, quantity: Quantity, separation:
     compiled.evaluate(quantity, separation).unwrap().value()
 }
 
-/// What the sheet measures a quantity in: η A_n times F_c, π R w_c or F_c/w_c.
+/// The sheet's unit of a quantity: η A_n times F_c, π R w_c or F_c/w_c.
 pub fn unit(scene: &Scene, quantity: Quantity) -> f64 {
     let asperity = scene.asperity().unwrap();
     let (w, f) = (asperity.critical_interference().unwrap(), asperity.critical_force().unwrap());

@@ -1,4 +1,4 @@
-//! Sweeps over scenes: the values of scenes compiled one by one, in order, whatever the threads.
+//! Sweeps over scenes: the values of scenes compiled one by one, in order, with any threads.
 
 use asperity::{Case, ContactError, HeightDistribution, Model, Quantity, Sweep, Tolerance};
 
@@ -7,7 +7,7 @@ use crate::scenes::{compiled, model, named};
 const ASKED: [Quantity; 4] =
     [Quantity::Area, Quantity::Tangent, Quantity::Force, Quantity::Stiffness];
 
-/// Scenes that differ in everything a law depends on, w_c/σ_z from 1e-5 to 1e3.
+/// Scenes that differ in every input of a law, w_c/σ_z from 1e-5 to 1e3.
 fn cases(count: usize, materials: bool) -> Vec<Case> {
     // Multiples of an irrational number fill [0, 1) evenly, and repeat for every run.
     let share = |k: usize, step: f64| (k as f64 * step).fract();
@@ -30,11 +30,11 @@ fn cases(count: usize, materials: bool) -> Vec<Case> {
 }
 
 #[test]
-fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
+fn a_sweep_equals_scenes_compiled_one_by_one() {
     let tolerance = Tolerance::new(1e-12).unwrap();
     for model in Model::all() {
         let lateral = model.validity().angles;
-        // Each compiled alone: laws over angles take a tenth of a second to build.
+        // Compiled one by one: laws over angles take a tenth of a second to build.
         let cases = cases(if lateral { 4 } else { 40 }, true);
         let sweep = Sweep::new(&model, &ASKED, tolerance);
         for (case, answer) in cases.iter().zip(sweep.evaluate_all(&cases)) {
@@ -52,7 +52,7 @@ fn a_sweep_gives_what_every_scene_compiled_alone_gives() {
 }
 
 #[test]
-fn digits_and_order_depend_neither_on_threads_nor_on_what_came_before() {
+fn digits_and_order_depend_neither_on_threads_nor_on_earlier_scenes() {
     let mut cases = cases(3000, true);
     cases[1234].at = f64::NAN.into();
     cases[77].scene.heights = HeightDistribution::Exponential;
@@ -85,7 +85,7 @@ fn digits_and_order_depend_neither_on_threads_nor_on_what_came_before() {
 }
 
 #[test]
-fn a_stream_ends_where_its_taker_has_enough() {
+fn a_stream_stops_when_its_consumer_stops() {
     let model = model("gw");
     let endless = cases(1, false).into_iter().cycle();
     let sweep = Sweep::new(&model, &[Quantity::Force], Tolerance::default());

@@ -52,7 +52,7 @@ fn tangents_of_upright_models_are_differences_of_the_force() {
 }
 
 #[test]
-fn tangents_of_lateral_models_far_below_meet_the_default_tolerance_whatever_is_beside_them() {
+fn tangents_of_lateral_models_far_below_meet_the_default_tolerance_in_any_request() {
     for id in ["gao", "at", "at-additive", "at-overlap"] {
         let scene = with_index(3.0);
         let model = model(id);
@@ -107,7 +107,7 @@ fn stiffness_is_the_tangent_but_for_gao_and_at() {
     }
 }
 
-/// A piecewise force law in units of F_c and w_c: where each piece begins, value and slope.
+/// A piecewise force law in units of F_c and w_c: beginning, value and slope of each piece.
 type Pieces = Vec<(f64, fn(f64) -> f64, fn(f64) -> f64)>;
 
 fn ceb() -> Pieces {
@@ -133,14 +133,14 @@ fn etsion() -> Pieces {
     ]
 }
 
-/// ∫ F'(w) g dw and Σ jump g, in units of η A_n F_c/w_c, by a quadrature of its own.
+/// ∫ F'(w) g dw and Σ jump g, in units of η A_n F_c/w_c, by an independent quadrature.
 fn smooth_and_jumps(pieces: &Pieces, index: f64, d: f64) -> (f64, f64) {
     let scale = 1.0 / (index * index);
     let density = |x: f64| {
         let z = d + x * scale;
         (-0.5 * z * z).exp() / (2.0 * PI).sqrt() * scale
     };
-    // Where the density has fallen by 1e-20.
+    // The density falls to 1e-20 here.
     let top = (10.0 - d).max(1.0) / scale;
     let (mut smooth, mut jumps) = (0.0, 0.0);
     for (k, (from, value, slope)) in pieces.iter().enumerate() {
@@ -162,20 +162,20 @@ fn smooth_and_jumps(pieces: &Pieces, index: f64, d: f64) -> (f64, f64) {
     (smooth, jumps)
 }
 
-/// The share of the tangent that the jumps carry, once smooth part and jumps are found to add up
-/// to the library's tangent.
+/// The share of the jumps in the tangent; asserts that smooth part and jumps add up to the
+/// library's tangent.
 fn share_of_jumps(model: &Model, pieces: &Pieces, scene: &Scene, d: f64) -> f64 {
     let index = scene.plasticity_index().unwrap();
     let compiled = compiled(model, scene, &[Quantity::Tangent], 1e-13);
     let tangent = value(&compiled, Quantity::Tangent, d) / unit(scene, Quantity::Tangent);
     let (smooth, jumps) = smooth_and_jumps(pieces, index, d);
-    // 1e-13 asked of each of four adaptive integrals, which they estimate only.
+    // Four adaptive integrals with an estimated error of 1e-13 each.
     close(smooth + jumps, tangent, 1e-11, &format!("{model} ψ = {index} at {d}"));
     (1.0 - smooth / tangent).abs()
 }
 
 #[test]
-fn leaving_the_jumps_out_would_be_seen() {
+fn the_jumps_carry_a_share_of_the_tangent() {
     // The sheet: 0.2-3.4 % wrong for KE, up to 13 % for CEB at ψ = 1, 0.6 % for Etsion; the
     // third and fourth digits are from a midpoint sum in another language.
     for (id, pieces, index, d, share) in [
@@ -194,7 +194,7 @@ fn leaving_the_jumps_out_would_be_seen() {
 }
 
 #[test]
-fn the_jump_of_jg_is_small_and_still_in_its_tangent() {
+fn the_tangent_of_jg_includes_its_small_jump() {
     // About 0.1 % at most: far above what the difference formula resolves.
     let scene = with_index(1.5);
     let compiled = compiled(&model("jg"), &scene, &ASKED, 1e-13);

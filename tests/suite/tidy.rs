@@ -1,4 +1,4 @@
-//! Rules of style that a reader would otherwise have to check.
+//! Rules of style.
 
 use std::fs;
 use std::path::{Path, PathBuf};

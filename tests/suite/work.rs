@@ -1,4 +1,4 @@
-//! Nothing is computed that was not asked for.
+//! Only requested quantities are computed.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -11,12 +11,12 @@ use asperity::{
 
 use crate::scenes::{named, with_index};
 
-/// A law with a power part to x = 1 and a counted function beyond, as a user would write one.
+/// A law with a power part to x = 1 and a counted function beyond, like a user's law.
 #[derive(Debug, Clone, Default)]
 struct Spy {
-    /// The quantities laws were asked for.
+    /// The quantities of the requested laws.
     laws: Arc<Mutex<Vec<Quantity>>>,
-    /// How often the function part was sampled.
+    /// Number of samples of the function part.
     samples: Arc<AtomicUsize>,
     /// Whether the stiffness is a law of its own.
     own_stiffness: bool,
@@ -81,7 +81,7 @@ impl AsperityModel for Spy {
 }
 
 #[test]
-fn only_the_laws_of_the_asked_quantities_are_built() {
+fn only_the_laws_of_requested_quantities_are_built() {
     let (f, a, k, t) = (Quantity::Force, Quantity::Area, Quantity::Stiffness, Quantity::Tangent);
     for (asked, own_stiffness, laws) in [
         (vec![a], false, vec![a]),
@@ -96,7 +96,7 @@ fn only_the_laws_of_the_asked_quantities_are_built() {
         let spy = Spy { own_stiffness, ..Spy::default() };
         let compiled = spy.compile(&named("mild"), &asked);
         assert!(spy.asked() == laws, "{asked:?}: {:?}", spy.asked());
-        // Not one more when values are drawn, and nothing sampled before.
+        // Values need no further law, and nothing was sampled before.
         assert!(spy.samples() == 0, "compiling samples nothing");
         for quantity in asked {
             compiled.evaluate(quantity, 1.0).unwrap();
@@ -118,14 +118,14 @@ fn regimes_out_of_reach_are_not_sampled() {
     compiled.evaluate(Quantity::Force, 2.0).unwrap();
     let near = spy.samples();
     assert!(near > 0, "near contact the function part counts");
-    // A rule serves its neighbourhood: asked again, or next to it, no sample more.
+    // A rule serves its neighbourhood: the same or a close separation needs no further sample.
     compiled.evaluate(Quantity::Force, 2.0).unwrap();
     compiled.evaluate(Quantity::Force, 2.001).unwrap();
     assert!(spy.samples() == near, "{} {near}", spy.samples());
 }
 
 #[test]
-fn shares_are_computed_when_asked_for_and_once() {
+fn shares_are_computed_when_requested_and_once() {
     let spy = Spy::default();
     let request = Request::new([Quantity::Force]).at([0.5]);
     let compiled = ContactModel::compile(&spy, &with_index(2.0), &request).unwrap();
@@ -138,7 +138,7 @@ fn shares_are_computed_when_asked_for_and_once() {
     let shares = answer.columns[0].shares.clone().unwrap();
     let shares = shares[0].as_ref().unwrap();
     let total: f64 = shares.iter().map(|s| s.share).sum();
-    // Tolerance 1e-10 of the request, for each of three integrals.
+    // The request's tolerance of 1e-10, for each of three integrals.
     assert!(shares.len() == 2 && (total - 1.0).abs() < 3e-10, "{shares:?}");
     compiled.shares(Quantity::Force, 0.5).unwrap();
     assert!(spy.samples() == with_shares, "a second time they are there");
@@ -165,7 +165,7 @@ fn moving_a_compiled_scene_keeps_its_laws() {
     assert!(spy.asked().len() == 2);
 }
 
-/// An oblique contact that counts how often it is averaged: the costly thing of a lateral model.
+/// An oblique contact that counts its averages, the costly part of a lateral model.
 struct Counted(Arc<AtomicUsize>);
 
 impl ObliqueContact for Counted {
@@ -205,7 +205,7 @@ impl AsperityModel for LateralSpy {
 }
 
 #[test]
-fn what_a_lateral_law_has_tabulated_moves_along() {
+fn tables_of_a_lateral_law_move_to_another_scene() {
     let averages = Arc::new(AtomicUsize::new(0));
     let request = Request::new([Quantity::Force]);
     let evaluate = |compiled: &dyn Contact| {
@@ -215,10 +215,10 @@ fn what_a_lateral_law_has_tabulated_moves_along() {
     let first = LateralSpy(averages.clone()).compile(&with_index(6.0), &request).unwrap();
     let building = evaluate(&*first);
     assert!(building > 1000, "{building}");
-    // Half as rough: the same x again, and only a few cells of smaller x that no one needed yet.
+    // Half as rough: the same x, and a few new cells of smaller x.
     let moved = evaluate(&*first.on(&with_index(6.0 / 2f64.sqrt())).unwrap());
     assert!(moved - building < building / 5, "{moved} after {building}");
-    // The same roughness with other counts: nothing at all.
+    // The same roughness with other numbers of asperities: no new average.
     let mut scene = with_index(6.0);
     scene.nominal_area *= 7.0;
     let again = evaluate(&*first.on(&scene).unwrap());
@@ -241,7 +241,7 @@ fn a_lateral_law_that_is_integrated_once_is_not_tabulated() {
     assert!(single < tabulating / 3, "{single} averages, {tabulating} for tables");
     let off = (once.value() / compiled.value() - 1.0).abs();
     assert!(off <= once.error + compiled.error, "{off:e}");
-    // Nor is it for the few rows of a request.
+    // Nor for the few rows of a request.
     model.solve(&scene, &request.at([1.0, 2.0])).unwrap();
     assert!(averages.load(Ordering::Relaxed) < 3 * single);
 }

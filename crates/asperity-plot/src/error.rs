@@ -1,4 +1,4 @@
-//! Errors of a description or its csv.
+//! Errors of a figure's description or of its csv.
 
 use plotters::drawing::DrawingAreaErrorKind;
 
@@ -6,21 +6,21 @@ use plotters::drawing::DrawingAreaErrorKind;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// The text is not a table.
+    /// A text that is not a csv table.
     #[error("the csv cannot be read: {0}")]
     Csv(#[from] csv::Error),
     /// A column that the description names.
     #[error("column `{column}` is missing from the csv, which has: {has}")]
     MissingColumn {
-        /// The name that was looked for.
+        /// The missing name.
         column: String,
-        /// The names that are there.
+        /// The names in the csv.
         has: String,
     },
     /// A curve that the description names.
     #[error("curve `{curve}` is not in column `{column}` of the csv")]
     MissingCurve {
-        /// The name that was looked for.
+        /// The missing name.
         curve: String,
         /// The column that names the curve of a row.
         column: String,
@@ -63,8 +63,8 @@ pub enum PlotError {
         /// What was required.
         required: &'static str,
     },
-    /// A matrix whose cells do not fit its heads.
-    #[error("a matrix of {rows} rows and {columns} columns with other cells, or without any")]
+    /// A matrix or a map with an unsuitable number of cells.
+    #[error("the number of cells differs from {rows} rows of {columns} columns, or is 0")]
     Cells {
         /// Names of rows.
         rows: usize,

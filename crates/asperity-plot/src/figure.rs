@@ -17,7 +17,7 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Panels beside each other; fewer than two for one above the other.
     pub columns: usize,
-    /// Where curves are named.
+    /// Place of the names of curves.
     pub legend: Legend,
 }
 
@@ -30,7 +30,7 @@ impl Figure {
     }
 }
 
-/// Where curves are named.
+/// Place of the names of curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Legend {
@@ -162,7 +162,7 @@ impl Scale {
 /// A reference line across the frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Where, in the units of the csv.
+    /// The place, in the units of the csv.
     pub at: f64,
     /// A label; empty for none.
     pub label: String,

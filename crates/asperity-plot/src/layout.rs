@@ -46,7 +46,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The frames of the panels, all equally wide, and where they end with their axes.
+/// The frames of the panels, of equal width, and the lower end of their axes.
 fn frames(figure: &Figure, plots: &[Plot], head: f64, tail: f64) -> (Vec<Rect>, f64) {
     let largest = |of: fn(&Plot) -> f64| plots.iter().map(of).fold(0.0, f64::max);
     let (left, right) = (largest(|plot| plot.left()), largest(|plot| plot.right()));

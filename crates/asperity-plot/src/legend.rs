@@ -14,7 +14,7 @@ const KEY_GAP: f64 = 8.0;
 const PAD: f64 = 7.5;
 const COLUMN_GAP: f64 = 17.0;
 const ROW: f64 = 18.5;
-/// How opaque an area is.
+/// Opacity of an area.
 pub(crate) const AREA: f64 = 0.4;
 /// Width of curves.
 const CURVE: f64 = 2.0;

@@ -2,9 +2,9 @@
 //!
 //! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
 //! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
-//! what it lacks is here: curves cut at the frame and at gaps before they are drawn, dashes of
-//! several lengths, legend keys with dash and marker, areas between curves, lowered letters,
-//! captions that wrap, and several panels in one picture.
+//! this crate adds curves cut at the frame and at gaps, dashes of several lengths, legend keys with
+//! dash and marker, areas between curves, lowered letters, captions that wrap, and several panels in
+//! one picture.
 //!
 //! ```
 //! use asperity_plot::{Axis, Curve, Figure, Panel, draw};
@@ -48,7 +48,7 @@ use layout::Layout;
 use panel::Plot;
 use series::Table;
 
-/// Draws a figure from the text of a csv; gives the text of an svg.
+/// Draws a figure from the text of a csv; returns the text of an svg.
 ///
 /// # Errors
 /// A column or a curve that the csv does not have, a curve in it that no panel draws, a cell that
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn the_same_input_gives_the_same_bytes_and_nothing_that_is_no_number() {
+    fn the_same_input_gives_the_same_bytes_without_nan() {
         let figure = figure(&["a", "b"], true);
         let svg = draw(&figure, CSV).unwrap();
         assert!(svg == draw(&figure, CSV).unwrap());
@@ -151,7 +151,7 @@ mod tests {
             frame.iter().fold((600.0_f64, 0.0_f64), |(t, f), p| (t.min(p.1), f.max(p.1)));
         assert!(foot > top + 350.0);
         let curves = lines(&svg, "stroke-width=\"2\"");
-        // b leaves by the foot and comes back.
+        // b leaves at the foot and returns.
         assert_eq!(curves.len(), 3);
         for curve in curves {
             assert!(curve.iter().all(|point| (top..=foot).contains(&point.1)), "{curve:?}");
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_and_what_would_be_lost_is_named() {
+    fn missing_columns_and_curves_that_no_panel_draws_are_refused() {
         assert!(message(&figure(&["a"], false), "").contains("column `x`"));
         assert!(message(&figure(&["a"], false), "curve,x,z\na,1,2\n").contains("column `y`"));
         assert!(message(&figure(&["a", "b", "nobody"], false), CSV).contains("`nobody`"));
@@ -174,7 +174,7 @@ mod tests {
         let with = draw(&figure, CSV).unwrap();
         figure.panels[0].curves.iter_mut().for_each(|curve| curve.label.clear());
         let without = draw(&figure, CSV).unwrap();
-        // A marker is its rim and itself.
+        // A marker is drawn as its rim and its shape.
         for (tag, more) in [("stroke-dasharray", 1), ("<path", 4), (">b</text>", 1)] {
             assert_eq!(with.matches(tag).count(), without.matches(tag).count() + more, "{tag}");
         }
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn areas_marks_and_strips_are_drawn_with_their_words() {
+    fn areas_marks_and_strips_are_drawn_with_their_labels() {
         let csv = "curve,x,y\na,0,1\na,1,2\nlow,0,0.5\nlow,1,1\nhigh,0,2\nhigh,1,9\n";
         let mut figure = figure(&["a"], false);
         let panel = &mut figure.panels[0];

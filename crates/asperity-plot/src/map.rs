@@ -1,4 +1,4 @@
-//! A map of numbers as an image: with a scale bar for its lengths and a bar of colours.
+//! A map of numbers as an image, with a scale bar for its lengths and a bar of colours.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn bars_and_words_are_there() {
+    fn maps_have_bars_and_labels() {
         let svg = draw_map(&map()).unwrap();
         for word in ["where it touches", ">1 µm<", "pressure (GPa)", "white: no contact", ">0.2<"]
         {
@@ -214,7 +214,7 @@ mod tests {
         assert_eq!(reader.info().palette.as_ref().map(|all| all.len()), Some(768));
     }
 
-    /// Relative luminance falls all the way: the map reads in grey.
+    /// Relative luminance falls with the value, so the map can be read in grey.
     #[test]
     fn colours_darken_and_stand_off_white() {
         let light = |k: u8| {
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_that_cannot_be_are_refused() {
+    fn maps_with_unfit_rows_or_lengths_are_refused() {
         for wrong in [
             Map { columns: 4, ..map() },
             Map { columns: 0, ..map() },

@@ -42,7 +42,7 @@ const DARK: f64 = 0.55;
 /// Draws a matrix; returns the text of an svg.
 ///
 /// # Errors
-/// When there are no cells, or not as many as rows and columns ask for.
+/// When there are no cells, or another number than rows times columns.
 pub fn draw_matrix(matrix: &Matrix) -> Result<String, PlotError> {
     let (rows, columns) = (matrix.rows.len(), matrix.columns.len());
     let fit = matrix.cells.len() == rows && matrix.cells.iter().all(|row| row.len() == columns);
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn every_word_is_drawn_and_dark_cells_have_white_text() {
+    fn all_texts_are_drawn_and_dark_cells_have_white_text() {
         let [light, dark] = [0.0, 1.0].map(|shade| draw_matrix(&matrix(shade)).unwrap());
         for text in ["gauss", "64", "ours", "far-tail", "10⁻¹³", "1 of 7", "One.", "a &lt; b"] {
             assert!(light.contains(text), "{text}");

@@ -22,7 +22,7 @@ const FINE_GRID: RGBColor = RGBColor(242, 242, 242);
 const STRIP: f64 = 0.11;
 /// Length of a tick; its number stands as far beyond it.
 const TICK_LENGTH: f64 = 4.7;
-/// Between reference lines and their labels.
+/// Distance between reference lines and their labels.
 const GAP: f64 = 5.0;
 /// Dash and gap of the line across a jump.
 const SPARSE: [f64; 2] = [2.0, 6.0];

@@ -1,6 +1,6 @@
-//! One axis made definite: its ends, its ticks, and where a number falls on it. plotters' meshes
-//! are drawn from it; plotters' own logarithmic axis has no labels within a decade and no lines
-//! before the first one, and its key points want numbers that are not tiny.
+//! One axis with its ends, ticks and positions, from which plotters draws its grid. plotters' own
+//! logarithmic axis has no labels within a decade and no lines before the first one, and its key
+//! points fail for tiny numbers.
 
 use std::ops::Range;
 
@@ -31,8 +31,8 @@ pub(crate) struct Ruler {
 }
 
 impl Ruler {
-    /// Fixes the ends of an axis by its range or else by the values on it, with air beyond them if
-    /// asked for, and at most this many ticks.
+    /// The axis with ends from its range, or else from the values on it, with room beyond them if
+    /// `air` is true, and with at most `most` ticks.
     pub(crate) fn new(
         axis: &Axis,
         values: impl Iterator<Item = f64>,
@@ -68,7 +68,7 @@ impl Ruler {
         Ok(ruler)
     }
 
-    /// Sets the ends apart, with some air; zero stays where it is the natural end.
+    /// Separates equal ends and adds room beyond them; 0 stays the end if it is the natural one.
     fn widen(&mut self, air: bool) {
         let (low, high) = (self.low, self.high);
         if high - low <= 1e-9 * low.abs().max(high.abs()) {
@@ -110,7 +110,7 @@ impl Ruler {
         }
     }
 
-    /// Where a number of the csv stands along the axis.
+    /// The position of a number of the csv along the axis.
     fn along(&self, value: f64) -> f64 {
         let shown = value * self.multiply;
         match (self.log, self.exponent) {

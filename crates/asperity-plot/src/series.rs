@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn empty_cells_and_what_is_not_finite_split_a_curve_and_quotes_are_read() {
+    fn empty_and_infinite_cells_split_a_curve_and_quotes_are_read() {
         let csv = "curve,x,y\n\"a, b\",0,1\n\"a, b\",1,\n\"a, b\",2,3\nc,0,1\nc,1,NaN\nc,2,2\n";
         let table = Table::read(csv).unwrap();
         let panel = panel(&["a, b", "c"]);
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_in_a_number_column_is_named_with_its_line() {
+    fn a_text_in_a_column_of_numbers_is_refused_with_its_line() {
         let table = Table::read("curve,x,y\na,abc,1\n").unwrap();
         let panel = panel(&["a"]);
         let refused = curves(&panel, &table).err().map(|error| error.to_string()).unwrap();

@@ -118,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_two_of_fifteen_look_alike_in_grey_or_without_markers() {
+    fn fifteen_looks_differ_in_grey_and_without_markers() {
         let curves: Vec<Curve> = (0..15).map(|look| Curve::new(look, "", "")).collect();
         for (k, a) in curves.iter().enumerate() {
             for b in &curves[k + 1..] {

@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_is_wrapped_within_the_width_and_loses_no_word() {
+    fn text_is_wrapped_within_the_width_without_losses() {
         let text = "one two three four five six seven eight nine ten";
         let lines = wrap(text, 40.0, 400.0);
         assert!(lines.len() > 1);

@@ -84,7 +84,7 @@ pub(crate) fn marker_places(
             own.extend(found.unwrap_or_default());
         }
         if own.is_empty() {
-            // Anywhere, from the middle outwards.
+            // At any free place, from the middle outwards.
             let samples = sampled(parts, 1.5);
             let (early, late) = samples.split_at(samples.len() / 2);
             own.extend(late.iter().chain(early.iter().rev()).find(|point| free(**point, &[])));
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn simplifying_keeps_corners_and_drops_what_is_straight() {
+    fn simplifying_keeps_corners_and_drops_points_of_straight_lines() {
         let mut points: Vec<Point> = (0..100).map(|i| (f64::from(i), 0.0)).collect();
         points.extend((1..100).map(|i| (99.0, f64::from(i))));
         assert_eq!(simplified(&points), [(0.0, 0.0), (99.0, 0.0), (99.0, 99.0)]);

@@ -11,8 +11,8 @@
 //! For every q, I is an entire function of s, and smooth in c: it is sampled at a few s, and a
 //! polynomial through these samples then gives I without a sample of q.
 //!
-//! 1. adaptive discretisation replaces q(t) φ(s + t) by point masses, on panels that end at the kinks and
-//!    are refined until a Legendre tail shows that they are resolved;
+//! 1. adaptive discretisation replaces q(t) φ(s + t) by point masses, on panels that end at the
+//!    kinks and are refined until a Legendre tail shows that they are resolved;
 //! 2. the sums over these hundreds of masses at Chebyshev's points of a short range of s (and of
 //!    scales, for [`AnyScale`]) become a polynomial of 8 to 16 terms; the terms left out are
 //!    computed, and bound the error;

@@ -104,7 +104,7 @@ fn force_area_and_tangent_are_those_of_tanh_sinh() {
                 let many = many.evaluate(quantity, row.separation);
                 let once = once.as_ref().map(|found| found[k]);
                 for (way, found) in [("series", many.as_ref().ok()), ("once", once.as_ref().ok())] {
-                    // Places 2e-4 below a pole at 1.4 are rounded by more than 1e-12 of that.
+                    // 2e-4 below a pole at 1.4, places are rounded by over 1e-12 of the distance.
                     let next_to_a_pole = row.heights == "beta(0.5,0.5)" && row.separation > 1.41;
                     let allowed = if next_to_a_pole { tolerance.max(3e-12) } else { tolerance };
                     if let Some(what) = wrong(found, row.wanted[k], allowed) {
@@ -120,7 +120,7 @@ fn force_area_and_tangent_are_those_of_tanh_sinh() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
-/// What is wrong with an answer, if anything.
+/// The fault of a result, if any.
 fn wrong(found: Option<&Evaluation>, wanted: f64, tolerance: f64) -> Option<String> {
     let Some(found) = found else { return Some("refused".into()) };
     let off = (found.value() / wanted - 1.0).abs();

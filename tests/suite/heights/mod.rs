@@ -1,4 +1,4 @@
-//! Heights of every kind, against closed forms and against quadratures of their own.
+//! Heights of every kind, against closed forms and independent quadratures.
 
 mod densities;
 mod refused;
@@ -32,7 +32,7 @@ fn greenwood_integrals_have_fifteen_digits() {
         let [order, separation, wanted, ln_wanted] = row[..] else { panic!("{line}") };
         let found = greenwood_integral(order, separation).unwrap();
         close(found.value(), wanted, 1e-12, line);
-        // Logarithms lose what their size costs: s²/2 to half an ulp of 700, or 1e-12 of F.
+        // The rounding of large logarithms: half an ulp of 700, or 1e-12 of F.
         let error = (found.ln_value() - ln_wanted).abs();
         assert!(error < 1e-12 + 4e-16 * ln_wanted.abs(), "{line}: {}", found.ln_value());
         assert!(found.relative_error() < 1e-13, "{line}: {found:?}");
@@ -42,7 +42,7 @@ fn greenwood_integrals_have_fifteen_digits() {
 }
 
 #[test]
-fn greenwood_integrals_are_never_zero_nor_anything_but_numbers() {
+fn greenwood_integrals_are_positive_and_finite() {
     for order in [0.0, 0.3, 1.0, 1.5, 10.0] {
         for separation in [-1e6, -1e3, -64.5, -0.0, 0.0, 1e-300, 38.5, 60.0, 1e4, 1e9] {
             let found = greenwood_integral(order, separation).unwrap();
@@ -139,7 +139,7 @@ fn exponential_heights_below_their_beginning_meet_an_independent_quadrature() {
                     // exp(-50) is 2e-22 of the whole.
                     let wanted = by_quadrature(&model, &scene, quantity, d, (0.0, 50.0), |z| -z);
                     let what = format!("{name} {model} {quantity} at {d}");
-                    // 1e-12 asked on both sides.
+                    // Both sides have a tolerance of 1e-12.
                     close(value(&found, quantity, d), wanted, 3e-12, &what);
                 }
             }
@@ -148,9 +148,9 @@ fn exponential_heights_below_their_beginning_meet_an_independent_quadrature() {
 }
 
 #[test]
-fn laws_that_grow_as_high_powers_count_far_out_in_exponential_heights() {
+fn laws_that_grow_as_high_powers_are_integrated_far_out() {
     // Jackson and Green's area grows as w^(0.14 exp(23 S_y/E)): the 14th power of w here, whose
-    // mean comes of heights around 15 σ_z.
+    // mean comes from heights around 15 σ_z.
     let mut scene = on("mild", HeightDistribution::Exponential);
     scene.interface.hardness = Some(2.8 * 0.2 * scene.interface.equivalent_modulus);
     scene.surface.asperity_height_std = 4.0 * scene.asperity().unwrap().radius;
@@ -164,7 +164,7 @@ fn laws_that_grow_as_high_powers_count_far_out_in_exponential_heights() {
 }
 
 #[test]
-fn the_tangent_for_exponential_heights_knows_where_they_begin() {
+fn the_tangent_for_exponential_heights_includes_their_jump() {
     let scene = on("at-paper", HeightDistribution::Exponential);
     for model in upright() {
         let found = compiled(&model, &scene, &[Quantity::Force, Quantity::Tangent], 1e-13);
@@ -271,7 +271,7 @@ fn uniform_heights_have_a_closed_form_and_an_end() {
         for quantity in ASKED {
             for d in [1.7321, 2.0, 1e9] {
                 let none = found.evaluate(quantity, d).unwrap();
-                // Nothing is as high as the flat: exact, not small.
+                // No asperity reaches the flat: exactly 0.
                 assert!(
                     none.value().abs() < f64::MIN_POSITIVE && none.scaled.to_bits() << 1 == 0,
                     "{none:?}"

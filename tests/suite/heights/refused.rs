@@ -1,4 +1,4 @@
-//! Densities that are none, or that cannot be integrated: named errors, no panic and no 0.
+//! Invalid densities, and densities without an integral: named errors, no panic and no 0.
 
 use asperity::{
     Case, HeightDistribution, Heights, Quantity, StandardisedHeights, Sweep, Tolerance,
@@ -48,7 +48,7 @@ impl Heights for Own {
     }
 }
 
-/// The errors of a density for value and tangent, prepared and not.
+/// The errors of a density for value and tangent, with and without preparation.
 fn refusals(heights: Own) -> Vec<String> {
     let scene = scene(HeightDistribution::other(heights));
     let mut messages = vec![];
@@ -65,7 +65,7 @@ fn refusals(heights: Own) -> Vec<String> {
 }
 
 #[test]
-fn what_is_no_density_is_refused_by_name() {
+fn invalid_densities_are_refused_by_name() {
     let half = |_: f64| 0.5;
     let infinite = f64::INFINITY;
     let cases = [
@@ -96,14 +96,14 @@ fn what_is_no_density_is_refused_by_name() {
 }
 
 #[test]
-fn integrals_without_an_end_are_refused_and_others_are_not() {
+fn divergent_integrals_are_refused_and_heavy_tails_are_not() {
     // z^-2.2 far out: the mean of w^1.5 is infinite.
     let tail = Own::new(|z| 0.6 * (1.0 + z.abs()).powf(-2.2), f64::NEG_INFINITY, f64::INFINITY);
     let scene_of = |heights| scene(HeightDistribution::other(heights));
     let found = compiled(&model("gw"), &scene_of(tail), &[Quantity::Force], 1e-10);
     let message = found.evaluate(Quantity::Force, 0.0).unwrap_err().to_string();
     assert!(message.contains("diverges"), "{message}");
-    // z^-4: it is not.
+    // z^-4: finite.
     let heights = StudentsT::new(0.0, 1.0, 3.0).unwrap();
     let heights =
         HeightDistribution::other(StandardisedHeights::new("students_t", heights, 1e-6).unwrap());
@@ -115,8 +115,8 @@ fn integrals_without_an_end_are_refused_and_others_are_not() {
 }
 
 #[test]
-fn too_small_is_no_zero() {
-    // Logarithms that were taken of densities end where those do.
+fn densities_that_underflow_are_refused() {
+    // The logarithm of a density ends where the density underflows.
     let gaussian = |z: f64| (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
     let own = Own::new(gaussian, f64::NEG_INFINITY, f64::INFINITY);
     let scene = scene(HeightDistribution::other(own));
@@ -136,7 +136,7 @@ fn too_small_is_no_zero() {
     assert!(far.scaled > 0.0 && far.ln_value().is_finite(), "{far:?}");
 }
 
-/// Force \[N\] of GW by an adaptive quadrature of its own, from z = place + side·u^4.
+/// Force \[N\] of GW by an independent adaptive quadrature, in z = place + side·u^4.
 fn hertz(density: impl Fn(f64) -> f64, d: f64, pieces: &[(f64, f64)]) -> f64 {
     let piece = |(place, to): &(f64, f64)| {
         let (side, length) = ((to - place).signum(), (to - place).abs());
@@ -171,7 +171,7 @@ fn declared_poles_inside_are_integrated() {
 }
 
 #[test]
-fn stretches_of_nothing_that_nobody_declared_are_found() {
+fn undeclared_gaps_in_a_density_are_found() {
     let density = |z: f64| if z.abs() > 1.0 && z.abs() < 2.0 { 0.5 } else { 0.0 };
     let own = Own::new(density, -2.5, 2.5);
     let asked = [Quantity::Force, Quantity::Tangent];
@@ -179,7 +179,7 @@ fn stretches_of_nothing_that_nobody_declared_are_found() {
     let found = compiled(&model("gw"), &scene, &asked, 1e-10);
     let unit = 4.0 / 3.0 * 116e9 * 3.6e-4f64.sqrt() * 1e-6f64.powf(1.5) * 1.1e8 * 3e-5;
     for d in [-5.0, -1.5, -0.4, 0.0, 1.0, 1.7] {
-        // ∫ (z-d)^p dz over both stretches.
+        // ∫ (z-d)^p dz over both parts.
         let integral = |p: f64| {
             let power = |z: f64| (z - d).max(0.0).powf(p + 1.0) / (p + 1.0);
             0.5 * (power(-1.0) - power(-2.0) + power(2.0) - power(1.0))

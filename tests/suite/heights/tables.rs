@@ -17,7 +17,7 @@ struct Term {
     exponent: f64,
 }
 
-/// The force laws of GW and KE for one asperity of the scene, written down anew.
+/// The force laws of GW and KE for one asperity of the scene, written independently.
 fn terms(model: &str) -> Vec<Term> {
     let (e, h, s, r) = (116e9, 1.12e9, 0.454 + 0.41 * 0.31, 3.6e-4f64);
     let term = |from, to, factor, exponent| Term { from, to, factor, exponent };
@@ -57,7 +57,7 @@ fn reference(points: &[(f64, f64)], terms: &[Term], d: f64) -> (f64, f64) {
             }
         }
     }
-    // Jumps of the law meet the density there.
+    // Jumps of the law times the density there.
     for two in terms.windows(2) {
         let w = two[0].to;
         let side = |t: &Term| t.factor * w.powf(t.exponent);
@@ -132,7 +132,7 @@ fn four_hundred_random_tables_have_the_tangents_of_closed_forms() {
                 for (k, wanted) in [force, tangent].into_iter().enumerate() {
                     for found in [many.evaluate(asked[k], separation).unwrap(), once[k]] {
                         let off = (found.value() / wanted - 1.0).abs();
-                        // The reference takes differences of heights next to the top.
+                        // Next to the top, the reference has the rounding of height differences.
                         let lost = 4e-15 * (d.abs() + std) / (top - d).min(std);
                         if off > 1e-10 + lost || off > found.relative_error() + lost {
                             let table = &table.points();
@@ -187,7 +187,7 @@ fn lengths_of_a_table_are_metres_on_every_scene() {
 }
 
 #[test]
-fn a_table_of_a_thousand_rows_answers_from_its_series_as_it_does_directly() {
+fn series_of_a_table_of_a_thousand_rows_equal_its_integrals() {
     let mut random = Random(4);
     let g = |z: f64| (-0.5 * z * z).exp() + 0.3 * (-2.0 * (z - 1.5) * (z - 1.5)).exp();
     let row = |k: i32| {

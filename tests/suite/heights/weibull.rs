@@ -30,7 +30,7 @@ fn a_skewness_of_two_is_exponential() {
                 let wanted = exponential.evaluate(quantity, d + 1.0).unwrap();
                 let error = (found.value() / wanted.value() - 1.0).abs();
                 let bound = found.relative_error() + wanted.relative_error();
-                // What is above the bound is the skewness itself, found to 1e-13 of 1/k.
+                // The excess over the bound is the error of the skewness, 1e-13 of 1/k.
                 assert!(error < bound + 1e-12, "{id} {quantity} {d}: {error:e} {bound:e}");
             }
         }
@@ -41,7 +41,7 @@ fn a_skewness_of_two_is_exponential() {
 fn force_area_and_tangent_are_those_of_mpmath() {
     let mut count = 0;
     for line in include_str!("../../reference/weibull.csv").lines().skip(1) {
-        // Some are below the smallest double: mantissas and exponents.
+        // Some underflow f64, so the values are mantissas and exponents.
         let ln = |text: &str| {
             let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
             mantissa.parse::<f64>().unwrap().ln() + LN_10 * exponent.parse::<f64>().unwrap()
@@ -54,17 +54,17 @@ fn force_area_and_tangent_are_those_of_mpmath() {
         let factors =
             [elastic * sigma.powf(1.5), PI * radius * sigma, 1.5 * elastic * sigma.sqrt()];
         let gw = compiled(&model("gw"), &scene, &ASKED, 1e-11);
-        // A skewness is found to 1e-12, and far in the tail that is felt.
+        // The skewness has an error of 1e-12, which matters far in the tail.
         let beside = compiled(&model("gw"), &self::scene(skewed(skewness + 1e-4)), &ASKED, 1e-11);
         for ((quantity, factor), column) in ASKED.into_iter().zip(factors).zip([3, 2, 4]) {
             let found = gw.evaluate(quantity, s).unwrap();
             let wanted = ln(fields[column]) + (factor * scene.asperities()).ln();
-            // What is below the doubles has a logarithm of some 1700, known to an ulp of that.
+            // Values that underflow f64 have logarithms of some 1700, rounded to an ulp.
             let rounding = 4.0 * f64::EPSILON * (4.0 + wanted.abs());
             let beside = beside.evaluate(quantity, s).unwrap().ln_value();
             let felt = 1e-12 * (beside - found.ln_value()).abs() / 1e-4;
             let error = (found.ln_value() - wanted).abs();
-            // What no double holds has no relative error but by its logarithm.
+            // Values that underflow f64 have a relative error through their logarithm only.
             let bound = if wanted < -700.0 { 1e-11 } else { found.relative_error() };
             assert!(
                 error < bound + rounding + felt,
@@ -78,7 +78,7 @@ fn force_area_and_tangent_are_those_of_mpmath() {
 }
 
 #[test]
-fn the_lowest_asperities_are_counted_whatever_the_slope_there() {
+fn the_lowest_asperities_are_counted_at_any_slope_of_the_density() {
     // Below all of them, everything is in contact: π R η A_n σ_z (m - d), for any density.
     let gw = model("gw");
     for step in 0..=120 {
@@ -99,7 +99,7 @@ fn heights_stretch_with_the_standard_deviation() {
     let tolerance = Tolerance::new(1e-10).unwrap();
     let mut second = first.clone();
     second.surface.asperity_height_std *= 2.5;
-    // The laws do not know σ_z: the compiled scene can be moved.
+    // The laws do not depend on σ_z, so the compiled scene can be moved.
     let anew = compiled(&model, &second, &ASKED, 1e-10);
     let moved = compiled(&model, &first, &ASKED, 1e-10).on(&second).unwrap();
     let sweep = Sweep::new(&*model, &ASKED, tolerance);

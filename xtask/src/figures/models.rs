@@ -59,4 +59,4 @@ pub fn kucharski() -> Result<Scene> {
 pub const INPUTS: &str = "E\u{a0}=\u{a0}116\u{a0}GPa and G\u{a0}=\u{a0}41\u{a0}GPa taken as equivalent moduli (inconsistent for equal materials), ν\u{a0}=\u{a0}0.31, H\u{a0}=\u{a0}1.12\u{a0}GPa, S\u{a0}=\u{a0}0.58, plasticity index 6, A_n\u{a0}=\u{a0}3·10⁻⁵\u{a0}m². Assumed: β_z\u{a0}=\u{a0}ηRσ_z\u{a0}=\u{a0}0.04, Gaussian heights, d measured from the mean of the asperity heights.";
 
 /// The meaning of the markers, for captions.
-pub const MARKERS: &str = "Markers tell the curves apart; they are not data points.";
+pub const MARKERS: &str = "Markers distinguish the curves; they are not data points.";

@@ -167,7 +167,7 @@ pub fn kucharski_figure(csv: &str) -> Result<Figure> {
     let points = if included {
         MARKERS
     } else {
-        "No measured points are included: markers tell the curves apart."
+        "No measured points are included: markers distinguish the curves."
     };
     Ok(figure(title, Quantity::Area, &curves, &[inputs, points]))
 }

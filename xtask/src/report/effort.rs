@@ -32,7 +32,7 @@ impl Effort {
     }
 }
 
-/// The median; `None` of no numbers.
+/// The median; `None` without numbers.
 #[must_use]
 pub fn median(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);

@@ -15,7 +15,7 @@ use asperity::Formula;
 use super::outcome::{Failure, Outcome};
 use super::problem::Problem;
 
-/// A library that was found.
+/// A library of this machine.
 pub struct External {
     /// Its name as a method.
     pub name: &'static str,

@@ -1,4 +1,4 @@
-//! The methods that are compared. Each turns a problem into a job that can be repeated.
+//! The compared methods. Each turns a problem into a job that can be repeated.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ pub enum Method {
     Rule,
     /// Adaptive. This and the next two are scaled against underflow and split at the kinks.
     GaussKronrod,
-    /// Levels until they agree.
+    /// Levels until two in a row agree.
     TanhSinh,
     /// A fixed rule between kinks.
     Split,

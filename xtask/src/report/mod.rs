@@ -53,7 +53,7 @@ pub fn write(scope: Scope, folder: &Path) -> Result<Vec<PathBuf>> {
     let throughput = throughput::measure(scope)?;
     bar.finish_and_clear();
     let text = markdown::text(&speed, &throughput, &libraries, &machine::description())?;
-    // Numbers first, because they took long and a picture can fail.
+    // Numbers first, because they take long and a picture can fail.
     let tables =
         [("speed-vs-error.md", text), ("speed-vs-error.csv", speed), ("hard-cases.csv", hard)];
     let mut paths = save(folder, tables.map(|(name, text)| (name.to_owned(), text)))?;

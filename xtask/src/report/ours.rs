@@ -16,7 +16,7 @@ use super::outcome::{Failure, Job, Outcome};
 use super::points::{SEPARATIONS, scenes};
 use super::problem::{Asked, Problem, is_slope, law_behind};
 
-/// Compiled scenes and rules, by all that they depend on.
+/// Compiled scenes and rules, by everything they depend on.
 #[derive(Debug, Default)]
 pub struct Laws {
     scenes: Cache<dyn Contact>,
@@ -26,7 +26,7 @@ pub struct Laws {
 /// Shared values by their names.
 type Cache<T> = Mutex<HashMap<String, Arc<T>>>;
 
-/// The cached value, or a new one; of two made by different threads the first stays.
+/// The cached value, or a new one; if two threads make one, the first stays.
 fn find_or<T: ?Sized>(
     cache: &Cache<T>,
     key: String,

@@ -13,14 +13,14 @@ pub struct Outcome {
     pub evaluations: Option<usize>,
 }
 
-/// The reason why a method gave no number.
+/// The reason for a missing number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Failure {
     /// The method reports that it missed its tolerance.
     NotConverged,
     /// A value was infinite or NaN.
     NotFinite,
-    /// It returned 0 for a value other than 0.
+    /// The result is 0 for a value other than 0.
     Zero,
 }
 
@@ -45,5 +45,5 @@ impl From<QuadratureError> for Failure {
     }
 }
 
-/// A prepared problem: all that is done once has been done.
+/// A prepared problem: one-time work is done.
 pub type Job = Box<dyn Fn() -> Result<Outcome, Failure> + Send + Sync>;

@@ -17,7 +17,7 @@ pub const SEPARATIONS: [f64; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
 /// same on all.
 ///
 /// # Errors
-/// None, as long as the asperity is the paper's.
+/// Only if the paper's asperity is refused.
 pub fn scenes() -> Result<Vec<Scene>> {
     let radius = 3.6e-4;
     let scene = |std: f64| Scene::new(interface(), Surface::new(radius, 1e8, std), NOMINAL_AREA);
@@ -39,7 +39,7 @@ pub fn points(model: &Model, quantity: Quantity) -> Result<Vec<Arc<Problem>>> {
         let asked = Asked { model: model.clone(), quantity, scene, separation };
         Arc::new(Problem { asked, law: law.clone() })
     };
-    // 23 has no factor in common with 56, so that every point comes once.
+    // 23 and 56 have no common factor, so every point occurs once.
     Ok((0..count).map(|k| point(k * 23 % count)).collect())
 }
 

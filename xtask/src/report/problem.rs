@@ -10,7 +10,7 @@ use asperity_quadrature::reach;
 
 /// 1/√(2π).
 const INV_SQRT_2PI: f64 = 0.398_942_280_401_432_7;
-/// Densities are followed down to exp(-CUT) of their largest value, as the engine does.
+/// Densities below exp(-CUT) of their largest value are left out, as in the engine.
 const CUT: f64 = 46.0;
 
 /// A model's quantity in a scene at one separation.
@@ -141,7 +141,7 @@ impl Problem {
         if self.slope() { weight * (s + t) } else { weight }
     }
 
-    /// The plain integrand at height z \[m\], without scaling, as a script would have it.
+    /// The plain integrand at height z \[m\], without scaling, as in a script.
     #[must_use]
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();

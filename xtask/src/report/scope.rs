@@ -26,7 +26,7 @@ impl Scope {
     /// The pairs of model and quantity.
     ///
     /// # Errors
-    /// None, as long as the names of models are right.
+    /// Only if a model's name is unknown.
     pub fn pairs(self) -> Result<Vec<(Model, Quantity)>> {
         let (models, quantities) = match self {
             Self::Full => (Model::all(), &INTEGRALS[..]),

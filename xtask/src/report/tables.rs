@@ -250,7 +250,7 @@ impl Run<'_> {
 pub const BEFORE: [&str; 6] =
     ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
 
-/// The mean; `None` of no numbers.
+/// The mean; `None` without numbers.
 fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
     let (count, sum) = counts.fold((0, 0), |(count, sum), n| (count + 1, sum + n));
     (count > 0).then(|| sum as f64 / f64::from(count))

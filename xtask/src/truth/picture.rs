@@ -21,7 +21,7 @@ pub enum Shown {
 }
 
 impl Shown {
-    /// Both.
+    /// Area and stiffness.
     pub const ALL: [Self; 2] = [Self::Area, Self::Stiffness];
 
     /// Name of the files.

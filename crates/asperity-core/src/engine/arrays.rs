@@ -1,4 +1,4 @@
-//! Values of many separations in plain arrays: a few nanoseconds each, with one bound for all.
+//! Values at many separations in plain arrays: a few nanoseconds each, with one bound for all.
 
 use asperity_quadrature::{Column, ColumnAccuracy};
 
@@ -8,9 +8,9 @@ use crate::request::quantity_table::Derivation;
 use crate::response::row_check::CANCELLED;
 use crate::{At, Contact, ContactError, Quantity};
 
-/// Values that fall back together to one at a time, if one of them has to.
+/// Number of values computed one by one if an array of them is not possible.
 const FALLBACK_BLOCK: usize = 16_384;
-/// Below this, slopes are small differences of large integrals and each is held to its tolerance.
+/// Below this, slopes are small differences of large integrals, and each must meet the tolerance.
 const DEEP: f64 = -8.0;
 
 /// Bounds on all values of plain arrays.
@@ -24,7 +24,7 @@ pub struct FillReport {
 }
 
 impl FillReport {
-    /// Whether parts cancel in some value so far that an answer would warn of it.
+    /// Whether parts cancel in some value enough for a warning.
     #[must_use]
     pub fn cancels(&self) -> bool {
         self.condition > CANCELLED
@@ -62,7 +62,7 @@ pub(crate) fn fill(
     Ok(report)
 }
 
-/// Whether the columns are as many as the quantities, and as long as the separations.
+/// Refuses columns of another number than the quantities, or another length than the separations.
 fn check(
     quantities: &[Quantity],
     separations: &[f64],
@@ -117,7 +117,7 @@ fn multiple(
     (normal && !(slope && lowest < DEEP)).then_some(report)
 }
 
-/// The law, whether its slope is meant, and the factor, for a multiple of an integral.
+/// The law, whether the slope is required, and the factor, for a multiple of an integral.
 fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f64)> {
     let scene = &prepared.scene;
     match quantity.derivation() {

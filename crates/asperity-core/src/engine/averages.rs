@@ -1,5 +1,5 @@
-//! The averages of a scene's laws over its heights: one trait, whether they are prepared for many
-//! separations or made for one, and what follows from them for both: places, shares, inversion.
+//! The averages of a scene's laws over its heights: one trait for averages prepared for many
+//! separations and for single ones, with places, shares and inversion for both.
 
 use std::sync::Arc;
 
@@ -34,7 +34,7 @@ pub(crate) trait Averages<'s> {
         slope: bool,
     ) -> Result<Moments, ContactError>;
 
-    /// The same with the factor that makes it a quantity of the scene, settled at this place.
+    /// The same with the factor that makes it a quantity of the scene, made for this place.
     #[inline]
     fn settled(
         &mut self,
@@ -58,21 +58,22 @@ pub(crate) trait Averages<'s> {
     /// Whether the heights meet only a rising part of the law of the force from this separation on.
     fn rises_above(&self, s: f64) -> Result<bool, ContactError>;
 
-    /// Where the law of the force falls, if it does: the force may then rise with the separation.
+    /// The falls of the law of the force, if there are any: the force may then rise with the
+    /// separation.
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError>;
 
     /// The force's integral and slope at s, to guide a search: with a slope also where its bound
     /// exceeds the tolerance.
     fn guide(&self, s: f64) -> Result<Moments, ContactError>;
 
-    /// Makes the integrals for s itself where they were made too far from it for their bounds;
+    /// Makes the integrals for s if they were made too far from it for their bounds to hold;
     /// returns whether there were any.
     fn settle(&mut self, _base: Quantity, _place: (f64, At)) -> Result<bool, ContactError> {
         Ok(false)
     }
 
     /// # Errors
-    /// [`ContactError::NotRequested`] for a quantity that nothing was prepared for.
+    /// [`ContactError::NotRequested`] for a quantity without a prepared law.
     fn check_requested(&self, _quantity: Quantity) -> Result<(), ContactError> {
         Ok(())
     }
@@ -99,7 +100,7 @@ pub(crate) fn place_of_load<'s>(
 ) -> Result<Place, ContactError> {
     let value = check_load(field, value, averages.laws().adhesive)?;
     let target = target(averages, value * area)?;
-    // Above a separation from which the heights meet only a rising law, a load is carried once.
+    // Where the heights meet only a rising law, one separation carries the load.
     let subtracts = averages.laws().law(Quantity::Force).is_some_and(|law| law.is_signed());
     if target.load > 0.0
         && !subtracts
@@ -121,7 +122,7 @@ pub(crate) fn all_places_of_load<'s>(
     let Some(falls) = averages.falls()? else { return Ok(vec![largest]) };
     let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
     let mut found = target(averages, load)?.crossings(&force, false)?;
-    // The same number as that of the load alone.
+    // The same digits as `separation_at`.
     found[0] = largest;
     found.reverse();
     Ok(found)
@@ -132,7 +133,7 @@ pub(crate) fn place_of_pull_off<'s>(
     averages: &mut impl Averages<'s>,
 ) -> Result<Option<f64>, ContactError> {
     let Some(falls) = averages.falls()? else { return Ok(None) };
-    // Far out in the tail of the heights adhesion always prevails, by forces that are no numbers.
+    // Far out in the tail of the heights adhesion always prevails, with forces that underflow f64.
     let ln_least = target(averages, -1.0)?.ln_least();
     let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
     let least = force.largest(-1.0, ln_least)?;

@@ -1,8 +1,8 @@
-//! A scene with the place of a question.
+//! A scene with a separation or a load.
 
 use crate::{At, Scene};
 
-/// A scene, and where it is asked about.
+/// A scene at one separation or load.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Case {

@@ -1,5 +1,5 @@
-//! The integrals of one case: shared where parts recur in other cases, otherwise made for the
-//! separation asked for.
+//! The integrals of one case: shared if parts recur in other cases, otherwise made for its
+//! separation.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -16,12 +16,12 @@ use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::error::integral_failed;
 use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
 
-/// Within this distance of where an integral was made, its bound holds as well as there.
+/// The distance in s within which the bound of an integral holds.
 const SETTLED: f64 = 1e-3;
 
 /// How the integral of one part is obtained.
 enum PartIntegral {
-    /// It recurs: rules for any scale.
+    /// For a part that recurs: rules for any scale.
     Shared(Rc<LocalShape>),
     /// Made for one s, and kept for its neighbourhood.
     Alone(Option<Nearby>),
@@ -47,7 +47,7 @@ pub(crate) struct CaseIntegrals<'c> {
 }
 
 impl<'c> CaseIntegrals<'c> {
-    /// The integrals of a scene of its own.
+    /// The integrals of a single scene.
     pub(crate) fn alone(
         scene: &'c Scene,
         laws: &'c Laws,
@@ -233,8 +233,8 @@ impl LawIntegrals<'_> {
         Ok(onset.widened(given, sum))
     }
 
-    /// Makes integrals anew that were made too far from s for their bounds to hold; returns whether
-    /// there were any.
+    /// Makes integrals for s if they were made too far from it for their bounds to hold; returns
+    /// whether there were any.
     fn settle(&mut self, s: f64, tolerance: Tolerance) -> Result<bool, QuadratureError> {
         let (mut moved, s) = (false, self.units.onset.shifted(s));
         for (part, source) in self.law.parts.iter().zip(&mut self.sources) {

@@ -9,7 +9,7 @@ use crate::engine::inverse::force_at::Falls;
 use crate::engine::onset::Onset;
 use crate::{ContactError, Law, Quantity, Scene, Tolerance};
 
-/// Powers of scales w_c/σ_z outside overflow f64, and no surface has them.
+/// Range of scales w_c/σ_z: powers of others overflow f64, and no surface has them.
 const SCALES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// The integral of one law.
@@ -33,7 +33,7 @@ pub(crate) struct Units {
     pub(crate) factor: f64,
     /// Interference unit over σ_z.
     pub(crate) scale: f64,
-    /// Where the law onset.
+    /// The onset of the law.
     pub(crate) onset: Onset,
 }
 
@@ -68,7 +68,7 @@ impl Channel {
         Ok(Self { base, law, units, total, parts, falls, scene, tolerance })
     }
 
-    /// Where the law falls, if it does.
+    /// The falls of the law, if there are any.
     pub(crate) fn falls(&self) -> Option<Arc<Falls>> {
         let of = || Falls::of(&self.law, &self.scene, self.tolerance).map(Arc::new);
         self.falls.get_or_init(of).clone()

@@ -1,4 +1,4 @@
-//! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g: one door for the engine.
+//! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g.
 
 use std::sync::{Arc, LazyLock, OnceLock};
 
@@ -15,12 +15,12 @@ use crate::{HeightDistribution, Law, Scene};
 /// dimensionless s.
 #[derive(Debug)]
 pub(crate) struct HeightIntegral {
-    /// Where the density onset.
+    /// The onset of the density.
     onset: Onset,
     over: HeightKind,
 }
 
-/// The same, of s as seen from where the density onset.
+/// The same, with s counted from the onset of the density.
 #[derive(Debug)]
 enum HeightKind {
     Gaussian(Gaussian),
@@ -81,7 +81,7 @@ impl HeightIntegral {
         }
     }
 
-    /// I(s) alone, without the slope where that saves work.
+    /// I(s), without the slope if that saves work.
     #[inline]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match &self.over {
@@ -140,7 +140,7 @@ impl HeightIntegral {
         found.or_else(|_| Ok(Moments { slope: f64::NAN, ..self.value(s)? }))
     }
 
-    /// I(s), and -dI/ds if `slope` is set, with nothing prepared for other s.
+    /// I(s), and -dI/ds if `slope` is set, without preparation for other s.
     pub(crate) fn once(&self, s: f64, slope: bool) -> Result<Moments, QuadratureError> {
         self.answer(s, Extent { slope, many: false })
     }
@@ -156,28 +156,28 @@ impl HeightIntegral {
         if extent.slope || !self.onset.is_nonzero() {
             return Ok(self.onset.widened(s, integrate(extent)?));
         }
-        // The slope bounds the effect of a rounded s on the value: roughly is enough.
+        // The slope bounds the effect of a rounded s on the value: a rough one suffices.
         let found = integrate(Extent { slope: true, ..extent });
         let found = found.or_else(|_| integrate(Extent { slope: false, many: false }))?;
         Ok(self.onset.widened(s, found))
     }
 }
 
-/// The extent of a question to an integral.
+/// The extent of a request to an integral.
 #[derive(Debug, Clone, Copy)]
 struct Extent {
     slope: bool,
-    /// Whether others nearby will follow.
+    /// Whether requests at other s will follow.
     many: bool,
 }
 
-/// Below this s a slope is a small difference of large integrals: so much finer an integral of so
-/// much finer a law has enough digits left, to s = -64 or so.
+/// Below this s a slope is a small difference of large integrals: with a finer law and a finer
+/// integral by this factor, enough digits are left down to about s = -64.
 const DEEP: f64 = -8.0;
 const FINER_BELOW: f64 = 0.01;
 
-/// `found`, an integral at s with its slope; if that misses the tolerance, one that meets it, if
-/// there is one.
+/// `found`, an integral at s with its slope, or a finer integral if its slope misses the tolerance
+/// and the finer one meets it.
 #[inline]
 pub(crate) fn with_slope_within(
     found: Moments,
@@ -214,7 +214,7 @@ impl Gaussian {
     }
 }
 
-/// An integral over heights whose density is followed, directly or by its cells.
+/// An integral over heights with any density, directly or by its cells.
 #[derive(Debug)]
 pub(crate) struct OverlapIntegral {
     overlap: Arc<Overlap>,
@@ -243,8 +243,8 @@ static EXPONENTIAL: LazyLock<Result<Arc<Weight>, QuadratureError>> = LazyLock::n
     Weight::new("the exponential density", ln, (0.0, f64::INFINITY), &[], 0.0).map(Arc::new)
 });
 
-/// Far below, the integral is this much more exact than a slope that is a difference of two: by as
-/// much as a thousand σ_z take away.
+/// Tolerance of an integral over that of its slope, a difference of two integrals far below 0: a
+/// separation of a thousand σ_z takes away as much.
 const FINER: f64 = 1e-3;
 
 /// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
@@ -289,7 +289,7 @@ impl Exponential {
         self.by_parts(finer, weight, s, extent)
     }
 
-    /// By parts: moving the surface moves the lowest asperity, which is at -s.
+    /// The slope by parts: it includes the lowest asperity, at -s.
     fn by_parts(
         &self,
         integral: &OverlapIntegral,

@@ -1,4 +1,4 @@
-//! Answers to a list of places: prepared and in runs, or row by row with nothing prepared.
+//! Responses for a list of places: prepared and in runs, or row by row without preparation.
 
 use asperity_quadrature::Moments;
 
@@ -11,15 +11,15 @@ use crate::request::separation::Place;
 use crate::response::{Cell, respond};
 use crate::{At, ContactError, HeightDistribution, Quantity, Request, Response, Scene, Share};
 
-/// Rows whose integrals are made together: they stay in the fastest memory.
+/// Rows of a run, whose integrals are made together and stay in the cache.
 const ROWS_PER_RUN: usize = 256;
-/// Rows for which nothing is worth preparing: a rule costs some ten of them.
+/// Rows too few for preparation: a rule costs about ten of them.
 const FEW: usize = 4;
 /// Series in the separation, for other heights, begin anew at every break of the density; each
 /// costs as much as some thirty rows.
 const FEW_BETWEEN_BREAKS: usize = 32;
 
-/// Whether a request has so few rows that preparing anything costs more than it saves.
+/// Whether a request has too few rows for preparation to save time.
 pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     let few = match &scene.heights {
         HeightDistribution::Weibull(_) => 2 * FEW_BETWEEN_BREAKS,
@@ -31,10 +31,10 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     request.at.len() <= few && !request.shares
 }
 
-/// Answers a request with nothing prepared, row by row.
+/// The response to a request, row by row without preparation.
 ///
 /// # Errors
-/// For a scene that no row can be answered on.
+/// A scene that is refused for every row.
 pub(crate) fn answer_alone(
     facts: &Facts,
     scene: &Scene,
@@ -57,14 +57,14 @@ pub(crate) fn answer_alone(
     Ok(answer(facts, scene, request, cells, alone))
 }
 
-/// Answers a request with prepared integrals.
+/// The response to a request from prepared integrals.
 pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
     let columns = |places: &[At]| columns(prepared, &request.quantities, places);
     let cells = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
     answer(&prepared.facts, &prepared.scene, request, cells, || Ok(prepared))
 }
 
-/// Puts columns together; `averages` answers what else the response needs.
+/// A response from its columns; its other parts come from `averages`.
 fn answer<'s, A: Averages<'s>>(
     facts: &Facts,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! The one integral: laws averaged over heights, and loads turned back into separations.
+//! Laws averaged over heights, and the separations of loads.
 
 pub(crate) mod arrays;
 pub(crate) mod averages;

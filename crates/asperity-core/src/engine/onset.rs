@@ -1,5 +1,5 @@
-//! The onset of a law: below w = 0 where adhesion holds an asperity that is pulled away, above it
-//! where the first contacts are lost.
+//! The onset of a law: below w = 0 if adhesion holds an asperity that is pulled away, above 0 if
+//! the first contacts are lost.
 //!
 //! With x counted from the onset w₀, and s too, the integral is the usual one:
 //! ```text
@@ -41,7 +41,7 @@ impl Onset {
         moments
     }
 
-    /// The same of a second derivative, whose own slope is three powers of s to its two.
+    /// The same for a second derivative, whose slope has three powers of s where it has two.
     pub(crate) fn widened_curvature(self, s: f64, mut curvature: Curvature) -> Curvature {
         if self.is_nonzero() {
             curvature.error += self.rounding(s) * (self.shifted(s).max(0.0) + 3.0);

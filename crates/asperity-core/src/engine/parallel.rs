@@ -1,6 +1,6 @@
-//! Work on all cores, in order, where there are threads.
+//! Work on all cores, in order, on platforms with threads.
 
-/// From 2048 rows on runs of 512 are handed out; with fewer, handing them out costs more.
+/// From 2048 rows on, threads get runs of 512; fewer rows cost more in threads than alone.
 pub(crate) const MANY: (usize, usize) = (2048, 512);
 
 /// The columns that `f` returns for runs of items, joined in order: `least` items or more are
@@ -34,7 +34,7 @@ pub(crate) fn map_runs<T: Sync, R: Send>(
     items.par_chunks(length).flat_map_iter(f).collect()
 }
 
-/// Both, at the same time where there are threads.
+/// Both results, computed at the same time on platforms with threads.
 #[cfg(feature = "rayon")]
 pub(crate) fn both<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,

@@ -1,4 +1,4 @@
-//! The plan of an answer: integrals, terms of their polynomials, and parts that are left out.
+//! The plan of a request: integrals, terms of their polynomials, and parts that are left out.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::engine::prepared::Prepared;
 use crate::error::integral_failed;
 use crate::{At, ContactError, HeightDistribution, Part, Quantity, Request};
 
-/// How an integral over the heights is done.
+/// The method of an integral over the heights.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -79,9 +79,9 @@ pub struct Plan {
     pub heights: String,
     /// Relative tolerance.
     pub tolerance: f64,
-    /// How many separations or loads were asked about.
+    /// Number of separations or loads.
     pub rows: usize,
-    /// The smallest separation and the largest, as they were asked for.
+    /// The smallest and the largest separation, in the caller's units.
     pub range: Option<(At, At)>,
     /// The integrals.
     pub steps: Vec<Step>,

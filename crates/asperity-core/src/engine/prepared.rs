@@ -15,7 +15,7 @@ use crate::{
     AsperityModel, At, ContactError, Diagnostic, Law, Quantity, Request, Scene, Tolerance,
 };
 
-/// The part of a question that does not depend on the surface.
+/// The part of a request that does not depend on the surface.
 #[derive(Debug)]
 pub(crate) struct Facts {
     pub(crate) model: String,

@@ -1,4 +1,4 @@
-//! From integrals to quantities: the only path, for a value, a list, a load and a sweep.
+//! Quantities from integrals, for single values, lists, loads and sweeps.
 
 use asperity_quadrature::Moments;
 
@@ -16,7 +16,7 @@ pub(crate) trait Integrals {
     fn share(&mut self, regime: Regime) -> Result<(f64, f64), ContactError>;
 }
 
-/// The place of a reading, and what else a quantity depends on beside the integrals.
+/// The place of a reading, with the inputs of quantities other than the integrals.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reading<'s> {
     pub(crate) scene: &'s Scene,
@@ -131,14 +131,14 @@ impl Reading<'_> {
         let force = self.value(Quantity::Force, integrals)?;
         self.number(quantity, force.ln_value())?;
         let (share, size) = integrals.share(regime)?;
-        // Each part is as good as the tolerance, and so is the force that divides it.
+        // Each part has the error of the tolerance, and so has the force that divides it.
         let error = self.tolerance.relative() + force.cancelled();
         // A force of unknown size has no shares.
         self.number(quantity, error)?;
         Ok(Evaluation::absolute(share, size * error))
     }
 
-    /// Ratios and logarithms have no value where nothing is in contact.
+    /// Ratios and logarithms have no value without a contact.
     fn number(&self, quantity: Quantity, value: f64) -> Result<f64, ContactError> {
         match value.is_finite() {
             true => Ok(value),

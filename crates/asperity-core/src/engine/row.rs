@@ -1,5 +1,5 @@
-//! The quantities at one place: each integral is made when asked for and kept, or made beforehand
-//! with those of a run of places.
+//! The quantities at one place: each integral is made when first needed and kept, or made
+//! beforehand with those of a run of places.
 
 use asperity_quadrature::Moments;
 
@@ -21,7 +21,7 @@ pub(crate) struct LawIntegral {
     pub(crate) has_slope: bool,
 }
 
-/// The quantities at one place, with memory for so many integrals; a single value needs none.
+/// The quantities at one place, with memory for `MEMORY` integrals; a single value needs none.
 pub(crate) struct Row<'a, 's, A, const MEMORY: usize = LAWS> {
     reading: Reading<'s>,
     integrals: AtPlace<'a, A, MEMORY>,
@@ -49,7 +49,7 @@ impl<'a, 's, A: Averages<'s>, const MEMORY: usize> Row<'a, 's, A, MEMORY> {
         Ok(Self::with(averages, (place, at), slopes, []))
     }
 
-    /// The row where these integrals are known.
+    /// The row of these integrals.
     #[inline]
     pub(crate) fn with(
         averages: &'a mut A,
@@ -117,7 +117,7 @@ impl<'s, A: Averages<'s>, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
         let has_slope = slope || self.slopes;
         match self.averages.settled(base, self.place, has_slope) {
             Ok(made) => Ok((made, has_slope)),
-            // A value does not fail for a slope that it does not need.
+            // A slope that misses its tolerance is no error for a value without it.
             Err(_) if has_slope && !slope => {
                 Ok((self.averages.settled(base, self.place, false)?, false))
             }

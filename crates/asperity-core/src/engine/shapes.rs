@@ -8,7 +8,7 @@ use asperity_quadrature::{AnyScale, Density};
 
 use crate::{Part, Tolerance};
 
-/// Shapes that are kept.
+/// Number of shapes kept.
 const SHAPES: usize = 64;
 
 /// A part of a law without its factor, and its integral.
@@ -16,7 +16,7 @@ const SHAPES: usize = 64;
 pub(crate) struct Shape {
     part: Part,
     pub(crate) integral: AnyScale,
-    /// Whether it has been found again.
+    /// Whether the shape has recurred.
     recurs: AtomicBool,
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct Shape {
 pub(crate) struct Shapes(RwLock<Vec<Arc<Shape>>>);
 
 impl Shapes {
-    /// The shape of a part, new or known.
+    /// The shape of a part, new or kept.
     fn shape(&self, part: &Part, tolerance: Tolerance) -> Arc<Shape> {
         let known = |shapes: &[Arc<Shape>]| shapes.iter().find(|s| s.part.recurs_in(part)).cloned();
         let shapes = self.0.read().unwrap_or_else(PoisonError::into_inner);
@@ -35,7 +35,7 @@ impl Shapes {
         }
         drop(shapes);
         let mut shapes = self.0.write().unwrap_or_else(PoisonError::into_inner);
-        // Another thread may have been faster.
+        // Another thread may have added it meanwhile.
         if let Some(shape) = known(&shapes) {
             return shape;
         }
@@ -60,7 +60,7 @@ pub(crate) struct LocalShape(pub(crate) Arc<Shape>);
 pub(crate) struct RecentShapes<'s> {
     shapes: &'s Shapes,
     tolerance: Tolerance,
-    /// Shapes of the case before, part by part: mostly those of the next one.
+    /// Shapes of the previous case, part by part: mostly those of the next one.
     recent: Vec<Rc<LocalShape>>,
 }
 

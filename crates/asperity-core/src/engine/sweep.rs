@@ -1,4 +1,4 @@
-//! Many scenes, one model: parts that their laws have in common are integrated once.
+//! Many scenes, one model: parts that recur in their laws are integrated once.
 
 use crate::engine::parallel::{both, map_runs};
 use crate::engine::shapes::Shapes;
@@ -10,9 +10,9 @@ const CASES_PER_RUN: usize = 256;
 /// Cases of a stream that are held in memory.
 const HELD: usize = 16_384;
 
-/// One model on many scenes: the part of a law that recurs, up to its units and a factor, is
-/// integrated once, whatever the scale it comes back at; one that does not recur is integrated
-/// where it is asked for, and nothing is prepared for it. Threads share what has been built.
+/// One model on many scenes. A part of a law that recurs, up to its units and a factor, is
+/// integrated once for all scales; other parts are integrated for each case, without preparation.
+/// Threads share the integrals.
 ///
 /// ```
 /// # use asperity_core::*;
@@ -38,7 +38,7 @@ pub struct Sweep<'m> {
 }
 
 impl<'m> Sweep<'m> {
-    /// Prepares nothing: laws are built for the scenes that come.
+    /// A sweep without laws: they are built for the scenes.
     #[must_use]
     pub fn new(model: &'m dyn ContactModel, quantities: &[Quantity], tolerance: Tolerance) -> Self {
         let question = Question { model, quantities: quantities.to_vec(), tolerance };
@@ -63,17 +63,17 @@ impl<'m> Sweep<'m> {
         map_runs(cases, CASES_PER_RUN, |cases| self.worker().run(cases))
     }
 
-    /// For every case its separation d/σ_z: that of its load, the largest that carries it.
+    /// The separation d/σ_z of every case; for a load, the largest that carries it.
     #[must_use]
     pub fn separations(&self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
         map_runs(cases, CASES_PER_RUN, |cases| self.worker().separations(cases))
     }
 
-    /// Every case on all cores, delivered in order with its number; however many there are, some
-    /// thousand are in memory.
+    /// Every case on all cores, delivered in order with its number. Some thousand cases at a time
+    /// are in memory.
     ///
     /// # Errors
-    /// What `deliver` refuses: the stream ends there.
+    /// The first error of `deliver`, which ends the stream.
     pub fn stream<E>(
         &self,
         cases: impl IntoIterator<Item = Case, IntoIter: Send>,

@@ -1,5 +1,4 @@
-//! One thread's walk through the cases of a sweep: laws that stay are kept, shapes that recur are
-//! shared.
+//! The cases of a sweep on one thread: unchanged laws are kept, shapes that recur are shared.
 
 use std::rc::Rc;
 
@@ -12,7 +11,7 @@ use crate::{
     AsperityModel, At, Case, ContactError, ContactModel, Evaluation, Quantity, Request, Tolerance,
 };
 
-/// The question that a sweep puts to every case.
+/// The quantities and tolerance of a sweep.
 #[derive(Debug)]
 pub(crate) struct Question<'m> {
     pub(crate) model: &'m dyn ContactModel,

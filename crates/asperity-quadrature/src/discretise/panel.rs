@@ -78,8 +78,8 @@ impl Panel {
         // The ends are checked for hidden kinks, except where all kinks are known, as those of sums
         // of powers, and where the map begins, which carries next to nothing.
         let (low, high) = self.ends;
-        // Kinks of tables are known too, and their own error, known only as they are built, must not
-        // decide.
+        // Kinks of tables are known too, and their own error, known only as they are built, must
+        // not decide.
         let unknown =
             |piece: &Piece| piece.origin.is_none() && piece.sampler.relative_error(&[]) <= 0.0;
         let judged = density.active(low, high).any(unknown);

@@ -37,9 +37,9 @@ impl TanhSinh {
         RULES.get_or_init(|| Self { levels: (0..LEVELS).map(level).collect() })
     }
 
-    /// The integral of `f` from `low` to `high`. The step is halved until two sums in a row agree so
-    /// well that the next one, with twice the digits, is within the relative `tolerance`. The error
-    /// is an estimate, which may exceed the tolerance.
+    /// The integral of `f` from `low` to `high`. The step is halved until two sums in a row agree
+    /// so well that the next one, with twice the digits, is within the relative `tolerance`. The
+    /// error is an estimate, which may exceed the tolerance.
     pub fn integrate(
         &self,
         low: f64,

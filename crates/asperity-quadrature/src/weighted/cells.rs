@@ -24,8 +24,8 @@ const WIDE: f64 = 0.3;
 /// each d.
 const REACH: f64 = 64.0;
 
-/// The integral I(d) of one density over one weight for many d. I is smooth between the d at which a
-/// break of the weight meets a kink of the density, but for powers of the distance to them.
+/// The integral I(d) of one density over one weight for many d. I is smooth between the d at which
+/// a break of the weight meets a kink of the density, but for powers of the distance to them.
 ///
 /// A cell is made when a d first falls into it, by bisection, with an error measured against the
 /// integral itself; cells are shared by all threads.

@@ -9,8 +9,8 @@ use crate::{QuadratureError, WeightFault};
 const GOOD: f64 = 1e-13;
 /// Rounding of logarithms, and of places at steep ones, in units of the last place.
 const ROUNDED: f64 = 16.0;
-/// The share of the truncated terms that affects integrals: polynomials of degree 16 and more change
-/// sign often.
+/// The share of the truncated terms that affects integrals: polynomials of degree 16 and more
+/// change sign often.
 const SEEN: f64 = 0.125;
 /// Panels far out, smaller than exp(-SMALL) of the largest value, may vary by more than RANGE.
 const SMALL: f64 = 60.0;
@@ -312,8 +312,8 @@ impl<'s> Fitter<'s> {
     }
 }
 
-/// A place so near to an end of an interval that the part between them is negligible, but far enough
-/// for its distance to have digits.
+/// A place so near to an end of an interval that the part between them is negligible, but far
+/// enough for its distance to have digits.
 fn next_to(end: f64, other: f64) -> f64 {
     let width = other - end;
     end + width.signum() * (ULPS * f64::EPSILON * end.abs()).max(SLIVER * width.abs())

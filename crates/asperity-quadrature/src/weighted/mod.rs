@@ -7,9 +7,10 @@
 //! and their slopes. Series represent the weight g on panels between its breaks, once for all d
 //! ([`Weight`]). A group of panels far from the kinks of q counts as twenty points ([`Overlap`]):
 //! a table of a thousand panels costs three times one of ten. For many d, Chebyshev series
-//! represent the integral itself, between the d at which a break of g meets a kink of q ([`Cells`]).
+//! represent the integral itself, between the d at which a break of g meets a kink of q
+//! ([`Cells`]).
 //!
-//! Adaptive discretisation of q g anew for each d was measured as an alternative: two to sixty times
+//! Adaptive discretisation of q g for each d was measured as an alternative: two to sixty times
 //! the time on the same panels, seven to two hundred without panels, and wrong at poles.
 
 mod cells;

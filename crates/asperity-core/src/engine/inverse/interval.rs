@@ -1,9 +1,9 @@
-//! What is known of the force between two separations, from its values and slopes at both ends
-//! and its variation.
+//! The course of the force between two separations, from its values and slopes at both ends and its
+//! variation.
 
 use asperity_quadrature::Moments;
 
-/// A cubic is trusted to this many times its distance from what is seen in the middle.
+/// Bound on the error of a cubic, in units of its deviation in the middle.
 const TRUST: f64 = 4.0;
 
 /// The integral of the force, and of its variation, at s.
@@ -22,7 +22,7 @@ pub(crate) struct Level {
 }
 
 impl Level {
-    /// In units of exp(`ln_scale`), cut where a double ends.
+    /// In units of exp(`ln_scale`), limited to the range of f64.
     pub(crate) fn over(self, ln_scale: f64) -> f64 {
         self.sign * (self.ln - ln_scale).min(690.0).exp()
     }
@@ -42,7 +42,7 @@ impl Sample {
         }
     }
 
-    /// Whether the force is the level or more, whatever the sample is compared with.
+    /// Whether the force is at least the level, with any other sample.
     pub(crate) fn reaches(&self, level: Level) -> bool {
         self.force.value >= level.over(self.force.ln_scale)
     }
@@ -96,8 +96,8 @@ impl Cubic {
         Self { ends: [low.value, high.value], c: [h * low.slope, c2, c3] }
     }
 
-    /// The course of a function that is at most this far off: its slope then four times, its bend
-    /// 24 times as far.
+    /// The course of a function with at most this deviation, a slope off by at most four times and
+    /// a second derivative off by at most 24 times as much.
     fn course(&self, off: f64) -> Course {
         let [c1, c2, c3] = self.c;
         let slope = |t: f64| c1 + t * (2.0 * c2 + 3.0 * t * c3);
@@ -107,7 +107,7 @@ impl Cubic {
         let [start, end] = [slope(0.0), slope(1.0)];
         let straight = least(start, end).min(least(start, slope(vertex))) > 4.0 * off;
         let bends = least(c2, c2 + 3.0 * c3) > 12.0 * off;
-        // What it leaves its chord by is t (t - 1) (c₂ + c₃ (1 + t)).
+        // The deviation from the chord is t (t - 1) (c₂ + c₃ (1 + t)).
         let beside = 0.25 * (c2 + c3).abs().max((c2 + 2.0 * c3).abs());
         let apart = least(self.ends[0], self.ends[1]) > beside + off;
         match (straight, bends) {
@@ -126,16 +126,16 @@ pub(crate) struct Interval {
     pub(crate) high: Sample,
 }
 
-/// What the force does between two separations.
+/// The course of the force between two separations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Course {
-    /// It does not reach the level.
+    /// The force does not reach the level.
     Apart,
-    /// It rises or falls all the way.
+    /// The force is monotone.
     Monotone,
-    /// It turns once, at the most.
+    /// The force turns at most once.
     OneTurn,
-    /// Nothing is certain.
+    /// Unknown.
     Unknown,
 }
 
@@ -164,7 +164,7 @@ impl Interval {
         self.low.reaches(level) != self.high.reaches(level)
     }
 
-    /// Whether the force at either end is the level, as far as it is known.
+    /// Whether the force at either end equals the level within its error.
     pub(crate) fn touches(&self, level: Level) -> bool {
         let (ln_scale, ends) = (self.ln_scale(), self.ends(level));
         let known =
@@ -172,7 +172,7 @@ impl Interval {
         [&self.low, &self.high].into_iter().zip(ends).any(known)
     }
 
-    /// Bounds of the force less a level, from how much it varies at most.
+    /// Bounds of the force less a level, from its variation.
     pub(crate) fn bounds(&self, level: Level) -> [f64; 2] {
         let (ln_scale, at) = (self.ln_scale(), level.over(self.ln_scale()));
         let [[f, v], [g, w]] = [self.low, self.high].map(|sample| sample.over(ln_scale));
@@ -182,8 +182,8 @@ impl Interval {
         [middle - reach, middle + reach]
     }
 
-    /// What cubics through both ends show, as far as force and variation in the middle agree.
-    /// The variation steps wherever the force has a bump, so that no bump cancels in a difference.
+    /// The course by cubics through both ends, if force and variation in the middle agree with
+    /// them. The variation rises at every bump of the force, so that none cancels in a difference.
     pub(crate) fn course(&self, middle: &Sample, level: Level) -> Course {
         self.tilted(middle, level, 0.0)
     }

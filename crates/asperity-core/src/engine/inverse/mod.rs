@@ -1,4 +1,4 @@
-//! From a load back to the separations that carry it.
+//! The separations that carry a load.
 
 use asperity_quadrature::Moments;
 
@@ -16,12 +16,12 @@ mod variation;
 /// Below this all asperities are in contact.
 pub(crate) const DEEP: f64 = -64.0;
 
-/// The integral of a force, where it falls all the way.
+/// The integral of a force that falls with the separation.
 pub(crate) trait ForceCurve {
     /// The integral and its slope.
     fn at(&mut self, s: f64) -> Result<Moments, ContactError>;
 
-    /// Whether integrals near s have become better, so that they are worth asking for again.
+    /// Makes finer integrals near s; returns whether there were any.
     fn settle(&mut self, _s: f64) -> Result<bool, ContactError> {
         Ok(false)
     }
@@ -38,11 +38,11 @@ impl<F: FnMut(f64) -> Result<Moments, ContactError>> ForceCurve for F {
 pub(crate) struct Target {
     /// \[N\]; below 0 for a tension.
     pub(crate) load: f64,
-    /// What the integral is multiplied with \[N\].
+    /// The factor of the integral \[N\].
     pub(crate) factor: f64,
 }
 
-/// A load, or a pressure, that may be asked for: above 0, or a tension where there is adhesion.
+/// Checks a load or a pressure: above 0, or a tension with adhesion.
 pub(crate) fn check_load(
     field: &'static str,
     value: f64,
@@ -80,14 +80,15 @@ impl Target {
         f64::MIN_POSITIVE.ln() - self.factor.ln()
     }
 
-    /// From the largest on, or the largest alone; a refusal names the largest force.
+    /// The separations from the largest on, or the largest alone; a refusal names the largest
+    /// force.
     pub(crate) fn crossings(
         &self,
         force: &ForceAt<'_>,
         first_only: bool,
     ) -> Result<Vec<f64>, ContactError> {
         let sign = self.load.signum();
-        // No force exceeds its variation, which falls all the way.
+        // No force exceeds its variation, which falls with the separation.
         let bound = Self { load: self.load.abs(), ..*self };
         let level = Level { sign, ln: (self.load.abs() / self.factor).ln() };
         let top = match bound.newton(&mut |s| force.variation(s)) {
@@ -116,7 +117,7 @@ impl Target {
     }
 }
 
-/// Where the force is met, with what its error makes of the place's.
+/// The separation of the force, with the error that follows from the force's.
 fn place(s: f64, moments: &Moments) -> Place {
     let error = moments.error * moments.sizes[0] / moments.slope.abs();
     Place { s, rounding: error + 2.0 * f64::EPSILON * (1.0 + s.abs()) }
@@ -166,25 +167,25 @@ mod tests {
     }
 
     #[test]
-    fn loads_lead_back_to_their_separations() {
+    fn separations_are_recovered_from_loads() {
         let compiled = compiled();
         for s in [-63.0, -10.0, -0.3, 0.0, 1.0, 4.4, 20.0, 36.0] {
             let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
             let found = compiled.separations_at(load).unwrap();
             assert!(found.len() == 1 && found[0] == compiled.separation_at(load).unwrap());
-            // The rule's own error moves the root by less than this.
+            // The error of the rule moves the root by less than this.
             let error = (found[0].value - s).abs();
             assert!(error < 1e-12 * (1.0 + s.abs()), "{s}: {found:?}");
         }
     }
 
     #[test]
-    fn loads_that_press_all_asperities_flat_are_met_too() {
+    fn loads_that_bring_all_asperities_into_contact_are_met() {
         let compiled = compiled();
         for s in [-70.0, -1e5] {
             let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
             let found = compiled.separations_at(load).unwrap();
-            // Each force is integrated anew there, to the tolerance of 1e-10.
+            // Each force there is an integral of its own, with a tolerance of 1e-10.
             assert!(found.len() == 1 && (found[0].value / s - 1.0).abs() < 1e-9, "{s}: {found:?}");
         }
     }

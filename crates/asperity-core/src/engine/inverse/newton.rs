@@ -1,4 +1,4 @@
-//! The separation that carries a load, where the force falls all the way.
+//! The separation that carries a load, for a force that falls with the separation.
 
 use asperity_quadrature::Moments;
 
@@ -6,7 +6,7 @@ use crate::engine::inverse::{DEEP, ForceCurve, Target, place};
 use crate::request::separation::{HIGHEST, LOWEST, Place};
 use crate::{At, ContactError};
 
-/// A Newton search ends in some five steps; a bracketed one, at the worst, in some sixty.
+/// Newton's steps end after about five; bracketed ones, at the worst, after about sixty.
 const MOST: usize = 200;
 
 impl Target {
@@ -22,13 +22,13 @@ impl Target {
     }
 
     /// The root of a positive integral. In the tail its logarithm is concave, so that Newton's
-    /// steps come down from the right; brackets guard what is not.
+    /// steps come down from the right; elsewhere brackets guard them.
     pub(crate) fn newton(&self, curve: &mut impl ForceCurve) -> Result<Place, ContactError> {
         let mut s = self.guess(&curve.at(0.0)?);
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        // Below this, deep down, integrals are refused.
+        // Far below 0, integrals below this are refused.
         let mut refused = f64::NEG_INFINITY;
-        // Above this, in a light tail of the heights, integrals are refused.
+        // In a light tail of the heights, integrals above this are refused.
         let mut empty = f64::INFINITY;
         let mut last = f64::INFINITY;
         for _ in 0..MOST {
@@ -37,7 +37,7 @@ impl Target {
                     refused = s;
                     let answered = high.min(DEEP);
                     if answered - refused <= 1e-9 * answered.abs() {
-                        // Where the integrals end, so does what can be carried.
+                        // No load is carried where integrals are refused.
                         return Err(self.out_of_reach(&curve.at(answered)?, answered));
                     }
                     s = 0.5 * (refused + answered);
@@ -69,7 +69,7 @@ impl Target {
             }
             let mut next = s + above / fall;
             let unit = f64::EPSILON * (1.0 + s.abs());
-            // A root that is met lies on its own bracket.
+            // An exact root lies on its bracket.
             let (bottom, top) = (low.max(refused), high.min(empty));
             let within = next > bottom && next < top;
             let inside = within || (next - s).abs() <= unit;
@@ -82,7 +82,7 @@ impl Target {
             }
             next = next.clamp(LOWEST, HIGHEST);
             let step = (next - s).abs();
-            // Newton's steps shrink as their squares: this one may be the last that is seen.
+            // Newton's steps shrink as their squares: this one may be the last above rounding.
             let remains = match inside && last.is_finite() {
                 true => step * (step / last) * (step / last),
                 false => step,
