@@ -121,11 +121,11 @@ fn multiple(
 fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f64)> {
     let scene = &prepared.scene;
     match quantity.derivation() {
-        Derivation::Integral => Some((quantity, false, 1.0)),
-        Derivation::IntegralOrSlope(_) if prepared.facts.laws.own_stiffness => {
+        Derivation::Integral(_) => Some((quantity, false, 1.0)),
+        Derivation::IntegralOrSlope(..) if prepared.facts.laws.own_stiffness => {
             Some((quantity, false, 1.0))
         }
-        Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => {
+        Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => {
             Some((of, true, 1.0 / scene.surface.asperity_height_std))
         }
         Derivation::PerNominalArea(of) => {

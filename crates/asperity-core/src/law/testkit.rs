@@ -33,8 +33,13 @@ pub fn check(
     let tolerance = Tolerance::new(1e-10)?;
     let (mut findings, mut first) = (Diagnostics::default(), None);
     let adhesive = model.validity().adhesive;
-    for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
-        let Some(law) = model.law(asperity, quantity, tolerance)? else { continue };
+    let laws = [
+        (Quantity::Force, Some(model.force(asperity, tolerance)?)),
+        (Quantity::Area, Some(model.area(asperity, tolerance)?)),
+        (Quantity::Stiffness, model.stiffness(asperity, tolerance)?),
+    ];
+    for (quantity, law) in laws {
+        let Some(law) = law else { continue };
         let onset = law.onset * law.interference_unit;
         let wanted = *first.get_or_insert(if adhesive { onset } else { 0.0 });
         if onset.total_cmp(&wanted).is_ne() {
@@ -210,19 +215,13 @@ mod tests {
     }
 
     impl AsperityModel for Mine {
-        fn law(
-            &self,
-            asperity: &Asperity,
-            quantity: Quantity,
-            _: Tolerance,
-        ) -> Result<Option<Law>, ContactError> {
-            let unit = match quantity {
-                Quantity::Force => {
-                    4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.powi(2)
-                }
-                _ => 1.0,
-            };
-            Ok(Some(Law { interference_unit: asperity.radius, value_unit: unit, ..(self.0)() }))
+        fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+            let value_unit = 4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.powi(2);
+            Ok(Law { interference_unit: asperity.radius, value_unit, ..(self.0)() })
+        }
+
+        fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+            Ok(Law { interference_unit: asperity.radius, ..(self.0)() })
         }
     }
 

@@ -58,8 +58,8 @@ impl Quantity {
     pub fn regime(self) -> Option<Regime> {
         match self.derivation() {
             Derivation::RegimeShare(regime) => Some(regime),
-            Derivation::Integral
-            | Derivation::IntegralOrSlope(_)
+            Derivation::Integral(_)
+            | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
             | Derivation::PerNominalArea(_)
             | Derivation::ContactRadii(_)
@@ -71,7 +71,9 @@ impl Quantity {
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
-            Derivation::Integral | Derivation::IntegralOrSlope(_) | Derivation::Slope(_) => self,
+            Derivation::Integral(_) | Derivation::IntegralOrSlope(..) | Derivation::Slope(_) => {
+                self
+            }
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -84,8 +86,8 @@ impl Quantity {
         match self.derivation() {
             Derivation::ContactRadii(factor) => Some(factor),
             Derivation::PerNominalArea(of) => of.radius_factor(),
-            Derivation::Integral
-            | Derivation::IntegralOrSlope(_)
+            Derivation::Integral(_)
+            | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
             | Derivation::Ratio(..)
             | Derivation::Logarithm(_)
@@ -97,9 +99,9 @@ impl Quantity {
     /// stiffness.
     pub(crate) fn laws(self, own_stiffness: bool) -> impl Iterator<Item = Self> {
         let (first, second) = match self.derivation() {
-            Derivation::Integral => (self, None),
-            Derivation::IntegralOrSlope(_) if own_stiffness => (self, None),
-            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => (of, None),
+            Derivation::Integral(_) => (self, None),
+            Derivation::IntegralOrSlope(..) if own_stiffness => (self, None),
+            Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => (of, None),
             Derivation::Ratio(above, below) => (above, Some(below)),
             Derivation::PerNominalArea(_)
             | Derivation::Logarithm(_)
@@ -111,7 +113,7 @@ impl Quantity {
 
     /// Whether this quantity is the slope of an integral.
     pub(crate) fn is_slope(self) -> bool {
-        matches!(self.derivation(), Derivation::IntegralOrSlope(_) | Derivation::Slope(_))
+        matches!(self.derivation(), Derivation::IntegralOrSlope(..) | Derivation::Slope(_))
     }
 }
 

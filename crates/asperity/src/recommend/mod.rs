@@ -228,7 +228,7 @@ fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Column) -> f64
 /// 0 for a model without a law of an asperity.
 fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
     let law = |model: &dyn crate::AsperityModel| {
-        model.law(&scene.asperity().ok()?, Quantity::Force, request.tolerance).ok()?
+        model.force(&scene.asperity().ok()?, request.tolerance).ok()
     };
     model.equal().asperity_model().and_then(law).map_or(0, |law| law.parts.len())
 }

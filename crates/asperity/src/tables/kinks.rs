@@ -1,6 +1,6 @@
 //! Separations at which the force of a model may have a kink.
 
-use crate::{ContactError, ContactModel, HeightDistribution, Quantity, Scene, Tolerance};
+use crate::{ContactError, ContactModel, HeightDistribution, Scene, Tolerance};
 
 /// Kinks nearer to each other than this \[σ_z\] are one.
 const SAME_KINK: f64 = 1e-9;
@@ -23,7 +23,7 @@ pub(crate) fn kinks(
         _ => return Ok(vec![]),
     };
     let law = match model.asperity_model() {
-        Some(model) => model.law(&scene.asperity()?, Quantity::Force, tolerance)?,
+        Some(model) => Some(model.force(&scene.asperity()?, tolerance)?),
         None => None,
     };
     // Onset of contact, and the kinks of the law, as interferences [m].

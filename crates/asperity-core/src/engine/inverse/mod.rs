@@ -149,14 +149,13 @@ mod tests {
     }
 
     impl AsperityModel for Hertz {
-        fn law(
-            &self,
-            a: &Asperity,
-            _: Quantity,
-            _: Tolerance,
-        ) -> Result<Option<Law>, ContactError> {
+        fn force(&self, a: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
             let unit = 4.0 / 3.0 * a.equivalent_modulus * a.radius.sqrt();
-            Ok(Some(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)])))
+            Ok(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)]))
+        }
+
+        fn area(&self, a: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+            Ok(Law::in_units(1.0, a.radius).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.0)]))
         }
     }
 
