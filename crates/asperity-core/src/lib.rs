@@ -61,4 +61,4 @@ pub use scene::Scene;
 pub use scene::asperity::Asperity;
 pub use scene::interface::{Body, HARDNESS_OVER_YIELD, Interface};
 pub use scene::surface::{ProfileMoments, Surface};
-pub use text::{nearest_name, shortest_digits};
+pub use text::{nearest_hint, nearest_name, shortest_digits};

@@ -28,7 +28,7 @@ use crate::{Place, SceneError};
 /// options.set("displacement", &[("zeta", 0.1), ("xi", 0.1)].into())?;
 /// assert_eq!(options.model("at")?.name(), "AT additive");
 /// let mistyped = options.set("at_reading", &"aditive".into()).unwrap_err();
-/// assert!(mistyped.to_string().contains("did you mean \"additive\"?"));
+/// assert!(mistyped.to_string().contains("the nearest is \"additive\""));
 /// # Ok::<(), asperity_scene::SceneError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

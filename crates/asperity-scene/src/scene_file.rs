@@ -109,7 +109,7 @@ fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
 /// assert!(answer.is_ok());
 /// let mistyped = template().replace("nominal_area", "nominal_aera");
 /// let error = parse(&mistyped, std::path::Path::new(".")).unwrap_err().to_string();
-/// assert!(error.contains("did you mean \"nominal_area\"?"));
+/// assert!(error.contains("the nearest is \"nominal_area\""));
 /// # Ok::<(), asperity_scene::SceneError>(())
 /// ```
 ///

@@ -26,7 +26,7 @@ use crate::{
 /// let model: Model = "ke".parse()?;
 /// assert_eq!(model.name(), "KE");
 /// let mistyped = "zcm".parse::<Model>().unwrap_err().to_string();
-/// assert!(mistyped.contains("did you mean \"zmc\"?"));
+/// assert!(mistyped.contains("the nearest is \"zmc\""));
 ///
 /// let text = r#"{"id": "gao", "options": {"displacement": "none"}}"#;
 /// let frictionless: Model = serde_json::from_str(text)?;
@@ -349,6 +349,6 @@ mod tests {
         let message = "westergaard".parse::<Model>().unwrap_err().to_string();
         assert!(!message.contains("mean") && message.contains("gw, ceb, zmc"), "{message}");
         let message = "etsoin".parse::<Model>().unwrap_err().to_string();
-        assert!(message.contains("did you mean \"etsion\"?"), "{message}");
+        assert!(message.contains("the nearest is \"etsion\""), "{message}");
     }
 }

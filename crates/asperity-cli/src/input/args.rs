@@ -48,12 +48,7 @@ pub struct ModelArgs {
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures_or_tensions)]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
-    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; for
-    /// asperities of one radius with circular contacts also contact-radius-sum,
-    /// unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance, and
-    /// both conductances with -per-area
-    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
+    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', help = quantities_help())]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
@@ -210,6 +205,18 @@ impl DrawnArgs {
         }
         self.output.write(table)
     }
+}
+
+fn quantities_help() -> String {
+    let names = |circles: bool| {
+        let listed = Quantity::ALL.into_iter().filter(|q| q.needs_circles() == circles);
+        listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "Quantities: {}; for asperities of one radius with circular contacts also {}",
+        names(false),
+        names(true)
+    )
 }
 
 /// The id of a model of this project.

@@ -81,6 +81,12 @@ impl Quantity {
         }
     }
 
+    /// Whether this follows from the sum of the contact radii, for which contacts must be circles.
+    #[must_use]
+    pub fn needs_circles(self) -> bool {
+        self.origin() == Self::ContactRadiusSum
+    }
+
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
     pub(crate) fn radius_factor(self) -> Option<RadiusFactor> {
         match self.derivation() {

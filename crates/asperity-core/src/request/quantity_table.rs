@@ -53,7 +53,7 @@ macro_rules! quantities {
         /// let quantity: Quantity = "mean-pressure".parse()?;
         /// assert_eq!((quantity.to_string().as_str(), quantity.unit()), ("mean-pressure", "Pa"));
         /// let mistyped = "stifness".parse::<Quantity>().unwrap_err().to_string();
-        /// assert!(mistyped.contains("did you mean \"stiffness\"?"));
+        /// assert!(mistyped.contains("the nearest is \"stiffness\""));
         /// # Ok::<(), asperity_core::ContactError>(())
         /// ```
         #[derive(
@@ -72,6 +72,12 @@ macro_rules! quantities {
         impl Quantity {
             /// All quantities.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
+
+            /// Number of quantities that are integrals of laws.
+            pub(crate) const INTEGRALS: usize = 0 $(+ {
+                let derivation: Derivation = $derivation;
+                matches!(derivation, Derivation::Integral(_) | Derivation::IntegralOrSlope(..)) as usize
+            })*;
 
             pub(crate) const fn entry(self) -> &'static Entry {
                 match self {
