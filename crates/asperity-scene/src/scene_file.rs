@@ -19,7 +19,7 @@ use crate::interface::{InterfaceKeys, interface};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
-use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
+use crate::{Asperities, Measured, ModelOptions, Place, SceneError, accept};
 
 /// A scene with the options of its models, as a scene file describes it.
 #[derive(Debug, Clone)]
@@ -142,6 +142,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
     let table = document.table()?;
     let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
     options.check(document, "options.")?;
+    accept::check(document, &accept)?;
     let bodies: InterfaceKeys = document.keys()?;
     let (interface, interface_section) = interface(document, &bodies)?;
     let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
@@ -325,6 +326,14 @@ impl SceneFile {
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
         Separation { value, unit, from: self.separation_from }
+    }
+
+    /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.
+    #[must_use]
+    pub fn with_scan(&self, surface: Surface, scan: Topography) -> Self {
+        let scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
+        let (options, separation_from) = (self.options, self.separation_from);
+        Self { options, separation_from, scan: Some(Arc::new(scan)), ..Self::from(scene) }
     }
 
     /// The scene with other numbers and the same options, heights and plane of separations: a table
