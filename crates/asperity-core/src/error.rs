@@ -135,7 +135,7 @@ pub enum ContactError {
     Scale {
         /// The quantity.
         quantity: Quantity,
-        /// η A_n times the law's value unit, in SI units.
+        /// η A_n times the law's value unit, or that over σ_z for slopes, in SI units.
         scale: f64,
     },
     /// The interference unit of a law differs too much from the spread of the heights.

@@ -6,7 +6,7 @@ use super::{Check, Scene};
 use crate::diagnostic::short;
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, KnownDefect, Quantity,
-    Request, Separation, SeparationUnit, Severity, Tolerance,
+    Regime, Request, Separation, SeparationUnit, Severity, Tolerance,
 };
 
 /// Tolerance of the numbers in diagnostics.
@@ -119,7 +119,8 @@ impl Check {
             && let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
             && let Some(deep) = Interferences::of(&*contact, &law, place)?
         {
-            check.of_depths(model, scene, at, &deep);
+            let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
+            check.of_depths(model, scene, at, (&deep, plastic));
         }
         Ok(check)
     }
@@ -171,8 +172,15 @@ impl Check {
         check
     }
 
-    /// Numbers and diagnostics from the interferences of the asperities.
-    fn of_depths(&mut self, model: &dyn ContactModel, scene: &Scene, at: At, deep: &Interferences) {
+    /// Numbers and diagnostics from the interferences of the asperities, for a law that may end in
+    /// a plastic part.
+    fn of_depths(
+        &mut self,
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        (deep, plastic): (&Interferences, bool),
+    ) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
         self.add_number("interference", w, "m", "w beyond which 1 % of the load is carried");
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
@@ -202,7 +210,8 @@ impl Check {
         if holds_to <= 1.0 {
             self.extend(yields(model, at, outside));
         } else {
-            self.extend(beyond_fit(model, at, outside, w / critical, holds_to));
+            let x = w / critical;
+            self.extend(beyond_fit(model, at, (outside, x), holds_to, plastic));
         }
     }
 }
@@ -282,10 +291,11 @@ fn missed(
 fn beyond_fit(
     model: &dyn ContactModel,
     at: At,
-    share: f64,
-    x: f64,
+    (share, x): (f64, f64),
     holds_to: f64,
+    plastic: bool,
 ) -> Option<Diagnostic> {
+    let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
     let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
     let found = Diagnostic::note("beyond-fit", "interference_over_critical", x)
         .usual([0.0, holds_to])
@@ -294,7 +304,7 @@ fn beyond_fit(
         .fact(format!(
             "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
         ))
-        .advice(format!("beyond this interference {name} assumes full plasticity"));
+        .advice(format!("beyond this interference {name} {continued}"));
     (share > BEYOND).then_some(found)
 }
 
