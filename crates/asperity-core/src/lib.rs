@@ -9,7 +9,7 @@
 //! and the places. An [`AsperityModel`] supplies only the law:
 //!
 //! ```text
-//! scene + request → model.law(asperity, quantity) → compiled → response
+//! scene + request → model.force(asperity) → compiled → response
 //! ```
 //!
 //! This crate contains no model; diagnostics recommend models by their ids. All units are SI;

@@ -64,7 +64,7 @@ impl<M: ContactModel + Serialize + DeserializeOwned + 'static> Configurable for 
             return Ok(Model::known(serde_json::from_value::<M>(Value::Null)?));
         }
         let Value::Object(mut all) = self.options() else {
-            return Err(serde_json::Error::custom("options that are no map"));
+            return Err(serde_json::Error::custom("the options are not a map"));
         };
         for (name, value) in options {
             if !all.contains_key(name) {
@@ -164,17 +164,16 @@ impl Model {
         upright.map(|model| model.random()).collect()
     }
 
-    /// Theories of the whole surface, which know no asperities; they answer at loads, and at
-    /// separations where they have a spectrum. They stand beside the others where they are asked
-    /// for by name.
+    /// Theories of the whole surface, without asperities: they have values at loads, and at
+    /// separations if a spectrum is given. Commands use them only by name.
     #[must_use]
     pub fn whole_surface() -> Vec<Self> {
         let persson = |variance| Self::known(Persson { variance, ..Persson::default() });
         PerssonVariance::ALL.map(persson).to_vec()
     }
 
-    /// Elastic asperities that stick: they need the scene's work of adhesion, and stand beside the
-    /// others where they are asked for by name.
+    /// Elastic asperities with adhesion: they need the scene's work of adhesion. Commands use them
+    /// only by name.
     #[must_use]
     pub fn adhesive() -> Vec<Self> {
         let jkr = |branch| Self::known(JohnsonKendallRoberts { branch });

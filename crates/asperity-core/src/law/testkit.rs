@@ -8,7 +8,7 @@ use crate::{
     Quantity, Tolerance,
 };
 
-/// Range of x = w/unit that is looked at.
+/// Range of x = w/unit that is checked.
 const RANGE: (f64, f64) = (1e-8, 1e6);
 /// Points in that range.
 const POINTS: i32 = 1400;
@@ -72,7 +72,7 @@ fn grid() -> impl Iterator<Item = f64> {
     (0..=POINTS).map(move |k| (low + (high - low) * f64::from(k) / f64::from(POINTS)).exp())
 }
 
-/// NaN where the law refuses: that is then reported as a bad value.
+/// NaN where the law fails, which is reported as a bad value.
 fn shape(law: &Law, x: f64) -> f64 {
     law.shape(x).unwrap_or(f64::NAN)
 }
@@ -165,7 +165,7 @@ fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Diagnostics)
                         "the {} part of {quantity} has an undeclared kink near x = {at:.6}",
                         part.name
                     ))
-                    .advice("declare it; results stay right, but slow");
+                    .advice("declare it; results remain correct but take longer");
                 findings.push(found);
                 return;
             }

@@ -9,7 +9,7 @@ use crate::{
     At, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
-/// A model applied to a scene: shared by threads, asked as often as wanted.
+/// A model applied to a scene: shared by threads, for many evaluations.
 ///
 /// The methods that take `impl Into<At>` are those to call, on `dyn Contact`.
 pub trait Contact: fmt::Debug + Send + Sync {

@@ -290,11 +290,11 @@ mod tests {
         assert!(gw.model.id() == "gw" && gw.largest() < 0.3, "{advice}");
         assert_eq!(gw.outside.as_ref().map(|finding| finding.code), Some("yields"));
         assert_eq!(advice.simplest.as_ref().map(|m| m.id()), Some("zmc"), "{advice}");
-        assert!(advice.to_string().contains("; does not hold: yielding_share 0."), "{advice}");
+        assert!(advice.to_string().contains("; not valid: yielding_share 0."), "{advice}");
         assert_eq!(ask("ke", &["gw"]).simplest.map(|m| m.id().to_string()).as_deref(), Some("ke"));
         let none = ask("gw", &["gw"]);
         assert!(none.simplest.is_none());
-        assert!(none.to_string().starts_with("no model that holds is within 30 % of GW"));
+        assert!(none.to_string().starts_with("no valid model is within 30 % of GW"));
     }
 
     #[test]
