@@ -14,7 +14,11 @@ use crate::{
 
 /// The tangential displacements ζ* and ξ* of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"vertical\" or \"none\" or { zeta = 0.1, xi = 0.1 }"
+)]
 pub enum Displacement {
     /// ζ* = ξ* = λ x: the vertical approach in the normal and in both tangential directions. The
     /// paper leaves the two open; this closure is derived.

@@ -45,8 +45,8 @@ impl Described for Average<'_> {
 }
 
 impl Average<'_> {
-    /// The average of κ^(-n) law(κ w), of interferences counted from [`Population::begin`] below u =
-    /// 0.
+    /// The average of κ^(-n) law(κ w), of interferences counted from [`Population::begin`] below
+    /// u = 0.
     fn average(&self, law: &Law, power: i32) -> Law {
         let unit = self.population.unit;
         let scale = unit / law.interference_unit;

@@ -8,7 +8,7 @@ use asperity::{
     Interface, Model, Quantity, Request, Scene, Separation, SeparationUnit, Surface,
     TabulatedHeights, WeibullHeights,
 };
-use asperity_bem::Boundary;
+use asperity_bem::{Bem, Boundary};
 use asperity_topography::Topography;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -275,7 +275,7 @@ impl SceneFile {
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
-            "bem" => Ok(options.on_surface(Model::new(self.bem(Boundary::Periodic, false)?))),
+            Bem::ID => Ok(options.on_surface(Model::new(self.bem(Boundary::Periodic, false)?))),
             _ => options.model_beside(|| self.spectrum(), id),
         }
     }
@@ -286,12 +286,21 @@ impl SceneFile {
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
         for model in self.options.models() {
-            match model.compile(&self.scene, &Request::new([Quantity::Force])) {
-                Ok(_) => allowed.push(model),
-                Err(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+            match self.refusal(&model) {
+                None => allowed.push(model),
+                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
             }
         }
         (allowed, left_out)
+    }
+
+    /// Why the scene does not allow a model, if it does not: a missing input, for example.
+    #[must_use]
+    pub fn refusal(&self, model: &Model) -> Option<ContactError> {
+        // Theories of the whole surface report their inputs with their answers.
+        let averaged = model.validity().asperities;
+        let request = Request::new([Quantity::Force]);
+        averaged.then(|| model.compile(&self.scene, &request).err()).flatten()
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),

@@ -10,7 +10,7 @@ use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
 use crate::input::args::{model_id, svg_file};
-use crate::input::numbers::{Numbers, lengths, load, pressure};
+use crate::input::numbers::{Numbers, all, length, load, pressure};
 use crate::output::table::{Cell, Table};
 use crate::output::{self, print_message};
 use crate::scene::LoadedScene;
@@ -20,7 +20,7 @@ use crate::scene::LoadedScene;
 pub struct Scales {
     /// Tabulate the asperities, and results of a scene, against the short-wavelength cut-off: N
     /// cut-offs from A to B, in m, or with a unit
-    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = lengths)]
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
     #[arg(conflicts_with_all = ["smooth", "scene", "heights"])]
     scales: Option<Numbers>,
     /// With --scales: a scene whose materials and nominal area are used with each surface

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+use asperity::bem::Bem;
 use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -14,7 +15,7 @@ use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::numbers::{
-    Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions,
+    Numbers, all, load, load_or_tension, number, pressure, pressure_or_tension,
 };
 use crate::output::table::{Format, Table};
 use crate::output::{self, once};
@@ -40,12 +41,12 @@ pub struct ModelArgs {
     unit: SeparationUnit,
     /// Loads, as a range or a list: in N, or with a unit, for example 2kN; negative for tension
     /// (dmt, jkr)
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads_or_tensions)]
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load_or_tension))]
     #[arg(action = ArgAction::Append, group = "given")]
     loads: Vec<Numbers>,
     /// Loads as pressures on the nominal area, as a range or a list: in Pa, or with a unit, for
     /// example 5MPa
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures_or_tensions)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure_or_tension))]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', help = quantities_help())]
@@ -76,10 +77,10 @@ struct Place {
     #[arg(long, value_name = "D")]
     closest: Option<Distances>,
     /// Largest load, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "P", value_parser = loads)]
+    #[arg(long, value_name = "P", value_parser = all(load))]
     load: Option<Numbers>,
     /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "P", value_parser = pressures)]
+    #[arg(long, value_name = "P", value_parser = all(pressure))]
     pressure: Option<Numbers>,
 }
 
@@ -225,8 +226,8 @@ pub fn model_id(name: &str) -> Result<String, String> {
         return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity models` lists them)".into());
     }
     // bem is not in the registry, because it needs the scan of a scene.
-    if name.trim().eq_ignore_ascii_case("bem") {
-        return Ok("bem".into());
+    if name.trim().eq_ignore_ascii_case(Bem::ID) {
+        return Ok(Bem::ID.into());
     }
     name.parse::<Model>().map(|model| model.id().to_string()).map_err(|e| e.to_string())
 }

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::law::contact_radii::RadiusFactor;
 use crate::request::quantity_table::Derivation;
-use crate::{ContactError, Quantity, Regime, nearest_name};
+use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
 
 impl Quantity {
     /// SI unit, as in the heads of tables; empty for pure numbers.
@@ -79,6 +79,12 @@ impl Quantity {
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
             Derivation::RegimeShare(_) => Self::Force,
         }
+    }
+
+    /// Whether this follows from the force and the real area of the whole surface alone.
+    #[must_use]
+    pub fn follows_from_totals(self) -> bool {
+        Evaluation::of_totals(self, (1.0, 1.0), 1.0, 0.0).is_some()
     }
 
     /// Whether this follows from the sum of the contact radii, for which contacts must be circles.

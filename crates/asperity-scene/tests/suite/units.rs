@@ -67,7 +67,7 @@ fn synonyms_of_a_key_suggest_it() {
         assert!(refused.contains("the nearest is \"work_of_adhesion\""), "{refused}");
         let refused = message(&text("", INTERFACE, &format!("{SURFACE}{name} = 0.05\n")));
         assert!(
-            refused.contains("work_of_adhesion\"?): it belongs to the top of the file"),
+            refused.contains("work_of_adhesion\"): it belongs to the top of the file"),
             "{refused}"
         );
     }
