@@ -272,12 +272,16 @@ impl Described for Wavy {
 }
 
 impl AsperityModel for Wavy {
-    fn law(&self, _: &Asperity, _: Quantity, _: Tolerance) -> Result<Option<Law>, ContactError> {
+    fn force(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let wave = |x: f64, at: f64, width: f64| (-((x - at) / width).powi(2)).exp();
         let law =
             move |x: f64| x * wave(x, 6.0, 4.0) + 0.32 * x * x * wave(x, 25.0, 6.0) + 0.01 * x;
         let all = 0.0..f64::INFINITY;
-        Ok(Some(Law::in_units(1e-6, 1e-3).elastic(all, Formula::function(law))))
+        Ok(Law::in_units(1e-6, 1e-3).elastic(all, Formula::function(law)))
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.force(asperity, tolerance)
     }
 }
 

@@ -205,7 +205,7 @@ fn unknown_models_are_answered_with_the_nearest_name() {
     for (typed, near) in [("zcm", "zmc"), ("etsoin", "etsion"), ("at-additve", "at-additive")] {
         let message = typed.parse::<Model>().unwrap_err().to_string();
         assert!(message.contains(&format!("{typed:?}")), "{message}");
-        assert!(message.contains(&format!("did you mean {near:?}?")), "{message}");
+        assert!(message.contains(&format!("the nearest is {near:?}")), "{message}");
         assert!(message.contains("gw, ceb, zmc, ke, etsion, jg, "), "{message}");
     }
     let far = "archard".parse::<Model>().unwrap_err();

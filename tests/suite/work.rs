@@ -53,30 +53,30 @@ impl Described for Spy {
 }
 
 impl AsperityModel for Spy {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        let has_law = match quantity {
-            Quantity::Force | Quantity::Area => true,
-            Quantity::Stiffness => self.own_stiffness,
-            _ => false,
-        };
-        if !has_law {
-            return Ok(None);
-        }
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, Quantity::Force)
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, Quantity::Area)
+    }
+
+    fn stiffness(&self, asperity: &Asperity, _: Tolerance) -> Result<Option<Law>, ContactError> {
+        self.own_stiffness.then(|| self.law(asperity, Quantity::Stiffness)).transpose()
+    }
+}
+
+impl Spy {
+    fn law(&self, asperity: &Asperity, quantity: Quantity) -> Result<Law, ContactError> {
         self.laws.lock().unwrap().push(quantity);
         let samples = self.samples.clone();
         let beyond = Formula::function(move |x| {
             samples.fetch_add(1, Ordering::Relaxed);
             x * x.ln_1p()
         });
-        let law = Law::in_units(asperity.critical_interference()?, 1.0)
+        Ok(Law::in_units(asperity.critical_interference()?, 1.0)
             .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-            .plastic(1.0..f64::INFINITY, beyond);
-        Ok(Some(law))
+            .plastic(1.0..f64::INFINITY, beyond))
     }
 }
 
@@ -190,17 +190,16 @@ impl Described for LateralSpy {
 }
 
 impl AsperityModel for LateralSpy {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        _: Quantity,
-        tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
         let contact = Arc::new(Counted(self.0.clone()));
         let all = 0.0..f64::INFINITY;
         let density = AngleDensity::default();
         let (form, _) = angle_average(contact, all.clone(), density, tolerance.relative());
-        Ok(Some(Law::in_units(asperity.critical_interference()?, 1.0).elastic(all, form)))
+        Ok(Law::in_units(asperity.critical_interference()?, 1.0).elastic(all, form))
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.force(asperity, tolerance)
     }
 }
 

@@ -3,12 +3,13 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Quantity,
-    Tolerance, Validity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Tolerance,
+    Validity,
 };
+use asperity_gw::GreenwoodWilliamson;
 use serde::{Deserialize, Serialize};
 
-use crate::{adhesive_validity, hertz};
+use crate::adhesive_validity;
 
 /// The model of Derjaguin, Muller and Toporov.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -37,19 +38,20 @@ impl Described for DerjaguinMullerToporov {
 }
 
 impl AsperityModel for DerjaguinMullerToporov {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
         let pull = 2.0 * PI * asperity.adhesion(SOURCE.name)? * asperity.radius;
-        let Some(law) = hertz(asperity, quantity) else { return Ok(None) };
-        if quantity == Quantity::Area || pull == 0.0 {
-            return Ok(Some(law));
+        let law = GreenwoodWilliamson.force(asperity, tolerance)?;
+        if pull == 0.0 {
+            return Ok(law);
         }
         // F = (4/3) E √R w^(3/2) - 2π w_a R for w > 0
         let constant = [Power::new(pull / law.value_unit, 0.0)];
-        Ok(Some(law.less_adhesion(0.0..f64::INFINITY, constant)))
+        Ok(law.less_adhesion(0.0..f64::INFINITY, constant))
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        // Refuses scenes without a work of adhesion.
+        asperity.adhesion(SOURCE.name)?;
+        GreenwoodWilliamson.area(asperity, tolerance)
     }
 }

@@ -4,12 +4,13 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Provenance, Quantity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Provenance,
     Tolerance, Validity,
 };
+use asperity_gw::GreenwoodWilliamson;
 use serde::{Deserialize, Serialize};
 
-use crate::{adhesive_validity, hertz};
+use crate::adhesive_validity;
 
 /// The direction in which the surfaces move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -86,6 +87,14 @@ const SOURCE: Citation = Citation {
 
 const SEPARATION: Citation = Citation { id: "jkr-separation", name: "JKR separation", ..SOURCE };
 
+/// w_a and w_p; `None` without adhesion.
+fn constants(asperity: &Asperity) -> Result<Option<[f64; 2]>, ContactError> {
+    let (work, r) = (asperity.adhesion(SOURCE.name)?, asperity.radius);
+    let strain = PI * work / (8.0 * asperity.equivalent_modulus * r);
+    let last = 3.0 * r * (strain * strain).cbrt();
+    Ok((work != 0.0).then_some([work, last]))
+}
+
 impl JohnsonKendallRoberts {
     /// A power of r as a function of x.
     fn power(self, coefficient: f64, exponent: i32) -> Formula {
@@ -114,30 +123,25 @@ impl Described for JohnsonKendallRoberts {
 }
 
 impl AsperityModel for JohnsonKendallRoberts {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        let work = asperity.adhesion(SOURCE.name)?;
-        if work == 0.0 {
-            return Ok(hertz(asperity, quantity));
-        }
-        let r = asperity.radius;
-        let strain = PI * work / (8.0 * asperity.equivalent_modulus * r);
-        let last = 3.0 * r * (strain * strain).cbrt();
-        let law = |unit| Law::in_units(last, unit).with_onset(self.branch.onset());
-        let all = 0.0..f64::INFINITY;
-        Ok(Some(match quantity {
-            // F/(π w_a R) = r⁶/6 - r³
-            Quantity::Force => law(PI * work * r)
-                .elastic(all.clone(), self.power(1.0 / 6.0, 6))
-                .less_adhesion(all, self.power(1.0, 3)),
-            // A = π a², a² = (R w_p/3) r⁴
-            Quantity::Area => law(PI * r * last / 3.0).elastic(all, self.power(1.0, 4)),
-            _ => return Ok(None),
-        }))
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        let Some([work, last]) = constants(asperity)? else {
+            return GreenwoodWilliamson.force(asperity, tolerance);
+        };
+        // F/(π w_a R) = r⁶/6 - r³
+        Ok(Law::in_units(last, PI * work * asperity.radius)
+            .with_onset(self.branch.onset())
+            .elastic(0.0..f64::INFINITY, self.power(1.0 / 6.0, 6))
+            .less_adhesion(0.0..f64::INFINITY, self.power(1.0, 3)))
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        let Some([_, last]) = constants(asperity)? else {
+            return GreenwoodWilliamson.area(asperity, tolerance);
+        };
+        // A = π a², a² = (R w_p/3) r⁴
+        Ok(Law::in_units(last, PI * asperity.radius * last / 3.0)
+            .with_onset(self.branch.onset())
+            .elastic(0.0..f64::INFINITY, self.power(1.0, 4)))
     }
 }
 
@@ -164,8 +168,8 @@ mod tests {
         for branch in [JkrBranch::Approach, JkrBranch::Separation] {
             let model = JohnsonKendallRoberts { branch };
             assert_eq!(testkit::check(&model, &asperity).unwrap()[..], []);
-            let law = |q| model.law(&asperity, q, Tolerance::default()).unwrap().unwrap();
-            let (force, area) = (law(Quantity::Force), law(Quantity::Area));
+            let force = model.force(&asperity, Tolerance::default()).unwrap();
+            let area = model.area(&asperity, Tolerance::default()).unwrap();
             // From the smallest radius of the branch upwards.
             let first = least * branch.least().powi(2);
             for k in 1..60 {

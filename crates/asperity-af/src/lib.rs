@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    Quantity, Tolerance, Validity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -56,40 +56,35 @@ impl Described for AbdoFarhang {
 }
 
 impl AsperityModel for AbdoFarhang {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
         let ratio = plastic_radius_ratio(asperity)?;
-        let beyond = 1.0..f64::INFINITY;
-        Ok(Some(match quantity {
-            // F/F_c = x^1.5 - k (x-1)^1.5 + 3 k² (p/(S H)) (x-1), without cancellation
-            Quantity::Force => {
-                let flow = match self.flow_pressure {
-                    FlowPressure::PressureFactor => 3.0 * ratio,
-                    FlowPressure::Hardness => 3.0 * ratio / asperity.pressure_factor,
-                };
-                // 1 - k without cancellation: (1 - k²)/(1 + k).
-                let loss = critical / asperity.radius / (1.0 + ratio.sqrt());
-                let force = move |x: f64| {
-                    let y = x - 1.0;
-                    let powers = x * x.sqrt() + y * y.sqrt();
-                    (1.0 + 3.0 * x * y) / powers + loss * y * y.sqrt() + flow * y
-                };
-                let force = Formula::function(force).known_as("AF force", vec![loss, flow]);
-                Law::in_units(critical, asperity.critical_force()?)
-                    .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(beyond, force)
-            }
-            // A/A_c = x; x + k² (x-1)
-            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(beyond, [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)]),
-            _ => return Ok(None),
-        }))
+        let flow = match self.flow_pressure {
+            FlowPressure::PressureFactor => 3.0 * ratio,
+            FlowPressure::Hardness => 3.0 * ratio / asperity.pressure_factor,
+        };
+        // 1 - k without cancellation: (1 - k²)/(1 + k).
+        let loss = critical / asperity.radius / (1.0 + ratio.sqrt());
+        // F/F_c = x^1.5 - k (x-1)^1.5 + 3 k² (p/(S H)) (x-1), without cancellation
+        let force = move |x: f64| {
+            let y = x - 1.0;
+            let powers = x * x.sqrt() + y * y.sqrt();
+            (1.0 + 3.0 * x * y) / powers + loss * y * y.sqrt() + flow * y
+        };
+        let force = Formula::function(force).known_as("AF force", vec![loss, flow]);
+        Ok(Law::in_units(critical, asperity.critical_force()?)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .elastic_plastic(1.0..f64::INFINITY, force))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let critical = asperity.critical_interference()?;
+        let ratio = plastic_radius_ratio(asperity)?;
+        // A/A_c = x; x + k² (x-1)
+        let embedded = [Power::new(1.0 + ratio, 1.0), Power::new(-ratio, 0.0)];
+        Ok(Law::in_units(critical, PI * asperity.radius * critical)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
+            .elastic_plastic(1.0..f64::INFINITY, embedded))
     }
 }
 
@@ -102,8 +97,7 @@ mod tests {
     fn values_of_the_readme_for_a_plastic_radius_close_to_r() {
         // w_c/R = 3e-13: R_p = R within the digits stated.
         let asperity = Asperity::new(&Interface::new(1e15, 0.31, 6e8), 1e-3).unwrap();
-        let law = AbdoFarhang::default().law(&asperity, Quantity::Force, Tolerance::default());
-        let law = law.unwrap().unwrap();
+        let law = AbdoFarhang::default().force(&asperity, Tolerance::default()).unwrap();
         let (w, f) =
             (asperity.critical_interference().unwrap(), asperity.critical_force().unwrap());
         for (x, value, digits) in [(1.5, 2.983, 1e-3), (6.0, 18.52, 1e-2), (110.0, 342.7, 0.1)] {

@@ -5,9 +5,11 @@ use std::ops::Range;
 use asperity_af::plastic_radius_ratio;
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
-    Quantity, Regime, Tolerance, Validity,
+    Regime, Tolerance, Validity,
 };
-use asperity_gao::{ELASTIC_END, Lateral, LateralOptions, NormalLaw, PLASTIC_FROM, Stick};
+use asperity_gao::{
+    ELASTIC_END, Lateral, LateralLaw, LateralOptions, NormalLaw, PLASTIC_FROM, Stick,
+};
 use serde::{Deserialize, Serialize};
 
 /// The reading of equations (11), (26) and (29).
@@ -54,13 +56,13 @@ const EP1_END: f64 = 6.0;
 type Term = (&'static str, f64, Regime, Range<f64>);
 
 impl AminiTehrani {
-    fn terms(&self, quantity: Quantity) -> Vec<Term> {
+    fn terms(&self, kind: LateralLaw) -> Vec<Term> {
         let (ep, p) = (Regime::ElasticPlastic, Regime::Plastic);
         let sign = if self.reading == AtReading::Additive { 1.0 } else { -1.0 };
         let overlap = self.reading == AtReading::Overlap;
         // In the overlap reading ep1 and ep2 cancel from 1 to 6, unless areas or friction limits
         // differ.
-        let cancel = overlap && quantity != Quantity::Area && self.options.stick == Stick::Clamped;
+        let cancel = overlap && kind != LateralLaw::Area && self.options.stick == Stick::Clamped;
         let elastic_end = if overlap { EP1_END } else { ELASTIC_END };
         // Q = I[Q_e; 0, 1] ∓ I[Q_ep1; 1, 6] + I[Q_ep2; 6, 110] + I[Q_p; 110, ∞]
         let mut terms = vec![("elastic", 1.0, Regime::Elastic, 0.0..elastic_end)];
@@ -97,32 +99,50 @@ impl Described for AminiTehrani {
     }
 }
 
-impl AsperityModel for AminiTehrani {
+impl AminiTehrani {
     fn law(
         &self,
         asperity: &Asperity,
-        quantity: Quantity,
+        kind: LateralLaw,
         tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    ) -> Result<Law, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let Some(mut law) = lateral.law_in_units(quantity) else { return Ok(None) };
-        for (name, sign, regime, range) in self.terms(quantity) {
+        let mut law = lateral.law_in_units(kind);
+        for (name, sign, regime, range) in self.terms(kind) {
             let elastic = regime == Regime::Elastic;
             let loss = if elastic { 0.0 } else { lateral.radius_loss() };
             // A*_ep1 = y, which is the elastic row of the table.
-            let row = if name == "elastic-plastic 1" && quantity == Quantity::Area {
+            let row = if name == "elastic-plastic 1" && kind == LateralLaw::Area {
                 Regime::Elastic
             } else {
                 regime
             };
             let normal: NormalLaw = lateral.normal(row, loss);
             let stick = lateral.stick(name == "elastic-plastic 2");
-            let mut part = lateral.part(stick, normal, range, quantity, tolerance);
-            let shrunk = quantity == Quantity::Area && !elastic;
+            let mut part = lateral.part(stick, normal, range, kind, tolerance);
+            let shrunk = kind == LateralLaw::Area && !elastic;
             part.sign = sign * if shrunk { plastic_radius_ratio(asperity)? } else { 1.0 };
             (part.name, part.regime) = (name.into(), regime);
             law.parts.push(part);
         }
-        Ok(Some(law))
+        Ok(law)
+    }
+}
+
+impl AsperityModel for AminiTehrani {
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, LateralLaw::Force, tolerance)
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, LateralLaw::Area, tolerance)
+    }
+
+    fn stiffness(
+        &self,
+        asperity: &Asperity,
+        tolerance: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        self.law(asperity, LateralLaw::Stiffness, tolerance).map(Some)
     }
 }

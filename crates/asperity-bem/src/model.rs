@@ -30,6 +30,9 @@ pub struct Bem {
 }
 
 impl Bem {
+    /// The id of boundary elements in scene files and commands; they need a scan.
+    pub const ID: &str = "bem";
+
     /// Its names, and where the method comes from.
     pub const SOURCE: Citation = SOURCE;
 
@@ -92,7 +95,7 @@ fn refused(error: BemError) -> ContactError {
 }
 
 const SOURCE: Citation = Citation {
-    id: "bem",
+    id: Bem::ID,
     name: "BEM",
     authors: "Polonsky & Keer",
     year: 1999,
@@ -122,7 +125,10 @@ impl ContactModel for Bem {
             solved: Mutex::default(),
         };
         // Before anything is solved.
-        request.quantities.iter().try_for_each(|q| contact.check_asked(*q, &QUANTITIES))?;
+        request
+            .quantities
+            .iter()
+            .try_for_each(|q| contact.check_asked(*q, Quantity::follows_from_totals))?;
         let given: Vec<LoadCase> =
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
@@ -131,16 +137,6 @@ impl ContactModel for Bem {
         Ok(Box::new(contact))
     }
 }
-
-const QUANTITIES: [Quantity; 7] = [
-    Quantity::Force,
-    Quantity::Pressure,
-    Quantity::Area,
-    Quantity::AreaFraction,
-    Quantity::MeanPressure,
-    Quantity::LnForce,
-    Quantity::LnArea,
-];
 
 /// What is kept of a contact.
 #[derive(Debug, Clone, Copy)]
@@ -230,7 +226,7 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.check_asked(quantity, &QUANTITIES)?;
+        self.check_asked(quantity, Quantity::follows_from_totals)?;
         let Summary { pressure, area, .. } = self.solve(self.given(at)?)?;
         let nominal = self.scene.nominal_area;
         let found =

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Quantity,
-    Tolerance, Validity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Tolerance,
+    Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -33,24 +33,18 @@ impl Described for ChangEtsionBogy {
 }
 
 impl AsperityModel for ChangEtsionBogy {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // x ≤ 1: F/F_c = x^1.5; x > 1: F/F_c = 3x - 3/2, which is F = S H A
+        Ok(Law::in_units(asperity.critical_interference()?, asperity.critical_force()?)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .plastic(1.0..f64::INFINITY, [Power::new(3.0, 1.0), Power::new(-1.5, 0.0)]))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
-        let beyond = 1.0..f64::INFINITY;
-        Ok(Some(match quantity {
-            // x ≤ 1: F/F_c = x^1.5; x > 1: F/F_c = 3x - 3/2, which is F = S H A
-            Quantity::Force => Law::in_units(critical, asperity.critical_force()?)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                .plastic(beyond, [Power::new(3.0, 1.0), Power::new(-1.5, 0.0)]),
-            // x ≤ 1: A/A_c = x; x > 1: A/A_c = 2x - 1
-            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .plastic(beyond, [Power::new(2.0, 1.0), Power::new(-1.0, 0.0)]),
-            _ => return Ok(None),
-        }))
+        // x ≤ 1: A/A_c = x; x > 1: A/A_c = 2x - 1
+        Ok(Law::in_units(critical, PI * asperity.radius * critical)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
+            .plastic(1.0..f64::INFINITY, [Power::new(2.0, 1.0), Power::new(-1.0, 0.0)]))
     }
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
+use asperity::bem::Bem;
 use asperity::{At, ContactError, ContactModel, Diagnostics, Model, Quantity, Request, Severity};
 use asperity_scene::{LeftOut, SceneFile};
 
@@ -27,7 +28,7 @@ impl LoadedScene {
     /// asperities.
     pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
         let knows =
-            |id: &String| id.parse().map_or(id != "bem", |m: Model| m.validity().asperities);
+            |id: &String| id.parse().map_or(id != Bem::ID, |m: Model| m.validity().asperities);
         let asperities = ids.is_empty() || ids.iter().any(knows);
         let scene = Self::open(path)?;
         let found = scene.file.warnings.iter().cloned().chain(scene.file.findings());
@@ -132,9 +133,8 @@ impl LoadedScene {
     /// A model with the scene's options, under the given name.
     pub fn model(&self, id: &str) -> Result<NamedModel> {
         let model = self.file.model(id)?;
-        let (_, left_out) = self.file.models();
-        if let Some(refused) = left_out.iter().find(|refused| refused.id == model.id()) {
-            bail!("{}: {}", self.name, refused.reason);
+        if let Some(reason) = self.file.refusal(&model) {
+            bail!("{}: {reason}", self.name);
         }
         if model.id() != id {
             print_message(

@@ -4,7 +4,7 @@ use asperity_quadrature::QuadratureError;
 
 use serde::Serialize;
 
-use crate::{At, Quantity, Separation};
+use crate::{At, Quantity, Separation, nearest_hint};
 
 /// Why a contact problem was refused or could not be answered.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
@@ -101,7 +101,7 @@ pub enum ContactError {
         reason: String,
     },
     /// An unknown name of a quantity.
-    #[error("quantity {name:?} is not known{}: the quantities are {known}", suggestion(&.near.map(|near| near.to_string())))]
+    #[error("quantity {name:?} is not known{}: the quantities are {known}", nearest_hint(*.near))]
     UnknownQuantity {
         /// The value given.
         name: String,
@@ -119,7 +119,7 @@ pub enum ContactError {
         reason: String,
     },
     /// An unknown name of a model.
-    #[error("model {name:?} is not known{}: the models are {known}", suggestion(.near))]
+    #[error("model {name:?} is not known{}: the models are {known}", nearest_hint(.near.as_ref()))]
     UnknownModel {
         /// The value given.
         name: String,
@@ -135,7 +135,7 @@ pub enum ContactError {
     Scale {
         /// The quantity.
         quantity: Quantity,
-        /// η A_n times the law's value unit, in SI units.
+        /// η A_n times the law's value unit, or that over σ_z for slopes, in SI units.
         scale: f64,
     },
     /// The interference unit of a law differs too much from the spread of the heights.
@@ -206,10 +206,6 @@ fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {
         return String::new();
     }
     format!(" ({over_sigma:?} asperity_height_std)")
-}
-
-fn suggestion(near: &Option<String>) -> String {
-    near.as_ref().map_or(String::new(), |near| format!(" (did you mean {near:?}?)"))
 }
 
 /// `value` if it is finite and positive.

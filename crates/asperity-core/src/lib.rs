@@ -9,10 +9,10 @@
 //! and the places. An [`AsperityModel`] supplies only the law:
 //!
 //! ```text
-//! scene + request → model.law(asperity, quantity) → compiled → response
+//! scene + request → model.force(asperity) → compiled → response
 //! ```
 //!
-//! This crate contains no model; diagnostics recommend models by their ids. All units are SI;
+//! This crate contains no model; messages recommend some by their ids. All units are SI;
 //! plain separations are multiples of σ_z.
 
 mod check;
@@ -22,6 +22,8 @@ mod error;
 mod heights;
 mod law;
 mod model;
+#[doc(hidden)]
+pub mod recommended;
 mod request;
 mod response;
 mod scene;
@@ -61,4 +63,4 @@ pub use scene::Scene;
 pub use scene::asperity::Asperity;
 pub use scene::interface::{Body, HARDNESS_OVER_YIELD, Interface};
 pub use scene::surface::{ProfileMoments, Surface};
-pub use text::{nearest_name, shortest_digits};
+pub use text::{nearest_hint, nearest_name, shortest_digits};

@@ -1,5 +1,7 @@
 //! Names and numbers as text.
 
+use std::fmt::Display;
+
 use strsim::osa_distance;
 
 /// The first of the known names with the fewest typing errors, whatever the case: at most two, and
@@ -19,6 +21,16 @@ pub fn nearest_name<'a>(
     let errors = |name: &'a str| (osa_distance(&mistyped, &name.to_lowercase()), name);
     let nearest = known.into_iter().map(errors).min_by_key(|(errors, _)| *errors);
     nearest.filter(|(errors, _)| *errors <= allowed).map(|(_, name)| name)
+}
+
+/// The nearest name in parentheses, to stand behind an unknown one; empty without it.
+///
+/// ```
+/// assert_eq!(asperity_core::nearest_hint(Some("zmc")), " (the nearest is \"zmc\")");
+/// assert_eq!(asperity_core::nearest_hint(None::<&str>), "");
+/// ```
+pub fn nearest_hint(near: Option<impl Display>) -> String {
+    near.map_or_else(String::new, |near| format!(" (the nearest is \"{near}\")"))
 }
 
 /// The shortest digits that give the same number back in any tool: `289.29`, `1.427e-7`, `-inf`.

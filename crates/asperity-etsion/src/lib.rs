@@ -1,10 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, KnownDefect, Law, Power,
-    Provenance, Quantity, Tolerance, Validity,
+    Provenance, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -40,29 +41,29 @@ impl Described for EtsionKligermanKadin {
     }
 }
 
+const BEYOND: Range<f64> = 170.0..f64::INFINITY;
+
+/// 1 + c (x-1)^p.
+fn fit(c: f64, p: f64) -> [Power; 2] {
+    [Power::new(1.0, 0.0), Power::from_origin(c, 1.0, p)]
+}
+
 impl AsperityModel for EtsionKligermanKadin {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // F/F_c = x^1.5; 1 + 1.32 (x-1)^1.27; (3/S) x
+        Ok(Law::in_units(asperity.critical_interference()?, asperity.critical_force()?)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .elastic_plastic(1.0..170.0, fit(1.32, 1.27))
+            .plastic(BEYOND, [Power::new(3.0 / asperity.pressure_factor, 1.0)]))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
-        let fit = |c, p| [Power::new(1.0, 0.0), Power::from_origin(c, 1.0, p)];
-        let beyond = 170.0..f64::INFINITY;
-        Ok(Some(match quantity {
-            // F/F_c = x^1.5; 1 + 1.32 (x-1)^1.27; (3/S) x
-            Quantity::Force => Law::in_units(critical, asperity.critical_force()?)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                .elastic_plastic(1.0..170.0, fit(1.32, 1.27))
-                .plastic(beyond, [Power::new(3.0 / asperity.pressure_factor, 1.0)]),
-            // A/A_c = x; 1 + 1.19 (x-1)^1.1; 2x
-            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(1.0..170.0, fit(1.19, 1.1))
-                .plastic(beyond, [Power::new(2.0, 1.0)]),
-            _ => return Ok(None),
-        }))
+        // A/A_c = x; 1 + 1.19 (x-1)^1.1; 2x
+        Ok(Law::in_units(critical, PI * asperity.radius * critical)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
+            .elastic_plastic(1.0..170.0, fit(1.19, 1.1))
+            .plastic(BEYOND, [Power::new(2.0, 1.0)]))
     }
 }
 
@@ -93,9 +94,8 @@ mod tests {
     #[test]
     fn the_deviations_from_finite_elements_are_those_of_the_readme() {
         let asperity = scene(2.0).asperity().unwrap();
-        let law =
-            |q| EtsionKligermanKadin.law(&asperity, q, Tolerance::default()).unwrap().unwrap();
-        let (force, area) = (law(Quantity::Force), law(Quantity::Area));
+        let force = EtsionKligermanKadin.force(&asperity, Tolerance::default()).unwrap();
+        let area = EtsionKligermanKadin.area(&asperity, Tolerance::default()).unwrap();
         for [x, f, a, force_off, area_off] in ELEMENTS {
             for (law, element, stated) in [(&force, f, force_off), (&area, a, area_off)] {
                 let found = law.value(x * law.interference_unit).unwrap() / law.value_unit;

@@ -5,9 +5,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity_core::{
-    Asperity, ContactError, Diagnostic, Law, Part, Quantity, Regime, Tolerance, Validity,
-};
+use asperity_core::{Asperity, ContactError, Diagnostic, Law, Part, Regime, Tolerance, Validity};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -16,7 +14,11 @@ use crate::{
 
 /// The tangential displacements ζ* and ξ* of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"vertical\" or \"none\" or { zeta = 0.1, xi = 0.1 }"
+)]
 pub enum Displacement {
     /// ζ* = ξ* = λ x: the vertical approach in the normal and in both tangential directions. The
     /// paper leaves the two open; this closure is derived.
@@ -103,6 +105,17 @@ impl LateralOptions {
     }
 }
 
+/// The laws of a lateral model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LateralLaw {
+    /// Of the force.
+    Force,
+    /// Of the area.
+    Area,
+    /// Of the average stiffness of the asperities.
+    Stiffness,
+}
+
 /// An asperity with the constants that the parts of a lateral model need.
 #[derive(Debug, Clone, Copy)]
 pub struct Lateral {
@@ -149,16 +162,15 @@ impl Lateral {
         NormalLaw { regime, pressure_factor, area_exponent, radius_loss }
     }
 
-    /// A law without parts in the units F_c, π R w_c or F_c/w_c; `None` for the tangent.
+    /// A law without parts in the units F_c, π R w_c or F_c/w_c.
     #[must_use]
-    pub fn law_in_units(&self, quantity: Quantity) -> Option<Law> {
-        let unit = match quantity {
-            Quantity::Force => self.critical_force,
-            Quantity::Area => PI * self.radius * self.critical,
-            Quantity::Stiffness => self.critical_force / self.critical,
-            _ => return None,
+    pub fn law_in_units(&self, kind: LateralLaw) -> Law {
+        let unit = match kind {
+            LateralLaw::Force => self.critical_force,
+            LateralLaw::Area => PI * self.radius * self.critical,
+            LateralLaw::Stiffness => self.critical_force / self.critical,
         };
-        Some(Law::in_units(self.critical, unit))
+        Law::in_units(self.critical, unit)
     }
 
     /// Whether friction limits the tangential force of a part: with [`Stick::Unlimited`] only in
@@ -168,35 +180,29 @@ impl Lateral {
         if of_equation_23 { Stick::Clamped } else { self.options.stick }
     }
 
-    /// The angle average of a regime over y in `range`, as a part of the law for `quantity`.
+    /// The angle average of a regime over y in `range`, as a part of a law.
     #[must_use]
     pub fn part(
         &self,
         stick: Stick,
         normal: NormalLaw,
         range: Range<f64>,
-        quantity: Quantity,
+        kind: LateralLaw,
         tolerance: Tolerance,
     ) -> Part {
         let LateralOptions { angle_density, displacement, force, .. } = self.options;
         let closed = |powers| angle_average_of_powers(powers, range.clone(), angle_density);
-        let response = match quantity {
-            Quantity::Force => Some(Response::Force(force)),
-            Quantity::Stiffness => Some(Response::Stiffness),
-            // The area is the only other quantity with a law.
-            _ => None,
+        let shear_ratio = self.shear_ratio;
+        let slip = |response| {
+            let slip = ObliqueSlip { normal, shear_ratio, displacement, stick, response };
+            angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
         };
         let normal_only = displacement == Displacement::None && force == ForceComponent::Size;
-        let (form, kinks) = match response {
-            None => (closed(&normal.area_powers()), vec![range.end]),
-            Some(Response::Force(_)) if normal_only => {
-                (closed(&normal.load_powers()), vec![range.end])
-            }
-            Some(response) => {
-                let shear_ratio = self.shear_ratio;
-                let slip = ObliqueSlip { normal, shear_ratio, displacement, stick, response };
-                angle_average(Arc::new(slip), range.clone(), angle_density, tolerance.relative())
-            }
+        let (form, kinks) = match kind {
+            LateralLaw::Area => (closed(&normal.area_powers()), vec![range.end]),
+            LateralLaw::Force if normal_only => (closed(&normal.load_powers()), vec![range.end]),
+            LateralLaw::Force => slip(Response::Force(force)),
+            LateralLaw::Stiffness => slip(Response::Stiffness),
         };
         // An upright contact leaves a regime at its end; at larger x inclined contacts are still in
         // it.

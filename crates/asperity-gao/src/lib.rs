@@ -13,13 +13,13 @@ mod slip;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Law, Provenance,
-    Quantity, Regime, Tolerance, Validity,
+    Regime, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
 pub use angles::AngleDensity;
 pub use average::{angle_average, angle_average_of_powers};
-pub use lateral::{Displacement, ForceComponent, Lateral, LateralOptions, Stick};
+pub use lateral::{Displacement, ForceComponent, Lateral, LateralLaw, LateralOptions, Stick};
 pub use oblique::ObliqueContact;
 pub use pieces::{ELASTIC_END, NormalLaw, PLASTIC_FROM, friction, regime_range};
 pub use slip::{ObliqueSlip, Response};
@@ -57,21 +57,39 @@ impl Described for Gao {
     }
 }
 
-impl AsperityModel for Gao {
+impl Gao {
     fn law(
         &self,
         asperity: &Asperity,
-        quantity: Quantity,
+        kind: LateralLaw,
         tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    ) -> Result<Law, ContactError> {
         let lateral = Lateral::new(self.options, asperity, self.name())?;
-        let Some(mut law) = lateral.law_in_units(quantity) else { return Ok(None) };
+        let mut law = lateral.law_in_units(kind);
         // I[Q_e; 0, 1] + I[Q_ep; 1, 110] + I[Q_p; 110, ∞]
         for regime in [Regime::Elastic, Regime::ElasticPlastic, Regime::Plastic] {
             let normal = lateral.normal(regime, 0.0);
             let stick = lateral.stick(regime == Regime::ElasticPlastic);
-            law.parts.push(lateral.part(stick, normal, regime_range(regime), quantity, tolerance));
+            law.parts.push(lateral.part(stick, normal, regime_range(regime), kind, tolerance));
         }
-        Ok(Some(law))
+        Ok(law)
+    }
+}
+
+impl AsperityModel for Gao {
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, LateralLaw::Force, tolerance)
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, LateralLaw::Area, tolerance)
+    }
+
+    fn stiffness(
+        &self,
+        asperity: &Asperity,
+        tolerance: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        self.law(asperity, LateralLaw::Stiffness, tolerance).map(Some)
     }
 }

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Evaluation, Law, Power, Provenance,
@@ -34,25 +35,19 @@ impl Described for GreenwoodWilliamson {
     }
 }
 
+const ALL: Range<f64> = 0.0..f64::INFINITY;
+
+// The laws have no scale of their own: x is w in metres, so that no unit can overflow.
 impl AsperityModel for GreenwoodWilliamson {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        // The law has no scale of its own: x is w in metres, so that no unit can overflow.
-        let (e, r) = (asperity.equivalent_modulus, asperity.radius);
-        let all = 0.0..f64::INFINITY;
-        Ok(Some(match quantity {
-            // F = (4/3) E √R w^(3/2)
-            Quantity::Force => {
-                Law::in_units(1.0, 4.0 / 3.0 * e * r.sqrt()).elastic(all, [Power::new(1.0, 1.5)])
-            }
-            // A = π R w
-            Quantity::Area => Law::in_units(1.0, PI * r).elastic(all, [Power::new(1.0, 1.0)]),
-            _ => return Ok(None),
-        }))
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // F = (4/3) E √R w^(3/2)
+        let unit = 4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.sqrt();
+        Ok(Law::in_units(1.0, unit).elastic(ALL, [Power::new(1.0, 1.5)]))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // A = π R w
+        Ok(Law::in_units(1.0, PI * asperity.radius).elastic(ALL, [Power::new(1.0, 1.0)]))
     }
 }
 
@@ -73,8 +68,7 @@ pub fn greenwood_integral(order: f64, separation: f64) -> Result<Evaluation, Con
         let required = "a number from -1e6 to 1e9";
         return Err(ContactError::OutOfRange { field: "separation", value: separation, required });
     }
-    let all = 0.0..f64::INFINITY;
-    let density = Law::in_units(1.0, 1.0).elastic(all, [Power::new(1.0, order)]).density();
+    let density = Law::in_units(1.0, 1.0).elastic(ALL, [Power::new(1.0, order)]).density();
     let integral = ShiftedGaussian::new(density, 1.0, 1e-14);
     let failed = |source| {
         let (quantity, at) = (Quantity::Force, separation.into());

@@ -1,11 +1,12 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    QuadratureError, Quantity, Sampler, Tolerance, Validity,
+    QuadratureError, Sampler, Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -61,6 +62,7 @@ const COSINE: Citation = Citation { id: "jg-cosine", name: "JG cosine", ..SOURCE
 
 /// End of the elastic range, in units of w_c' (seen in text that quotes the paper).
 const ELASTIC_END: f64 = 1.9;
+const BEYOND: Range<f64> = ELASTIC_END..f64::INFINITY;
 
 /// The exponent of the area beyond x = 1.9, B = 0.14 exp(23 S_y/E)
 /// (seen in text that quotes the paper).
@@ -111,13 +113,13 @@ impl From<AreaFit> for Formula {
     }
 }
 
-/// C, and the strain √(w_c'/R) = π C S_y/(2E).
-fn critical(asperity: &Asperity) -> Result<(f64, f64), ContactError> {
+/// C, the strain √(w_c'/R) = π C S_y/(2E), and the exponent B of the area.
+fn constants(asperity: &Asperity) -> Result<[f64; 3], ContactError> {
     let c = 1.295 * (0.736 * asperity.poissons_ratio).exp();
     let value = asperity.yield_strength()?;
     let strain = 0.5 * PI * c * value / asperity.equivalent_modulus;
     if strain < 1.0 {
-        return Ok((c, strain));
+        return Ok([c, strain, area_exponent(asperity)?]);
     }
     let required = "a yield strength below 2E/(pi C), so that the critical interference is smaller than the radius,";
     Err(ContactError::OutOfRange { field: "yield_strength", value, required })
@@ -139,46 +141,35 @@ impl Described for JacksonGreen {
 }
 
 impl AsperityModel for JacksonGreen {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        let (c, strain) = critical(asperity)?;
-        let (r, b) = (asperity.radius, area_exponent(asperity)?);
-        let unit = strain * strain * r;
-        let beyond = ELASTIC_END..f64::INFINITY;
-        Ok(Some(match quantity {
-            Quantity::Force => {
-                // F/F_c' = x^1.5, then the fit; F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R²
-                // strain³
-                let force_unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
-                let hardness = self.hardness;
-                let fit = Formula::function(move |x| force(x, c, strain, b, hardness));
-                let fit = fit.known_as(format!("JG force, {hardness:?}"), vec![c, strain, b]);
-                let mut law = Law::in_units(unit, force_unit)
-                    .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(beyond, fit);
-                if hardness == GeometricHardness::Cosine {
-                    // At a = R the cosine reaches its minimum and H_G becomes constant.
-                    let full = (ELASTIC_END.powf(b) / (strain * strain)).powf(1.0 / (1.0 + b));
-                    law.parts[1].kinks.extend((full > ELASTIC_END).then_some(full));
-                }
-                law
-            }
-            // A/A_c' = x; x (x/1.9)^B
-            Quantity::Area => {
-                let error = area_exponent_error(asperity, b)?;
-                let power = [Power::new(ELASTIC_END.powf(-b), 1.0 + b)];
-                let fit: Formula =
-                    if error > ROUNDING { AreaFit { b, error }.into() } else { power.into() };
-                Law::in_units(unit, PI * r * unit)
-                    .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
-                    .elastic_plastic(beyond, fit)
-            }
-            _ => return Ok(None),
-        }))
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let [c, strain, b] = constants(asperity)?;
+        // F/F_c' = x^1.5, then the fit; F_c' = (4/3)(R/E)² (π C S_y/2)³ = (4/3) E R² strain³
+        let (r, hardness) = (asperity.radius, self.hardness);
+        let unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * strain.powi(3);
+        let fit = Formula::function(move |x| force(x, c, strain, b, hardness));
+        let fit = fit.known_as(format!("JG force, {hardness:?}"), vec![c, strain, b]);
+        let mut law = Law::in_units(strain * strain * r, unit)
+            .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
+            .elastic_plastic(BEYOND, fit);
+        if hardness == GeometricHardness::Cosine {
+            // At a = R the cosine reaches its minimum and H_G becomes constant.
+            let full = (ELASTIC_END.powf(b) / (strain * strain)).powf(1.0 / (1.0 + b));
+            law.parts[1].kinks.extend((full > ELASTIC_END).then_some(full));
+        }
+        Ok(law)
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let [_, strain, b] = constants(asperity)?;
+        let error = area_exponent_error(asperity, b)?;
+        // A/A_c' = x; x (x/1.9)^B
+        let power = [Power::new(ELASTIC_END.powf(-b), 1.0 + b)];
+        let fit: Formula =
+            if error > ROUNDING { AreaFit { b, error }.into() } else { power.into() };
+        let unit = strain * strain * asperity.radius;
+        Ok(Law::in_units(unit, PI * asperity.radius * unit)
+            .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
+            .elastic_plastic(BEYOND, fit))
     }
 }
 
@@ -216,7 +207,9 @@ mod tests {
     /// `tests/reference/jg_areas.csv`, by mpmath.
     #[test]
     fn the_bound_of_the_area_counts_the_rounding_of_its_exponent() {
-        use asperity_core::{ContactModel, HeightDistribution, Interface, Request, Scene, Surface};
+        use asperity_core::{
+            ContactModel, HeightDistribution, Interface, Quantity, Request, Scene, Surface,
+        };
         let rows = include_str!("../../../tests/reference/jg_areas.csv").lines().skip(1);
         for row in rows {
             let (strength, area) = row.split_once(',').unwrap();

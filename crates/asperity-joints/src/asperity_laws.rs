@@ -80,11 +80,7 @@ impl AsperityLaws {
         let one = model
             .asperity_model()
             .ok_or_else(|| unsupported("these need a model of equal, upright asperities"))?;
-        let law_of = |quantity| {
-            let found = one.law(&asperity, quantity, tolerance)?;
-            found.ok_or_else(|| ContactError::NoLaw { model: model.name().into(), quantity })
-        };
-        let (force, area) = (law_of(Quantity::Force)?, law_of(Quantity::Area)?);
+        let (force, area) = (one.force(&asperity, tolerance)?, one.area(&asperity, tolerance)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
         let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };
         let mut loading = Self { force, area, asperity, unloading, critical, turns: vec![] };
@@ -341,13 +337,13 @@ impl Described for RetreatModel<'_> {
 }
 
 impl AsperityModel for RetreatModel<'_> {
-    fn law(
-        &self,
-        _: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        Ok((quantity == Quantity::Force).then(|| self.law.clone()))
+    fn force(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        Ok(self.law.clone())
+    }
+
+    fn area(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // Only forces are asked of this model.
+        Err(ContactError::NoLaw { model: self.name.into(), quantity: Quantity::Area })
     }
 }
 

@@ -82,10 +82,8 @@ impl Joint {
 
     /// Height of the highest asperity above the mean \[m\]; infinite for unbounded heights.
     pub(crate) fn highest(&self) -> f64 {
-        match &self.scene().heights {
-            HeightDistribution::Other(heights) => heights.heights().support().1,
-            _ => f64::INFINITY,
-        }
+        let scene = self.scene();
+        scene.heights.support(scene.surface.asperity_height_std).1
     }
 
     pub(crate) fn loading(&self) -> &AsperityLaws {

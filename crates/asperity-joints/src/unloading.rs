@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use asperity_core::{
     At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
-    Tolerance, nearest_name, positive,
+    Tolerance, nearest_hint, nearest_name, positive,
 };
 
 use crate::Joint;
@@ -50,7 +50,7 @@ impl FromStr for UnloadingLaw {
         let known = Self::ALL.map(|law| law.to_string()).join(", ");
         let names = Self::ALL.map(|law| law.to_string());
         let near = nearest_name(&wanted, names.iter().map(String::as_str));
-        let near = near.map_or(String::new(), |near| format!(" (did you mean {near:?}?)"));
+        let near = nearest_hint(near);
         found.ok_or_else(|| format!("{name:?} is none of {known}{near}"))
     }
 }

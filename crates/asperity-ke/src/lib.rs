@@ -1,10 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use asperity_core::{
-    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Quantity,
-    Tolerance, Validity,
+    Asperity, AsperityModel, Citation, ContactError, Described, Law, Power, Provenance, Tolerance,
+    Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -33,29 +34,25 @@ impl Described for KogutEtsion {
     }
 }
 
+const BEYOND: Range<f64> = 110.0..f64::INFINITY;
+
 impl AsperityModel for KogutEtsion {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // F/F_c = x^1.5; 1.03 x^1.425; 1.40 x^1.263; (3/S) x
+        Ok(Law::in_units(asperity.critical_interference()?, asperity.critical_force()?)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .elastic_plastic(1.0..6.0, [Power::new(1.03, 1.425)])
+            .elastic_plastic(6.0..110.0, [Power::new(1.40, 1.263)])
+            .plastic(BEYOND, [Power::new(3.0 / asperity.pressure_factor, 1.0)]))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let critical = asperity.critical_interference()?;
-        let beyond = 110.0..f64::INFINITY;
-        Ok(Some(match quantity {
-            // F/F_c = x^1.5; 1.03 x^1.425; 1.40 x^1.263; (3/S) x
-            Quantity::Force => Law::in_units(critical, asperity.critical_force()?)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                .elastic_plastic(1.0..6.0, [Power::new(1.03, 1.425)])
-                .elastic_plastic(6.0..110.0, [Power::new(1.40, 1.263)])
-                .plastic(beyond, [Power::new(3.0 / asperity.pressure_factor, 1.0)]),
-            // A/A_c = x; 0.93 x^1.136; 0.94 x^1.146; 2x
-            Quantity::Area => Law::in_units(critical, PI * asperity.radius * critical)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(1.0..6.0, [Power::new(0.93, 1.136)])
-                .elastic_plastic(6.0..110.0, [Power::new(0.94, 1.146)])
-                .plastic(beyond, [Power::new(2.0, 1.0)]),
-            _ => return Ok(None),
-        }))
+        // A/A_c = x; 0.93 x^1.136; 0.94 x^1.146; 2x
+        Ok(Law::in_units(critical, PI * asperity.radius * critical)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
+            .elastic_plastic(1.0..6.0, [Power::new(0.93, 1.136)])
+            .elastic_plastic(6.0..110.0, [Power::new(0.94, 1.146)])
+            .plastic(BEYOND, [Power::new(2.0, 1.0)]))
     }
 }

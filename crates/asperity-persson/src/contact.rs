@@ -12,19 +12,6 @@ use crate::{Persson, Spectrum};
 /// Bound on the relative error of areas, which is rounding.
 const ERROR: f64 = 1e-14;
 
-/// The quantities of this theory.
-const QUANTITIES: [Quantity; 9] = [
-    Quantity::Force,
-    Quantity::Area,
-    Quantity::Stiffness,
-    Quantity::Tangent,
-    Quantity::Pressure,
-    Quantity::AreaFraction,
-    Quantity::MeanPressure,
-    Quantity::LnForce,
-    Quantity::LnArea,
-];
-
 /// ln b of the pressures whose mean gaps are representable and above 0.
 const LN_PRESSURES: [f64; 2] = [-700.0, 3.2];
 
@@ -77,6 +64,11 @@ impl OnScene {
     }
 }
 
+/// The slopes of the mean gap, and what follows from force and area.
+fn is_known(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::Stiffness | Quantity::Tangent) || quantity.follows_from_totals()
+}
+
 fn integral(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
     move |source| ContactError::Integral { quantity, at, source }
 }
@@ -95,7 +87,7 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.check_asked(quantity, &QUANTITIES)?;
+        self.check_asked(quantity, is_known)?;
         let nominal = self.scene.nominal_area;
         let (pressure, error) = match at {
             At::Pressure(pressure) => (positive("pressure", pressure)?, ERROR),

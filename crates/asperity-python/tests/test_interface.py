@@ -168,8 +168,8 @@ def test_options_of_a_scene_apply_to_models_without_options(soft_steel: asperity
 
 def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
-    assert 'did you mean "zmc"?' in refusal(asperity.model, "zcm")
-    assert 'did you mean "at_reading"?' in refusal(asperity.model, "at", at_reding="additive")
+    assert 'the nearest is "zmc"' in refusal(asperity.model, "zcm")
+    assert 'the nearest is "at_reading"' in refusal(asperity.model, "at", at_reding="additive")
     assert refusal(asperity.Surface, 1e-4, -1.0, 1e-6).startswith("asperity_density is -1.0: ")
     assert refusal(asperity.Body, 1e9, 0.6, 1e8).startswith("poissons_ratio is 0.6: ")
     elastic = asperity.Interface(2e6, 0.5)
@@ -177,7 +177,7 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asper
     assert asperity.model("gw").solve(rubber, 2.0).force > 0.0
     assert refusal(ke.solve, rubber, 2.0).startswith("hardness is missing: set hardness or yield_strength")
     assert refusal(ke.solve, scene, [0.0, np.nan]).startswith("separation is NaN asperity_height_std: ")
-    assert 'did you mean "force"?' in refusal(ke.solve, scene, 0.0, "forc")
+    assert 'the nearest is "force"' in refusal(ke.solve, scene, 0.0, "forc")
     assert refusal(ke.solve, scene, 0.0, rtol=0.0).startswith("tolerance is 0.0: ")
     assert refusal(ke.solve, scene, 0.0, []).startswith("quantities is empty")
     assert refusal(ke.solve, scene, 0.0, separation_unit="mm").startswith("separation_unit is 'mm'")

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Diagnostic, Formula, Law, Part,
-    Quantity, Tolerance, Validity,
+    Tolerance, Validity,
 };
 use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
 
@@ -44,23 +44,11 @@ impl Described for Average<'_> {
     }
 }
 
-impl AsperityModel for Average<'_> {
-    /// The law of interferences counted from [`Population::begin`] below u = 0.
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+impl Average<'_> {
+    /// The average of κ^(-n) law(κ w), of interferences counted from [`Population::begin`] below
+    /// u = 0.
+    fn average(&self, law: &Law, power: i32) -> Law {
         let unit = self.population.unit;
-        let (law, power) = match self.model.law(asperity, quantity, tolerance)? {
-            Some(law) => (law, 2),
-            None if quantity == Quantity::Contacts => {
-                let one = Formula::function(|_| 1.0);
-                (Law::in_units(unit, 1.0).elastic(0.0..f64::INFINITY, one), 0)
-            }
-            None => return Ok(None),
-        };
         let scale = unit / law.interference_unit;
         let average = |part: &Part| {
             let mut breaks = vec![part.range.start, part.range.end];
@@ -77,7 +65,41 @@ impl AsperityModel for Average<'_> {
             Part { range, kinks, form, ..part.clone() }
         };
         let parts = law.parts.iter().map(average).collect();
-        Ok(Some(Law { parts, ..Law::in_units(unit, law.value_unit) }))
+        Law { parts, ..Law::in_units(unit, law.value_unit) }
+    }
+}
+
+/// The laws of force, area and stiffness go with the square of the radius.
+const WITH_SQUARE: i32 = 2;
+
+impl AsperityModel for Average<'_> {
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        Ok(self.average(&self.model.force(asperity, tolerance)?, WITH_SQUARE))
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        Ok(self.average(&self.model.area(asperity, tolerance)?, WITH_SQUARE))
+    }
+
+    fn stiffness(
+        &self,
+        asperity: &Asperity,
+        tolerance: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        let law = self.model.stiffness(asperity, tolerance)?;
+        Ok(law.map(|law| self.average(&law, WITH_SQUARE)))
+    }
+
+    fn contacts(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let one = Formula::function(|_| 1.0);
+        let law = Law::in_units(self.population.unit, 1.0).elastic(0.0..f64::INFINITY, one);
+        Ok(self.average(&law, 0))
+    }
+
+    fn contact_radius(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        // The root of the average area is not the average of the contact radii.
+        let what = "sums of contact radii for unloading and conductance: these need a model of equal, upright asperities, without -random";
+        Err(ContactError::Unsupported { model: self.name.into(), what: what.into() })
     }
 }
 

@@ -34,28 +34,6 @@ impl RandomAsperities {
         Self { model: Arc::new(model), id, name }
     }
 
-    /// The law of the area is an average over radii: its root is not the average of the contact
-    /// radii.
-    fn check(&self, quantities: &[Quantity]) -> Result<(), ContactError> {
-        let of_radii = |quantity: &Quantity| {
-            matches!(
-                quantity,
-                Quantity::ContactRadiusSum
-                    | Quantity::UnloadingStiffness
-                    | Quantity::TangentialStiffness
-                    | Quantity::ThermalConductance
-                    | Quantity::ElectricalConductance
-                    | Quantity::ThermalConductancePerArea
-                    | Quantity::ElectricalConductancePerArea
-            )
-        };
-        if !quantities.iter().any(of_radii) {
-            return Ok(());
-        }
-        let what = "sums of contact radii for unloading and conductance: these need a model of equal, upright asperities";
-        Err(ContactError::Unsupported { model: self.name.clone(), what: what.into() })
-    }
-
     fn refused(&self, reason: &str) -> ContactError {
         let what = format!("averages over the asperities of a random surface: {reason}");
         ContactError::Unsupported { model: self.model.name().into(), what }
@@ -98,7 +76,6 @@ impl ContactModel for RandomAsperities {
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
             return Err(self.refused("heights must be Gaussian"));
         }
-        self.check(&request.quantities)?;
         let population = Population::new(scene)?;
         // Loads need no change; each separation is shifted.
         let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
-use asperity::ContactError;
+use asperity::{ContactError, nearest_hint};
 
 /// A place in a scene file or in a file that it names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -66,7 +66,7 @@ pub enum SceneError {
         reason: String,
     },
     /// A key that its section does not have.
-    #[error("{at} is not known{}: {allowed}", suggestion(.near))]
+    #[error("{at} is not known{}: {allowed}", nearest_hint(.near.as_ref()))]
     UnknownKey {
         /// The key.
         at: Box<Place>,
@@ -76,7 +76,7 @@ pub enum SceneError {
         allowed: String,
     },
     /// A value of the wrong kind, out of its range, or not one of the allowed names.
-    #[error("{at} is {found}{}: {needed} was required", suggestion(.near))]
+    #[error("{at} is {found}{}: {needed} was required", nearest_hint(.near.as_ref()))]
     Value {
         /// The field.
         at: Box<Place>,
@@ -121,10 +121,6 @@ pub enum SceneError {
         /// The reason from the library.
         source: ContactError,
     },
-}
-
-fn suggestion(near: &Option<String>) -> String {
-    near.as_ref().map_or(String::new(), |near| format!(" (did you mean {near:?}?)"))
 }
 
 fn place_without_file(place: &Place) -> String {

@@ -28,7 +28,7 @@ use crate::{Place, SceneError};
 /// options.set("displacement", &[("zeta", 0.1), ("xi", 0.1)].into())?;
 /// assert_eq!(options.model("at")?.name(), "AT additive");
 /// let mistyped = options.set("at_reading", &"aditive".into()).unwrap_err();
-/// assert!(mistyped.to_string().contains("did you mean \"additive\"?"));
+/// assert!(mistyped.to_string().contains("the nearest is \"additive\""));
 /// # Ok::<(), asperity_scene::SceneError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -40,7 +40,6 @@ pub struct ModelOptions {
     #[serde(with = "AngleChoice")]
     pub angle_density: AngleDensity,
     /// The tangential displacements of Gao and AT.
-    #[serde(with = "DisplacementChoice")]
     pub displacement: Displacement,
     /// Whether friction limits the tangential forces of Gao and AT.
     pub stick: Stick,
@@ -87,24 +86,6 @@ enum AngleChoice {
         a20: f64,
         a21: f64,
         b21: f64,
-    },
-}
-
-/// The spelling of `displacement`.
-#[derive(Serialize, Deserialize)]
-#[serde(
-    remote = "Displacement",
-    rename_all = "kebab-case",
-    deny_unknown_fields,
-    expecting = "\"vertical\" or \"none\" or { zeta = 0.1, xi = 0.1 }"
-)]
-enum DisplacementChoice {
-    Vertical,
-    None,
-    #[serde(untagged)]
-    Given {
-        zeta: f64,
-        xi: f64,
     },
 }
 

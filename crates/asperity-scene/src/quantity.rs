@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::ops::Range;
 
+use asperity::nearest_hint;
 use toml::de::{DeTable, DeValue};
 
 use crate::template::key;
@@ -159,7 +160,7 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
     units.and_then(|units| read(text, units)).ok_or_else(|| {
         let (_, example, names) = units.unwrap_or((si, "", &[]));
         let near = units.and_then(|units| in_other_case(text, units));
-        let near = near.map_or(String::new(), |near| format!(" (did you mean {near:?}?)"));
+        let near = nearest_hint(near);
         let (example, names) = (example.replace(' ', ""), list(names));
         format!(
             "{text:?} is not a number in {si}{near}: write {example}, for example (units: {names})"
@@ -237,10 +238,10 @@ mod tests {
             ("20 KP", "N", None),
         ] {
             let error = quantity(text, si).unwrap_err();
-            let suggestion = near.map(|near| format!("(did you mean {near:?}?)"));
+            let suggestion = near.map(|near| format!("(the nearest is {near:?})"));
             match suggestion {
                 Some(suggestion) => assert!(error.contains(&suggestion), "{error}"),
-                None => assert!(!error.contains("did you mean"), "{error}"),
+                None => assert!(!error.contains("nearest"), "{error}"),
             }
         }
     }

@@ -8,7 +8,7 @@ use asperity::{
     Interface, Model, Quantity, Request, Scene, Separation, SeparationUnit, Surface,
     TabulatedHeights, WeibullHeights,
 };
-use asperity_bem::Boundary;
+use asperity_bem::{Bem, Boundary};
 use asperity_topography::Topography;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -19,7 +19,7 @@ use crate::interface::{InterfaceKeys, interface};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
-use crate::{Asperities, Measured, ModelOptions, Place, SceneError};
+use crate::{Asperities, Measured, ModelOptions, Place, SceneError, accept};
 
 /// A scene with the options of its models, as a scene file describes it.
 #[derive(Debug, Clone)]
@@ -109,7 +109,7 @@ fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
 /// assert!(answer.is_ok());
 /// let mistyped = template().replace("nominal_area", "nominal_aera");
 /// let error = parse(&mistyped, std::path::Path::new(".")).unwrap_err().to_string();
-/// assert!(error.contains("did you mean \"nominal_area\"?"));
+/// assert!(error.contains("the nearest is \"nominal_area\""));
 /// # Ok::<(), asperity_scene::SceneError>(())
 /// ```
 ///
@@ -142,6 +142,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
     let table = document.table()?;
     let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
     options.check(document, "options.")?;
+    accept::check(document, &accept)?;
     let bodies: InterfaceKeys = document.keys()?;
     let (interface, interface_section) = interface(document, &bodies)?;
     let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
@@ -274,7 +275,7 @@ impl SceneFile {
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
-            "bem" => Ok(options.on_surface(Model::new(self.bem(Boundary::Periodic, false)?))),
+            Bem::ID => Ok(options.on_surface(Model::new(self.bem(Boundary::Periodic, false)?))),
             _ => options.model_beside(|| self.spectrum(), id),
         }
     }
@@ -285,12 +286,21 @@ impl SceneFile {
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
         for model in self.options.models() {
-            match model.compile(&self.scene, &Request::new([Quantity::Force])) {
-                Ok(_) => allowed.push(model),
-                Err(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+            match self.refusal(&model) {
+                None => allowed.push(model),
+                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
             }
         }
         (allowed, left_out)
+    }
+
+    /// Why the scene does not allow a model, if it does not: a missing input, for example.
+    #[must_use]
+    pub fn refusal(&self, model: &Model) -> Option<ContactError> {
+        // Theories of the whole surface report their inputs with their answers.
+        let averaged = model.validity().asperities;
+        let request = Request::new([Quantity::Force]);
+        averaged.then(|| model.compile(&self.scene, &request).err()).flatten()
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
@@ -325,6 +335,14 @@ impl SceneFile {
     #[must_use]
     pub fn separation(&self, value: f64, unit: SeparationUnit) -> Separation {
         Separation { value, unit, from: self.separation_from }
+    }
+
+    /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.
+    #[must_use]
+    pub fn with_scan(&self, surface: Surface, scan: Topography) -> Self {
+        let scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
+        let (options, separation_from) = (self.options, self.separation_from);
+        Self { options, separation_from, scan: Some(Arc::new(scan)), ..Self::from(scene) }
     }
 
     /// The scene with other numbers and the same options, heights and plane of separations: a table

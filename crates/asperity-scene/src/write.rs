@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use asperity::{Datum, HeightDistribution, Interface, Surface, TabulatedHeights};
+use asperity::{Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
 use toml::{Table, Value};
 
 use crate::document::Document;
@@ -232,14 +232,39 @@ impl SceneFile {
 
     /// The first field that differs, compared bit for bit.
     fn differs_in(&self, other: &Self) -> Option<&'static str> {
-        let offset = |file: &Self| file.scene.mean_plane_offset.map(f64::to_bits);
-        let table = |file: &Self| file.table.as_ref().map(|table| bits(table.points()));
+        // A new field must be compared, or named here, to compile.
+        let Self {
+            scene,
+            options,
+            separation_from,
+            table,
+            accept,
+            // Compared as the interface and the surface that follow from them.
+            bodies: _,
+            measured: _,
+            scan: _,
+            follows_from: _,
+            // Made on reading.
+            warnings: _,
+            read: _,
+            spectrum: _,
+        } = self;
+        let offset = |scene: &Scene| scene.mean_plane_offset.map(f64::to_bits);
+        let points = |table: &Option<TabulatedHeights>| table.as_ref().map(|t| bits(t.points()));
+        let heights = |scene: &Scene| match &scene.heights {
+            HeightDistribution::Weibull(heights) => format!("{:?}", heights.skewness()),
+            heights => heights.name().into(),
+        };
         let same = [
-            ("interface", self.scene.interface == other.scene.interface),
-            ("surface", self.scene.surface == other.scene.surface),
-            ("surface.mean_plane_offset", offset(self) == offset(other)),
-            ("surface.heights", table(self) == table(other)),
-            ("options", self.options == other.options),
+            ("nominal_area", scene.nominal_area.to_bits() == other.scene.nominal_area.to_bits()),
+            ("interface", scene.interface == other.scene.interface),
+            ("surface", scene.surface == other.scene.surface),
+            ("surface.mean_plane_offset", offset(scene) == offset(&other.scene)),
+            ("surface.heights", heights(scene) == heights(&other.scene)),
+            ("surface.heights", points(table) == points(&other.table)),
+            ("surface.separation_from", *separation_from == other.separation_from),
+            ("options", *options == other.options),
+            ("accept", *accept == other.accept),
         ];
         same.into_iter().find(|(_, same)| !same).map(|(field, _)| field)
     }

@@ -1,10 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    Quantity, Tolerance, Validity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -61,33 +62,28 @@ impl Described for ZhaoMaiettaChang {
     }
 }
 
+const BEYOND: Range<f64> = FULLY_PLASTIC..f64::INFINITY;
+
 impl AsperityModel for ZhaoMaiettaChang {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let yield_at = first_yield(asperity)?;
-        let area_unit = PI * asperity.radius * yield_at;
-        let (between, beyond) = (1.0..FULLY_PLASTIC, FULLY_PLASTIC..f64::INFINITY);
-        Ok(Some(match quantity {
-            // F/(k H π R w₁) = x^1.5, then p/(kH) A/(π R w₁), then 2x/k
-            Quantity::Force => {
-                let force =
-                    Formula::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
-                Law::in_units(yield_at, YIELD_PRESSURE * asperity.hardness()? * area_unit)
-                    .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
-                    .elastic_plastic(between, force)
-                    .plastic(beyond, [Power::new(2.0 / YIELD_PRESSURE, 1.0)])
-            }
-            // A/(π R w₁) = x, then x (1 - 2t³ + 3t²), then 2x
-            Quantity::Area => Law::in_units(yield_at, area_unit)
-                .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
-                .elastic_plastic(between, Formula::function(area).known_as("ZMC area", vec![]))
-                .plastic(beyond, [Power::new(2.0, 1.0)]),
-            _ => return Ok(None),
-        }))
+        let unit = YIELD_PRESSURE * asperity.hardness()? * (PI * asperity.radius * yield_at);
+        let between = Formula::function(|x| pressure(x) * area(x)).known_as("ZMC force", vec![]);
+        // F/(k H π R w₁) = x^1.5, then p/(kH) A/(π R w₁), then 2x/k
+        Ok(Law::in_units(yield_at, unit)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.5)])
+            .elastic_plastic(1.0..FULLY_PLASTIC, between)
+            .plastic(BEYOND, [Power::new(2.0 / YIELD_PRESSURE, 1.0)]))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let yield_at = first_yield(asperity)?;
+        let between = Formula::function(area).known_as("ZMC area", vec![]);
+        // A/(π R w₁) = x, then x (1 - 2t³ + 3t²), then 2x
+        Ok(Law::in_units(yield_at, PI * asperity.radius * yield_at)
+            .elastic(0.0..1.0, [Power::new(1.0, 1.0)])
+            .elastic_plastic(1.0..FULLY_PLASTIC, between)
+            .plastic(BEYOND, [Power::new(2.0, 1.0)]))
     }
 }
 

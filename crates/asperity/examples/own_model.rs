@@ -30,27 +30,32 @@ impl Described for ThreeRanges {
 }
 
 impl AsperityModel for ThreeRanges {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance, // for laws that are tabulated
-    ) -> Result<Option<Law>, ContactError> {
-        let (w_c, f_c) = (asperity.critical_interference()?, asperity.critical_force()?);
-        // With x = w/w_c: F/F_c = x^1.5 up to 1 and (3/S) x from 10 on; A/A_c = x and 2x.
-        let (unit, elastic_exponent, plastic_factor) = match quantity {
-            Quantity::Force => (f_c, 1.5, 3.0 / asperity.pressure_factor),
-            Quantity::Area => (PI * asperity.radius * w_c, 1.0, 2.0),
-            _ => return Ok(None), // the other quantities follow
-        };
-        // Continuous at 10: 10^exponent = factor · 10.
-        let between = (10.0 * plastic_factor).log10();
-        let law = Law::in_units(w_c, unit)
-            .elastic(0.0..1.0, [Power::new(1.0, elastic_exponent)])
-            .elastic_plastic(1.0..10.0, [Power::new(1.0, between)])
-            .plastic(10.0..f64::INFINITY, [Power::new(plastic_factor, 1.0)]);
-        Ok(Some(law))
+    // The tolerance is for laws that are tabulated.
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let unit = asperity.critical_force()?;
+        // With x = w/w_c: F/F_c = x^1.5 up to 1 and (3/S) x from 10 on.
+        three_ranges(asperity, unit, 1.5, 3.0 / asperity.pressure_factor)
     }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let unit = PI * asperity.radius * asperity.critical_interference()?;
+        // A/A_c = x and 2x.
+        three_ranges(asperity, unit, 1.0, 2.0)
+    }
+}
+
+fn three_ranges(
+    asperity: &Asperity,
+    unit: f64,
+    elastic_exponent: f64,
+    plastic_factor: f64,
+) -> Result<Law, ContactError> {
+    // Continuous at 10: 10^exponent = factor · 10.
+    let between = (10.0 * plastic_factor).log10();
+    Ok(Law::in_units(asperity.critical_interference()?, unit)
+        .elastic(0.0..1.0, [Power::new(1.0, elastic_exponent)])
+        .elastic_plastic(1.0..10.0, [Power::new(1.0, between)])
+        .plastic(10.0..f64::INFINITY, [Power::new(plastic_factor, 1.0)]))
 }
 
 fn main() -> Result<(), ContactError> {

@@ -18,12 +18,13 @@ fn row(quantity: Quantity) -> Vec<&'static str> {
 }
 
 #[test]
-fn every_quantity_has_its_unit_and_its_kind_of_error() {
+fn every_quantity_has_its_symbol_its_unit_and_its_kind_of_error() {
     for quantity in Quantity::ALL {
         let row = row(quantity);
         assert_eq!(row.len(), 7, "{row:?}");
         let unit = if quantity.unit().is_empty() { "1" } else { quantity.unit() };
         assert_eq!(row[2], unit, "{row:?}");
+        assert_eq!(row[1].replace('Σ', "sum "), quantity.symbol(), "{row:?}");
         let errors = if quantity.is_absolute() { "absolute" } else { "relative" };
         assert_eq!(row[6], errors, "{row:?}");
     }

@@ -11,7 +11,7 @@ use clap::error::ErrorKind;
 use clap::{ArgAction, Args, ValueEnum};
 
 use crate::input::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
-use crate::input::numbers::{Numbers, lengths, loads, pressures};
+use crate::input::numbers::{Numbers, all, length, load, pressure};
 use crate::interrupt;
 use crate::output::contact_map;
 use crate::output::number::rounded;
@@ -65,15 +65,15 @@ pub struct BemCommand {
 pub struct Places {
     /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
     /// v,v,...
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure))]
     #[arg(action = ArgAction::Append)]
     pressures: Vec<Numbers>,
     /// Loads on the nominal area, in N
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads)]
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
     /// Mean gaps, in m
-    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = lengths)]
+    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
     #[arg(action = ArgAction::Append)]
     gaps: Vec<Numbers>,
 }

@@ -8,7 +8,7 @@ use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
 use clap::{ArgGroup, Args};
 
 use crate::input::args::{OutputArgs, model_id};
-use crate::input::numbers::{Numbers, length, loads, of_unit, positive, pressures};
+use crate::input::numbers::{Numbers, all, length, load, of_unit, positive, pressure};
 use crate::output::number::rounded;
 use crate::output::print_message;
 use crate::output::table::{Cell, Table};
@@ -45,10 +45,10 @@ pub struct Conductance {
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
     /// Loads in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = loads, group = "given")]
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(load), group = "given")]
     load: Option<Numbers>,
     /// Loads as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = pressures, group = "given")]
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(pressure), group = "given")]
     pressure: Option<Numbers>,
     /// Thermal conductivity of the interface, 2 k1 k2/(k1 + k2) in W/(m K), instead of the scene's
     #[arg(long, value_name = "K", value_parser = conductivity)]

@@ -12,7 +12,7 @@ use clap::{Args, ValueEnum};
 
 use crate::input::args::{model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, warn_unit};
-use crate::input::numbers::{Span, friction, positive_number, range_of_loads, range_of_pressures};
+use crate::input::numbers::{Span, friction, load, positive_number, pressure, range};
 use crate::output::{self, print_message, progress};
 use crate::scene::LoadedScene;
 
@@ -83,10 +83,10 @@ struct Ends {
     #[arg(long, value_name = "A:B[:N]")]
     separation: Option<DistanceSpan>,
     /// Range of loads, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "A:B[:N]", value_parser = range_of_loads)]
+    #[arg(long, value_name = "A:B[:N]", value_parser = range(load))]
     load: Option<Span>,
     /// Range of pressures on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "A:B[:N]", value_parser = range_of_pressures)]
+    #[arg(long, value_name = "A:B[:N]", value_parser = range(pressure))]
     pressure: Option<Span>,
 }
 

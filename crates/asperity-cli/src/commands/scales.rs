@@ -3,23 +3,24 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Quantity, Request, Scene, Surface};
+use asperity::{At, ContactModel, Quantity, Request, Surface};
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+use asperity_scene::SceneFile;
 use asperity_topography::{Estimator, Topography};
 use clap::Args;
 
 use crate::input::args::{model_id, svg_file};
-use crate::input::numbers::{Numbers, lengths, load, pressure};
+use crate::input::numbers::{Numbers, all, length, load, pressure};
 use crate::output::table::{Cell, Table};
 use crate::output::{self, print_message};
-use crate::scene::{LoadedScene, NamedModel};
+use crate::scene::LoadedScene;
 
 /// Statistics of a surface against the short-wavelength cut-off.
 #[derive(Debug, Args)]
 pub struct Scales {
     /// Tabulate the asperities, and results of a scene, against the short-wavelength cut-off: N
     /// cut-offs from A to B, in m, or with a unit
-    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = lengths)]
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
     #[arg(conflicts_with_all = ["smooth", "scene", "heights"])]
     scales: Option<Numbers>,
     /// With --scales: a scene whose materials and nominal area are used with each surface
@@ -88,18 +89,22 @@ impl Scales {
         let mut failed: Vec<(String, Vec<String>)> = vec![];
         for cutoff in cutoffs {
             let found = surface.clone().smooth(*cutoff).map_err(Into::into).and_then(&finish);
-            let found = found.and_then(|smooth| Ok(smooth.statistics(estimator)?));
+            let found = found.and_then(|smooth| {
+                let statistics = smooth.statistics(estimator)?;
+                Ok((smooth, statistics))
+            });
             let mut row = vec![Cell::Number(Some(*cutoff))];
-            let numbers = found.as_ref().ok().map(|s| {
+            let numbers = found.as_ref().ok().map(|(_, s)| {
                 let Surface { asperity_radius, asperity_density, asperity_height_std, .. } =
                     s.surface();
                 let slope = (2.0 * s.m2).sqrt();
                 [s.alpha, asperity_radius, asperity_density, asperity_height_std, slope]
             });
             row.extend((0..COLUMNS.len()).map(|k| Cell::Number(numbers.map(|n| n[k]))));
-            match (&asked, at, &found) {
-                (Some((scene, model)), Some(at), Ok(statistics)) => {
-                    row.extend(answers(scene, model, at, statistics.surface())?);
+            match (&asked, at, found.as_ref()) {
+                (Some((scene, (id, _))), Some(at), Ok((smooth, statistics))) => {
+                    let file = scene.file.with_scan(statistics.surface(), smooth.clone());
+                    row.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
                 (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::Number(None))),
                 _ => {}
@@ -132,16 +137,10 @@ fn kind(reason: &str) -> String {
     reason.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
 
-/// The results of a scene's bodies with another surface; blank where there is none.
-fn answers(
-    scene: &LoadedScene,
-    (_, model): &NamedModel,
-    at: At,
-    surface: Surface,
-) -> Result<Vec<Cell>> {
-    let other = Scene::new(scene.file.scene.interface, surface, scene.file.scene.nominal_area);
+/// The results of a scene; blank where there is none.
+fn answers(file: &SceneFile, id: &str, at: At) -> Result<Vec<Cell>> {
     let request = Request::new(ANSWERS.map(|(quantity, _)| quantity)).at([at]);
-    let response = model.solve(&other, &request).with_context(|| scene.name.clone())?;
+    let response = file.model(id)?.solve(&file.scene, &request)?;
     let value = |column: &asperity::Column| column.rows[0].as_ref().ok().map(|v| v.value());
     Ok(response.columns.iter().map(|column| Cell::Number(value(column))).collect())
 }

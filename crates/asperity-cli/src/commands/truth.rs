@@ -10,7 +10,7 @@ use clap::{ArgAction, Args};
 
 use crate::commands::bem::Way;
 use crate::input::args::{OutputArgs, model_id};
-use crate::input::numbers::{Numbers, loads, pressures};
+use crate::input::numbers::{Numbers, all, load, pressure};
 use crate::interrupt;
 use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message, progress};
@@ -55,11 +55,11 @@ pub struct TruthCommand {
 struct Loads {
     /// Pressures on the nominal area, in Pa: N from A to B, in equal steps or (log) ratios, or
     /// v,v,...
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure))]
     #[arg(action = ArgAction::Append)]
     pressures: Vec<Numbers>,
     /// Loads on the nominal area, in N
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads)]
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
 }

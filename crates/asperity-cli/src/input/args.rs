@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+use asperity::bem::Bem;
 use asperity::{At, Described, Model, Quantity, Request, SeparationUnit, Tolerance};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -14,7 +15,7 @@ use serde::de::value::{Error, StrDeserializer};
 
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::numbers::{
-    Numbers, loads, loads_or_tensions, number, pressures, pressures_or_tensions,
+    Numbers, all, load, load_or_tension, number, pressure, pressure_or_tension,
 };
 use crate::output::table::{Format, Table};
 use crate::output::{self, once};
@@ -40,20 +41,15 @@ pub struct ModelArgs {
     unit: SeparationUnit,
     /// Loads, as a range or a list: in N, or with a unit, for example 2kN; negative for tension
     /// (dmt, jkr)
-    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = loads_or_tensions)]
+    #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load_or_tension))]
     #[arg(action = ArgAction::Append, group = "given")]
     loads: Vec<Numbers>,
     /// Loads as pressures on the nominal area, as a range or a list: in Pa, or with a unit, for
     /// example 5MPa
-    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = pressures_or_tensions)]
+    #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure_or_tension))]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    /// Quantities: force, area, stiffness, tangent, pressure, area-fraction, contacts,
-    /// mean-pressure, ln-force, ln-area, elastic-share, elastic-plastic-share, plastic-share; for
-    /// asperities of one radius with circular contacts also contact-radius-sum,
-    /// unloading-stiffness, tangential-stiffness, thermal-conductance, electrical-conductance, and
-    /// both conductances with -per-area
-    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
+    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', help = quantities_help())]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
@@ -81,10 +77,10 @@ struct Place {
     #[arg(long, value_name = "D")]
     closest: Option<Distances>,
     /// Largest load, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "P", value_parser = loads)]
+    #[arg(long, value_name = "P", value_parser = all(load))]
     load: Option<Numbers>,
     /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "P", value_parser = pressures)]
+    #[arg(long, value_name = "P", value_parser = all(pressure))]
     pressure: Option<Numbers>,
 }
 
@@ -212,14 +208,26 @@ impl DrawnArgs {
     }
 }
 
+fn quantities_help() -> String {
+    let names = |circles: bool| {
+        let listed = Quantity::ALL.into_iter().filter(|q| q.needs_circles() == circles);
+        listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "Quantities: {}; for asperities of one radius with circular contacts also {}",
+        names(false),
+        names(true)
+    )
+}
+
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
     if name.trim().is_empty() {
         return Err("a name is empty; separate models by single commas, for example gw,ke (`asperity models` lists them)".into());
     }
     // bem is not in the registry, because it needs the scan of a scene.
-    if name.trim().eq_ignore_ascii_case("bem") {
-        return Ok("bem".into());
+    if name.trim().eq_ignore_ascii_case(Bem::ID) {
+        return Ok(Bem::ID.into());
     }
     name.parse::<Model>().map(|model| model.id().to_string()).map_err(|e| e.to_string())
 }

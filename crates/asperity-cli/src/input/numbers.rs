@@ -31,7 +31,7 @@ impl FromStr for Numbers {
 
 impl Numbers {
     /// Numbers, each as `number` reads it.
-    pub fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+    pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
         have_units(text, number)?;
         if !text.contains(':') {
             return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
@@ -50,7 +50,7 @@ impl Numbers {
 }
 
 impl Span {
-    fn read(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+    fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
         let parts: Vec<&str> = text.split(':').collect();
         let [first, last, ref others @ ..] = parts[..] else {
             return Err("write A:B or A:B:N".into());
@@ -80,7 +80,7 @@ impl Span {
     }
 
     /// A range A:B, or A:B:N in equal steps.
-    pub fn even(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+    pub fn even(text: &str, number: ReadNumber) -> Result<Self, String> {
         have_units(text, number)?;
         match Self::read(text, number)? {
             Self { log: true, .. } => Err("log is not allowed here; write A:B or A:B:N".into()),
@@ -91,7 +91,7 @@ impl Span {
 
 /// Whether the values of a list, or the ends of a range, have units: all of them or none (0 needs
 /// none), because the 1 of `1:20kN:5` is ambiguous.
-pub fn have_units(text: &str, number: fn(&str) -> Result<f64, String>) -> Result<bool, String> {
+pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
     let parts: Vec<&str> = match text.contains(':') {
         true => text.split(':').take(2).collect(),
         false => text.split(',').collect(),
@@ -108,24 +108,17 @@ pub fn have_units(text: &str, number: fn(&str) -> Result<f64, String>) -> Result
     }
 }
 
-/// Numbers that are all above 0.
-pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, positive_number)
+/// A reader of a number.
+type ReadNumber = fn(&str) -> Result<f64, String>;
+
+/// Reads a list or range of numbers, each as `one` reads it.
+pub fn all(one: ReadNumber) -> impl Fn(&str) -> Result<Numbers, String> + Clone {
+    move |text| Numbers::read(text, one)
 }
 
-/// Forces, in N or with their unit: tensions are below 0.
-pub fn loads_or_tensions(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, load_or_tension)
-}
-
-/// Pressures likewise, in Pa or with their unit.
-pub fn pressures_or_tensions(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, pressure_or_tension)
-}
-
-/// Forces above 0, in N or with their unit.
-pub fn loads(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, load)
+/// Reads a range A:B or A:B:N, whose ends `one` reads.
+pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
+    move |text| Span::even(text, one)
 }
 
 /// Forces above 0 at which a joint turns, in N or with their unit.
@@ -138,14 +131,9 @@ pub fn turning_loads(text: &str) -> Result<Numbers, String> {
     })
 }
 
-/// Pressures above 0, in Pa or with their unit.
-pub fn pressures(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, pressure)
-}
-
-/// Lengths above 0, in m or with their unit.
-pub fn lengths(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, length)
+/// Numbers that are all above 0.
+pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, positive_number)
 }
 
 /// A force other than 0, in N or with its unit: a tension is below 0.
@@ -153,7 +141,7 @@ pub fn load_or_tension(text: &str) -> Result<f64, String> {
     of_unit(text, "N").and_then(not_0)
 }
 
-/// A pressure likewise, in Pa or with its unit.
+/// A pressure other than 0, in Pa or with its unit.
 pub fn pressure_or_tension(text: &str) -> Result<f64, String> {
     of_unit(text, "Pa").and_then(not_0)
 }
@@ -186,16 +174,6 @@ fn not_0(value: f64) -> Result<f64, String> {
         0.0 => Err("0 is neither a load (above 0) nor a tension (below 0)".into()),
         value => Ok(value),
     }
-}
-
-/// A range of forces above 0, in N or with their unit.
-pub fn range_of_loads(text: &str) -> Result<Span, String> {
-    Span::even(text, load)
-}
-
-/// A range of pressures above 0, in Pa or with their unit.
-pub fn range_of_pressures(text: &str) -> Result<Span, String> {
-    Span::even(text, pressure)
 }
 
 /// A finite number.
@@ -261,20 +239,20 @@ mod tests {
         assert_eq!((log[0], log[2]), (0.1, 7.0));
         assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
         assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
-        assert_eq!(loads("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
-        assert_eq!(pressures("5 MPa,1e5Pa").unwrap().0, [5e6, 1e5]);
+        assert_eq!(all(load)("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
+        assert_eq!(all(pressure)("5 MPa,1e5Pa").unwrap().0, [5e6, 1e5]);
         assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
         let span = Span::even("0:4", number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
-        assert_eq!(range_of_loads("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
+        assert_eq!(range(load)("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
         for (mixed, part) in [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has")] {
-            let refused = [loads(mixed).unwrap_err(), loads_or_tensions(mixed).unwrap_err()];
+            let refused = [all(load)(mixed).unwrap_err(), all(load_or_tension)(mixed).unwrap_err()];
             assert!(refused.iter().all(|r| r.contains(part)), "{mixed}: {refused:?}");
         }
-        for refused in [range_of_loads("1kN:20:5"), range_of_pressures("1:2MPa")] {
+        for refused in [range(load)("1kN:20:5"), range(pressure)("1:2MPa")] {
             assert!(refused.unwrap_err().contains("has no unit; give every value a unit"));
         }
-        assert!(range_of_pressures("0:1MPa").is_err() && range_of_loads("1:2kN:3:log").is_err());
+        assert!(range(pressure)("0:1MPa").is_err() && range(load)("1:2kN:3:log").is_err());
         assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
     }
 
@@ -307,10 +285,12 @@ mod tests {
         ] {
             assert!(numbers(bad).is_err(), "{bad}");
         }
-        assert_eq!(loads_or_tensions("-10mN,2N").unwrap().0, [-0.01, 2.0]);
-        assert!(loads_or_tensions("-1,0").is_err() && pressure_or_tension("0").is_err());
+        assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
+        assert!(all(load_or_tension)("-1,0").is_err() && pressure_or_tension("0").is_err());
         assert!(
-            turning_loads("1 kN,0").is_err() && loads("1 mm").is_err() && pressure("inf").is_err()
+            turning_loads("1 kN,0").is_err()
+                && all(load)("1 mm").is_err()
+                && pressure("inf").is_err()
         );
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");

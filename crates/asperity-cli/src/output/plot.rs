@@ -110,11 +110,11 @@ fn is_even(values: &[f64]) -> bool {
     values.len() > 2 && high <= 1.001 * low
 }
 
-/// The name in words, with the unit of the numbers.
+/// The label of an axis, with the unit of the numbers.
 fn label(quantity: Quantity) -> String {
-    let name = quantity.to_string().replace('-', " ");
+    let name = quantity.label();
     match quantity.unit().trim_start_matches("ln ").replace("m2", "m²") {
-        none if none.is_empty() => name,
+        none if none.is_empty() => name.into(),
         unit if quantity.is_absolute() => format!("{name} (of {unit})"),
         unit => format!("{name} ({unit})"),
     }

@@ -55,5 +55,5 @@ fn models_without_random_asperities_are_refused_by_name() {
         assert!(run.messages.contains(printed), "{arguments}: {}", run.messages);
     }
     let run = bench.run("curve equal.toml --model ke-randm");
-    assert!(run.messages.contains("did you mean \"ke-random\""), "{}", run.messages);
+    assert!(run.messages.contains("the nearest is \"ke-random\""), "{}", run.messages);
 }

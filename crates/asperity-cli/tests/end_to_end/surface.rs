@@ -305,6 +305,21 @@ fn scales_show_what_the_shortest_wave_changes() {
         assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found} {wanted}");
     }
     assert!(bench.read("scales.svg").starts_with("<svg"));
+    // A theory of the whole surface gets the spectrum of this surface, too.
+    bench.write(
+        "scanned.toml",
+        &format!("{bodies}[surface]\nfile = \"scan.txt\"\nunit = \"um\"\npixel_size = 2e-6\n"),
+    );
+    let table = of("--scales 6e-6 --with scanned.toml --pressure 1e6 --model persson --format csv");
+    let smooth = bench.read("scanned.toml") + "smooth = 6e-6\n";
+    bench.write("smoothed.toml", &smooth);
+    let answer = bench.data(
+        "curve smoothed.toml --model persson --pressure 1e6 --quantity area-fraction,tangent",
+    );
+    for name in ["area_fraction", "tangent_N_per_m"] {
+        let (found, wanted) = (column(&table, name)[0], column(&answer, name)[0]);
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found} {wanted}");
+    }
     // Cut-offs that the scan cannot have are blank, and printed why.
     let run =
         bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6,2e-9 --format csv");

@@ -4,9 +4,10 @@
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::diagnostic::short;
+use crate::recommended::{DMT, FULL_CONTACT, JKR, WHOLE_SURFACE, YIELDING};
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, KnownDefect, Quantity,
-    Request, Separation, SeparationUnit, Severity, Tolerance,
+    Regime, Request, Separation, SeparationUnit, Severity, Tolerance,
 };
 
 /// Tolerance of the numbers in diagnostics.
@@ -16,7 +17,7 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 /// Number of contacts below which a single realisation differs much from the average.
 const FEW: f64 = 30.0;
 /// w/R (warning, error) beyond which an asperity is no spherical cap under small deformation.
-const DEEP: [f64; 2] = [0.3, 1.0];
+const FLATTENED: [f64; 2] = [0.3, 1.0];
 /// Share of the contacts that carries less than one per cent of the load.
 const NEGLIGIBLE: f64 = 1e-6;
 /// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.
@@ -75,7 +76,9 @@ impl Check {
             .of_model(model.name())
             .at(At::Pressure(pressure))
             .fact(format!("area_fraction is {}, above 1", short(area_fraction)))
-            .advice("check the units of modulus and load; at such loads use persson-fudge or bem");
+            .advice(format!(
+                "check the units of modulus and load; at such loads use {FULL_CONTACT}"
+            ));
         (area_fraction > 1.0).then_some(found)
     }
 
@@ -119,7 +122,8 @@ impl Check {
             && let Ok(law) = model.law(&scene.asperity()?, Quantity::Force, request.tolerance)
             && let Some(deep) = Interferences::of(&*contact, &law, place)?
         {
-            check.of_depths(model, scene, at, &deep);
+            let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
+            check.of_depths(model, scene, at, (&deep, plastic));
         }
         Ok(check)
     }
@@ -171,16 +175,23 @@ impl Check {
         check
     }
 
-    /// Numbers and diagnostics from the interferences of the asperities.
-    fn of_depths(&mut self, model: &dyn ContactModel, scene: &Scene, at: At, deep: &Interferences) {
+    /// Numbers and diagnostics from the interferences of the asperities, for a law that may end in
+    /// a plastic part.
+    fn of_depths(
+        &mut self,
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        (deep, plastic): (&Interferences, bool),
+    ) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
         self.add_number("interference", w, "m", "w beyond which 1 % of the load is carried");
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
-        if w > DEEP[0] * r {
-            let severity = if w > DEEP[1] * r { Severity::Error } else { Severity::Warning };
+        if w > FLATTENED[0] * r {
+            let severity = if w > FLATTENED[1] * r { Severity::Error } else { Severity::Warning };
             let deep = Diagnostic::warning("deep", "interference_over_radius", w / r)
                 .severity(severity)
-                .usual([0.0, DEEP[0]])
+                .usual([0.0, FLATTENED[0]])
                 .of_model(model.name())
                 .at(at)
                 .advice("the interference is too large for a spherical-asperity law");
@@ -202,7 +213,8 @@ impl Check {
         if holds_to <= 1.0 {
             self.extend(yields(model, at, outside));
         } else {
-            self.extend(beyond_fit(model, at, outside, w / critical, holds_to));
+            let x = w / critical;
+            self.extend(beyond_fit(model, at, (outside, x), holds_to, plastic));
         }
     }
 }
@@ -210,7 +222,7 @@ impl Check {
 /// Whether a relevant share of the contacts is deeper than spherical caps allow, by counting.
 fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool {
     let surface = &contact.scene().surface;
-    let depth = DEEP[0] * surface.asperity_radius / surface.asperity_height_std;
+    let depth = FLATTENED[0] * surface.asperity_radius / surface.asperity_height_std;
     let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
 }
@@ -224,11 +236,13 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
         let found = Diagnostic::warning("sticks", "adhesion_parameter", theta)
             .usual([HIDDEN, f64::INFINITY])
             .of_model(model.name())
-            .advice("this model ignores work_of_adhesion, which matters here; use dmt or jkr");
+            .advice(format!(
+                "this model ignores work_of_adhesion, which matters here; use {DMT} or {JKR}"
+            ));
         return Some(found);
     };
     let tabor = scene.asperity().ok()?.tabor_parameter()?;
-    let other = if tabor > most { "jkr" } else { "dmt" };
+    let other = if tabor > most { JKR } else { DMT };
     let found = Diagnostic::warning("tabor", "tabor_parameter", tabor)
         .usual([least, most])
         .of_model(model.name())
@@ -240,10 +254,10 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
 fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
     let name = model.name();
     let remedy = match model.validity().adhesive {
-        true => {
-            "no model has both yielding and adhesion; use ke or jg if adhesion_parameter is above 10"
-        }
-        false => "use ke or jg",
+        true => format!(
+            "no model has both yielding and adhesion; use {YIELDING} if adhesion_parameter is above {HIDDEN}"
+        ),
+        false => format!("use {YIELDING}"),
     };
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
     let found = Diagnostic::warning("yields", "yielding_share", share)
@@ -282,10 +296,11 @@ fn missed(
 fn beyond_fit(
     model: &dyn ContactModel,
     at: At,
-    share: f64,
-    x: f64,
+    (share, x): (f64, f64),
     holds_to: f64,
+    plastic: bool,
 ) -> Option<Diagnostic> {
+    let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
     let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
     let found = Diagnostic::note("beyond-fit", "interference_over_critical", x)
         .usual([0.0, holds_to])
@@ -294,7 +309,7 @@ fn beyond_fit(
         .fact(format!(
             "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
         ))
-        .advice(format!("beyond this interference {name} assumes full plasticity"));
+        .advice(format!("beyond this interference {name} {continued}"));
     (share > BEYOND).then_some(found)
 }
 
@@ -305,8 +320,9 @@ fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Diagnostic
         _ => return None,
     };
     let found = Diagnostic::warning("crowded", "area_fraction", fraction).severity(severity);
-    let advice =
-        "contacts merge, and models of independent asperities do not hold; use persson or bem";
+    let advice = format!(
+        "contacts merge, and models of independent asperities do not hold; use {WHOLE_SURFACE}"
+    );
     Some(found.usual([0.0, CROWDED[0]]).of_model(model.name()).at(at).advice(advice))
 }
 
@@ -316,7 +332,7 @@ fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Diagno
         .usual([0.0, PLASTIC])
         .of_model(model.name())
         .at(at)
-        .advice("the contacts would yield, and the real area is larger; use ke or jg");
+        .advice(format!("the contacts would yield, and the real area is larger; use {YIELDING}"));
     (ratio > PLASTIC).then_some(found)
 }
 

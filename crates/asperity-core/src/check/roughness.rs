@@ -108,7 +108,7 @@ impl Surface {
             ("asperity_height_std", self.asperity_height_std, HEIGHT_STD, "m", "give it in m"),
             ("asperity_radius", self.asperity_radius, RADIUS, "m", "give it in m"),
             ("asperity_density", self.asperity_density, DENSITY, "1/m2", "give it in 1/m2"),
-            ("roughness_parameter", beta, Self::USUAL_ROUGHNESS, "", together),
+            ("roughness_parameter", beta, Self::USUAL_ASPERITY_ROUGHNESS, "", together),
             (
                 "height_std_over_radius",
                 ratio,
@@ -145,10 +145,10 @@ impl Surface {
     /// The unusual combination of numbers that are usual alone.
     fn together(&self) -> String {
         let (name, value, [from, to]) = match self.roughness_parameter() {
-            beta if within(beta, Self::USUAL_ROUGHNESS) => {
+            beta if within(beta, Self::USUAL_ASPERITY_ROUGHNESS) => {
                 ("the rms slope", self.rms_slope(), [0.0, 1.0])
             }
-            beta => ("density x radius x height_std", beta, Self::USUAL_ROUGHNESS),
+            beta => ("density x radius x height_std", beta, Self::USUAL_ASPERITY_ROUGHNESS),
         };
         let value = short(value);
         format!("which makes {name} {value} (usual: {} to {})", short(from), short(to))
@@ -161,7 +161,7 @@ fn makes_sense(surface: &Surface) -> bool {
     within(surface.asperity_height_std, HEIGHT_STD)
         && within(surface.asperity_radius, RADIUS)
         && within(surface.asperity_density, DENSITY)
-        && within(surface.roughness_parameter(), Surface::USUAL_ROUGHNESS)
+        && within(surface.roughness_parameter(), Surface::USUAL_ASPERITY_ROUGHNESS)
         && surface.asperity_height_std <= surface.asperity_radius
         && surface.rms_slope() <= 1.0
 }

@@ -3,6 +3,7 @@
 use asperity_quadrature::{Column, ColumnAccuracy};
 
 use crate::engine::averages::Averages;
+use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
 use crate::request::quantity_table::Derivation;
 use crate::response::row_check::CANCELLED;
@@ -10,8 +11,6 @@ use crate::{At, Contact, ContactError, Quantity};
 
 /// Number of values computed one by one if an array of them is not possible.
 const FALLBACK_BLOCK: usize = 16_384;
-/// Below this, slopes are small differences of large integrals, and each must meet the tolerance.
-const DEEP: f64 = -8.0;
 
 /// Bounds on all values of plain arrays.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,18 +113,18 @@ fn multiple(
         channel.total.fill(separations, column, values)?;
     // The factor is a product of two or three numbers.
     let report = FillReport { bound: error + f64::EPSILON, condition };
-    (normal && !(slope && lowest < DEEP)).then_some(report)
+    (normal && !(slope && lowest < SLOPES_CANCEL)).then_some(report)
 }
 
 /// The law, whether the slope is required, and the factor, for a multiple of an integral.
 fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f64)> {
     let scene = &prepared.scene;
     match quantity.derivation() {
-        Derivation::Integral => Some((quantity, false, 1.0)),
-        Derivation::IntegralOrSlope(_) if prepared.facts.laws.own_stiffness => {
+        Derivation::Integral(_) => Some((quantity, false, 1.0)),
+        Derivation::IntegralOrSlope(..) if prepared.facts.laws.own_stiffness => {
             Some((quantity, false, 1.0))
         }
-        Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => {
+        Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => {
             Some((of, true, 1.0 / scene.surface.asperity_height_std))
         }
         Derivation::PerNominalArea(of) => {

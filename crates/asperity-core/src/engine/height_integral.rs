@@ -172,8 +172,8 @@ struct Extent {
 }
 
 /// Below this s a slope is a small difference of large integrals: with a finer law and a finer
-/// integral by this factor, enough digits are left down to about s = -64.
-const DEEP: f64 = -8.0;
+/// integral by [`FINER_BELOW`], enough digits are left down to about s = -64.
+pub(crate) const SLOPES_CANCEL: f64 = -8.0;
 const FINER_BELOW: f64 = 0.01;
 
 /// `found`, an integral at s with its slope, or a finer integral if its slope misses the tolerance
@@ -185,7 +185,7 @@ pub(crate) fn with_slope_within(
     (scale, s): (f64, f64),
     tolerance: f64,
 ) -> Moments {
-    if s >= DEEP || found.slope_within(s, tolerance).is_ok() {
+    if s >= SLOPES_CANCEL || found.slope_within(s, tolerance).is_ok() {
         return found;
     }
     let finer = FINER_BELOW * tolerance;

@@ -30,13 +30,13 @@ impl Laws {
         let mut found = Self { asperity, own_stiffness, adhesive, laws, by_load };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
-                let own = model.law(&asperity, quantity, tolerance)?;
+                let own = model.stiffness(&asperity, tolerance)?;
                 found.own_stiffness = own.is_some();
                 found.laws.extend(own.map(|law| (quantity, Arc::new(law))));
             }
             for base in quantity.laws(found.own_stiffness) {
                 if found.law(base).is_none() {
-                    let law = make(model, &asperity, base, tolerance)?;
+                    let law = model.law(&asperity, base, tolerance)?;
                     found.laws.push((base, Arc::new(law)));
                 }
             }
@@ -65,30 +65,4 @@ impl Laws {
 /// Whether any of these places is a load or a pressure.
 pub(crate) fn any_load(places: &[At]) -> bool {
     places.iter().any(|at| !matches!(at, At::Separation(_)))
-}
-
-/// The model's law, or the one that every model has.
-fn make(
-    model: &dyn AsperityModel,
-    asperity: &Asperity,
-    base: Quantity,
-    tolerance: Tolerance,
-) -> Result<Law, ContactError> {
-    if let Some(law) = model.law(asperity, base, tolerance)? {
-        return Ok(law);
-    }
-    let area = || make(model, asperity, Quantity::Area, tolerance);
-    if base == Quantity::Contacts {
-        // Every asperity within reach is a contact; with adhesion, wherever there is an area.
-        return Ok(match model.validity().adhesive {
-            true => {
-                area().map(|area| Law::counting(area.interference_unit).with_onset(area.onset))?
-            }
-            false => Law::counting(asperity.radius),
-        });
-    }
-    if base == Quantity::ContactRadiusSum {
-        return crate::law::contact_radii::law(model, &area()?);
-    }
-    Err(ContactError::NoLaw { model: model.name().into(), quantity: base })
 }

@@ -37,9 +37,11 @@ impl Reading<'_> {
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
         match quantity.derivation() {
-            Derivation::Integral => self.value(quantity, integrals),
-            Derivation::IntegralOrSlope(_) if self.own_stiffness => self.value(quantity, integrals),
-            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => {
+            Derivation::Integral(_) => self.value(quantity, integrals),
+            Derivation::IntegralOrSlope(..) if self.own_stiffness => {
+                self.value(quantity, integrals)
+            }
+            Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => {
                 self.slope(quantity, of, integrals)
             }
             Derivation::PerNominalArea(of) => Ok(self.nominal(self.total(of, integrals)?)),

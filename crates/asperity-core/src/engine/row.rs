@@ -9,8 +9,8 @@ use crate::request::separation::Place;
 use crate::response::Cell;
 use crate::{At, ContactError, Evaluation, Quantity, Regime};
 
-/// Number of quantities with laws: force, area, stiffness, contacts and contact radii.
-const LAWS: usize = 5;
+/// Number of quantities with laws.
+const LAWS: usize = Quantity::INTEGRALS;
 
 /// The integral of one law, with its slope or without.
 #[derive(Debug, Clone, Copy)]

@@ -123,6 +123,29 @@ impl HeightDistribution {
         Self::Other(Arc::new(OtherHeights::new(heights)))
     }
 
+    /// Smallest and largest height \[m\], for this standard deviation \[m\]; may be infinite.
+    #[must_use]
+    pub fn support(&self, height_std: f64) -> (f64, f64) {
+        match self {
+            Self::Gaussian => (f64::NEG_INFINITY, f64::INFINITY),
+            Self::Exponential => (0.0, f64::INFINITY),
+            Self::Weibull(weibull) => {
+                let (low, high) = weibull.sampled.heights().support();
+                (low * height_std, high * height_std)
+            }
+            Self::Other(other) => other.heights().support(),
+        }
+    }
+
+    /// Heights \[m\] inside the [support](Self::support) at which the density or its slope jumps.
+    #[must_use]
+    pub fn breaks(&self) -> &[f64] {
+        match self {
+            Self::Other(other) => other.heights().breaks(),
+            Self::Gaussian | Self::Exponential | Self::Weibull(_) => &[],
+        }
+    }
+
     /// Name, for plans and tables.
     #[must_use]
     pub fn name(&self) -> &str {

@@ -14,7 +14,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{AsperityModel, ContactError, Formula, Interface, Law, Power, Quantity};
+use crate::{ContactError, Formula, Interface, Law, Power, Quantity};
 
 /// A property of the interface that turns S into a stiffness or a conductance.
 #[derive(Debug, Clone, Copy)]
@@ -71,25 +71,23 @@ pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<()
     })
 }
 
+pub(crate) const INCLINED: &str =
+    "its contacts are inclined, and contact radii follow from the area only for upright asperities";
+
+/// The error for contacts that are not circles, or whose area is an average.
+pub(crate) fn refused(model: &str, reason: &str) -> ContactError {
+    let what = format!("sums of contact radii for unloading and conductance: {reason}");
+    ContactError::Unsupported { model: model.into(), what }
+}
+
 /// The law a(w) of the contact radius, from the area law.
-pub(crate) fn law(model: &dyn AsperityModel, area: &Law) -> Result<Law, ContactError> {
-    let not_circles = |reason: &str| ContactError::Unsupported {
-        model: model.name().into(),
-        what: format!("sums of contact radii for unloading and conductance: {reason}"),
-    };
-    if model.validity().angles {
-        return Err(not_circles(
-            "its contacts are inclined, and contact radii follow from the area only for upright asperities",
-        ));
-    }
+pub(crate) fn law(model: &str, area: &Law) -> Result<Law, ContactError> {
     // The conversion as a function refuses overlaps.
     let unit = (area.value_unit / PI).sqrt();
-    let mut radii =
-        area.map("radius of a circle", unit, |area| (area / PI).sqrt()).ok_or_else(|| {
-            not_circles(
-                "these need a model of equal, upright asperities, without random radii (-random) or overlapping parts of the area law",
-            )
-        })?;
+    let overlap = "these need a model without overlapping parts of the area law";
+    let mut radii = area
+        .map("radius of a circle", unit, |area| (area / PI).sqrt())
+        .ok_or_else(|| refused(model, overlap))?;
     for (radius, area) in radii.parts.iter_mut().zip(&area.parts) {
         // The root of one power is a power.
         if let Formula::Powers(powers) = &area.form

@@ -8,7 +8,7 @@ use crate::{
     Quantity, Tolerance,
 };
 
-/// Range of x = w/unit that is looked at.
+/// Range of x = w/unit that is checked.
 const RANGE: (f64, f64) = (1e-8, 1e6);
 /// Points in that range.
 const POINTS: i32 = 1400;
@@ -33,8 +33,13 @@ pub fn check(
     let tolerance = Tolerance::new(1e-10)?;
     let (mut findings, mut first) = (Diagnostics::default(), None);
     let adhesive = model.validity().adhesive;
-    for quantity in [Quantity::Force, Quantity::Area, Quantity::Stiffness] {
-        let Some(law) = model.law(asperity, quantity, tolerance)? else { continue };
+    let laws = [
+        (Quantity::Force, Some(model.force(asperity, tolerance)?)),
+        (Quantity::Area, Some(model.area(asperity, tolerance)?)),
+        (Quantity::Stiffness, model.stiffness(asperity, tolerance)?),
+    ];
+    for (quantity, law) in laws {
+        let Some(law) = law else { continue };
         let onset = law.onset * law.interference_unit;
         let wanted = *first.get_or_insert(if adhesive { onset } else { 0.0 });
         if onset.total_cmp(&wanted).is_ne() {
@@ -67,7 +72,7 @@ fn grid() -> impl Iterator<Item = f64> {
     (0..=POINTS).map(move |k| (low + (high - low) * f64::from(k) / f64::from(POINTS)).exp())
 }
 
-/// NaN where the law refuses: that is then reported as a bad value.
+/// NaN where the law fails, which is reported as a bad value.
 fn shape(law: &Law, x: f64) -> f64 {
     law.shape(x).unwrap_or(f64::NAN)
 }
@@ -160,7 +165,7 @@ fn undeclared_kinks(quantity: Quantity, part: &Part, findings: &mut Diagnostics)
                         "the {} part of {quantity} has an undeclared kink near x = {at:.6}",
                         part.name
                     ))
-                    .advice("declare it; results stay right, but slow");
+                    .advice("declare it; results remain correct but take longer");
                 findings.push(found);
                 return;
             }
@@ -210,19 +215,13 @@ mod tests {
     }
 
     impl AsperityModel for Mine {
-        fn law(
-            &self,
-            asperity: &Asperity,
-            quantity: Quantity,
-            _: Tolerance,
-        ) -> Result<Option<Law>, ContactError> {
-            let unit = match quantity {
-                Quantity::Force => {
-                    4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.powi(2)
-                }
-                _ => 1.0,
-            };
-            Ok(Some(Law { interference_unit: asperity.radius, value_unit: unit, ..(self.0)() }))
+        fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+            let value_unit = 4.0 / 3.0 * asperity.equivalent_modulus * asperity.radius.powi(2);
+            Ok(Law { interference_unit: asperity.radius, value_unit, ..(self.0)() })
+        }
+
+        fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+            Ok(Law { interference_unit: asperity.radius, ..(self.0)() })
         }
     }
 

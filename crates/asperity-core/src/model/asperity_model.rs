@@ -1,24 +1,86 @@
 //! What to write for a model of one asperity: its laws.
 
+use crate::law::contact_radii;
+use crate::request::quantity_table::Derivation;
 use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 
 /// A model of one asperity, to be written: its averages over the heights, as a
 /// [`ContactModel`](crate::ContactModel), come with it.
 ///
-/// Write [`Described::citation`], and `law` for force and area; tangents, contacts, shares and
+/// Write [`Described::citation`] and the laws of force and area; tangents, contacts, shares and
 /// error bounds follow. See the example `own_model` of the crate `asperity`.
+///
+/// `tolerance` matters only where a law itself is approximated.
+///
+/// # Errors
+/// Every law returns a [`ContactError`] when the asperity is outside the model's range or lacks an
+/// input.
 pub trait AsperityModel: Described {
-    /// The law of one asperity for force \[N\], area \[m²\] or, where the model's paper defines
-    /// another stiffness than -dF/dd, stiffness \[N/m\]; `None` for a quantity without a law.
-    ///
-    /// `tolerance` matters only where the law itself is approximated.
+    /// The law of the normal force \[N\].
+    #[allow(clippy::missing_errors_doc)]
+    fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError>;
+
+    /// The law of the contact area \[m²\].
+    #[allow(clippy::missing_errors_doc)]
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError>;
+
+    /// The law of the stiffness \[N/m\], where the model's paper defines another than -dF/dd.
+    #[allow(clippy::missing_errors_doc)]
+    fn stiffness(
+        &self,
+        asperity: &Asperity,
+        tolerance: Tolerance,
+    ) -> Result<Option<Law>, ContactError> {
+        let _ = (asperity, tolerance);
+        Ok(None)
+    }
+
+    /// The law of the number of contacts: 1 from the onset of contact, unless overridden.
+    #[allow(clippy::missing_errors_doc)]
+    fn contacts(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        if !self.validity().adhesive {
+            return Ok(Law::counting(asperity.radius));
+        }
+        // Adhesion keeps contacts below w = 0, wherever there is an area.
+        let area = self.area(asperity, tolerance)?;
+        Ok(Law::counting(area.interference_unit).with_onset(area.onset))
+    }
+
+    /// The law of the contact radius √(A/π) \[m\]; an error where contacts are not circles.
+    #[allow(clippy::missing_errors_doc)]
+    fn contact_radius(
+        &self,
+        asperity: &Asperity,
+        tolerance: Tolerance,
+    ) -> Result<Law, ContactError> {
+        if self.validity().angles {
+            return Err(contact_radii::refused(self.name(), contact_radii::INCLINED));
+        }
+        contact_radii::law(self.name(), &self.area(asperity, tolerance)?)
+    }
+}
+
+impl dyn AsperityModel + '_ {
+    /// The law whose average over the heights is this quantity.
     ///
     /// # Errors
-    /// [`ContactError`] when the asperity is outside the model's range or lacks an input.
-    fn law(
+    /// [`ContactError::NoLaw`] for a quantity that is derived from others, and those of the law.
+    pub fn law(
         &self,
         asperity: &Asperity,
         quantity: Quantity,
         tolerance: Tolerance,
-    ) -> Result<Option<Law>, ContactError>;
+    ) -> Result<Law, ContactError> {
+        let law = match quantity.derivation() {
+            Derivation::Integral(law) => Some(law(self, asperity, tolerance)?),
+            Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
+            Derivation::Slope(_)
+            | Derivation::PerNominalArea(_)
+            | Derivation::ContactRadii(_)
+            | Derivation::Ratio(..)
+            | Derivation::Logarithm(_)
+            | Derivation::RegimeShare(_) => None,
+        };
+        law.ok_or_else(|| ContactError::NoLaw { model: self.name().into(), quantity })
+    }
 }

@@ -9,7 +9,7 @@ use crate::{
     At, ContactError, Diagnostic, Evaluation, Plan, Quantity, Request, Scene, Separation, Share,
 };
 
-/// A model applied to a scene: shared by threads, asked as often as wanted.
+/// A model applied to a scene: shared by threads, for many evaluations.
 ///
 /// The methods that take `impl Into<At>` are those to call, on `dyn Contact`.
 pub trait Contact: fmt::Debug + Send + Sync {
@@ -152,18 +152,23 @@ pub trait Contact: fmt::Debug + Send + Sync {
         })
     }
 
-    /// Checks that a quantity was requested and is one of `known`: for models that have only a few.
+    /// Checks that a quantity was requested and is `known`: for models that have only a few.
     ///
     /// # Errors
     /// [`ContactError::NotRequested`], and [`ContactError::Unsupported`] with the known ones.
-    fn check_asked(&self, quantity: Quantity, known: &[Quantity]) -> Result<(), ContactError> {
+    fn check_asked(
+        &self,
+        quantity: Quantity,
+        known: fn(Quantity) -> bool,
+    ) -> Result<(), ContactError> {
         if !self.quantities().contains(&quantity) {
             return Err(ContactError::NotRequested { quantity });
         }
-        if known.contains(&quantity) {
+        if known(quantity) {
             return Ok(());
         }
-        let known: Vec<String> = known.iter().map(ToString::to_string).collect();
+        let known = Quantity::ALL.into_iter().filter(|quantity| known(*quantity));
+        let known: Vec<String> = known.map(|quantity| quantity.to_string()).collect();
         Err(self.unsupported(&format!("{quantity} (it gives {})", known.join(", "))))
     }
 

@@ -40,18 +40,17 @@ impl dyn ContactModel + '_ {
     /// The law of one asperity for a quantity.
     ///
     /// # Errors
-    /// [`ContactError::NoLaw`] if the model has none, and those of [`AsperityModel::law`].
+    /// [`ContactError::NoLaw`] if the model has none, and those of the law.
     pub fn law(
         &self,
         asperity: &Asperity,
         quantity: Quantity,
         tolerance: Tolerance,
     ) -> Result<Law, ContactError> {
-        let law = match self.asperity_model() {
-            Some(model) => model.law(asperity, quantity, tolerance)?,
-            None => None,
-        };
-        law.ok_or_else(|| ContactError::NoLaw { model: self.name().into(), quantity })
+        match self.asperity_model() {
+            Some(model) => model.law(asperity, quantity, tolerance),
+            None => Err(ContactError::NoLaw { model: self.name().into(), quantity }),
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::law::contact_radii::RadiusFactor;
 use crate::request::quantity_table::Derivation;
-use crate::{ContactError, Quantity, Regime, nearest_name};
+use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
 
 impl Quantity {
     /// SI unit, as in the heads of tables; empty for pure numbers.
@@ -58,8 +58,8 @@ impl Quantity {
     pub fn regime(self) -> Option<Regime> {
         match self.derivation() {
             Derivation::RegimeShare(regime) => Some(regime),
-            Derivation::Integral
-            | Derivation::IntegralOrSlope(_)
+            Derivation::Integral(_)
+            | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
             | Derivation::PerNominalArea(_)
             | Derivation::ContactRadii(_)
@@ -71,7 +71,9 @@ impl Quantity {
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
-            Derivation::Integral | Derivation::IntegralOrSlope(_) | Derivation::Slope(_) => self,
+            Derivation::Integral(_) | Derivation::IntegralOrSlope(..) | Derivation::Slope(_) => {
+                self
+            }
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -79,13 +81,25 @@ impl Quantity {
         }
     }
 
+    /// Whether this follows from the force and the real area of the whole surface alone.
+    #[must_use]
+    pub fn follows_from_totals(self) -> bool {
+        Evaluation::of_totals(self, (1.0, 1.0), 1.0, 0.0).is_some()
+    }
+
+    /// Whether this follows from the sum of the contact radii, for which contacts must be circles.
+    #[must_use]
+    pub fn needs_circles(self) -> bool {
+        self.origin() == Self::ContactRadiusSum
+    }
+
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
     pub(crate) fn radius_factor(self) -> Option<RadiusFactor> {
         match self.derivation() {
             Derivation::ContactRadii(factor) => Some(factor),
             Derivation::PerNominalArea(of) => of.radius_factor(),
-            Derivation::Integral
-            | Derivation::IntegralOrSlope(_)
+            Derivation::Integral(_)
+            | Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
             | Derivation::Ratio(..)
             | Derivation::Logarithm(_)
@@ -97,9 +111,9 @@ impl Quantity {
     /// stiffness.
     pub(crate) fn laws(self, own_stiffness: bool) -> impl Iterator<Item = Self> {
         let (first, second) = match self.derivation() {
-            Derivation::Integral => (self, None),
-            Derivation::IntegralOrSlope(_) if own_stiffness => (self, None),
-            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => (of, None),
+            Derivation::Integral(_) => (self, None),
+            Derivation::IntegralOrSlope(..) if own_stiffness => (self, None),
+            Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => (of, None),
             Derivation::Ratio(above, below) => (above, Some(below)),
             Derivation::PerNominalArea(_)
             | Derivation::Logarithm(_)
@@ -111,7 +125,7 @@ impl Quantity {
 
     /// Whether this quantity is the slope of an integral.
     pub(crate) fn is_slope(self) -> bool {
-        matches!(self.derivation(), Derivation::IntegralOrSlope(_) | Derivation::Slope(_))
+        matches!(self.derivation(), Derivation::IntegralOrSlope(..) | Derivation::Slope(_))
     }
 }
 

@@ -2,16 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::Regime;
 use crate::law::contact_radii::{ELECTRICAL, RadiusFactor, SHEAR, THERMAL, UNLOADING};
+use crate::{Asperity, AsperityModel, ContactError, Law, Regime, Tolerance};
+
+/// A law of a model, or whether it has one.
+type Lookup<T> = fn(&dyn AsperityModel, &Asperity, Tolerance) -> Result<T, ContactError>;
 
 /// How a quantity follows from the laws of one asperity.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Derivation {
-    /// The integral of a law of its own over the heights.
-    Integral,
+    /// The integral of this law over the heights.
+    Integral(Lookup<Law>),
     /// The same for models with such a law; for others the [`Slope`](Self::Slope) of this.
-    IntegralOrSlope(Quantity),
+    IntegralOrSlope(Lookup<Option<Law>>, Quantity),
     /// -d/dd of an integral.
     Slope(Quantity),
     /// Over the nominal area.
@@ -50,7 +53,7 @@ macro_rules! quantities {
         /// let quantity: Quantity = "mean-pressure".parse()?;
         /// assert_eq!((quantity.to_string().as_str(), quantity.unit()), ("mean-pressure", "Pa"));
         /// let mistyped = "stifness".parse::<Quantity>().unwrap_err().to_string();
-        /// assert!(mistyped.contains("did you mean \"stiffness\"?"));
+        /// assert!(mistyped.contains("the nearest is \"stiffness\""));
         /// # Ok::<(), asperity_core::ContactError>(())
         /// ```
         #[derive(
@@ -69,6 +72,12 @@ macro_rules! quantities {
         impl Quantity {
             /// All quantities.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
+
+            /// Number of quantities that are integrals of laws.
+            pub(crate) const INTEGRALS: usize = 0 $(+ {
+                let derivation: Derivation = $derivation;
+                matches!(derivation, Derivation::Integral(_) | Derivation::IntegralOrSlope(..)) as usize
+            })*;
 
             pub(crate) const fn entry(self) -> &'static Entry {
                 match self {
@@ -93,18 +102,18 @@ quantities! {
     Force {
         name: "force", symbol: "F", unit: "N", label: "force",
         definition: "Normal force between the surfaces, over the whole nominal area.",
-        derivation: Derivation::Integral,
+        derivation: Derivation::Integral(|m, a, t| m.force(a, t)),
     }
     Area {
         name: "area", symbol: "A", unit: "m2", label: "real contact area",
         definition: "Real contact area: the sum of the areas of all contacts.",
-        derivation: Derivation::Integral,
+        derivation: Derivation::Integral(|m, a, t| m.area(a, t)),
     }
     Stiffness {
         name: "stiffness", symbol: "K", unit: "N/m", label: "stiffness",
         definition: "Stiffness as the model's paper defines it: the tangent for models of upright \
             asperities, an average of asperity stiffnesses for Gao and AT.",
-        derivation: Derivation::IntegralOrSlope(Quantity::Force),
+        derivation: Derivation::IntegralOrSlope(|m, a, t| m.stiffness(a, t), Quantity::Force),
     }
     Tangent {
         name: "tangent", symbol: "-dF/dd", unit: "N/m", label: "tangent stiffness",
@@ -124,13 +133,13 @@ quantities! {
     Contacts {
         name: "contacts", symbol: "N", unit: "", label: "number of contacts",
         definition: "Number of asperities in contact.",
-        derivation: Derivation::Integral,
+        derivation: Derivation::Integral(|m, a, t| m.contacts(a, t)),
     }
     /// Needs upright asperities with circular contacts.
     ContactRadiusSum {
         name: "contact-radius-sum", symbol: "sum a", unit: "m", label: "sum of contact radii",
         definition: "Sum of the radii a = (A/pi)^(1/2) of all contacts.",
-        derivation: Derivation::Integral,
+        derivation: Derivation::Integral(|m, a, t| m.contact_radius(a, t)),
     }
     /// Small vibrations, ultrasound and modal tests measure this slope. First loading follows the
     /// tangent, which is smaller where asperities yield. For contacts with adhesion (JKR) it holds

@@ -48,7 +48,7 @@ impl Evaluation {
     ) -> Option<Self> {
         let of = |quantity| Self::of_totals(quantity, (force, area), nominal_area, error);
         match quantity.derivation() {
-            Derivation::Integral => {
+            Derivation::Integral(_) => {
                 let totals = [(Quantity::Force, force), (Quantity::Area, area)];
                 let found = totals.into_iter().find(|(known, _)| *known == quantity);
                 found.map(|(_, value)| Self::new(value, error))
@@ -63,7 +63,7 @@ impl Evaluation {
                 let value = of(total)?.value().ln();
                 Some(Self::absolute(value, error * (1.0 + value.abs())))
             }
-            Derivation::IntegralOrSlope(_)
+            Derivation::IntegralOrSlope(..)
             | Derivation::Slope(_)
             | Derivation::ContactRadii(_)
             | Derivation::RegimeShare(_) => None,

@@ -30,14 +30,6 @@ impl Column {
         self.each(Evaluation::value)
     }
 
-    /// Logarithms of the absolute values, also where the values underflow.
-    ///
-    /// # Errors
-    /// The first reason why a row has no value.
-    pub fn ln_values(&self) -> Result<Vec<f64>, ContactError> {
-        self.each(Evaluation::ln_value)
-    }
-
     /// Bounds on the errors: relative, but differences for logarithms and shares.
     ///
     /// # Errors

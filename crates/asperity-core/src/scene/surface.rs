@@ -154,12 +154,17 @@ impl Surface {
         ProfileMoments { m0, m2, m4 }
     }
 
-    /// The range of β = η R σ where rough surfaces are found: β = 0.0204 √α of isotropic Gaussian
-    /// surfaces, from the narrowest spectrum (α = 1.5) to α = 24 \[derived\]; Greenwood &
-    /// Williamson (1966) give 0.03 to 0.05 \[recalled\].
+    /// The range of β = η R σ, with the standard deviation σ of all heights, where rough surfaces
+    /// are found: β = 0.0204 √α of isotropic Gaussian surfaces, from the narrowest spectrum
+    /// (α = 1.5) to α = 24 \[derived\]; Greenwood & Williamson (1966) give 0.03 to 0.05
+    /// \[recalled\].
     pub const USUAL_ROUGHNESS: [f64; 2] = [0.02, 0.1];
 
-    /// β_z = η R σ_z; usually in [`USUAL_ROUGHNESS`](Self::USUAL_ROUGHNESS).
+    /// The same range of β_z = √(1 - 0.8968/α) β, with the standard deviation of the asperity
+    /// heights: 0.0158 to 0.098 \[derived\].
+    pub const USUAL_ASPERITY_ROUGHNESS: [f64; 2] = [0.0158, 0.1];
+
+    /// β_z = η R σ_z; usually in [`USUAL_ASPERITY_ROUGHNESS`](Self::USUAL_ASPERITY_ROUGHNESS).
     #[must_use]
     pub fn roughness_parameter(&self) -> f64 {
         self.asperity_density * self.asperity_radius * self.asperity_height_std

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::{AsperityModel, At, Interface, Quantity, Scene, Surface, Tolerance};
+use asperity_core::{AsperityModel, At, Interface, Scene, Surface, Tolerance};
 use asperity_jg::{GeometricHardness, JacksonGreen};
 use asperity_joints::{Unloading, UnloadingLaw};
 
@@ -13,9 +13,8 @@ fn shallow_contacts_may_last_longer_than_deep_ones() {
     let scene = Scene::new(interface, Surface::new(6e-5, 3e8, 2e-6), 6.1e-4);
     let asperity = scene.asperity().unwrap();
     let tolerance = Tolerance::default();
-    let law =
-        |quantity| AsperityModel::law(&model, &asperity, quantity, tolerance).unwrap().unwrap();
-    let (force, area) = (law(Quantity::Force), law(Quantity::Area));
+    let force = model.force(&asperity, tolerance).unwrap();
+    let area = model.area(&asperity, tolerance).unwrap();
     let delta = |w: f64| {
         let radius = (area.value(w).unwrap() / PI).sqrt();
         0.75 * force.value(w).unwrap() / (asperity.equivalent_modulus * radius)

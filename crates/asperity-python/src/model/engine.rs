@@ -107,7 +107,7 @@ impl Engine {
 
     /// Whether the model is boundary elements, which exist on a scan only.
     fn is_bem(&self) -> bool {
-        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case("bem"))
+        matches!(&self.0, Kind::Named { id, .. } if id.trim().eq_ignore_ascii_case(Bem::ID))
     }
 
     /// The model with options, on the scan of a scene, if given.

@@ -76,6 +76,15 @@ impl PythonModel {
         })
     }
 
+    fn law(&self, asperity: &asperity::Asperity, quantity: Quantity) -> Result<Law, ContactError> {
+        Python::attach(|py| {
+            self.law_in_python(py, asperity, quantity).map_err(|error| ContactError::Refused {
+                model: self.name.clone(),
+                reason: self.raised.keep(py, error),
+            })
+        })
+    }
+
     fn law_in_python(
         &self,
         py: Python<'_>,
@@ -161,24 +170,20 @@ impl Described for PythonModel {
 }
 
 impl AsperityModel for PythonModel {
-    fn law(
+    fn force(&self, asperity: &asperity::Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, Quantity::Force)
+    }
+
+    fn area(&self, asperity: &asperity::Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        self.law(asperity, Quantity::Area)
+    }
+
+    fn stiffness(
         &self,
         asperity: &asperity::Asperity,
-        quantity: Quantity,
         _: Tolerance,
     ) -> Result<Option<Law>, ContactError> {
-        match quantity {
-            Quantity::Force | Quantity::Area => {}
-            Quantity::Stiffness if self.own_stiffness => {}
-            _ => return Ok(None),
-        }
-        let law = Python::attach(|py| {
-            self.law_in_python(py, asperity, quantity).map_err(|error| ContactError::Refused {
-                model: self.name.clone(),
-                reason: self.raised.keep(py, error),
-            })
-        });
-        law.map(Some)
+        self.own_stiffness.then(|| self.law(asperity, Quantity::Stiffness)).transpose()
     }
 }
 

@@ -121,7 +121,7 @@ record! {
             let (py, second) = (first.py(), instance::<Body>("second", second)?.get().0);
             let first = instance::<Body>("first", first)?.get().0;
             let found = asperity::Interface::between(&first, &second);
-            Self::of(py, &[first, second], found, work_of_adhesion)
+            Self::of(py, &[("first", first), ("second", second)], found, work_of_adhesion)
         }
 
         /// The interface of a deformable and a rigid body.
@@ -129,7 +129,8 @@ record! {
         #[pyo3(signature = (body, *, work_of_adhesion=None))]
         fn against_rigid(body: &Arg<'_>, work_of_adhesion: Option<&Arg<'_>>) -> PyResult<Self> {
             let one = instance::<Body>("body", body)?.get().0;
-            Self::of(body.py(), &[one], asperity::Interface::against_rigid(&one), work_of_adhesion)
+            let found = asperity::Interface::against_rigid(&one);
+            Self::of(body.py(), &[("body", one)], found, work_of_adhesion)
         }
     }
 }
@@ -138,15 +139,16 @@ impl Interface {
     /// The interface of bodies with their work of adhesion; warns of unusual bodies.
     fn of(
         py: Python<'_>,
-        bodies: &[asperity::Body],
+        bodies: &[(&str, asperity::Body)],
         made: Result<asperity::Interface, ContactError>,
         work_of_adhesion: Option<&Arg<'_>>,
     ) -> PyResult<Self> {
         let mut found = made.map_err(refused)?;
         // Findings of the interface appear in its scene.
         if found.findings().is_empty() {
-            let mut findings = bodies.iter().flat_map(asperity::Body::findings);
-            findings.try_for_each(|finding| warn(py, finding, 0))?;
+            for (name, body) in bodies {
+                body.findings().into_iter().try_for_each(|f| warn(py, f.within(name), 0))?;
+            }
         }
         found.work_of_adhesion = Field::read("Interface", "work_of_adhesion", work_of_adhesion)?;
         Self::checked(found)

@@ -59,7 +59,7 @@ fn errors_of_a_measured_surface_name_line_and_field() {
             "surface.asperity_height_std and surface.file (line 8)",
         ),
         ("file = \"a\"\nunit = \"miles\"", ":9: surface.unit is \"miles\": one of \"m\", \"cm\", "),
-        ("file = \"a\"\nunit = \"Um\"", "did you mean \"um\"?"),
+        ("file = \"a\"\nunit = \"Um\"", "the nearest is \"um\""),
         (
             "file = \"a\"\npixel_size = \"1 um\"",
             ":9: surface.pixel_size is \"1 um\": a length in the unit",
@@ -70,8 +70,8 @@ fn errors_of_a_measured_surface_name_line_and_field() {
             "file = \"a\"\npixel_size = [1, nan]",
             "surface.pixel_size is NaN: a finite length above 0",
         ),
-        ("file = \"a\"\nestimator = \"sumits\"", "did you mean \"summits\"?"),
-        ("file = \"a\"\nlevel = \"plain\"", "did you mean \"plane\"?"),
+        ("file = \"a\"\nestimator = \"sumits\"", "the nearest is \"summits\""),
+        ("file = \"a\"\nlevel = \"plain\"", "the nearest is \"plane\""),
         ("file = \"a.txt\"\nfilter = -1", ":9: surface.filter is -1.0: a length of at least two"),
         ("file = \"a\"\nmax_missing = 10", ":9: surface.max_missing is 10.0: a share from 0 to 1"),
         (

@@ -75,7 +75,7 @@ fn plain_ids_mean_the_models_of_the_options() {
     assert_eq!(ids, [&wanted[..], &["at-additive"]].concat(), "each model once");
     assert!(left_out.is_empty());
     let message = file.model("zcm").unwrap_err().to_string();
-    assert!(message.contains("did you mean \"zmc\"?"), "{message}");
+    assert!(message.contains("the nearest is \"zmc\""), "{message}");
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn keywords_serde_and_scene_files_agree() {
     assert!(message.contains("unknown field `stik`"), "{message}");
     let message = by_keyword.set("stik", &"x".into()).unwrap_err().to_string();
     assert!(
-        message.starts_with("stik is not known (did you mean \"stick\"?): the keys here are"),
+        message.starts_with("stik is not known (the nearest is \"stick\"): the keys here are"),
         "{message}"
     );
     let message = by_keyword.set("force", &"siz\ne".into()).unwrap_err().to_string();

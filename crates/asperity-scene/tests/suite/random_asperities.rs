@@ -114,7 +114,7 @@ fn models_without_random_asperities_give_the_reason() {
     let message = parse(&template.replace("\"random\"", "\"radnom\""), Path::new("."));
     let message = message.unwrap_err().to_string();
     assert!(
-        message.contains("asperities") && message.contains("did you mean \"random\""),
+        message.contains("asperities") && message.contains("the nearest is \"random\""),
         "{message}"
     );
     let heights = template.replace("heights = \"gaussian\"", "heights = \"exponential\"");

@@ -145,7 +145,7 @@ fn every_error_names_line_field_and_requirement() {
             text("", INTERFACE, &SURFACE.replace("asperity_radius", "asperity_radus")),
             &[
                 "line 10: surface.asperity_radus is not known",
-                "did you mean \"asperity_radius\"?",
+                "the nearest is \"asperity_radius\"",
                 "m4",
             ],
         ),
@@ -157,7 +157,7 @@ fn every_error_names_line_field_and_requirement() {
             text("[grains]", INTERFACE, SURFACE),
             &["line 2: grains is not known: the keys here are nominal_area"],
         ),
-        (text("interfaces = 3", INTERFACE, SURFACE), &["did you mean \"interface\"?"]),
+        (text("interfaces = 3", INTERFACE, SURFACE), &["the nearest is \"interface\""]),
         (
             text("", INTERFACE, &SURFACE.replace("1e-6", "\"1 parsec\"")),
             &[
@@ -251,18 +251,18 @@ fn every_error_names_line_field_and_requirement() {
         (
             text("", INTERFACE, &with("separation_from = \"surfacemean\"")),
             &[
-                "did you mean \"surface-mean\"?",
+                "the nearest is \"surface-mean\"",
                 "\"asperity-mean\" or \"surface-mean\" was required",
             ],
         ),
         (
             text("", INTERFACE, &with("heights = \"gausian\"")),
-            &["did you mean \"gaussian\"?", "or { file = \"pdf.csv\" } was required"],
+            &["the nearest is \"gaussian\"", "or { file = \"pdf.csv\" } was required"],
         ),
         (
             text("", INTERFACE, &with("heights = { fil = \"pdf.csv\" }")),
             &[
-                "line 13: surface.heights is { fil = \"pdf.csv\" } (did you mean \"file\"?): ",
+                "line 13: surface.heights is { fil = \"pdf.csv\" } (the nearest is \"file\"): ",
                 "or { file = \"pdf.csv\" } was",
             ],
         ),
@@ -274,7 +274,7 @@ fn every_error_names_line_field_and_requirement() {
         (
             text("", INTERFACE, &with("[options]\nstick = \"clampd\"")),
             &[
-                "line 14: options.stick is \"clampd\" (did you mean \"clamped\"?): \"clamped\" or \"unlimited\"",
+                "line 14: options.stick is \"clampd\" (the nearest is \"clamped\"): \"clamped\" or \"unlimited\"",
             ],
         ),
         (
@@ -299,7 +299,7 @@ fn every_error_names_line_field_and_requirement() {
         ),
         (
             text("surface = { m0 = 1, \"m 2\" = 3 }", INTERFACE, ""),
-            &["line 2: surface.m 2 is not known (did you mean \"m2\"?)"],
+            &["line 2: surface.m 2 is not known (the nearest is \"m2\")"],
         ),
         (
             text("", "[interface]\nequivalent_modulus = 1e9", SURFACE),
@@ -309,7 +309,10 @@ fn every_error_names_line_field_and_requirement() {
             text("", INTERFACE, &with("[options]\nforce = 3")),
             &["options.force is 3: a name in quotes"],
         ),
-        (text("", INTERFACE, &with("[options]\nat_readin = 3")), &["did you mean \"at_reading\"?"]),
+        (
+            text("", INTERFACE, &with("[options]\nat_readin = 3")),
+            &["the nearest is \"at_reading\""],
+        ),
         (
             text("", INTERFACE, &with("asperity_radius = 1")),
             &["line 13: TOML: duplicate key: \"asperity_radius = 1\" was found"],

@@ -60,14 +60,14 @@ fn conductivities_may_have_a_unit() {
 fn synonyms_of_a_key_suggest_it() {
     let with = |key: &str| message(&text("", &format!("{INTERFACE}{key} = 1.0\n"), SURFACE));
     let refused = with("electrical_conductivity");
-    assert!(refused.contains("did you mean \"electrical_resistivity\"?"), "{refused}");
+    assert!(refused.contains("the nearest is \"electrical_resistivity\""), "{refused}");
     assert!(refused.contains("it is 1/conductivity, in ohm m"), "{refused}");
     for name in ["adhesion", "surface_energy"] {
         let refused = with(name);
-        assert!(refused.contains("did you mean \"work_of_adhesion\"?"), "{refused}");
+        assert!(refused.contains("the nearest is \"work_of_adhesion\""), "{refused}");
         let refused = message(&text("", INTERFACE, &format!("{SURFACE}{name} = 0.05\n")));
         assert!(
-            refused.contains("work_of_adhesion\"?): it belongs to the top of the file"),
+            refused.contains("work_of_adhesion\"): it belongs to the top of the file"),
             "{refused}"
         );
     }

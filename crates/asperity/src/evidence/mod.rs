@@ -184,7 +184,7 @@ impl Evidence {
             return Err(none("the heights are not Gaussian, the solved surfaces are".into()));
         }
         if scene.adhesion_parameter().is_some_and(|theta| theta < Scene::HIDES_ADHESION) {
-            return Err(none("the surfaces adhere, the solved ones do not".into()));
+            return Err(none("the surfaces adhere, the solved surfaces do not".into()));
         }
         let asperity = scene.asperity()?;
         let index = match asperity.hardness {

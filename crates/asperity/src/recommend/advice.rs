@@ -102,9 +102,12 @@ impl fmt::Display for Recommendation {
         match &self.simplest {
             Some(simplest) => {
                 let simplest = simplest.name();
-                writeln!(f, "{simplest} is the simplest model within {within} % of {reference}")?;
+                writeln!(
+                    f,
+                    "{simplest} is the simplest valid model within {within} % of {reference}"
+                )?;
             }
-            None => writeln!(f, "no model that holds is within {within} % of {reference}")?,
+            None => writeln!(f, "no valid model is within {within} % of {reference}")?,
         }
         self.summary().iter().try_for_each(|line| writeln!(f, "{line}"))?;
         let width =
@@ -121,7 +124,7 @@ impl fmt::Display for Recommendation {
                         write!(f, ", area off boundary elements {area:+.0} +- {spread:.0} %")?;
                     }
                     if let Some(outside) = outside {
-                        write!(f, "; does not hold: {} {}", outside.field, outside.value)?;
+                        write!(f, "; not valid: {} {}", outside.field, outside.value)?;
                     }
                     writeln!(f)?;
                 }

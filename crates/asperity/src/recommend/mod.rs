@@ -228,7 +228,7 @@ fn largest_deviation(quantity: Quantity, found: &Column, wanted: &Column) -> f64
 /// 0 for a model without a law of an asperity.
 fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
     let law = |model: &dyn crate::AsperityModel| {
-        model.law(&scene.asperity().ok()?, Quantity::Force, request.tolerance).ok()?
+        model.force(&scene.asperity().ok()?, request.tolerance).ok()
     };
     model.equal().asperity_model().and_then(law).map_or(0, |law| law.parts.len())
 }
@@ -290,11 +290,11 @@ mod tests {
         assert!(gw.model.id() == "gw" && gw.largest() < 0.3, "{advice}");
         assert_eq!(gw.outside.as_ref().map(|finding| finding.code), Some("yields"));
         assert_eq!(advice.simplest.as_ref().map(|m| m.id()), Some("zmc"), "{advice}");
-        assert!(advice.to_string().contains("; does not hold: yielding_share 0."), "{advice}");
+        assert!(advice.to_string().contains("; not valid: yielding_share 0."), "{advice}");
         assert_eq!(ask("ke", &["gw"]).simplest.map(|m| m.id().to_string()).as_deref(), Some("ke"));
         let none = ask("gw", &["gw"]);
         assert!(none.simplest.is_none());
-        assert!(none.to_string().starts_with("no model that holds is within 30 % of GW"));
+        assert!(none.to_string().starts_with("no valid model is within 30 % of GW"));
     }
 
     #[test]

@@ -186,7 +186,7 @@ impl ContactTable {
     ///
     /// # Errors
     /// [`TableError::NoSuchTable`] for formats other than Abaqus and CalculiX;
-    /// [`ContactError::OutOfRange`] unless μ > 0; those of [`Quantity::TangentialStiffness`].
+    /// [`ContactError::OutOfRange`] unless μ is above 0 and at most 10; those of [`Quantity::TangentialStiffness`].
     pub fn friction_text(
         &self,
         (format, units): (TableFormat, UnitSystem),
@@ -195,7 +195,7 @@ impl ContactTable {
         tolerance: Tolerance,
     ) -> Result<String> {
         format.check_friction()?;
-        crate::positive("friction", friction)?;
+        crate::joints::coefficient_of_friction(friction)?;
         let stiffness = Quantity::TangentialStiffness;
         let contact = model.compile(scene, &Request::new([stiffness]).within(tolerance))?;
         let of = |node: &ContactNode| -> Result<_> {

@@ -1,6 +1,6 @@
 //! Separations at which the force of a model may have a kink.
 
-use crate::{ContactError, ContactModel, HeightDistribution, Quantity, Scene, Tolerance};
+use crate::{ContactError, ContactModel, Scene, Tolerance};
 
 /// Kinks nearer to each other than this \[σ_z\] are one.
 const SAME_KINK: f64 = 1e-9;
@@ -12,18 +12,15 @@ pub(crate) fn kinks(
     scene: &Scene,
     tolerance: Tolerance,
 ) -> Result<Vec<f64>, ContactError> {
-    let breaks = match &scene.heights {
-        HeightDistribution::Other(heights) => {
-            let heights = heights.heights();
-            let (lowest, highest) = heights.support();
-            [&[lowest, highest], heights.breaks()].concat()
-        }
-        // The density jumps at the lowest asperity.
-        HeightDistribution::Exponential => vec![0.0],
-        _ => return Ok(vec![]),
-    };
+    let sigma = scene.surface.asperity_height_std;
+    let (low, high) = scene.heights.support(sigma);
+    let breaks = [low, high].into_iter().chain(scene.heights.breaks().iter().copied());
+    let breaks: Vec<f64> = breaks.filter(|z| z.is_finite()).collect();
+    if breaks.is_empty() {
+        return Ok(vec![]);
+    }
     let law = match model.asperity_model() {
-        Some(model) => model.law(&scene.asperity()?, Quantity::Force, tolerance)?,
+        Some(model) => Some(model.force(&scene.asperity()?, tolerance)?),
         None => None,
     };
     // Onset of contact, and the kinks of the law, as interferences [m].
@@ -31,9 +28,8 @@ pub(crate) fn kinks(
     if let Some(law) = &law {
         interferences.extend(law.kinks().into_iter().map(|x| x * law.interference_unit));
     }
-    let sigma = scene.surface.asperity_height_std;
     let at = |z: f64| interferences.iter().map(move |w| (z - w) / sigma);
-    let mut kinks: Vec<f64> = breaks.into_iter().filter(|z| z.is_finite()).flat_map(at).collect();
+    let mut kinks: Vec<f64> = breaks.into_iter().flat_map(at).collect();
     kinks.sort_by(f64::total_cmp);
     kinks.dedup_by(|a, b| (*a - *b).abs() <= SAME_KINK);
     Ok(kinks)

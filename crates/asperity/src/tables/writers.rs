@@ -104,7 +104,7 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
 ** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope
 ** between any two; the slope jumps at the nodes
 ** the first pair is where the tangent of the second reaches 0: the model's pressure there,
-** below that of the second pair, is left out; beyond the last pair the last slope goes on
+** below that of the second pair, is left out; beyond the last pair the last slope continues
 ** to be included after *SURFACE INTERACTION, NAME=...
 *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR
 "
@@ -163,7 +163,7 @@ fn ansys(head: &Head<'_>) -> Result<String> {
 ! deflection 0 is where the force begins, at a separation of {begins:.9e} {length}
 ! from {from}; compression is negative
 ! straight lines between {nodes} nodes: largest relative error {pressure} of the force, {slope} of its slope
-! between any two; beyond the ends the last slope goes on
+! between any two; beyond the ends the last slope continues
 ! not yet tried with ANSYS
 ASPERITY = 1 ! the number of the set of real constants
 "

@@ -111,16 +111,11 @@ fn range(scale: f64) -> (f64, f64) {
 
 /// Heights [σ_z] at which a density may have kinks, and its middle.
 fn marks(heights: &HeightDistribution, height_std: f64) -> Vec<f64> {
-    let (other, unit) = match heights {
-        HeightDistribution::Gaussian | HeightDistribution::Exponential => return vec![0.0],
-        HeightDistribution::Weibull(weibull) => (&weibull.sampled, 1.0),
-        HeightDistribution::Other(other) => (other, height_std),
-    };
-    let (low, high) = other.heights().support();
-    let breaks = other.heights().breaks();
+    let (low, high) = heights.support(height_std);
+    let breaks = heights.breaks();
     let breaks = if breaks.len() > BREAKS { &[] } else { breaks };
     let all = [0.0, low, high].into_iter().chain(breaks.iter().copied());
-    all.filter(|z| z.is_finite()).map(|z| z / unit).collect()
+    all.filter(|z| z.is_finite()).map(|z| z / height_std).collect()
 }
 
 /// The height [σ_z] beyond which, seen from its mean, nothing counts.
@@ -128,7 +123,6 @@ fn farthest(heights: &HeightDistribution, height_std: f64) -> f64 {
     match heights {
         // exp(-14²/2) is 3e-43, far below the last digit of what lies nearer.
         HeightDistribution::Gaussian => 14.0,
-        HeightDistribution::Other(other) => other.heights().support().1 / height_std,
-        _ => f64::INFINITY,
+        other => other.support(height_std).1 / height_std,
     }
 }

@@ -14,7 +14,7 @@ mod search;
 mod variation;
 
 /// Below this all asperities are in contact.
-pub(crate) const DEEP: f64 = -64.0;
+pub(crate) const ALL_TOUCH: f64 = -64.0;
 
 /// The integral of a force that falls with the separation.
 pub(crate) trait ForceCurve {
@@ -150,14 +150,13 @@ mod tests {
     }
 
     impl AsperityModel for Hertz {
-        fn law(
-            &self,
-            a: &Asperity,
-            _: Quantity,
-            _: Tolerance,
-        ) -> Result<Option<Law>, ContactError> {
+        fn force(&self, a: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
             let unit = 4.0 / 3.0 * a.equivalent_modulus * a.radius.sqrt();
-            Ok(Some(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)])))
+            Ok(Law::in_units(1.0, unit).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.5)]))
+        }
+
+        fn area(&self, a: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+            Ok(Law::in_units(1.0, a.radius).elastic(0.0..f64::INFINITY, [Power::new(1.0, 1.0)]))
         }
     }
 
