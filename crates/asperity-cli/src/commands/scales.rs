@@ -94,16 +94,16 @@ impl Scales {
                 Ok((smooth, statistics))
             });
             let mut row = vec![Cell::Number(Some(*cutoff))];
-            let numbers = found.as_ref().ok().map(|(_, s)| {
-                let Surface { asperity_radius, asperity_density, asperity_height_std, .. } =
-                    s.surface();
+            let numbers = found.as_ref().map_or([None; COLUMNS.len()], |(_, s)| {
                 let slope = (2.0 * s.m2).sqrt();
-                [s.alpha, asperity_radius, asperity_density, asperity_height_std, slope]
+                let (radius, density) = (s.asperity_radius, s.asperity_density);
+                [Some(s.alpha), radius, density, s.asperity_height_std, Some(slope)]
             });
-            row.extend((0..COLUMNS.len()).map(|k| Cell::Number(numbers.map(|n| n[k]))));
-            match (&asked, at, found.as_ref()) {
-                (Some((scene, (id, _))), Some(at), Ok((smooth, statistics))) => {
-                    let file = scene.file.with_scan(statistics.surface(), smooth.clone());
+            row.extend(numbers.map(Cell::Number));
+            let found = found.and_then(|(smooth, statistics)| Ok((smooth, statistics.surface()?)));
+            match (&asked, at, &found) {
+                (Some((scene, (id, _))), Some(at), Ok((smooth, asperities))) => {
+                    let file = scene.file.with_scan(asperities.clone(), smooth.clone());
                     row.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
                 (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::Number(None))),

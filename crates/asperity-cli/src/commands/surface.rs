@@ -68,6 +68,9 @@ pub struct Surface {
     /// mean of its neighbours)
     #[arg(long)]
     fill_missing: bool,
+    /// Replace outliers, points far above or below their surroundings, as missing points are filled
+    #[arg(long)]
+    despike: bool,
     #[command(flatten)]
     output: OutputArgs,
     /// Write a scene that reads the files in the same way; its materials are examples, replace them
@@ -184,7 +187,7 @@ impl Surface {
         self.scales.table(&surface, self.estimator, finish)
     }
 
-    /// The scan, read, levelled, filled and filtered.
+    /// The scan, read, despiked, levelled, filled and filtered.
     fn prepared(&self, path: &Path) -> Result<Topography> {
         let mut surface = self.levelled(path)?;
         let of = || path.display().to_string();
@@ -199,7 +202,8 @@ impl Surface {
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let options = ReadOptions { unit, pixel_size, max_missing };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
-        let levelled = read.levelled(self.level);
+        let clean = if self.despike { read.despiked() } else { Ok(read) };
+        let levelled = clean.and_then(|surface| surface.levelled(self.level));
         let filled = if self.fill_missing { levelled.and_then(Topography::fill) } else { levelled };
         filled.with_context(|| path.display().to_string())
     }
@@ -237,10 +241,11 @@ impl Surface {
             ("periodic", true_where(self.periodic)),
             ("max_missing", max_missing.map(Value::from)),
             ("fill_missing", true_where(self.fill_missing)),
+            ("despike", true_where(self.despike)),
             ("heights", heights.map(Value::from)),
         ];
         keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
-        Ok(asperity_scene::template_on(&statistics.surface(), &keys))
+        Ok(asperity_scene::template_on(&statistics.surface()?, &keys))
     }
 }
 
@@ -256,23 +261,27 @@ fn beside(scene: &Path, file: &Path) -> Result<String> {
 }
 
 fn table(statistics: &Statistics) -> Table {
+    let outliers = &statistics.outliers;
     let rows = [
-        ("sq", statistics.sq, "m", "standard deviation of the heights"),
-        ("ssk", statistics.ssk, "", "skewness of the heights"),
-        ("sku", statistics.sku, "", "kurtosis of the heights, 3 for a Gaussian surface"),
-        ("m0", statistics.m0, "m2", "profile moment <z^2>"),
-        ("m2", statistics.m2, "", "profile moment <z'^2>"),
-        ("m4", statistics.m4, "1/m2", "profile moment <z''^2>"),
-        ("alpha", statistics.alpha, "", "bandwidth m0 m4/m2^2"),
+        ("sq", Some(statistics.sq), "m", "standard deviation of the heights"),
+        ("ssk", Some(statistics.ssk), "", "skewness of the heights"),
+        ("sku", Some(statistics.sku), "", "kurtosis of the heights, 3 for a Gaussian surface"),
+        ("m0", Some(statistics.m0), "m2", "profile moment <z^2>"),
+        ("m2", Some(statistics.m2), "", "profile moment <z'^2>"),
+        ("m4", Some(statistics.m4), "1/m2", "profile moment <z''^2>"),
+        ("alpha", Some(statistics.alpha), "", "bandwidth m0 m4/m2^2"),
         ("asperity_density", statistics.asperity_density, "1/m2", "eta"),
         ("asperity_radius", statistics.asperity_radius, "m", "R"),
         ("asperity_height_std", statistics.asperity_height_std, "m", "sigma_z"),
         ("beta", statistics.beta, "", "eta R sq"),
         ("beta_z", statistics.beta_z, "", "eta R sigma_z"),
-        ("missing_share", statistics.missing_share, "", "share of missing points"),
+        ("missing_share", Some(statistics.missing_share), "", "share of missing points"),
+        ("outliers", Some(outliers.count as f64), "", "points far outside their neighbours"),
+        ("outlier_largest", Some(outliers.largest), "m", "the furthest, above (+) or below (-)"),
+        ("outlier_m4_share", Some(outliers.m4_share), "", "share of m4 due to outliers"),
     ];
-    let row = |(name, value, unit, meaning): (&str, f64, &str, &str)| {
-        vec![name.into(), Cell::Number(Some(value)), unit.into(), meaning.into()]
+    let row = |(name, value, unit, meaning): (&str, Option<f64>, &str, &str)| {
+        vec![name.into(), Cell::Number(value), unit.into(), meaning.into()]
     };
     let rows = rows.into_iter().map(row).collect();
     Table { rows, ..Table::new(&["name", "value", "unit", "meaning"]) }
