@@ -87,6 +87,7 @@ impl Topography {
         let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
         statistics.mean_plane_offset = mean_plane_offset;
         statistics.missing_share = self.missing_share() + self.filled_share();
+        statistics.warnings.extend(self.notes().iter().cloned());
         statistics.warnings.extend(warning::filled(self.filled_share()));
         statistics.warnings.extend(self.sampling());
         match other {

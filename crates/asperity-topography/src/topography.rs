@@ -1,5 +1,7 @@
 //! Heights on a regular grid.
 
+use asperity_core::Diagnostic;
+
 use crate::{LengthUnit, TopographyError};
 
 /// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
@@ -24,6 +26,8 @@ pub struct Topography {
     periodic: bool,
     missing: usize,
     filled: usize,
+    /// Choices made in reading.
+    notes: Vec<Diagnostic>,
 }
 
 impl Topography {
@@ -67,7 +71,15 @@ impl Topography {
             1 => (heights.len(), [pixel_size[1]; 2]),
             _ => (columns, pixel_size),
         };
-        Ok(Self { heights, columns, pixel_size, periodic: false, missing, filled: 0 })
+        Ok(Self {
+            heights,
+            columns,
+            pixel_size,
+            periodic: false,
+            missing,
+            filled: 0,
+            notes: vec![],
+        })
     }
 
     /// [`new`](Self::new), from heights and distances in another unit.
@@ -90,6 +102,17 @@ impl Topography {
     pub fn with_periodic(mut self, periodic: bool) -> Self {
         self.periodic = periodic;
         self
+    }
+
+    /// With the choices made in reading.
+    pub(crate) fn with_notes(self, notes: Vec<Diagnostic>) -> Self {
+        Self { notes, ..self }
+    }
+
+    /// Choices made in reading: which channel of a file, a profile at equal distances.
+    #[must_use]
+    pub fn notes(&self) -> &[Diagnostic] {
+        &self.notes
     }
 
     /// The heights \[m\], row by row; NaN where a point is missing.

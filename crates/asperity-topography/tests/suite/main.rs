@@ -5,4 +5,6 @@ mod files;
 mod formats;
 mod gaussian;
 mod hostile;
+mod orientation;
+mod others;
 mod spectra;
