@@ -40,7 +40,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::contact_table::contact_table;
     #[pymodule_export]
-    use crate::convert::error::{ContactWarning, NotConverged};
+    use crate::convert::error::{ContactWarning, NotConverged, UnsupportedFormat};
     #[pymodule_export]
     use crate::convert::numbers::{floats, in_si};
     #[pymodule_export]

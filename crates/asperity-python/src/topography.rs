@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::convert::error::{value_error, warn};
+use crate::convert::error::{UnsupportedFormat, value_error, warn};
 use crate::convert::objects::object;
 use crate::records::Surface;
 
@@ -41,6 +41,17 @@ impl Spacing {
     }
 }
 
+/// `UnsupportedFormat` for files in formats without a reader, `ValueError` for others.
+fn unreadable(error: TopographyError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        TopographyError::File { source, .. } if source.is_format() => {
+            UnsupportedFormat::new_err(message)
+        }
+        _ => value_error(message),
+    }
+}
+
 fn unit_of(name: &str) -> PyResult<LengthUnit> {
     name.parse().map_err(|error: TopographyError| value_error(error))
 }
@@ -70,18 +81,27 @@ impl Topography {
 
     /// A scan from a file, as ``asperity.read`` without filling.
     #[staticmethod]
-    #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1))]
+    #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1, channel=None))]
     fn read(
         py: Python<'_>,
         path: PathBuf,
         unit: Option<&str>,
         pixel_size: Option<Spacing>,
         max_missing: f64,
+        channel: Option<String>,
     ) -> PyResult<Self> {
         let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(Spacing::both));
-        let options = ReadOptions { unit, pixel_size, max_missing };
+        let options = ReadOptions { unit, pixel_size, max_missing, channel };
         let read = py.detach(|| asperity_topography::read(&path, &options));
-        Ok(Self(read.map_err(value_error)?))
+        Ok(Self(read.map_err(unreadable)?))
+    }
+
+    /// A profile from positions and heights in one unit; unequal distances are interpolated.
+    #[staticmethod]
+    fn from_profile(positions: Vec<f64>, heights: Vec<f64>, unit: &str) -> PyResult<Self> {
+        let unit = unit_of(unit)?;
+        let made = asperity_topography::Topography::from_profile(positions, heights, unit);
+        Ok(Self(made.map_err(value_error)?))
     }
 
     /// Rows and columns.
@@ -94,6 +114,12 @@ impl Topography {
     #[getter]
     fn pixel_size(&self) -> (f64, f64) {
         self.0.pixel_size().into()
+    }
+
+    /// Choices made in reading, such as the channel of a file with several.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.0.notes().iter().map(ToString::to_string).collect()
     }
 
     /// Share of the points that are missing.

@@ -135,9 +135,6 @@ def test_surfaces_of_surface_topography() -> None:
     assert mine.shape == (1, 192) and mine.pixel_size == pytest.approx((1e-6, 1e-6))
     with pytest.raises(ValueError, match="unit is 'nm': .* is in 'um'"):
         asperity.topography(scan, unit="nm")
-    uneven = theirs.NonuniformLineScan(np.arange(9.0) ** 2, HEIGHTS[0, :9], unit="um")
-    with pytest.raises(ValueError, match="points at unequal distances"):
-        asperity.topography(uneven)
 
 
 def test_surfaces_of_surfalize() -> None:

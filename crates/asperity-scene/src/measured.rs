@@ -23,6 +23,7 @@ struct MeasuredKeys {
     files: Option<Vec<PathBuf>>,
     unit: Option<LengthUnit>,
     pixel_size: Option<PixelSize>,
+    channel: Option<String>,
     estimator: Estimator,
     level: Option<Level>,
     filter: Option<f64>,
@@ -169,7 +170,7 @@ fn read_options(keys: &MeasuredKeys) -> ReadOptions {
         PixelSize::Rectangle(sides) => sides,
     });
     let max_missing = keys.max_missing.unwrap_or(ReadOptions::default().max_missing);
-    ReadOptions { unit: keys.unit, pixel_size, max_missing }
+    ReadOptions { unit: keys.unit, pixel_size, max_missing, channel: keys.channel.clone() }
 }
 
 /// The density of the summits' heights above the mean plane.

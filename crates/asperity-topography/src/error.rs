@@ -9,6 +9,9 @@ use serde::de::{DeserializeOwned, IntoDeserializer};
 
 use crate::{LengthUnit, Level};
 
+/// The command that converts a file of another format.
+const CONVERSION: &str = "SurfaceTopography (PyPI) converts many formats: python3 -c \"import SurfaceTopography as s; s.read_topography('FILE').to_gwy('FILE.gwy')\"";
+
 /// An error in reading or measuring a surface.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -34,11 +37,26 @@ pub enum TopographyError {
         /// The largest size accepted.
         limit: u64,
     },
-    /// A file in a format without a reader.
+    /// A binary file of unknown format.
     #[error(
-        "the file format is not supported: text (matrix, XYZ, profile), NumPy .npy, .x3p or Digital Surf .sur was required"
+        "the file is binary and of unknown format: text, .npy, .x3p, .sur, .gwy or .sdf was required; {}",
+        CONVERSION
     )]
     UnknownFormat,
+    /// A file in the format of an instrument, without a reader.
+    #[error("the file is in the format {format}, which has no reader here; {}", CONVERSION)]
+    ForeignFormat {
+        /// The name of the format.
+        format: &'static str,
+    },
+    /// A channel that the file does not have.
+    #[error("channel is {found:?}: {names} was required")]
+    Channel {
+        /// The name given.
+        found: String,
+        /// The names in the file.
+        names: String,
+    },
     /// An invalid line of a text file.
     #[error("line {line}: {found:?} was found, {required} was required")]
     Line {
@@ -245,6 +263,14 @@ pub enum TopographyError {
     /// Asperity parameters out of range.
     #[error(transparent)]
     Contact(#[from] ContactError),
+}
+
+impl TopographyError {
+    /// Whether a file is in a format without a reader.
+    #[must_use]
+    pub fn is_format(&self) -> bool {
+        matches!(self, Self::ForeignFormat { .. } | Self::UnknownFormat)
+    }
 }
 
 /// The value of a name; serde has the lists of names.

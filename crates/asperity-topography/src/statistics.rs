@@ -101,16 +101,18 @@ impl Topography {
         statistics.missing_share = self.missing_share() + self.filled_share();
         statistics.despiked = self.despiked_points();
         statistics.outliers = self.outliers();
-        let notes = [warning::filled(self.filled_share()), warning::despiked(self)];
+        let mut notes = self.notes().to_vec();
+        notes.extend(warning::filled(self.filled_share()));
+        notes.extend(warning::despiked(self));
         if let Some(found) = warning::outliers(&statistics.outliers) {
             let clean = self.clone().without_points(&statistics.outliers.points);
             let anisotropic = clean.moments().ok().and_then(|moments| anisotropic(&moments));
             statistics.warnings = [Some(found), anisotropic].into_iter().flatten().collect();
-            statistics.warnings.extend(notes.into_iter().flatten());
+            statistics.warnings.extend(notes);
             statistics.other = other.ok().map(|(other, _)| other);
             return Ok(statistics);
         }
-        statistics.warnings.extend(notes.into_iter().flatten());
+        statistics.warnings.extend(notes);
         statistics.warnings.extend(self.sampling());
         match (other, &statistics.asperities) {
             (Ok((other, _)), Ok(primary)) => {

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use asperity_core::Diagnostic;
+
 use crate::{LengthUnit, Outliers, TopographyError};
 
 /// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
@@ -29,6 +31,8 @@ pub struct Topography {
     despiked: usize,
     /// Those found before a filter.
     outliers: Option<Arc<Outliers>>,
+    /// Choices made in reading.
+    notes: Vec<Diagnostic>,
 }
 
 impl Topography {
@@ -72,8 +76,17 @@ impl Topography {
             1 => (heights.len(), [pixel_size[1]; 2]),
             _ => (columns, pixel_size),
         };
-        let (periodic, filled, despiked, outliers) = (false, 0, 0, None);
-        Ok(Self { heights, columns, pixel_size, periodic, missing, filled, despiked, outliers })
+        Ok(Self {
+            heights,
+            columns,
+            pixel_size,
+            periodic: false,
+            missing,
+            filled: 0,
+            despiked: 0,
+            outliers: None,
+            notes: vec![],
+        })
     }
 
     /// [`new`](Self::new), from heights and distances in another unit.
@@ -96,6 +109,17 @@ impl Topography {
     pub fn with_periodic(mut self, periodic: bool) -> Self {
         self.periodic = periodic;
         self
+    }
+
+    /// With the choices made in reading.
+    pub(crate) fn with_notes(self, notes: Vec<Diagnostic>) -> Self {
+        Self { notes, ..self }
+    }
+
+    /// Choices made in reading: which channel of a file, a profile at equal distances.
+    #[must_use]
+    pub fn notes(&self) -> &[Diagnostic] {
+        &self.notes
     }
 
     /// The heights \[m\], row by row; NaN where a point is missing.

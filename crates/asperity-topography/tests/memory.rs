@@ -8,7 +8,7 @@ use asperity_topography::{ReadOptions, read_bytes};
 
 #[path = "suite/files.rs"]
 mod files;
-use files::{Sur, X3p, archive, x3p_of};
+use files::{Sur, X3p, archive, gwy, gwy_field, gzip, item, sdf, sdf_text, x3p_of};
 
 /// Resident memory (`VmRSS`) or its peak (`VmHWM`) \[kB\].
 fn memory(name: &str) -> u64 {
@@ -28,6 +28,12 @@ fn bombs_are_refused_in_little_memory() {
         // 100 million points are declared, one is there.
         ("a.x3p", x3p_of(&X3p { size: [10_000, 10_000], data: vec![0; 8], ..X3p::default() })),
         ("a.sur", Sur { size: [10_000, 10_000], ..Sur::default() }.bytes(&[0.0])),
+        ("a.sur", Sur { size: [10_000, 10_000], streams: 1, ..Sur::default() }.bytes(&[0.0])),
+        ("a.txt.gz", gzip(&zeros)),
+        ("a.gwy", gwy(&[item("/0/data", b'o', &gwy_field(&[0.0; 3], "m", "m"))])),
+        ("a.gwy", gwy(&[item("many", b'S', &[0xff; 4])])),
+        ("a.sdf", sdf("bISO-2.0", [10_000, 10_000], 7, &[0; 8])),
+        ("a.sdf", sdf_text("aISO-1.0", [10_000, 10_000], "1 2 3").into_bytes()),
         ("a.npy", b"\x93NUMPY\x01\x00\x45\x00{'descr': '<f8', 'fortran_order': False, 'shape': (10000, 10000), } ".to_vec()),
         ("a.npy", b"\x93NUMPY\x02\x00\xff\xff\xff\x7f{'descr': ".to_vec()),
         ("a.xyz", b"0 0 1\n1 1 1\n9999 9999 1\n2 2 1\n".to_vec()),

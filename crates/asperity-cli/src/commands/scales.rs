@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use asperity::{At, ContactModel, Quantity, Request, Surface};
+use asperity::{At, ContactModel, Quantity, Request};
 use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
 use asperity_scene::SceneFile;
 use asperity_topography::{Estimator, Topography};
@@ -103,7 +103,7 @@ impl Scales {
             let found = found.and_then(|(smooth, statistics)| Ok((smooth, statistics.surface()?)));
             match (&asked, at, &found) {
                 (Some((scene, (id, _))), Some(at), Ok((smooth, asperities))) => {
-                    let file = scene.file.with_scan(asperities.clone(), smooth.clone());
+                    let file = scene.file.with_scan(*asperities, smooth.clone());
                     row.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
                 (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::Number(None))),

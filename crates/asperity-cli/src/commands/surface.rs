@@ -20,7 +20,8 @@ use crate::output::{self, print_message, progress, report};
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Files: ASCII matrix, XYZ points, CSV profile, NumPy .npy, X3P, Digital Surf SUR.
+    after_help = "Files: ASCII matrix, XYZ points, CSV profile, NumPy .npy, X3P, Digital Surf SUR,
+Gwyddion .gwy, SDF (ISO 25178-71), each also inside gzip.
 Units and pixel size that a file does not contain must be given as options. A scan
 of n points with spacing dx is n dx wide.
 Two files are two rough surfaces in contact: their moments are added.
@@ -44,6 +45,10 @@ pub struct Surface {
     /// Distance between neighbouring points, in the unit of the heights
     #[arg(long, value_name = "DX[,DY]", value_parser = pixel_size)]
     pixel_size: Option<[f64; 2]>,
+    /// Surface of a file with several (.gwy, .sur): its name or its number, from 1 [default: the
+    /// first one with heights]
+    #[arg(long, value_name = "NAME")]
+    channel: Option<String>,
     /// Asperities from: moments (spectral moments of profiles, after McCool) or summits (points
     /// above their eight neighbours)
     #[arg(long, value_name = "NAME", default_value = "moments")]
@@ -200,7 +205,8 @@ impl Surface {
     fn levelled(&self, path: &Path) -> Result<Topography> {
         output::keep(path);
         let Self { unit, pixel_size, max_missing, .. } = *self;
-        let options = ReadOptions { unit, pixel_size, max_missing };
+        let channel = self.channel.clone();
+        let options = ReadOptions { unit, pixel_size, max_missing, channel };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
         let clean = if self.despike { read.despiked() } else { Ok(read) };
         let levelled = clean.and_then(|surface| surface.levelled(self.level));
@@ -234,6 +240,7 @@ impl Surface {
         let given = [
             ("unit", self.unit.map(|unit| unit.to_string().into())),
             ("pixel_size", self.pixel_size.map(pixel_size)),
+            ("channel", self.channel.clone().map(Value::from)),
             ("estimator", Some(self.estimator.to_string().into())),
             ("level", self.level.map(|level| level.to_string().into())),
             ("filter", self.filter.map(Value::from)),

@@ -35,6 +35,7 @@ from asperity._asperity import (
     Surface,
     Topography,
     Unloading,
+    UnsupportedFormat,
     template,
 )
 from asperity._bem import BemContacts, TruthRow, TruthRows, bem, truth
@@ -80,6 +81,7 @@ __all__ = [
     "TruthRow",
     "TruthRows",
     "Unloading",
+    "UnsupportedFormat",
     "bem",
     "correlated_conductance",
     "export",

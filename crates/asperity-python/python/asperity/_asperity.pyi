@@ -35,6 +35,7 @@ __all__ = [
     "Surface",
     "Topography",
     "Unloading",
+    "UnsupportedFormat",
     "answer",
     "bem",
     "check",
@@ -68,6 +69,7 @@ _State: TypeAlias = tuple[float | None, float | None, float | None]
 _Failures: TypeAlias = list[tuple[int, BaseException]]
 
 class NotConverged(RuntimeError): ...
+class UnsupportedFormat(ValueError): ...
 class ContactWarning(UserWarning): ...
 
 _Number: TypeAlias = _Float | str
@@ -256,7 +258,13 @@ class Topography:
         unit: str | None = None,
         pixel_size: _Spacing | None = None,
         max_missing: _Float = 0.1,
+        channel: str | None = None,
     ) -> Topography: ...
+    @staticmethod
+    def from_profile(
+        positions: Sequence[float] | _Floats, heights: Sequence[float] | _Floats, unit: str
+    ) -> Topography: ...
+    notes: Final[list[str]]
     shape: Final[tuple[int, int]]
     pixel_size: Final[tuple[float, float]]
     missing_share: Final[float]

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from os import PathLike
+from os import PathLike, fspath
 from typing import Any
 
-from asperity._asperity import Topography
+import numpy as np
+
+from asperity._asperity import Topography, UnsupportedFormat
 
 
 def read(
@@ -14,23 +16,35 @@ def read(
     pixel_size: float | tuple[float, float] | None = None,
     max_missing: float = 0.1,
     fill_missing: bool = False,
+    channel: str | None = None,
 ) -> Topography:
-    """A scan from a file: ASCII matrix, XYZ points, CSV profile, NumPy .npy or .npz, X3P or SUR.
+    """A scan from a file: text (matrix, XYZ points, profile), NumPy .npy, X3P, Digital Surf SUR,
+    Gwyddion .gwy or SDF, each also inside gzip.
 
     ``unit`` and ``pixel_size``, in that unit, are required for files without them. A larger share of
     missing points than ``max_missing`` is an error; ``fill_missing`` fills missing points, up to 5 %
-    of all, by ``Topography.fill``.
+    of all, by ``Topography.fill``. ``channel`` is the name or number of a surface in a file of
+    several. Files of other formats raise ``UnsupportedFormat``: ``topography`` reads many of them.
     """
-    found = Topography.read(path, unit, pixel_size, max_missing)
+    found = Topography.read(path, unit, pixel_size, max_missing, channel)
     return found.fill() if fill_missing else found
 
 
-def topography(surface: Any, unit: str | None = None) -> Topography:
-    """A measured surface from an object of SurfaceTopography or surfalize.
+def topography(
+    surface: Any, unit: str | None = None, channel: str | None = None
+) -> Topography:
+    """A measured surface from a file, or from an object of SurfaceTopography or surfalize.
 
-    ``unit`` is that of objects without one. Neither package is imported.
+    A file in a format that ``read`` does not know is read by SurfaceTopography, if that is
+    installed (the extra ``formats``). ``unit`` is that of objects and files without one;
+    ``channel`` is the name or number of a surface in a file of several. Other packages are imported
+    for such files only. A line scan with points at unequal distances is interpolated linearly.
     """
+    if isinstance(surface, str | PathLike):
+        return _from_file(fspath(surface), unit, channel)
     home = type(surface).__module__.partition(".")[0]
+    if channel is not None:
+        raise ValueError(f"channel is {channel!r}: a file with several surfaces was required")
     if home == "SurfaceTopography":
         return _from_surface_topography(surface, unit)
     if home == "surfalize":
@@ -39,6 +53,38 @@ def topography(surface: Any, unit: str | None = None) -> Topography:
         f"{type(surface).__name__} is no surface of SurfaceTopography or surfalize: for heights in an "
         "array use asperity.Topography(heights, dx, unit)"
     )
+
+
+def _from_file(path: str, unit: str | None, channel: str | None) -> Topography:
+    try:
+        return read(path, unit, channel=channel)
+    except UnsupportedFormat as error:
+        unsupported = error
+    try:
+        import SurfaceTopography as other
+    except ImportError:
+        message = f"{unsupported}; or install the extra asperity[formats] and call this again"
+        raise UnsupportedFormat(message) from None
+    try:
+        reader = other.open_topography(path)
+    except Exception as error:  # the exceptions of its readers have no common base
+        raise UnsupportedFormat(f"{unsupported}; SurfaceTopography cannot read this one") from error
+    with reader:
+        index = _channel(path, [str(found.name) for found in reader.channels], channel)
+        return _from_surface_topography(reader.topography(channel_index=index), unit)
+
+
+def _channel(path: str, names: list[str], channel: str | None) -> int | None:
+    """The index of a channel by its name or by its number from 1; without one, the reader's own."""
+    if channel is None:
+        return None
+    lower = [name.lower() for name in names]
+    if channel.lower() in lower:
+        return lower.index(channel.lower())
+    if channel.isdecimal() and 1 <= int(channel) <= len(names):
+        return int(channel) - 1
+    known = ", ".join(f"{i} {name!r}" for i, name in enumerate(names, 1))
+    raise ValueError(f"{path}: channel is {channel!r}: {known} was required")
 
 
 def _one_unit(own: str | None, given: str | None, owner: str) -> str:
@@ -50,15 +96,13 @@ def _one_unit(own: str | None, given: str | None, owner: str) -> str:
 
 
 def _from_surface_topography(surface: Any, unit: str | None) -> Topography:
+    found = _one_unit(surface.unit, unit, "this surface of SurfaceTopography")
     if not surface.is_uniform:
-        raise ValueError(
-            f"{type(surface).__name__} has points at unequal distances: a uniform surface was "
-            "required; use surface.to_uniform()"
-        )
+        positions, heights = surface.positions_and_heights()
+        return Topography.from_profile(positions, np.ma.filled(heights, np.nan), found)
     # The first axis is x.
     heights = surface.heights().T
     dx, dy = (*surface.pixel_size, surface.pixel_size[0])[:2]
-    found = _one_unit(surface.unit, unit, "this surface of SurfaceTopography")
     return Topography(heights, (dx, dy), found, periodic=bool(surface.is_periodic))
 
 

@@ -19,6 +19,13 @@ create_exception!(
     "A warning about a scene or an answer: a number outside its usual range, a negative force, an area above the nominal one."
 );
 
+create_exception!(
+    asperity,
+    UnsupportedFormat,
+    PyValueError,
+    "A file of a scan in a format without a reader here."
+);
+
 /// A `ValueError` with the message of an error of the library.
 pub(crate) fn value_error(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())

@@ -1,42 +1,63 @@
 //! Readers of scans, from files and bytes.
 
+mod foreign;
+mod format;
+mod gwy;
+mod gzip;
+mod header;
 mod npy;
 mod options;
 mod points;
+mod profile;
 mod sample;
 mod scan;
+mod sdf;
+mod sdf_ascii;
 mod sur;
+mod sur_data;
 mod table;
 mod text;
+mod units;
 mod x3p;
+mod x3p_xml;
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
 pub use options::ReadOptions;
 
+use self::format::Format;
 use crate::{Topography, TopographyError};
 
-/// The largest file that is read: 2 GiB.
+/// The largest file that is read, and the largest content of a gzip file: 2 GiB.
 pub const MAX_FILE_BYTES: u64 = 1 << 31;
 
 /// The surface in a file.
-/// The extension or the first bytes identify NumPy, X3P and SUR files; other files are text,
-/// distinguished by the number of columns:
+///
+/// The first bytes identify the format, the extension only where they do not. NumPy `.npy`, X3P,
+/// Digital Surf SUR, Gwyddion `.gwy` and SDF are read, each also inside gzip; a file of another
+/// instrument is named. All other files are text, distinguished by the number of columns:
 ///
 /// | columns | |
 /// |---|---|
 /// | 1 | a profile: heights at a distance of `pixel_size` |
-/// | 2 | a profile: equidistant positions and heights |
+/// | 2 | a profile: positions and heights |
 /// | 3 | points x y z of a regular grid, in any order |
 /// | 4 and more | a matrix: a row of heights to a line |
 ///
-/// Columns are separated by semicolons, tabs, commas or spaces: the first of these that the first
-/// row of numbers has. The decimal separator is a point. Lines before that row are a header. It may
-/// name units over the columns (`x [mm], z [µm]` or `x_mm, z_um`), and for a matrix the size
-/// (`Width: 10 µm`, `Height: 10 µm`: n pixels of 10/n µm) and the unit of the heights (`Value
-/// units: nm`). `nan`, `bad`, `***`, `--` and empty fields are missing points.
+/// Text is UTF-8, Latin 1 or, with its mark at the beginning, UTF-16. Columns are separated by
+/// semicolons, tabs, commas or spaces: the first of these that the first row of numbers has. The
+/// decimal separator is a point or, where commas do not separate columns, a comma. Lines before
+/// that row are a header, in English, German or French. It may name units over the columns
+/// (`x [mm], z [µm]` or `x_mm, z_um`), and for a matrix the size (`Width: 10 µm`, `Height: 10 µm`:
+/// n pixels of 10/n µm), the unit of the heights (`Value units: nm`), their factor (`height
+/// conversion factor (-> m)=2.9e-8`) and the pixel size (`pixel size=0.37 µm`). `nan`, `bad`, `No
+/// Data`, `***`, `--` and empty fields are missing points.
+///
+/// Rows and columns are in one order for all formats: x grows with the column and y with the row,
+/// in the coordinates of the file. A file without coordinates begins with row 0, column 0.
 ///
 /// # Errors
 /// [`TopographyError::File`] with the path and the error.
@@ -44,7 +65,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Topography, Topography
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let checked = options.check().and_then(|()| all_bytes(path));
     checked
-        .and_then(|bytes| scan(&name, bytes)?.topography(options))
+        .and_then(|bytes| scan(&name, bytes, options)?.topography(options))
         .map_err(|error| TopographyError::File { path: path.to_owned(), source: Box::new(error) })
 }
 
@@ -58,24 +79,35 @@ pub fn read_bytes(
     options: &ReadOptions,
 ) -> Result<Topography, TopographyError> {
     options.check()?;
-    scan(name, bytes)?.topography(options)
+    scan(name, bytes, options)?.topography(options)
 }
 
 /// Takes the bytes, so that the memory of the file is freed before the surface is measured.
-fn scan(name: &str, bytes: impl AsRef<[u8]>) -> Result<scan::Scan, TopographyError> {
-    let bytes = bytes.as_ref();
-    let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
-    match extension.as_deref() {
-        Some("npy") => npy::scan(bytes),
-        Some("npz") => Err(npy::archive(bytes)),
-        Some("x3p") => x3p::scan(bytes),
-        Some("sur") => sur::scan(bytes),
-        _ if bytes.starts_with(npy::MAGIC) => npy::scan(bytes),
-        _ if bytes.starts_with(x3p::MAGIC) => x3p::scan(bytes),
-        _ if bytes.starts_with(sur::MAGIC) || bytes.starts_with(sur::COMPRESSED) => {
-            sur::scan(bytes)
-        }
-        _ => text::scan(bytes),
+fn scan(
+    name: &str,
+    bytes: impl AsRef<[u8]>,
+    options: &ReadOptions,
+) -> Result<scan::Scan, TopographyError> {
+    let (name, bytes) = match gzip::is_packed(bytes.as_ref()) {
+        true => (name.trim_end_matches(".gz"), Cow::from(gzip::unpack(bytes.as_ref())?)),
+        false => (name, Cow::from(bytes.as_ref())),
+    };
+    let channel = options.channel.as_deref();
+    let scan = match Format::of(name, &bytes)? {
+        Format::Gwy => return gwy::scan(&bytes, channel),
+        Format::Sur => return sur::scan(&bytes, channel),
+        Format::Npy => npy::scan(&bytes),
+        Format::Npz => Err(npy::archive(&bytes)),
+        Format::X3p => x3p::scan(&bytes),
+        Format::Sdf => sdf::scan(&bytes),
+        Format::Text => text::scan(&bytes),
+    };
+    match channel {
+        None => scan,
+        Some(channel) => Err(TopographyError::Channel {
+            found: crate::error::excerpt(channel),
+            names: "a file with several channels (.gwy or .sur)".to_owned(),
+        }),
     }
 }
 

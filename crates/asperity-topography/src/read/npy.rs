@@ -8,7 +8,7 @@ use std::io::Cursor;
 use zip::ZipArchive;
 
 use super::sample::{Kind, Sample};
-use super::scan::{PixelSize, Scan, points};
+use super::scan::{Scan, points};
 use crate::TopographyError;
 use crate::error::excerpt;
 
@@ -40,7 +40,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         // The file stores the heights column by column.
         heights = (0..n).map(|i| heights[i / columns + rows * (i % columns)]).collect();
     }
-    Ok(Scan { heights, columns, unit: None, pixel_size: PixelSize::Unknown })
+    Ok(Scan { heights, columns, ..Scan::default() })
 }
 
 /// The error for an `.npz`, an archive of several arrays.

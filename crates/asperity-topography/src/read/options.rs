@@ -13,6 +13,9 @@ pub struct ReadOptions {
     pub pixel_size: Option<[f64; 2]>,
     /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
     pub max_missing: f64,
+    /// The channel of a file with several (.gwy, .sur): its name, or its number among those of
+    /// heights, from 1. By default the first one with heights.
+    pub channel: Option<String>,
 }
 
 impl ReadOptions {
@@ -33,6 +36,6 @@ impl ReadOptions {
 
 impl Default for ReadOptions {
     fn default() -> Self {
-        Self { unit: None, pixel_size: None, max_missing: 0.1 }
+        Self { unit: None, pixel_size: None, max_missing: 0.1, channel: None }
     }
 }

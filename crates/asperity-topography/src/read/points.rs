@@ -6,34 +6,6 @@ use crate::TopographyError;
 /// Tolerance of a position, relative to the grid distance: files print positions with few digits.
 const SLACK: f64 = 0.1;
 
-/// The distance of positions that ascend or descend by equal steps.
-pub(super) fn equidistant(places: &[f64]) -> Result<f64, TopographyError> {
-    let wrong = |found: String| TopographyError::Grid {
-        field: "x",
-        found,
-        required: "at least two positions at equal distances".to_owned(),
-    };
-    let (Some(first), Some(last)) = (places.first(), places.last()) else {
-        return Err(wrong("no position".to_owned()));
-    };
-    let step = (last - first) / (places.len().max(2) - 1) as f64;
-    if !(step.abs() > 0.0 && step.is_finite()) {
-        return Err(wrong(format!("{} positions from {first:?} to {last:?}", places.len())));
-    }
-    for (i, place) in places.iter().enumerate() {
-        let expected = first + step * i as f64;
-        if place.is_nan() || (place - expected).abs() > SLACK * step.abs() {
-            let found = format!(
-                "{place:?} as position {} of {}, where equal distances give {expected:?}",
-                i + 1,
-                places.len()
-            );
-            return Err(wrong(found));
-        }
-    }
-    Ok(step.abs())
-}
-
 /// Heights, columns and pixel size of x, y, z, x, y, z...: points of a regular grid, in any order;
 /// NaN for grid points without a point.
 pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), TopographyError> {
@@ -181,15 +153,5 @@ mod tests {
         let diagonal: Vec<f64> =
             (0..5000).flat_map(|i| [f64::from(i), f64::from(i), 1.0]).collect();
         assert!(message(&diagonal).contains("thousandth"));
-    }
-
-    #[test]
-    fn profiles_have_equal_steps() {
-        assert!((equidistant(&[3.0, 2.0, 1.01, 0.0]).unwrap() - 1.0).abs() < 1e-12);
-        let message = |places: &[f64]| equidistant(places).unwrap_err().to_string();
-        assert!(message(&[0.0, 1.0, 3.0]).contains("1.0 as position 2 of 3"));
-        assert!(message(&[1.0]).contains("1 positions"));
-        assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
-        assert!(message(&[0.0, f64::NAN]).contains("from 0.0 to NaN"));
     }
 }

@@ -1,14 +1,18 @@
 //! The content of a file, completed by the options.
 
+use asperity_core::Diagnostic;
+
+use crate::error::excerpt;
 use crate::{LengthUnit, MAX_POINTS, ReadOptions, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
 const ATOM: f64 = 1e-11;
 
 /// The distance between points, as stated in the file.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) enum PixelSize {
     /// Not stated.
+    #[default]
     Unknown,
     /// A number in the unit of the heights.
     InUnit([f64; 2]),
@@ -17,14 +21,17 @@ pub(super) enum PixelSize {
 }
 
 /// A surface as stored in its file.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Scan {
-    /// Heights in `unit`; NaN for missing points.
+    /// Heights in `unit`, row by row: x grows with the column and y with the row, in the
+    /// coordinates of the file or, without any, in its order. NaN for missing points.
     pub(super) heights: Vec<f64>,
     pub(super) columns: usize,
     /// Unit of the heights, if the file states it.
     pub(super) unit: Option<LengthUnit>,
     pub(super) pixel_size: PixelSize,
+    /// Choices made in reading.
+    pub(super) notes: Vec<Diagnostic>,
 }
 
 impl Scan {
@@ -38,11 +45,11 @@ impl Scan {
             let metres = value * unit;
             return Err(TopographyError::TinyPixel { value, unit: named, metres });
         }
-        let Self { mut heights, columns, .. } = self;
+        let Self { mut heights, columns, notes, .. } = self;
         for height in &mut heights {
             *height *= unit;
         }
-        let topography = Topography::new(heights, columns, pixel_size)?;
+        let topography = Topography::new(heights, columns, pixel_size)?.with_notes(notes);
         let share = topography.missing_share();
         let limit = options.max_missing;
         if share > limit {
@@ -97,12 +104,48 @@ pub(super) fn points(columns: u64, rows: u64) -> Result<usize, TopographyError> 
     Ok(size as usize)
 }
 
+/// Reverses every row.
+pub(super) fn mirror_columns(heights: &mut [f64], columns: usize) {
+    heights.chunks_mut(columns).for_each(<[f64]>::reverse);
+}
+
+/// Reverses the order of the rows.
+pub(super) fn mirror_rows(heights: &mut [f64], columns: usize) {
+    heights.reverse();
+    mirror_columns(heights, columns);
+}
+
+/// The index of a channel, and a note on the choice where the file has several.
+pub(super) fn select(
+    names: &[String],
+    channel: Option<&str>,
+) -> Result<(usize, Option<Diagnostic>), TopographyError> {
+    let list = || {
+        let shown = names.iter().take(12).enumerate();
+        let shown = shown.map(|(i, name)| format!("{} {:?}", i + 1, excerpt(name)));
+        shown.collect::<Vec<_>>().join(", ")
+    };
+    let Some(channel) = channel else {
+        let note = |name: &String| {
+            Diagnostic::note("channel", "channel", 1.0)
+                .fact(format!("the file has {} surfaces; {:?} is read", names.len(), excerpt(name)))
+                .advice(format!("choose another with channel: {}", list()))
+        };
+        return Ok((0, names.first().filter(|_| names.len() > 1).map(note)));
+    };
+    let same = |name: &String| name.to_lowercase() == channel.trim().to_lowercase();
+    let numbered = || channel.trim().parse::<usize>().ok()?.checked_sub(1);
+    let at = names.iter().position(same).or_else(numbered).filter(|at| *at < names.len());
+    let wrong = || TopographyError::Channel { found: excerpt(channel), names: list() };
+    Ok((at.ok_or_else(wrong)?, None))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn scan(unit: Option<LengthUnit>, pixel_size: PixelSize) -> Scan {
-        Scan { heights: vec![1.0, 2.0, f64::NAN, 4.0], columns: 2, unit, pixel_size }
+        Scan { heights: vec![1.0, 2.0, f64::NAN, 4.0], columns: 2, unit, pixel_size, notes: vec![] }
     }
 
     fn message(scan: Scan, options: &ReadOptions) -> String {
@@ -129,6 +172,7 @@ mod tests {
             unit: Some(LengthUnit::Micrometre),
             pixel_size: Some([2.0, 2.0]),
             max_missing: 0.5,
+            channel: None,
         };
         let in_nm = scan(Some(LengthUnit::Nanometre), PixelSize::Unknown);
         assert!(message(in_nm, &options).contains("unit is um, but nm in the file"));

@@ -1,73 +1,159 @@
-//! Digital Surf `.sur`, uncompressed: a header of 512 bytes, a comment, whole numbers.
+//! Digital Surf `.sur` and `.pro`: objects, each with a header of 512 bytes, a comment, a private
+//! zone and whole numbers.
 //!
-//! The layout follows the readers of Gwyddion and SurfaceTopography, not the specification.
+//! The layout follows the readers of Gwyddion, surfalize and RosettaSciIO, not the specification.
+
+use std::borrow::Cow;
+
+use asperity_core::Diagnostic;
 
 use super::sample::{Kind, Sample};
-use super::scan::{PixelSize, Scan, points};
+use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points, select};
+use super::{sur_data, units};
 use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
 pub(super) const COMPRESSED: &[u8] = b"DSCOMPRESSED";
 const HEADER: usize = 512;
+/// Types of objects that begin with a profile or a surface of heights.
+const WITH_HEIGHTS: [u16; 9] = [1, 2, 4, 5, 7, 8, 11, 13, 16];
 
-pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    if bytes.starts_with(COMPRESSED) {
-        let required = "an uncompressed file (MountainsMap: save without compression)";
-        return Err(refuse("file", "a compressed file", required));
+pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, TopographyError> {
+    let first = Object::read(bytes)?;
+    let (kind, declared) = (first.header.u16(18), first.count());
+    if !WITH_HEIGHTS.contains(&kind) {
+        let required =
+            "a profile (1) or a surface (2), or several of them (4, 5, 7, 8, 11, 13, 16)";
+        return Err(refuse("object type", kind, required));
     }
-    if !bytes.starts_with(MAGIC) {
-        return Err(refuse("file", "something else", "a file that begins with DIGITAL SURF"));
+    let mut objects = vec![first];
+    while objects.len() < declared {
+        let Some(rest) = objects.last().map(|last| last.rest).filter(|rest| !rest.is_empty())
+        else {
+            let found = format!("{} of {declared}", objects.len());
+            return Err(refuse("number of objects", found, "all objects that the header declares"));
+        };
+        objects.push(Object::read(rest)?);
     }
-    let Some((header, rest)) = bytes.split_first_chunk::<HEADER>() else {
-        return Err(refuse("header", format!("{} bytes", bytes.len()), "512 bytes"));
+    // Pictures beside a surface are no heights.
+    let unit = |object: &Object<'_>| object.header.unit(212, "unit of heights");
+    let refused = objects.first().map(unit).transpose().map(drop);
+    objects.retain(|object| unit(object).is_ok());
+    if objects.is_empty() {
+        refused?;
+    }
+    let n = objects.len();
+    let name = |(i, object): (usize, &Object<'_>)| match object.header.text(20, 30) {
+        name if name.is_empty() => format!("surface {} of {n}", i + 1),
+        name => name,
     };
-    let header = Header(header);
-    if header.u16(12) != 0 {
-        return Err(refuse("format", header.u16(12), "0: numbers with the low byte first"));
+    let names: Vec<_> = objects.iter().enumerate().map(name).collect();
+    let (at, note) = select(&names, channel)?;
+    objects.swap_remove(at).scan(note)
+}
+
+/// An object of a file and what follows it.
+struct Object<'a> {
+    header: Header<'a>,
+    columns: u64,
+    rows: u64,
+    sample: Sample,
+    packed: bool,
+    data: &'a [u8],
+    rest: &'a [u8],
+}
+
+impl<'a> Object<'a> {
+    fn read(bytes: &'a [u8]) -> Result<Self, TopographyError> {
+        let packed = bytes.starts_with(COMPRESSED);
+        if !packed && !bytes.starts_with(MAGIC) {
+            let required = "DIGITAL SURF or DSCOMPRESSED at the beginning";
+            return Err(refuse("file", "something else", required));
+        }
+        let Some((header, rest)) = bytes.split_first_chunk::<HEADER>() else {
+            return Err(refuse("header", format!("{} bytes", bytes.len()), "512 bytes"));
+        };
+        let header = Header(header);
+        if header.u16(12) != 0 {
+            return Err(refuse("format", header.u16(12), "0: numbers with the low byte first"));
+        }
+        let kind = match header.u16(98) {
+            16 => Kind::I16,
+            32 => Kind::I32,
+            other => return Err(refuse("bits of a point", other, "16 or 32")),
+        };
+        let sample = Sample { kind, big_endian: false };
+        let columns = header.count(108, "number of columns")?;
+        let rows = header.count(112, "number of rows")?;
+        let unpacked = points(columns, rows)? * sample.size();
+        let size = if packed { header.i32(324) as u32 as usize } else { unpacked };
+        let before = usize::from(header.u16(334)) + usize::from(header.u16(336));
+        let data = rest.get(before..).and_then(|rest| rest.split_at_checked(size));
+        let Some((data, after)) = data else {
+            let required = format!("{columns} x {rows} points, {size} bytes after the comments");
+            return Err(refuse(
+                "data",
+                format!("{} bytes after the header", rest.len()),
+                &required,
+            ));
+        };
+        Ok(Self { header, columns, rows, sample, packed, data, rest: after })
     }
-    if header.u16(14) > 1 {
-        return Err(refuse("number of objects", header.u16(14), "1: files of one surface"));
+
+    /// Objects in the file: of each the channels.
+    fn count(&self) -> usize {
+        let of = |at| usize::from(self.header.u16(at).max(1));
+        // Old files have a code of the material in place of the number of channels.
+        match self.header.u16(18) {
+            1 | 2 => of(14),
+            _ => of(14) * of(80),
+        }
     }
-    let object = header.u16(18);
-    if !(1..=2).contains(&object) {
-        return Err(refuse("object type", object, "1 (profile) or 2 (surface)"));
+
+    fn scan(&self, note: Option<Diagnostic>) -> Result<Scan, TopographyError> {
+        let Self { header, columns, rows, sample, .. } = self;
+        let n = points(*columns, *rows)?;
+        let step = header.f32(128, "height of one step")?;
+        let unit = header.unit(212, "unit of heights")?;
+        let dx = header.f32(120, "distance of columns")?;
+        let pixel = dx * header.unit(180, "unit of columns")?.metres();
+        let pixel_size = match (*rows, header.f32(124, "distance of rows")) {
+            // A profile has no distance of rows.
+            (1, _) => [pixel; 2],
+            (_, dy) => [pixel, dy? * header.unit(196, "unit of rows")?.metres()],
+        };
+        let data = match self.packed {
+            true => Cow::from(sur_data::unpack(self.data, n * sample.size())?),
+            false => Cow::from(self.data),
+        };
+        let mut heights = Vec::with_capacity(n);
+        sample.decode(&data, &mut heights);
+        drop(data);
+        // Missing points are stored two steps below the lowest height.
+        let missing = (header.u16(86) == 1).then(|| f64::from(header.i32(100)) - 2.0);
+        let inversion = header.u16(290);
+        let step = if (1..=3).contains(&inversion) { -step } else { step };
+        for height in &mut heights {
+            // The heights are integers: equal or at least 1 apart.
+            let is_missing = missing.is_some_and(|missing| (*height - missing).abs() < 0.5);
+            *height = if is_missing { f64::NAN } else { *height * step };
+        }
+        let columns = *columns as usize;
+        match inversion {
+            2 => mirror_columns(&mut heights, columns),
+            3 => mirror_rows(&mut heights, columns),
+            _ => {}
+        }
+        let mut notes: Vec<_> = note.into_iter().collect();
+        notes.extend((step < 0.0).then(|| {
+            Diagnostic::note("inverted", "inversion", f64::from(inversion))
+                .fact("the file marks its heights as inverted, and they are turned over")
+                .advice("check the sign of the skewness, because programs differ here")
+        }));
+        let pixel_size = PixelSize::Metres(pixel_size);
+        Ok(Scan { heights, columns, unit: Some(unit), pixel_size, notes })
     }
-    let kind = match header.u16(98) {
-        16 => Kind::I16,
-        32 => Kind::I32,
-        other => return Err(refuse("bits of a point", other, "16 or 32")),
-    };
-    let sample = Sample { kind, big_endian: false };
-    let columns = header.count(108, "number of columns")?;
-    let rows = header.count(112, "number of rows")?;
-    let n = points(columns, rows)?;
-    let needed = n * sample.size();
-    let data = rest.get(usize::from(header.u16(334)) + usize::from(header.u16(336))..);
-    let Some(data) = data.and_then(|data| data.get(..needed)) else {
-        let required = format!("{columns} x {rows} points, {needed} bytes after the comments");
-        return Err(refuse("data", format!("{} bytes after the header", rest.len()), &required));
-    };
-    let step = header.f32(128, "height of one step")?;
-    let unit = header.unit(212, "unit of heights")?;
-    let pixel_size = [
-        header.f32(120, "distance of columns")? * header.unit(180, "unit of columns")?.metres(),
-        header.f32(124, "distance of rows")? * header.unit(196, "unit of rows")?.metres(),
-    ];
-    // Heights are inverted for 1, and inverted and mirrored for 2 and 3; mirroring does not change
-    // the statistics.
-    let step = if (1..=3).contains(&header.u16(290)) { -step } else { step };
-    // Missing points are stored two steps below the lowest height.
-    let missing = (header.u16(86) == 1).then(|| f64::from(header.i32(100)) - 2.0);
-    let mut heights = Vec::with_capacity(n);
-    sample.decode(data, &mut heights);
-    for height in &mut heights {
-        // The heights are integers: equal or at least 1 apart.
-        let is_missing = missing.is_some_and(|missing| (*height - missing).abs() < 0.5);
-        *height = if is_missing { f64::NAN } else { *height * step };
-    }
-    let pixel_size = PixelSize::Metres(pixel_size);
-    Ok(Scan { heights, columns: columns as usize, unit: Some(unit), pixel_size })
 }
 
 /// The first 512 bytes, which hold every field read here.
@@ -103,16 +189,22 @@ impl Header<'_> {
         }
     }
 
+    /// Text of a fixed length, in Latin 1, filled up with zeros or spaces.
+    fn text(&self, at: usize, length: usize) -> String {
+        let bytes = self.0[at..at + length].split(|byte| *byte == 0).next().unwrap_or_default();
+        let latin: String = bytes.iter().map(|byte| char::from(*byte)).collect();
+        latin.trim().to_owned()
+    }
+
     fn unit(&self, at: usize, field: &'static str) -> Result<LengthUnit, TopographyError> {
-        let latin: String = self.bytes::<16>(at).iter().map(|byte| char::from(*byte)).collect();
-        let name = latin.trim_end_matches(['\0', ' ']);
+        let name = self.text(at, 16);
         // Old files have the MS-DOS code of µ, which is æ in Latin 1.
-        let name = if name == "\u{e6}m" { "um" } else { name };
-        name.parse().map_err(|_| refuse(field, format!("{name:?}"), "a unit of length"))
+        let symbol = if name == "\u{e6}m" { "um" } else { &name };
+        units::unit(symbol).ok_or_else(|| refuse(field, format!("{name:?}"), "a unit of length"))
     }
 }
 
-fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
+pub(super) fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
     let (found, required) = (excerpt(&found.to_string()), required.to_owned());
     TopographyError::Field { format: "sur", field, found, required }
 }

@@ -22,13 +22,16 @@ pub(super) enum Delimiter {
 }
 
 impl Delimiter {
-    /// The delimiter of the first row. Beside semicolons or tabs, commas can only be decimal
-    /// commas, which are refused.
+    /// The delimiter of the first row. Commas within numbers between spaces are decimal commas, as
+    /// beside semicolons or tabs.
     fn detect(line: &[u8]) -> Self {
         let has = |byte| line.contains(&byte);
+        let decimal = |word: &[u8]| word.contains(&b',') && value(word, true).is_some();
+        let mut words = Self::Space.fields(line);
         match () {
             () if has(b';') => Self::Semicolon,
             () if line.trim_ascii().contains(&b'\t') => Self::Tab,
+            () if has(b',') && words.clone().count() > 1 && words.all(decimal) => Self::Space,
             () if has(b',') => Self::Comma,
             () => Self::Space,
         }
@@ -44,7 +47,7 @@ impl Delimiter {
     }
 
     /// The fields of a line, without the spaces around them.
-    pub(super) fn fields(self, line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    pub(super) fn fields(self, line: &[u8]) -> impl Iterator<Item = &[u8]> + Clone {
         line.split(move |byte| self.parts(*byte))
             .map(<[u8]>::trim_ascii)
             .filter(move |field| self != Self::Space || !field.is_empty())
@@ -71,6 +74,13 @@ impl Table {
             }
             match &mut rows {
                 Some(_) if line.starts_with(b"#") => {}
+                // A number alone above rows of several counts them.
+                Some(counted) if counted.values.len() == 1 && Rows::new(line, 0).columns > 1 => {
+                    header.push((number, String::new()));
+                    let mut first = Rows::new(line, bytes.len());
+                    first.add(number, line)?;
+                    rows = Some(first);
+                }
                 Some(rows) => rows.add(number, line)?,
                 None if is_row(line) => {
                     let mut first = Rows::new(line, bytes.len());
@@ -90,6 +100,40 @@ impl Table {
     }
 }
 
+impl Table {
+    /// Removes the first column, which counts the rows.
+    pub(super) fn drop_index(&mut self, index: bool) {
+        if index && self.columns > 1 {
+            self.drop_column(0);
+        }
+    }
+
+    /// Removes a third column without values, as after `1.5,2.5,,`.
+    pub(super) fn drop_empty(&mut self) {
+        let empty = || self.values.chunks(3).all(|row| row.last().is_some_and(|z| z.is_nan()));
+        if self.columns == 3 && empty() {
+            self.drop_column(2);
+        }
+    }
+
+    fn drop_column(&mut self, column: usize) {
+        let mut places = (0..self.columns).cycle();
+        self.values.retain(|_| places.next() != Some(column));
+        self.columns -= 1;
+    }
+
+    /// NaN in the second column where the third is 0.
+    pub(super) fn drop_invalid(&mut self) {
+        for row in self.values.chunks_mut(self.columns) {
+            if let [_, height, valid] = row
+                && *valid == 0.0
+            {
+                *height = f64::NAN;
+            }
+        }
+    }
+}
+
 /// The rows parsed so far.
 struct Rows {
     values: Vec<f64>,
@@ -97,6 +141,8 @@ struct Rows {
     delimiter: Delimiter,
     /// Whether a delimiter ends each row.
     closed: bool,
+    /// The decimal separator, once a row has shown it.
+    decimal: Option<u8>,
 }
 
 impl Rows {
@@ -105,22 +151,48 @@ impl Rows {
         let delimiter = Delimiter::detect(line);
         let open = delimiter.open(line);
         let closed = open.is_some();
-        let columns = delimiter.fields(open.unwrap_or(line)).count();
+        let fields = |line| delimiter.fields(line).count();
+        let columns = match without_spaces(line, delimiter) {
+            Some(line) => fields(&line),
+            None => fields(open.unwrap_or(line)),
+        };
         // Capacity for rows as long as the first; no row has more fields than bytes.
         let expected = (bytes / (line.len() + 1) + 1) * columns;
         let values = Vec::with_capacity(expected.min(MAX_POINTS));
-        Self { values, columns, delimiter, closed }
+        Self { values, columns, delimiter, closed, decimal: None }
     }
 
     fn add(&mut self, number: usize, line: &[u8]) -> Result<(), TopographyError> {
         let start = self.values.len();
         let open = if self.closed { self.delimiter.open(line) } else { None };
-        for field in self.delimiter.fields(open.unwrap_or(line)) {
-            self.values.push(value(field).ok_or_else(|| TopographyError::Line {
-                line: number,
-                found: excerpt(&decode(field)),
-                required: "a finite number with a decimal point, or nan,".to_owned(),
-            })?);
+        let line = open.unwrap_or(line);
+        let comma = self.delimiter != Delimiter::Comma;
+        let failed = self.delimiter.fields(line).find(|field| {
+            let value = value(field, comma);
+            self.values.extend(value);
+            value.is_none()
+        });
+        if let Some(field) = failed {
+            self.values.truncate(start);
+            let Some(line) = without_spaces(line, self.delimiter) else {
+                let required = match comma {
+                    true => "a finite number, or nan,",
+                    false => "a finite number with a decimal point, or nan,",
+                };
+                let (found, required) = (excerpt(&decode(field)), required.to_owned());
+                return Err(TopographyError::Line { line: number, found, required });
+            };
+            return self.add(number, &line);
+        }
+        let marks = |mark| line.contains(&mark);
+        for mark in [b'.', b','].into_iter().filter(|mark| comma && marks(*mark)) {
+            if *self.decimal.get_or_insert(mark) != mark {
+                return Err(TopographyError::Line {
+                    line: number,
+                    found: excerpt(&decode(line)),
+                    required: "one decimal separator, a point or a comma, in all rows".to_owned(),
+                });
+            }
         }
         let found = self.values.len() - start;
         if found != self.columns {
@@ -139,20 +211,46 @@ impl Rows {
 /// Whether a line can be the first row: all fields are values, and not all are marks such as `---`,
 /// which may underline a header.
 fn is_row(line: &[u8]) -> bool {
-    let fields = || Delimiter::detect(line).fields(line);
-    fields().all(|field| value(field).is_some())
-        && fields().any(|field| field.iter().any(u8::is_ascii_alphanumeric))
+    let delimiter = Delimiter::detect(line);
+    let number = |field: &[u8]| value(field, delimiter != Delimiter::Comma).is_some();
+    let all = |line: &[u8]| {
+        delimiter.fields(line).all(number)
+            && delimiter.fields(line).any(|field| field.iter().any(u8::is_ascii_alphanumeric))
+    };
+    all(line) || without_spaces(line, delimiter).is_some_and(|line| all(&line))
 }
 
-/// A finite number, NaN for a missing point, `None` for any other text.
-fn value(field: &[u8]) -> Option<f64> {
+/// The line with `nan` for the words `No Data`, which spaces would separate.
+fn without_spaces(line: &[u8], delimiter: Delimiter) -> Option<Vec<u8>> {
+    const MARK: &[u8] = b"no data";
+    if delimiter != Delimiter::Space {
+        return None;
+    }
+    let mut rest = line;
+    let mut found = Vec::with_capacity(line.len());
+    while let Some(at) = rest.windows(MARK.len()).position(|part| part.eq_ignore_ascii_case(MARK)) {
+        found.extend(&rest[..at]);
+        found.extend(b" nan ");
+        rest = &rest[at + MARK.len()..];
+    }
+    found.extend(rest);
+    (rest.len() < line.len()).then_some(found)
+}
+
+/// A finite number, NaN for a missing point, `None` for any other text. The decimal separator is a
+/// point or, if `comma`, a comma.
+fn value(field: &[u8], comma: bool) -> Option<f64> {
     let text = std::str::from_utf8(field).ok()?;
-    match text.parse::<f64>() {
+    let number = match text.parse::<f64>() {
+        Err(_) if comma && text.matches([',', '.']).count() == 1 => text.replace(',', ".").parse(),
+        number => number,
+    };
+    match number {
         Ok(number) if number.is_infinite() => None,
         Ok(number) => Some(number),
         Err(_) => {
             let marks = field.iter().all(|byte| matches!(byte, b'*' | b'-'));
-            let names = ["bad", "null", "none", "na", "n/a"];
+            let names = ["bad", "null", "none", "na", "n/a", "no data", "nodata", "1.#qnan"];
             let missing = marks || names.iter().any(|name| text.eq_ignore_ascii_case(name));
             missing.then_some(f64::NAN)
         }
@@ -170,6 +268,32 @@ fn decode(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn decimal_commas_are_read_where_commas_do_not_separate() {
+        for text in ["1,5;2\n-3,25e1;4\n", "1,5\t2\n-3,25e1\t4", "1,5 2,0\n-3,25e1 4\n"] {
+            assert_eq!(values(text), (2, vec![1.5, 2.0, -32.5, 4.0]), "{text}");
+        }
+        assert_eq!(values("1,5\n2,5\n"), (2, vec![1.0, 5.0, 2.0, 5.0]));
+        let both = message(b"1,5;2\n3.5;4\n");
+        assert!(both.starts_with("line 2: \"3.5;4\" was found, one decimal sep"), "{both}");
+        assert!(message(b"1;2\n3;1,5,5\n").starts_with("line 2: \"1,5,5\" was found"));
+    }
+
+    #[test]
+    fn no_data_is_one_mark() {
+        let (columns, found) = values("0 0 No Data\n1 0 2.5\n2 0 no data\n");
+        assert_eq!((columns, found.len()), (3, 9));
+        assert!(found[2].is_nan() && found[5].total_cmp(&2.5).is_eq() && found[8].is_nan());
+        assert_eq!(values("1;No Data;2\n1;2;3\n").0, 3);
+        assert!(message(b"0 0 1\n1 0 No Datum\n").starts_with("line 2: \"No\""));
+    }
+
+    #[test]
+    fn a_count_above_the_rows_is_a_header() {
+        assert_eq!(values("um um\n2\n1, 2\n3, 4\n"), (2, vec![1.0, 2.0, 3.0, 4.0]));
+        assert_eq!(values("1\n2\n3\n"), (1, vec![1.0, 2.0, 3.0]));
+    }
 
     fn values(text: &str) -> (usize, Vec<f64>) {
         let table = Table::parse(text.as_bytes()).unwrap();
@@ -211,7 +335,6 @@ mod tests {
         assert_eq!(ragged, "line 3 has 2 numbers: 3 were required, as in the first row");
         assert!(message(b"1 2\n3 inf\n").starts_with("line 2: \"inf\" was found, a finite number"));
         assert!(message(b"1 2\n3 1e999\n").starts_with("line 2: \"1e999\""));
-        assert!(message(b"1;2\n3;1,5\n").starts_with("line 2: \"1,5\" was found"));
         assert!(message(b"1 2\n3 \xff\xfe\n").starts_with("line 2: \"ÿþ\""));
         assert!(message(b"\x00\x00\n").starts_with("line 1: \"\\0\\0\""));
     }

@@ -1,23 +1,20 @@
-//! ISO 25178-72 `.x3p`: a zip archive of `main.xml` and a file of heights in metres.
+//! ISO 25178-72 `.x3p`: a zip archive of `main.xml` and a file of coordinates in metres.
 //!
-//! The layout follows the reader of SurfaceTopography, not the standard.
+//! The layout follows the readers of SurfaceTopography and x3pio, not the standard.
 
 use std::io::{Cursor, Read};
 
-use roxmltree::{Document, Node, ParsingOptions};
 use zip::ZipArchive;
 
-use super::npy;
-use super::sample::{Kind, Sample};
-use super::scan::{PixelSize, Scan, points};
+use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points};
+use super::x3p_xml::{Data, Description};
+use super::{npy, profile};
 use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 /// The largest size of `main.xml` \[bytes\].
 const MAX_XML: u64 = 1 << 20;
-/// The largest number of elements, texts and comments in it.
-const MAX_NODES: u32 = 10_000;
 
 /// The highest ratio of deflate: 258 bytes in two bits.
 const DEFLATE_RATIO: usize = 1032;
@@ -30,201 +27,131 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
         return Err(npy::archive(bytes));
     }
-    let xml = main_xml(&mut archive)?;
-    let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(&xml, options)
-        .map_err(|error| refuse("main.xml", error, "an XML document"))?;
-    let Description { columns, rows, pixel_size, sample, step, offset, data, valid } =
-        Description::read(document.root_element())?;
+    let (folder, xml) = main_xml(&mut archive)?;
+    let description = Description::parse(&xml)?;
+    drop(xml);
+    let (columns, rows) = (description.columns, description.rows);
     let n = points(columns, rows)?;
-    let packed = (n * sample.size()).div_ceil(DEFLATE_RATIO);
-    if packed > bytes.len() {
-        let found = format!("{columns} x {rows} points in a file of {} bytes", bytes.len());
-        return Err(refuse(
-            "MatrixDimension",
-            found,
-            &format!("at least {packed} bytes for these points"),
-        ));
-    }
-    let mut heights = Vec::with_capacity(n);
-    unpack(&mut archive, &data, n * sample.size(), |bytes| sample.decode(bytes, &mut heights))?;
-    for height in &mut heights {
-        *height = *height * step + offset;
-    }
-    if let Some(valid) = valid {
-        let mut point = 0;
-        unpack(&mut archive, &valid, n.div_ceil(8), |bytes| {
-            for byte in bytes {
-                for bit in 0..8 {
-                    if let Some(height) = heights.get_mut(point).filter(|_| byte >> bit & 1 == 0) {
-                        *height = f64::NAN;
-                    }
-                    point += 1;
-                }
+    let size: usize = description.stored.iter().map(|stored| stored.sample.size()).sum();
+    let mut numbers = match description.data {
+        Data::Numbers(numbers) if numbers.len() == n * description.stored.len() => numbers,
+        Data::Numbers(numbers) => {
+            let found = format!("{} points", numbers.len() / description.stored.len());
+            return Err(refuse("DataList", found, &format!("{n}, by MatrixDimension")));
+        }
+        Data::Entries { points, valid } => {
+            let packed = (n * size).div_ceil(DEFLATE_RATIO);
+            if packed > bytes.len() {
+                let found = format!("{columns} x {rows} points in a file of {} bytes", bytes.len());
+                let required = format!("at least {packed} bytes for these points");
+                return Err(refuse("MatrixDimension", found, &required));
             }
-        })?;
+            let mut numbers = Vec::with_capacity(n * description.stored.len());
+            unpack(&mut archive, &(folder.clone() + &points), [n, size], |mut record| {
+                for stored in &description.stored {
+                    let (number, rest) = record.split_at(stored.sample.size());
+                    stored.sample.decode(number, &mut numbers);
+                    record = rest;
+                }
+            })?;
+            if let Some(valid) = valid {
+                let mut points = numbers.chunks_mut(description.stored.len());
+                unpack(&mut archive, &(folder + &valid), [n.div_ceil(8), 1], |byte| {
+                    for (bit, point) in (0..8).zip(&mut points) {
+                        if byte.iter().all(|byte| byte >> bit & 1 == 0) {
+                            point.fill(f64::NAN);
+                        }
+                    }
+                })?;
+            }
+            numbers
+        }
+    };
+    for point in numbers.chunks_mut(description.stored.len()) {
+        for (number, stored) in point.iter_mut().zip(&description.stored) {
+            // Instruments mark missing points by NaN or by infinity.
+            let finite = if number.is_finite() { *number } else { f64::NAN };
+            *number = finite * stored.step + stored.offset;
+        }
     }
-    let (unit, pixel_size) = (Some(LengthUnit::Metre), PixelSize::Metres(pixel_size));
-    Ok(Scan { heights, columns: columns as usize, unit, pixel_size })
+    let unit = Some(LengthUnit::Metre);
+    let [Some(dx), Some(dy)] = description.increments else {
+        let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
+        let (places, heights) = points.map(|point| (point[0], point[1])).unzip();
+        let profile::Profile { heights, step, note } = profile::profile(places, heights)?;
+        let (pixel_size, notes) = (PixelSize::Metres([step; 2]), note.into_iter().collect());
+        return Ok(Scan { columns: heights.len(), heights, unit, pixel_size, notes });
+    };
+    let columns = columns as usize;
+    if dx < 0.0 {
+        mirror_columns(&mut numbers, columns);
+    }
+    if dy < 0.0 {
+        mirror_rows(&mut numbers, columns);
+    }
+    let pixel_size = PixelSize::Metres([dx.abs(), dy.abs()]);
+    Ok(Scan { heights: numbers, columns, unit, pixel_size, notes: vec![] })
 }
 
-fn main_xml(archive: &mut Archive<'_>) -> Result<String, TopographyError> {
+/// The folder of `main.xml` within the archive, and its text.
+fn main_xml(archive: &mut Archive<'_>) -> Result<(String, String), TopographyError> {
+    const NAME: &str = "main.xml";
+    let folder = |name: &str| match name.strip_suffix(NAME) {
+        Some(folder) if folder.is_empty() || folder.ends_with('/') => Some(folder.to_owned()),
+        _ => None,
+    };
+    // Some programs pack the folder and not its content.
+    let folders = archive.file_names().flatten().filter_map(|name| folder(&name));
+    let folder = folders.min_by_key(String::len).unwrap_or_default();
     let entry = archive
-        .by_name("main.xml")
-        .map_err(|error| refuse("main.xml", error, "an entry of this name"))?;
+        .by_name(&(folder.clone() + NAME))
+        .map_err(|error| refuse(NAME, error, "an entry of this name"))?;
     let mut xml = Vec::new();
     entry
         .take(MAX_XML + 1)
         .read_to_end(&mut xml)
-        .map_err(|error| refuse("main.xml", error, "an entry that can be unpacked"))?;
+        .map_err(|error| refuse(NAME, error, "an entry that can be unpacked"))?;
     if xml.len() as u64 > MAX_XML {
-        return Err(refuse("main.xml", "more", &format!("at most {MAX_XML} bytes")));
+        return Err(refuse(NAME, "more", &format!("at most {MAX_XML} bytes")));
     }
-    String::from_utf8(xml).map_err(|_| refuse("main.xml", "something else", "UTF-8"))
+    // Some programs begin with the mark of UTF-8.
+    let xml = String::from_utf8(xml).map_err(|_| refuse(NAME, "something else", "UTF-8"))?;
+    Ok((folder, xml.trim_start_matches('\u{feff}').to_owned()))
 }
 
-/// Passes on an entry of exactly `size` bytes in pieces of complete numbers. At most `size` bytes
-/// are unpacked, whatever the archive declares.
+/// Passes on the `n` records of an entry, of `size` bytes each. No more than these are unpacked,
+/// whatever the archive declares.
 fn unpack(
     archive: &mut Archive<'_>,
     name: &str,
-    size: usize,
-    mut piece: impl FnMut(&[u8]),
+    [n, size]: [usize; 2],
+    mut with: impl FnMut(&[u8]),
 ) -> Result<(), TopographyError> {
     let entry_error = |error: &dyn ToString| format!("{name}: {}", error.to_string());
     let mut entry = archive
         .by_name(name)
         .map_err(|error| refuse("DataLink", entry_error(&error), "an entry of this name"))?;
+    let required = format!("{} bytes, by main.xml", n * size);
     let mut buffer = [0; 1 << 13];
-    let mut left = size;
+    let whole = buffer.len() / size * size;
+    let mut left = n * size;
     while left > 0 {
-        let part = &mut buffer[..left.min(1 << 13)];
-        entry.read_exact(part).map_err(|error| {
-            let required = format!("{size} bytes, by main.xml");
-            refuse("DataLink", entry_error(&error), &required)
-        })?;
-        piece(part);
+        let part = &mut buffer[..left.min(whole)];
+        entry
+            .read_exact(part)
+            .map_err(|error| refuse("DataLink", entry_error(&error), &required))?;
+        part.chunks(size).for_each(&mut with);
         left -= part.len();
     }
     // Reading to the end also checks the checksum.
     match entry.read(&mut buffer) {
         Ok(0) => Ok(()),
-        Ok(_) => {
-            Err(refuse("DataLink", entry_error(&"more"), &format!("{size} bytes, by main.xml")))
-        }
+        Ok(_) => Err(refuse("DataLink", entry_error(&"more"), &required)),
         Err(error) => Err(refuse("DataLink", entry_error(&error), "an entry that can be unpacked")),
     }
 }
 
-/// The content of `main.xml`.
-struct Description {
-    columns: u64,
-    rows: u64,
-    pixel_size: [f64; 2],
-    sample: Sample,
-    step: f64,
-    offset: f64,
-    data: String,
-    valid: Option<String>,
-}
-
-impl Description {
-    fn read(root: Node<'_, '_>) -> Result<Self, TopographyError> {
-        let profile = match text(root, &["Record1", "FeatureType"], "FeatureType")? {
-            "SUR" => false,
-            "PRF" => true,
-            other => return Err(refuse("FeatureType", other, "SUR (surface) or PRF (profile)")),
-        };
-        let size = &["Record3", "MatrixDimension"];
-        let count = |name: &'static str| -> Result<u64, TopographyError> {
-            let found = text(root, &[size[0], size[1], name], name)?;
-            let n = found.parse().ok().filter(|n| *n > 0);
-            n.ok_or_else(|| refuse(name, found, "a whole number of at least 1"))
-        };
-        let (columns, rows) = (count("SizeX")?, count("SizeY")?);
-        if count("SizeZ")? != 1 {
-            return Err(refuse("SizeZ", count("SizeZ")?, "1: a single layer"));
-        }
-        let kind = match text(root, &["Record1", "Axes", "CZ", "DataType"], "CZ DataType")? {
-            "I" => Kind::I16,
-            "L" => Kind::I32,
-            "F" => Kind::F32,
-            "D" => Kind::F64,
-            other => return Err(refuse("CZ DataType", other, "I, L, F or D")),
-        };
-        let dx = increment(root, "CX", "CX AxisType", "CX Increment")?;
-        let dy = match profile && rows == 1 {
-            true => dx,
-            false => increment(root, "CY", "CY AxisType", "CY Increment")?,
-        };
-        let of_z =
-            |name: &str, field, default: f64| match find(root, &["Record1", "Axes", "CZ", name]) {
-                Some(node) => number(node, field),
-                None => Ok(default),
-            };
-        let link = |name: &str| find(root, &["Record3", "DataLink", name]).map(trimmed_text);
-        let data = link("PointDataLink").ok_or_else(|| {
-            refuse(
-                "PointDataLink",
-                "nothing",
-                "the name of an entry (heights in main.xml are not read)",
-            )
-        })?;
-        Ok(Self {
-            columns,
-            rows,
-            pixel_size: [dx, dy],
-            sample: Sample { kind, big_endian: false },
-            step: of_z("Increment", "CZ Increment", 1.0)?,
-            offset: of_z("Offset", "CZ Offset", 0.0)?,
-            data: data.to_owned(),
-            valid: link("ValidPointsLink").filter(|name| !name.is_empty()).map(str::to_owned),
-        })
-    }
-}
-
-fn increment(
-    root: Node<'_, '_>,
-    axis: &str,
-    kind: &'static str,
-    field: &'static str,
-) -> Result<f64, TopographyError> {
-    let found = text(root, &["Record1", "Axes", axis, "AxisType"], kind)?;
-    if found != "I" {
-        return Err(refuse(kind, found, "I: points at equal distances"));
-    }
-    match find(root, &["Record1", "Axes", axis, "Increment"]) {
-        Some(node) => number(node, field),
-        None => Err(refuse(field, "nothing", "the distance of the points in m")),
-    }
-}
-
-fn number(node: Node<'_, '_>, field: &'static str) -> Result<f64, TopographyError> {
-    let number: Option<f64> = trimmed_text(node).parse().ok();
-    let number = number.filter(|number| number.is_finite());
-    number.ok_or_else(|| refuse(field, trimmed_text(node), "a finite number"))
-}
-
-fn text<'a>(
-    root: Node<'a, '_>,
-    path: &[&str],
-    field: &'static str,
-) -> Result<&'a str, TopographyError> {
-    find(root, path)
-        .map(trimmed_text)
-        .ok_or_else(|| refuse(field, "nothing", "an element of this name"))
-}
-
-fn find<'a, 'input>(root: Node<'a, 'input>, path: &[&str]) -> Option<Node<'a, 'input>> {
-    path.iter()
-        .try_fold(root, |node, name| node.children().find(|child| child.tag_name().name() == *name))
-}
-
-fn trimmed_text<'a>(node: Node<'a, '_>) -> &'a str {
-    node.text().unwrap_or_default().trim()
-}
-
-fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
+pub(super) fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
     let (found, required) = (excerpt(&found.to_string()), required.to_owned());
     TopographyError::Field { format: "x3p", field, found, required }
 }

@@ -3,11 +3,16 @@
 use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, read_bytes};
 use proptest::prelude::*;
 
-use crate::files::{Sur, X3p, archive, x3p_of};
+use crate::files::{Sur, X3p, archive, gwy, gwy_field, gzip, item, sdf, sdf_text, x3p_of};
 
 /// Options that accept as many files as possible.
 fn lenient() -> ReadOptions {
-    ReadOptions { unit: Some(LengthUnit::Micrometre), pixel_size: Some([1.0; 2]), max_missing: 1.0 }
+    ReadOptions {
+        unit: Some(LengthUnit::Micrometre),
+        pixel_size: Some([1.0; 2]),
+        max_missing: 1.0,
+        channel: None,
+    }
 }
 
 fn refused(name: &str, bytes: &[u8], expected: &str) {
@@ -18,7 +23,7 @@ fn refused(name: &str, bytes: &[u8], expected: &str) {
     let message = read_bytes(name, bytes, &options).unwrap_err().to_string();
     assert!(message.contains(expected), "{name}: {message}");
     assert!(
-        ["required", "in the file", "give unit", "give pixel_size", "looks like m"]
+        ["required", "in the file", "give unit", "give pixel_size", "looks like m", "converts"]
             .iter()
             .any(|part| message.contains(part)),
         "{message}"
@@ -44,8 +49,11 @@ fn empty_and_foreign_files() {
         refused(name, b"", "required");
         refused(name, b"\x00\x01\x02\x03", "required");
     }
-    refused("a.txt", b"\xff\xfe1\x00 \x002\x00\n\x00", "the file format is not supported");
-    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a row of numbers");
+    refused("a.bin", b"1 2\n\x00\x01", "the file is binary and of unknown format: text, .npy");
+    refused("a.txt", b"1 2\n\x02\x03", "read_topography('FILE').to_gwy('FILE.gwy')");
+    refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "the format JPEG, a picture, which has no");
+    refused("a.spm", b"\\*File list\r\n\x00", "the format Bruker Nanoscope, which has no reader");
+    refused("a.x3p", b"\\*File list\r\n\x00", "the format Bruker Nanoscope, which has no reader");
 }
 
 #[test]
@@ -109,7 +117,11 @@ fn npz_archives_are_recognised() {
 
 #[test]
 fn options_are_refused_before_a_file_is_read() {
-    let of = |max_missing, dx| ReadOptions { unit: None, pixel_size: Some([1.0, dx]), max_missing };
+    let of = |max_missing, dx| ReadOptions {
+        pixel_size: Some([1.0, dx]),
+        max_missing,
+        ..ReadOptions::default()
+    };
     for (options, wanted) in [
         (of(-0.1, 1.0), "max_missing is -0.1: a share"),
         (of(f64::NAN, 1.0), "max_missing is NaN: a share"),
@@ -147,6 +159,72 @@ fn hostile_sur() {
     refused("a.sur", &with(128, &f32::NAN.to_le_bytes()), "height of one step: NaN");
     refused("a.sur", &with(120, &f32::INFINITY.to_le_bytes()), "distance of columns: inf");
     refused("a.sur", &with(124, &0f32.to_le_bytes()), "distance of rows: 0");
+}
+
+#[test]
+fn hostile_compressed_sur() {
+    let heights: Vec<f64> = (0..20).map(f64::from).collect();
+    let good = Sur { streams: 2, ..Sur::default() }.bytes(&heights);
+    let with = |at: usize, bytes: &[u8]| {
+        let mut broken = good.clone();
+        broken[at..at + bytes.len()].copy_from_slice(bytes);
+        broken
+    };
+    let refused = |bytes: &[u8], expected: &str| refused("a.sur", bytes, expected);
+    refused(&with(108, &10_000i32.to_le_bytes()), "enough for 160000 unpacked bytes");
+    refused(&with(108, &[0, 0, 1, 0, 0, 0, 1, 0]), "the number of points is");
+    refused(&with(324, &u32::MAX.to_le_bytes()), "bytes after the comments");
+    refused(&with(324, &3u32.to_le_bytes()), "the sizes of all streams");
+    refused(&with(512, &u32::MAX.to_le_bytes()), "the sizes of all streams");
+    refused(&with(516, &39u32.to_le_bytes()), "39 bytes unpacked from");
+    refused(&with(516, &u32::MAX.to_le_bytes()), "80 bytes for the points");
+    refused(&with(520, &u32::MAX.to_le_bytes()), "40 bytes unpacked from 4294967295");
+    refused(&with(536, &[0xff; 4]), "40 bytes unpacked from");
+    refused(&with(14, &3u16.to_le_bytes()), "number of objects: 1 of 3 was found");
+}
+
+#[test]
+fn hostile_gwy() {
+    let field = |heights: &[f64]| item("/0/data", b'o', &gwy_field(heights, "m", "m"));
+    let good = gwy(&[field(&waves(9)[..20])]);
+    let options = ReadOptions::default();
+    assert!(read_bytes("a.gwy", &good, &options).is_ok());
+    let refused = |bytes: &[u8], expected: &str| {
+        let message = read_bytes("a.gwy", bytes, &options).unwrap_err().to_string();
+        assert!(message.contains(expected), "{message}");
+    };
+    refused(&gwy(&[field(&waves(9)[..19])]), "data: 19 numbers was found, 20, for 5 x 4 points");
+    let with = |text: &[u8], bytes: &[u8]| {
+        let at = good.windows(text.len()).position(|part| part == text).unwrap() + text.len();
+        let mut broken = good.clone();
+        broken[at..at + bytes.len()].copy_from_slice(bytes);
+        broken
+    };
+    refused(&with(b"xres\0i", &[0; 4]), "xres: 0 was found, at least 1");
+    refused(&with(b"xres\0i", &[0xff; 4]), "xres: -1");
+    let big = with(b"xres\0i", &1_000_000_000i32.to_le_bytes());
+    refused(&big, "the number of points is 4000000000");
+    refused(&with(b"yreal\0d", &f64::NAN.to_le_bytes()), "yreal: NaN");
+    refused(&with(b"data\0D", &[0xff; 4]), "container: a broken item");
+    refused(&with(b"GwySIUnit\0", &[0xff; 4]), "container: a broken item");
+    refused(&with(b"GwyContainer\0", &[0xff; 4]), "container: no whole object");
+    refused(&with(b"xres\0", b"?"), "container: a broken item");
+    refused(&gwy(&[]), "no heights among");
+    // A false count of objects ends with the bytes.
+    refused(&gwy(&[item("many", b'O', &[0xff; 4])]), "container: a broken item");
+}
+
+#[test]
+fn hostile_gzip() {
+    let options = lenient();
+    let message = |bytes: &[u8]| read_bytes("a.txt.gz", bytes, &options).unwrap_err().to_string();
+    assert!(message(&gzip(&vec![b' '; 8 << 20])).contains("100 times the packed size"));
+    assert!(message(&gzip(&gzip(b"1 2 3 4"))).contains("another gzip file"));
+    assert!(message(&gzip(b"")).contains("a row of numbers"));
+    let mut flipped = gzip(b"1 2 3 4\n5 6 7 8\n");
+    let at = flipped.len() - 6;
+    flipped[at] ^= 1;
+    assert!(message(&flipped).contains("a whole gzip file"));
 }
 
 #[test]
@@ -235,7 +313,43 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
 
     #[test]
-    fn any_bytes(name in "a\\.(npy|x3p|sur|txt|xyz)", bytes in prop::collection::vec(any::<u8>(), 0..700)) {
+    fn broken_compressed_sur(bytes in broken(Sur { size: [9, 9], streams: 2, ..Sur::default() }.bytes(&waves(9)))) {
+        measure("a.sur", &bytes);
+    }
+
+    #[test]
+    fn broken_gwy(bytes in broken(gwy(&[item("/0/data", b'o', &gwy_field(&waves(9)[..20], "um", "nm")), item("/0/mask", b'o', &gwy_field(&waves(9)[20..40], "m", ""))]))) {
+        measure("a.gwy", &bytes);
+    }
+
+    #[test]
+    fn broken_sdf(bytes in broken(sdf("bISO-2.0", [9, 9], 7, &waves(9).iter().flat_map(|z| z.to_le_bytes()).collect::<Vec<_>>()))) {
+        measure("a.sdf", &bytes);
+    }
+
+    #[test]
+    fn broken_sdf_text(bytes in broken(sdf_text("aISO-1.0", [5, 5], &waves(5).iter().map(|z| format!("{z:.3}\n")).collect::<String>()).into_bytes())) {
+        measure("a.sdf", &bytes);
+    }
+
+    #[test]
+    fn broken_gzip(bytes in broken(gzip(b"# Width: 9 um\n# Height: 9 um\n# Value units: nm\n1 2 4 7\n3 nan 1 2\n"))) {
+        measure("a.txt.gz", &bytes);
+    }
+
+    #[test]
+    fn broken_utf16(bytes in broken("\u{feff}Breite: 9,0 \u{b5}m\r\nx [um];z [nm]\r\n1,5;2\r\n3;1\r\n3,5;4\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect())) {
+        measure("a.csv", &bytes);
+    }
+
+    #[test]
+    fn any_profile(rows in prop::collection::vec((any::<f32>(), any::<f32>()), 1..30)) {
+        let text: String = rows.iter().map(|(x, z)| format!("{x:e};{z:e}\n")).collect();
+        measure("a.csv", text.as_bytes());
+    }
+
+    #[test]
+    fn any_bytes(name in "a\\.(npy|x3p|sur|txt|xyz|gwy|sdf|csv)", bytes in prop::collection::vec(any::<u8>(), 0..700)) {
         measure(&name, &bytes);
     }
 

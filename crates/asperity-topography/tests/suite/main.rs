@@ -5,6 +5,8 @@ mod files;
 mod formats;
 mod gaussian;
 mod hostile;
+mod orientation;
+mod others;
 mod outliers;
 mod scale;
 mod spectra;

@@ -1,0 +1,188 @@
+//! Profiles of positions and heights.
+
+use asperity_core::Diagnostic;
+
+use crate::{LengthUnit, Topography, TopographyError};
+
+/// Tolerance of a position, relative to the distance of points: files print positions with few
+/// digits.
+const SLACK: f64 = 0.1;
+/// The least number of positions whose last digit may be coarse against their distance.
+const MANY: usize = 20;
+/// The largest unit of the last digit, relative to the distance of points.
+const COARSE: f64 = 0.7;
+
+impl Topography {
+    /// A profile from positions, ascending or descending, and heights in the same unit; NaN for
+    /// missing heights. Heights at unequal distances are interpolated linearly at as many equal
+    /// ones, with a warning among the [`notes`](Self::notes).
+    ///
+    /// # Errors
+    /// [`TopographyError::Grid`] when the positions have no order or are fewer than two, and
+    /// otherwise as [`new`](Self::new).
+    pub fn from_profile(
+        places: Vec<f64>,
+        heights: Vec<f64>,
+        unit: LengthUnit,
+    ) -> Result<Self, TopographyError> {
+        if places.len() != heights.len() {
+            return Err(TopographyError::Shape { heights: heights.len(), columns: places.len() });
+        }
+        let Profile { heights, step, note } = profile(places, heights)?;
+        let columns = heights.len();
+        let profile = Self::in_unit(heights, columns, [step; 2], unit)?;
+        Ok(profile.with_notes(note.into_iter().collect()))
+    }
+}
+
+/// Heights at equal distances, in ascending order of the positions.
+pub(super) struct Profile {
+    pub(super) heights: Vec<f64>,
+    pub(super) step: f64,
+    /// Whether and how the heights were interpolated.
+    pub(super) note: Option<Diagnostic>,
+}
+
+/// A profile from ascending or descending positions. Heights at unequal distances are interpolated
+/// linearly at as many equal ones.
+pub(super) fn profile(
+    mut places: Vec<f64>,
+    mut heights: Vec<f64>,
+) -> Result<Profile, TopographyError> {
+    let wrong = |found: String| TopographyError::Grid {
+        field: "x",
+        found,
+        required: "at least two positions in ascending or descending order".to_owned(),
+    };
+    let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
+        return Err(wrong("no position".to_owned()));
+    };
+    if first > last {
+        places.reverse();
+        heights.reverse();
+    }
+    let (first, last) = (first.min(last), first.max(last));
+    let step = (last - first) / (places.len().max(2) - 1) as f64;
+    if !(step > 0.0 && step.is_finite()) {
+        return Err(wrong(format!("{} positions from {first:?} to {last:?}", places.len())));
+    }
+    let off = |(i, place): (usize, &f64)| (place - (first + step * i as f64)).abs();
+    // NaN is the largest of all.
+    let farthest = places.iter().enumerate().map(off).max_by(f64::total_cmp).unwrap_or(f64::NAN);
+    if farthest <= SLACK * step {
+        return Ok(Profile { heights, step, note: None });
+    }
+    let pairs = || places.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
+    if let Some((i, _)) = pairs().find(|(_, distance)| distance.is_nan() || *distance <= 0.0) {
+        let found = format!("{:?} as position {} after {:?}", places[i + 1], i + 2, places[i]);
+        return Err(wrong(found));
+    }
+    if places.len() >= MANY && last_digit(&places, COARSE * step) >= farthest {
+        return Ok(Profile { heights, step, note: None });
+    }
+    let distances = || pairs().map(|(_, distance)| distance);
+    let note = Diagnostic::warning("resampled", "points", places.len() as f64)
+        .fact(format!(
+            "the positions of the profile are {:.4e} to {:.4e} apart: the heights are interpolated linearly at {} equal distances of {step:.4e}, in the unit of the file",
+            distances().fold(f64::INFINITY, f64::min),
+            distances().fold(0.0, f64::max),
+            places.len() - 1,
+        ))
+        .advice("slopes and curvatures follow the interpolation; measure at equal distances");
+    let heights = interpolated(&places, &heights, step);
+    Ok(Profile { heights, step, note: Some(note) })
+}
+
+/// The unit of the last digit of the positions, or 0 if it is below a millionth of `largest`.
+fn last_digit(places: &[f64], largest: f64) -> f64 {
+    let coarsest = 10_f64.powf(largest.log10().floor());
+    let units = (0..7).map(|digits| coarsest / 10_f64.powi(digits));
+    let fits = |unit: &f64| {
+        let whole = |place: &f64| (place / unit - (place / unit).round()).abs() < 1e-6;
+        places.iter().all(whole)
+    };
+    { units }.find(fits).unwrap_or(0.0)
+}
+
+/// The heights at the first place and every step after it.
+fn interpolated(places: &[f64], heights: &[f64], step: f64) -> Vec<f64> {
+    let mut points = places.iter().zip(heights).peekable();
+    let Some(mut left) = points.next() else { return vec![] };
+    let start = *left.0;
+    let at = |i: usize| {
+        let place = start + step * i as f64;
+        while let Some(right) = points.peek() {
+            if *right.0 >= place {
+                let share = (place - left.0) / (right.0 - left.0);
+                // The ends are met exactly, whatever is missing on the other side.
+                return match share {
+                    0.0 => *left.1,
+                    1.0 => *right.1,
+                    _ => left.1 + share * (right.1 - left.1),
+                };
+            }
+            left = *right;
+            points.next();
+        }
+        // The last position, up to rounding.
+        *left.1
+    };
+    (0..places.len()).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(places: &[f64]) -> String {
+        profile(places.to_vec(), vec![0.0; places.len()]).err().unwrap().to_string()
+    }
+
+    #[test]
+    fn equal_distances_are_kept() {
+        let found = profile(vec![3.0, 2.0, 1.01, 0.0], vec![1.0, 2.0, 3.0, 4.0]).unwrap();
+        assert!((found.step - 1.0).abs() < 1e-12 && found.note.is_none());
+        // x ascends.
+        assert_eq!(found.heights, [4.0, 3.0, 2.0, 1.0]);
+        // Positions of 0.156 printed to 0.1.
+        let printed: Vec<f64> = (0..99).map(|i| (f64::from(i) * 1.5625).round() / 10.0).collect();
+        let found = profile(printed.clone(), printed.clone()).unwrap();
+        assert!(found.note.is_none() && found.heights == printed);
+    }
+
+    #[test]
+    fn unequal_distances_are_interpolated() {
+        let places = vec![0.0, 1.0, 1.5, 4.0, 5.0];
+        let heights = places.iter().map(|place| 7.0 - 2.0 * place).collect();
+        let found = profile(places, heights).unwrap();
+        for (i, height) in found.heights.iter().enumerate() {
+            assert!((height - (7.0 - 2.5 * i as f64)).abs() < 1e-12, "{i} {height}");
+        }
+        let text = found.note.unwrap().to_string();
+        assert!(text.contains("5.0000e-1 to 2.5000e0 apart") && text.contains("4 equal"), "{text}");
+        // A missing height leaves a gap as wide as its neighbours.
+        let found = profile(vec![0.0, 1.0, 1.5, 4.0, 5.0], vec![1., 2., f64::NAN, 3., 4.]).unwrap();
+        let missing: Vec<_> = found.heights.iter().map(|height| height.is_nan()).collect();
+        assert_eq!(missing, [false, true, true, true, false]);
+    }
+
+    #[test]
+    fn a_profile_is_a_topography() {
+        let unit = LengthUnit::Micrometre;
+        let found = Topography::from_profile(vec![4.0, 1.0, 0.0], vec![8.0, 2.0, 0.0], unit);
+        let found = found.unwrap();
+        assert!(found.is_profile() && (found.pixel_size()[0] / 2e-6 - 1.0).abs() < 1e-12);
+        assert!((found.heights()[1] / 4e-6 - 1.0).abs() < 1e-12 && found.notes().len() == 1);
+        assert!(Topography::from_profile(vec![0.0, 1.0], vec![0.0], unit).is_err());
+    }
+
+    #[test]
+    fn positions_without_order_are_refused() {
+        assert!(message(&[0.0, 2.0, 1.0, 3.0]).contains("1.0 as position 3 after 2.0"));
+        assert!(message(&[0.0, 0.0, 3.0]).contains("0.0 as position 2 after 0.0"));
+        assert!(message(&[1.0]).contains("1 positions"));
+        assert!(message(&[]).contains("no position"));
+        assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
+        assert!(message(&[0.0, f64::NAN]).contains("positions from 0.0"));
+    }
+}
