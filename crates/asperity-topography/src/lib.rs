@@ -1,26 +1,41 @@
 #![doc = include_str!("../README.md")]
 
+mod autocorrelation;
 mod density;
 mod error;
 mod estimator;
 mod fill;
 mod filter;
+mod fourier;
+mod hills;
 mod level;
 mod moments;
+mod parameters;
+mod power_law;
 mod read;
+mod scale_dependence;
+mod spectrum;
 mod statistics;
 mod summits;
+mod texture;
 mod topography;
 mod unit;
 mod warning;
 
+pub use autocorrelation::Decay;
 pub use density::HeightDensity;
 pub use error::TopographyError;
 pub use estimator::Estimator;
+pub use hills::Peaks;
 pub use level::Level;
 pub use moments::{ArealMoments, Moments};
+pub use parameters::Parameters;
+pub use power_law::PowerLaw;
 pub use read::{MAX_FILE_BYTES, ReadOptions, read, read_bytes};
+pub use scale_dependence::AtDistance;
+pub use spectrum::{PowerSpectrum, Spectra};
 pub use statistics::Statistics;
 pub use summits::Summits;
+pub use texture::Texture;
 pub use topography::{MAX_POINTS, Topography};
 pub use unit::LengthUnit;
