@@ -21,6 +21,7 @@ mod texture;
 mod topography;
 mod unit;
 mod warning;
+mod write;
 
 pub use autocorrelation::Decay;
 pub use density::HeightDensity;

@@ -29,8 +29,8 @@ impl Lay {
         if !(1.0..=100.0).contains(&ratio) {
             return refused("ratio of slopes", ratio, "a number from 1 to 100");
         }
-        if !(-1e3..=1e3).contains(&direction) {
-            return refused("direction of the lay", direction, "an angle in radians");
+        if !(-10.0..=10.0).contains(&direction) {
+            return refused("direction of the lay", direction.to_degrees(), "an angle in degrees");
         }
         if ratio <= 1.0 {
             return Ok(None);

@@ -190,7 +190,7 @@ impl RandomSurface {
         self.hurst = hurst;
         // Other weights have another ratio of slopes.
         match self.lay {
-            Some(lay) => self.lay(lay.asked[0], lay.asked[1]),
+            Some(lay) => self.lay(lay.asked[0], lay.asked[1].to_degrees()),
             None => Ok(self),
         }
     }
@@ -223,13 +223,13 @@ impl RandomSurface {
     }
 
     /// A lay: `ratio` is the rms slope across the lay over that along it, `direction` the angle
-    /// \[rad\] of the lay from the rows (x) towards the columns (y). A ratio of 1 is isotropic.
+    /// \[degrees\] of the lay from the rows (x) towards the columns (y). A ratio of 1 is isotropic.
     ///
     /// # Errors
     /// [`BemError::OutOfRange`] unless the ratio is from 1 to 100 and the direction is finite, and
     /// where the waves that fit on the size cannot have this ratio to 1 %.
     pub fn lay(mut self, ratio: f64, direction: f64) -> Result<Self, BemError> {
-        self.lay = Lay::new(&self, ratio, direction)?;
+        self.lay = Lay::new(&self, ratio, direction.to_radians())?;
         Ok(self)
     }
 

@@ -136,7 +136,7 @@ fn a_lay_has_the_ratio_of_slopes_and_the_direction() {
         [(3.0, 0.0, [128e-6, 128e-6]), (3.0, 30.0, [128e-6, 90e-6]), (1.5, -70.0, [90e-6; 2])];
     for (ratio, degrees, size) in cases {
         let surface = RandomSurface::of_wavelengths([60e-6, 40e-6, 5e-6], size).unwrap();
-        let surface = surface.lay(ratio, f64::to_radians(degrees)).unwrap().hurst(0.9).unwrap();
+        let surface = surface.lay(ratio, degrees).unwrap().hurst(0.9).unwrap();
         let map = surface.rms_height(1e-6).unwrap().skewness(0.8).unwrap().map([72, 80]).unwrap();
         let [mut xx, mut xy, mut yy] = [0.0; 3];
         for ([i, j], square) in spectrum(&map) {

@@ -5,4 +5,5 @@ mod files;
 mod formats;
 mod gaussian;
 mod hostile;
+mod parameters;
 mod spectra;
