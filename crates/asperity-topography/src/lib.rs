@@ -1,12 +1,14 @@
 #![doc = include_str!("../README.md")]
 
 mod autocorrelation;
+mod curves;
 mod density;
 mod error;
 mod estimator;
 mod fill;
 mod filter;
 mod fourier;
+mod glance;
 mod hills;
 mod level;
 mod moments;
@@ -27,6 +29,7 @@ pub use autocorrelation::Decay;
 pub use density::HeightDensity;
 pub use error::TopographyError;
 pub use estimator::Estimator;
+pub use glance::{Glance, WANTED_WAVES};
 pub use hills::Peaks;
 pub use level::Level;
 pub use moments::{ArealMoments, Moments};
