@@ -31,6 +31,7 @@ mod map;
 mod matrix;
 mod panel;
 mod ruler;
+mod scan;
 mod series;
 mod size;
 mod style;
@@ -41,6 +42,7 @@ pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
 pub use map::{Map, draw_map, map_png};
 pub use matrix::{Cell, Matrix, draw_matrix};
+pub use scan::{ScanPicture, draw_scan};
 pub use style::Curve;
 pub use text::{number, power_of_ten};
 

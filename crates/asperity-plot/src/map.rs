@@ -17,7 +17,8 @@ pub struct Map {
     pub title: String,
     /// Paragraphs below; each is wrapped.
     pub caption: Vec<String>,
-    /// Row by row from the top; values of 0 and below are white.
+    /// Row by row from the top; values of 0 and below, or with a `bottom` only those that are
+    /// missing (NaN), are white.
     pub values: Vec<f64>,
     /// Values in a row.
     pub columns: usize,
@@ -29,6 +30,21 @@ pub struct Map {
     pub label: String,
     /// The value of the darkest colour; larger values have the same colour.
     pub top: f64,
+    /// The value of the other end of the colours instead of 0, as for heights; then the darkest
+    /// colour is there and `top` has the lightest.
+    pub bottom: Option<f64>,
+    /// What white means, below the bar of colours; empty for nothing.
+    pub white: String,
+}
+
+impl Map {
+    /// The place of a value between the ends of the colours, from light to dark.
+    fn share(&self, value: f64) -> f64 {
+        match self.bottom {
+            Some(bottom) => (self.top - value) / (self.top - bottom),
+            None => value / self.top,
+        }
+    }
 }
 
 /// Longest and highest image.
@@ -47,23 +63,46 @@ const COLOURS: [[u8; 3]; 6] =
 /// positive.
 pub fn draw_map(map: &Map) -> Result<String, PlotError> {
     check(map)?;
-    let scale = (LARGEST[0] / map.size[0]).min(LARGEST[1] / map.size[1]);
     let title = wrap(&map.title, TITLE, WIDTH - 2.0 * EDGE);
     let top = EDGE + title.len() as f64 * TITLE * LINE + 6.0;
-    let frame = Rect::sized(2.0 * EDGE, top, map.size[0] * scale, map.size[1] * scale);
+    let placed = Placed::new(map, (2.0 * EDGE, top), LARGEST);
     let caption = caption_lines(&map.caption);
-    let below = frame.bottom.max(top + 160.0);
-    let caption_top = below + 14.0 + LABEL * LINE + 12.0;
-    let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map)?));
+    let caption_top = placed.below + 14.0 + LABEL * LINE + 12.0;
     picture(&map.title, (WIDTH, caption_top + lines_height(&caption) + EDGE), |canvas| {
         draw_title(canvas, &title);
-        canvas.image(&frame, &image);
-        canvas.outline(&frame, BLACK, 1.0);
-        draw_scale_bar(canvas, map, scale, (frame.left, below + 14.0));
-        draw_colours(canvas, map, &Rect::sized(frame.right + 24.0, top, BAR, below - top));
+        placed.draw(canvas)?;
         draw_caption(canvas, &caption, caption_top);
         Ok(())
     })
+}
+
+/// A map with its bars at a place in a picture.
+pub(crate) struct Placed<'a> {
+    map: &'a Map,
+    frame: Rect,
+    scale: f64,
+    /// Where map and bar of colours end; a scale bar is below.
+    below: f64,
+}
+
+impl<'a> Placed<'a> {
+    /// A map with its top left corner at a point and at most so large, without its bars.
+    pub(crate) fn new(map: &'a Map, (left, top): (f64, f64), largest: [f64; 2]) -> Self {
+        let scale = (largest[0] / map.size[0]).min(largest[1] / map.size[1]);
+        let frame = Rect::sized(left, top, map.size[0] * scale, map.size[1] * scale);
+        Self { map, frame, scale, below: frame.bottom.max(top + 160.0) }
+    }
+
+    pub(crate) fn draw(&self, canvas: &Canvas) -> Result<(), PlotError> {
+        let Self { map, frame, scale, below } = self;
+        let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map)?));
+        canvas.image(frame, &image);
+        canvas.outline(frame, BLACK, 1.0);
+        draw_scale_bar(canvas, map, *scale, (frame.left, below + 14.0));
+        let bar = Rect::sized(frame.right + 24.0, frame.top, BAR, below - frame.top);
+        draw_colours(canvas, map, &bar);
+        Ok(())
+    }
 }
 
 /// The map alone, without lengths and colours beside it, as a png of one pixel a value.
@@ -75,16 +114,17 @@ pub fn map_png(map: &Map) -> Result<Vec<u8>, PlotError> {
     pixels(map)
 }
 
-fn check(map: &Map) -> Result<(), PlotError> {
+pub(crate) fn check(map: &Map) -> Result<(), PlotError> {
     if map.columns == 0 || map.values.is_empty() || !map.values.len().is_multiple_of(map.columns) {
         let rows = map.values.len().checked_div(map.columns).unwrap_or(0);
         return Err(PlotError::Cells { rows, columns: map.columns });
     }
-    for (axis, high) in [("lengths", map.size[0]), ("lengths", map.size[1]), (&map.label, map.top)]
-    {
-        if !(high > 0.0 && high.is_finite()) {
-            let required = "a range from 0 to a positive number";
-            return Err(PlotError::Range { axis: axis.into(), low: 0.0, high, required });
+    let low = map.bottom.unwrap_or(0.0);
+    let lengths = map.size.map(|side| ("lengths", 0.0, side));
+    for (axis, low, high) in lengths.into_iter().chain([(&*map.label, low, map.top)]) {
+        if !(high > low && high.is_finite() && low.is_finite()) {
+            let required = "a finite range from low (0, unless there is a bottom) to high";
+            return Err(PlotError::Range { axis: axis.into(), low, high, required });
         }
     }
     Ok(())
@@ -102,29 +142,33 @@ fn draw_scale_bar(canvas: &Canvas, map: &Map, scale: f64, (left, top): (f64, f64
 
 fn draw_colours(canvas: &Canvas, map: &Map, bar: &Rect) {
     let steps = 100;
+    let low = map.bottom.unwrap_or(0.0);
+    let range = map.top - low;
     for k in 0..steps {
         let share = |k: usize| k as f64 / steps as f64;
         let corners = [(0.0, share(k)), (1.0, share(k)), (1.0, share(k + 1)), (0.0, share(k + 1))];
         let corners = corners.map(|corner| bar.at(corner));
-        canvas.shade(&corners, &hex(colour(share(k))));
+        canvas.shade(&corners, &hex(colour(map.share(low + range * share(k)))));
     }
     canvas.outline(bar, BLACK, 1.0);
-    let step = round(map.top / 3.0);
+    let step = round(range / 3.0);
     let decimals = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
-    let ticks = (0..).map(|k| f64::from(k) * step).take_while(|tick| *tick <= map.top * 1.0001);
-    for tick in ticks {
-        let (x, y) = bar.at((1.0, tick / map.top));
+    let first = (low / step - 1e-4).ceil() as i64;
+    let ticks = (first..).map(|k| k as f64 * step);
+    for tick in ticks.take_while(|tick| *tick <= map.top + 1e-4 * range) {
+        let (x, y) = bar.at((1.0, (tick - low) / range));
         canvas.line(&[(x, y), (x + 5.0, y)], BLACK, 1.0, &[]);
-        let text = format!("{tick:.decimals$}");
+        // No minus at 0.
+        let tick = if tick.abs() < 1e-6 * step { 0.0 } else { tick };
+        let text = format!("{tick:.decimals$}").replace('-', "−");
         let face = Type::new(TICK, BLACK, "start");
         canvas.text(&text, (x + 8.0, y + 0.5 * CAPITAL * TICK), face);
     }
     let middle = (bar.right + 62.0, 0.5 * (bar.top + bar.bottom));
     let face = Type { upward: true, ..Type::new(LABEL, BLACK, "middle") };
     canvas.text(&map.label, middle, face);
-    let none = "white: no contact";
     canvas.text(
-        none,
+        &map.white,
         (bar.left, bar.bottom + 14.0 + CAPITAL * SMALL),
         Type::new(SMALL, BLACK, "start"),
     );
@@ -153,7 +197,10 @@ fn hex([red, green, blue]: [u8; 3]) -> String {
 
 /// The values as a png of one pixel each. Colour 0 is white.
 fn pixels(map: &Map) -> Result<Vec<u8>, PlotError> {
-    let indices: Vec<u8> = map.values.iter().map(|value| index(value / map.top)).collect();
+    // With a bottom the lowest heights have a colour too, and only missing ones have none.
+    let least = map.bottom.map_or(0.0, |_| f64::MIN_POSITIVE);
+    let shade = |value: &f64| if value.is_nan() { 0 } else { index(map.share(*value).max(least)) };
+    let indices: Vec<u8> = map.values.iter().map(shade).collect();
     let shades = (0..255).flat_map(|k| colour(f64::from(k) / 254.0));
     let palette: Vec<u8> = [255; 3].into_iter().chain(shades).collect();
     let rows = map.values.len() / map.columns;
@@ -188,6 +235,7 @@ mod tests {
             unit: "µm".into(),
             label: "pressure (GPa)".into(),
             top: 1.0,
+            white: "white: no contact".into(),
             ..Map::default()
         }
     }
@@ -231,6 +279,19 @@ mod tests {
         for (most, found) in [(1.0, 1.0), (4.9, 2.0), (7.0, 5.0), (0.013, 0.01), (333.0, 200.0)] {
             assert!((round(most) / found - 1.0).abs() < 1e-12, "{most}");
         }
+    }
+
+    #[test]
+    fn heights_have_colours_below_zero_and_missing_ones_are_white() {
+        let values = vec![-1.0, 0.0, 1.0, f64::NAN, -3.0, 3.0];
+        let heights = Map { bottom: Some(-1.0), values, white: "white: missing".into(), ..map() };
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(map_png(&heights).unwrap()));
+        decoder.set_transformations(png::Transformations::IDENTITY);
+        let mut pixels = vec![0; 6];
+        decoder.read_info().unwrap().next_frame(&mut pixels).unwrap();
+        assert_eq!(pixels, [255, 128, 1, 0, 255, 1]);
+        let svg = draw_map(&heights).unwrap();
+        assert!(svg.contains(">−0.5<") && svg.contains(">0.0<") && svg.contains("missing"));
     }
 
     #[test]

@@ -1,28 +1,47 @@
 #![doc = include_str!("../README.md")]
 
+mod autocorrelation;
+mod curves;
 mod density;
 mod error;
 mod estimator;
 mod fill;
 mod filter;
+mod fourier;
+mod glance;
+mod hills;
 mod level;
 mod moments;
 mod outliers;
+mod parameters;
+mod power_law;
 mod read;
+mod scale_dependence;
+mod spectrum;
 mod statistics;
 mod summits;
+mod texture;
 mod topography;
 mod unit;
 mod warning;
+mod write;
 
+pub use autocorrelation::Decay;
 pub use density::HeightDensity;
 pub use error::TopographyError;
 pub use estimator::Estimator;
+pub use glance::{Glance, WANTED_WAVES};
+pub use hills::Peaks;
 pub use level::Level;
 pub use moments::{ArealMoments, Moments};
 pub use outliers::Outliers;
+pub use parameters::Parameters;
+pub use power_law::PowerLaw;
 pub use read::{MAX_FILE_BYTES, ReadOptions, read, read_bytes};
+pub use scale_dependence::AtDistance;
+pub use spectrum::{PowerSpectrum, Spectra};
 pub use statistics::Statistics;
 pub use summits::Summits;
+pub use texture::Texture;
 pub use topography::{MAX_POINTS, Topography};
 pub use unit::LengthUnit;

@@ -1,6 +1,8 @@
 //! Random surfaces: what they are stated to be.
 
-use asperity_bem::RandomSurface;
+use std::f64::consts::TAU;
+
+use asperity_bem::{BemError, HeightMap, RandomSurface};
 
 use crate::close;
 
@@ -52,4 +54,125 @@ fn the_same_surface_on_every_grid_and_another_for_every_seed() {
     let correlation = product / (45.0 * 45.0) / coarse.rms_height().powi(2);
     assert!(correlation.abs() < 0.5, "{correlation}");
     close(other.rms_height(), coarse.rms_height(), 1e-12);
+}
+
+/// The waves of a periodic map by plain sums over its rows and columns: (i, j) and the mean square
+/// of each pair of opposite waves.
+fn spectrum(map: &HeightMap) -> Vec<([f64; 2], f64)> {
+    let [rows, columns] = map.shape();
+    let turn = |n: usize, k: usize| TAU * (k % n) as f64 / n as f64;
+    let along: Vec<Vec<[f64; 2]>> = map
+        .heights()
+        .chunks(columns)
+        .map(|row| {
+            let wave = |j: usize| {
+                let term = |(b, h): (usize, &f64)| {
+                    let (sin, cos) = turn(columns, j * b).sin_cos();
+                    [h * cos, -h * sin]
+                };
+                row.iter().enumerate().map(term).fold([0.0; 2], |s, t| [s[0] + t[0], s[1] + t[1]])
+            };
+            (0..columns / 2).map(wave).collect()
+        })
+        .collect();
+    let mut found = vec![];
+    let half = rows as i64 / 2;
+    for j in 0..columns / 2 {
+        for i in (1 - half)..half {
+            if j == 0 && i <= 0 {
+                continue;
+            }
+            let [mut re, mut im] = [0.0; 2];
+            for (a, row) in along.iter().enumerate() {
+                let (sin, cos) = turn(rows, i.rem_euclid(rows as i64) as usize * a).sin_cos();
+                re += row[j][0] * cos + row[j][1] * sin;
+                im += row[j][1] * cos - row[j][0] * sin;
+            }
+            let n = (rows * columns) as f64;
+            found.push(([i as f64, j as f64], 2.0 * (re * re + im * im) / (n * n)));
+        }
+    }
+    found
+}
+
+fn skewness(map: &HeightMap) -> f64 {
+    let n = map.heights().len() as f64;
+    map.heights().iter().map(|h| h.powi(3)).sum::<f64>() / n / map.rms_height().powi(3)
+}
+
+#[test]
+fn oblong_surfaces_with_unequal_pixels_have_the_spectrum_of_every_wave() {
+    let [long, roll_off, short] = [40e-6, 16e-6, 2.45e-6];
+    let size = [60e-6, 36e-6];
+    let surface = RandomSurface::of_wavelengths([long, roll_off, short], size).unwrap();
+    let surface = surface.hurst(0.7).unwrap().rms_height(3e-7).unwrap().seed(5);
+    for skew in [None, Some(-1.0), Some(0.6)] {
+        let surface = skew.map_or(surface, |skew| surface.skewness(skew).unwrap());
+        // Pixels of 1.2 and 0.75 µm.
+        let map = surface.map([48, 50]).unwrap();
+        close(map.pixel()[0], 36e-6 / 48.0, 1e-12);
+        close(map.pixel()[1], 60e-6 / 50.0, 1e-12);
+        close(map.rms_height(), 3e-7, 1e-9);
+        if let Some(skew) = skew {
+            close(skewness(&map), skew, 2e-3);
+        }
+        let law = |[i, j]: [f64; 2]| {
+            let k = (i / size[1]).hypot(j / size[0]);
+            let shown = (1.0 / long..=1.0 / short).contains(&k);
+            if shown { (k * roll_off).max(1.0).powf(-2.0 * 1.7) } else { 0.0 }
+        };
+        let waves = spectrum(&map);
+        let all: f64 = waves.iter().map(|(at, _)| law(*at)).sum();
+        for (at, found) in waves {
+            let asked = 9e-14 * law(at) / all;
+            assert!((found - asked).abs() <= 1e-9 * asked + 1e-26, "{at:?}: {found:e} {asked:e}");
+        }
+    }
+}
+
+#[test]
+fn a_lay_has_the_ratio_of_slopes_and_the_direction() {
+    let cases =
+        [(3.0, 0.0, [128e-6, 128e-6]), (3.0, 30.0, [128e-6, 90e-6]), (1.5, -70.0, [90e-6; 2])];
+    for (ratio, degrees, size) in cases {
+        let surface = RandomSurface::of_wavelengths([60e-6, 40e-6, 5e-6], size).unwrap();
+        let surface = surface.lay(ratio, degrees).unwrap().hurst(0.9).unwrap();
+        let map = surface.rms_height(1e-6).unwrap().skewness(0.8).unwrap().map([72, 80]).unwrap();
+        let [mut xx, mut xy, mut yy] = [0.0; 3];
+        for ([i, j], square) in spectrum(&map) {
+            let [y, x] = [TAU * i / size[1], TAU * j / size[0]];
+            xx += square * x * x;
+            xy += square * x * y;
+            yy += square * y * y;
+        }
+        let along = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            (xx * cos * cos + 2.0 * xy * sin * cos + yy * sin * sin).sqrt()
+        };
+        let lay = degrees.to_radians();
+        close(along(lay + TAU / 4.0) / along(lay), ratio, 0.012);
+        // The slope is least along the lay.
+        assert!([-0.02, 0.02].iter().all(|turn| along(lay + turn) > along(lay)));
+    }
+}
+
+#[test]
+fn surfaces_that_waves_cannot_make_are_refused() {
+    let made = || RandomSurface::of_wavelengths([50e-6, 50e-6, 5e-6], [100e-6; 2]).unwrap();
+    let message = |found: Result<RandomSurface, BemError>| found.unwrap_err().to_string();
+    let lengths = |lengths| message(RandomSurface::of_wavelengths(lengths, [1e-4; 2]));
+    assert!(lengths([1e-5, 2e-5, 1e-6]).starts_with("longest wave is 0.00001: longest wave,"));
+    assert!(lengths([1e-5, 1e-5, 0.0]).starts_with("shortest wave is 0: a positive"));
+    assert!(lengths([f64::NAN; 3]).starts_with("shortest wave is NaN"));
+    assert!(lengths([1e-5, 1e-5, 1e-9]).contains("1/8192 of the size"));
+    assert!(lengths([9e-4, 5e-4, 2e-4]).contains("at least one whole wave"));
+    assert!(message(made().lay(0.5, 0.0)).starts_with("ratio of slopes is 0.5: a number from 1"));
+    assert!(message(made().lay(100.0, 0.0)).contains("that the waves on this size can have"));
+    assert!(message(made().lay(2.0, f64::INFINITY)).starts_with("direction of the lay is inf"));
+    assert!(message(made().skewness(9.0)).starts_with("skewness is 9"));
+    let few = RandomSurface::of_wavelengths([1e-4, 1e-4, 6e-5], [1e-4; 2]).unwrap();
+    let few = few.skewness(4.0).unwrap().map([64, 64]).unwrap_err().to_string();
+    assert!(few.starts_with("skewness is 4: a skewness that these waves can have"), "{few}");
+    assert!(made().map([64, 40]).unwrap_err().to_string().contains("more than two pixels"));
+    assert!(made().map([0, 64]).is_err());
 }

@@ -7,6 +7,7 @@ mod compare;
 mod conductance;
 mod curve;
 mod export;
+mod generate;
 mod history;
 mod init;
 mod models;
@@ -27,6 +28,7 @@ use clap::Subcommand;
 pub enum Command {
     Init(init::Init),
     Surface(surface::Surface),
+    Generate(generate::Generate),
     Check(check::Check),
     Models(models::Models),
     Solve(solve::Solve),
@@ -48,6 +50,7 @@ impl Command {
         match self {
             Self::Init(command) => command.run(),
             Self::Surface(command) => command.run(),
+            Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Models(command) => command.run(),
             Self::Solve(command) => command.run(),

@@ -44,6 +44,8 @@ pub fn picture(bem: &Bem, pressures: &[f64], row: &Row, hardness: Option<f64>, n
         unit: unit.into(),
         label: format!("pressure ({of_pressure})"),
         top: top / pressure,
+        white: "white: no contact".into(),
+        ..Map::default()
     }
 }
 

@@ -9,4 +9,5 @@ mod orientation;
 mod others;
 mod outliers;
 mod scale;
+mod parameters;
 mod spectra;

@@ -1,0 +1,133 @@
+//! `asperity generate`: a random surface with a given spectrum.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use asperity::bem::{HeightMap, RandomSurface};
+use asperity_topography::Topography;
+use clap::Args;
+
+use crate::input::numbers::{length, lengths, number, positive_number};
+use crate::output::{self, contact_map, print_message};
+
+/// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The surface is periodic, and its spectrum is exact: flat from --long to --roll-off, then
+q^(-2-2H) down to --short, and nothing beyond. --skewness changes the phases of the waves
+only. With --anisotropy the cut-offs are those across the lay.
+The same options make the same heights in Rust and in Python (asperity.random_surface).
+
+Examples:
+  asperity generate --long 20um --short 2um --size 128x128 --pixel 0.25um --sq 0.5um --output s.npy
+  asperity generate --hurst 0.7 --long 25um --roll-off 12um --short 1um --size 256x128 \\
+    --pixel 0.25um,0.2um --gradient 0.1 --skewness -1 --anisotropy 3 --direction 30 --seed 7 \\
+    --output ground.x3p
+  asperity surface ground.x3p --periodic"
+)]
+pub struct Generate {
+    /// Hurst exponent, 0 to 1
+    #[arg(long, value_name = "H", value_parser = number, default_value = "0.8")]
+    hurst: f64,
+    /// Longest wave, in m or with a unit
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    long: f64,
+    /// Wave above which the spectrum is flat, in m or with a unit [default: the longest]
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    roll_off: Option<f64>,
+    /// Shortest wave, in m or with a unit; more than two pixels
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    short: f64,
+    /// Points along a row and along a column, for example 512x512
+    #[arg(long, value_name = "NXxNY", value_parser = size)]
+    size: [usize; 2],
+    /// Distance between neighbouring points along a row (and along a column), in m or with a unit
+    #[arg(long, value_name = "DX[,DY]", value_parser = pixel)]
+    pixel: [f64; 2],
+    /// Sq, the standard deviation of the heights, in m or with a unit
+    #[arg(long, value_name = "LENGTH", value_parser = length, required_unless_present = "gradient")]
+    sq: Option<f64>,
+    /// The rms gradient instead
+    #[arg(long, value_name = "G", value_parser = positive_number, conflicts_with = "sq")]
+    gradient: Option<f64>,
+    /// Skewness of the heights, -5 to 5 [default: that of random phases, near 0]
+    #[arg(long, value_name = "SSK", value_parser = number)]
+    skewness: Option<f64>,
+    /// Rms slope across the lay over that along it
+    #[arg(long, value_name = "RATIO", value_parser = number, default_value = "1")]
+    anisotropy: f64,
+    /// Direction of the lay in degrees, from the rows (x) towards the columns (y)
+    #[arg(long, value_name = "DEGREES", value_parser = number, default_value = "0")]
+    direction: f64,
+    /// Another surface of the same spectrum
+    #[arg(long, value_name = "N", default_value = "0")]
+    seed: u64,
+    /// File of the heights: .npy (heights in m, without pixel size) or .x3p
+    #[arg(long, value_name = "FILE", value_parser = scan_file)]
+    output: PathBuf,
+}
+
+impl Generate {
+    pub fn run(self) -> Result<()> {
+        let map = self.map()?;
+        let shape = map.shape();
+        if is_x3p(&self.output) {
+            let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;
+            let bytes = surface.x3p()?;
+            return output::write(Some(&self.output), |out| out.write_all(&bytes));
+        }
+        contact_map::write(&self.output, &[map.heights().to_vec()], shape)?;
+        let [dx, dy] = self.pixel;
+        let text = format!("read it with --unit m --pixel-size {dx:e},{dy:e} --periodic");
+        print_message("note", &format!("{}: heights in m; {text}", self.output.display()));
+        Ok(())
+    }
+
+    fn map(&self) -> Result<HeightMap> {
+        let Self { hurst, long, short, size: [columns, rows], pixel: [dx, dy], .. } = *self;
+        let lengths = [long, self.roll_off.unwrap_or(long), short];
+        let size = [columns as f64 * dx, rows as f64 * dy];
+        let surface = RandomSurface::of_wavelengths(lengths, size)?.hurst(hurst)?.seed(self.seed);
+        let mut surface = match (self.sq, self.gradient) {
+            (Some(sq), _) => surface.rms_height(sq)?,
+            (None, gradient) => surface.gradient(gradient.context("--sq or --gradient")?)?,
+        };
+        surface = surface.lay(self.anisotropy, self.direction)?;
+        if let Some(skewness) = self.skewness {
+            surface = surface.skewness(skewness)?;
+        }
+        Ok(surface.map([rows, columns])?)
+    }
+}
+
+fn size(text: &str) -> Result<[usize; 2], String> {
+    let most = asperity_topography::MAX_POINTS;
+    let required = || format!("NXxNY was required, for example 512x512, of at most {most} points");
+    let (columns, rows) = text.split_once('x').ok_or_else(required)?;
+    let [columns, rows] = [columns, rows].map(|n| n.trim().parse::<usize>().ok());
+    let both = columns.zip(rows).filter(|(nx, ny)| {
+        *nx > 0 && *ny > 0 && nx.checked_mul(*ny).is_some_and(|points| points <= most)
+    });
+    both.map(|(nx, ny)| [nx, ny]).ok_or_else(required)
+}
+
+fn pixel(text: &str) -> Result<[f64; 2], String> {
+    match lengths(text)?.0[..] {
+        [both] => Ok([both; 2]),
+        [across, down] => Ok([across, down]),
+        ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
+    }
+}
+
+fn is_x3p(name: &Path) -> bool {
+    name.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p"))
+}
+
+fn scan_file(name: &str) -> Result<PathBuf, &'static str> {
+    let path = PathBuf::from(name);
+    let is_npy = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy"));
+    match is_npy || is_x3p(&path) {
+        true => Ok(path),
+        false => Err("surfaces are written as npy or x3p; choose a name that ends in .npy or .x3p"),
+    }
+}

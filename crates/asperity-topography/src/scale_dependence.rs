@@ -1,0 +1,126 @@
+//! Slopes and curvatures of profiles against the distance over which they are taken.
+
+use serde::Serialize;
+
+use crate::Topography;
+
+/// Root mean square slopes and curvatures over a distance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct AtDistance {
+    /// Points from one height to the next.
+    pub step: usize,
+    /// Rms of (z(x + d) - z(x))/d along rows, d = step pixels; `None` beyond the scan.
+    pub slope_rows: Option<f64>,
+    /// Along columns.
+    pub slope_columns: Option<f64>,
+    /// Rms of (z(x + d) - 2 z(x) + z(x - d))/d² along rows \[1/m\].
+    pub curvature_rows: Option<f64>,
+    /// Along columns \[1/m\].
+    pub curvature_columns: Option<f64>,
+}
+
+impl Topography {
+    /// Slopes and curvatures over distances of 1, 2, 4, ... pixels, up to a quarter of the longer
+    /// side. Differences with a missing point are left out; a periodic surface continues beyond
+    /// its edges.
+    #[must_use]
+    pub fn scale_dependence(&self) -> Vec<AtDistance> {
+        let most = (self.columns().max(self.rows()) / 4).max(1);
+        let steps = std::iter::successors(Some(1_usize), |step| Some(2 * step));
+        steps.take_while(|step| *step <= most).map(|step| self.at_distance(step)).collect()
+    }
+
+    /// Slopes and curvatures over a distance of whole pixels.
+    #[must_use]
+    pub fn at_distance(&self, step: usize) -> AtDistance {
+        let [dx, dy] = self.pixel_size();
+        let (rows, columns) = (self.rows(), self.columns());
+        let (z, wrap) = (self.heights(), self.is_periodic());
+        let along = |k: usize| {
+            let (row, x) = (k - k % columns, k % columns);
+            let place = |ahead: usize| match x + ahead {
+                x if x < columns => Some(row + x),
+                x if wrap => Some(row + x % columns),
+                _ => None,
+            };
+            (z[k], place(step).map(|at| z[at]), place(2 * step).map(|at| z[at]))
+        };
+        let down = |k: usize| {
+            let (x, y) = (k % columns, k / columns);
+            let place = |ahead: usize| match y + ahead {
+                y if y < rows => Some(y * columns + x),
+                y if wrap => Some(y % rows * columns + x),
+                _ => None,
+            };
+            (z[k], place(step).map(|at| z[at]), place(2 * step).map(|at| z[at]))
+        };
+        let [slope_rows, curvature_rows] = means(z.len(), step as f64 * dx, along);
+        let [slope_columns, curvature_columns] = match self.is_profile() {
+            true => [None; 2],
+            false => means(z.len(), step as f64 * dy, down),
+        };
+        AtDistance { step, slope_rows, slope_columns, curvature_rows, curvature_columns }
+    }
+}
+
+fn means(
+    points: usize,
+    distance: f64,
+    at: impl Fn(usize) -> (f64, Option<f64>, Option<f64>),
+) -> [Option<f64>; 2] {
+    let (mut sums, mut counts) = ([0.0; 2], [0_usize; 2]);
+    for k in 0..points {
+        let (here, next, far) = at(k);
+        let slope = next.map(|next| (next - here) / distance);
+        let bend = next.zip(far);
+        let bend = bend.map(|(next, far)| (here - 2.0 * next + far) / (distance * distance));
+        for (term, value) in [slope, bend].into_iter().enumerate() {
+            if let Some(value) = value.filter(|value| !value.is_nan()) {
+                sums[term] += value * value;
+                counts[term] += 1;
+            }
+        }
+    }
+    std::array::from_fn(|k| (counts[k] > 0).then(|| (sums[k] / counts[k] as f64).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    #[test]
+    fn a_wave_has_the_closed_form_of_its_differences() {
+        let n = 96;
+        let wave = |k: usize| 3e-7 * (TAU * 4.0 * (k % n) as f64 / n as f64).sin();
+        let surface = Topography::new((0..n * n).map(wave).collect(), n, [2e-6, 1e-6]).unwrap();
+        for (k, found) in surface.with_periodic(true).scale_dependence().iter().enumerate() {
+            assert_eq!(found.step, 1 << k);
+            let d = 2e-6 * found.step as f64;
+            let gain = 2.0 * (TAU * 4.0 * found.step as f64 / n as f64 / 2.0).sin().abs();
+            let rms = 3e-7 / 2f64.sqrt();
+            let close = |found: Option<f64>, right: f64| {
+                assert!(
+                    (found.unwrap() - right).abs() < 1e-9 * (right + 1e-6 * rms / d),
+                    "{right}"
+                );
+            };
+            close(found.slope_rows, rms * gain / d);
+            close(found.curvature_rows, rms * (gain / d).powi(2));
+            close(found.slope_columns, 0.0);
+        }
+    }
+
+    #[test]
+    fn open_surfaces_and_missing_points_leave_differences_out() {
+        let profile = vec![0.0, 1.0, f64::NAN, 4.0, 6.0, 9.0];
+        let profile = Topography::new(profile, 6, [1.0; 2]).unwrap();
+        let one = profile.at_distance(1);
+        assert!((one.slope_rows.unwrap().powi(2) - 14.0 / 3.0).abs() < 1e-12);
+        assert!((one.curvature_rows.unwrap().powi(2) - 1.0).abs() < 1e-12);
+        assert!(one.slope_columns.is_none());
+        assert!(profile.at_distance(6).slope_rows.is_none());
+    }
+}
