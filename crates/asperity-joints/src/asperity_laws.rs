@@ -79,7 +79,7 @@ impl AsperityLaws {
         }
         let one = model
             .asperity_model()
-            .ok_or_else(|| unsupported("these need a model of equal, upright asperities"))?;
+            .ok_or_else(|| unsupported("these need a model of asperities of one radius, such as ke with asperities = \"equal\" in [surface]"))?;
         let (force, area) = (one.force(&asperity, tolerance)?, one.area(&asperity, tolerance)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
         let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };

@@ -1,6 +1,7 @@
 //! The law of one asperity, averaged over curvatures, part by part.
 
 use std::f64::consts::{PI, SQRT_2};
+use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
@@ -9,6 +10,7 @@ use asperity_core::{
 };
 use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
 
+use crate::contact::EQUAL;
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
 
@@ -24,6 +26,9 @@ pub(crate) struct Average<'m> {
     pub(crate) model: &'m dyn AsperityModel,
     pub(crate) name: &'m str,
     pub(crate) population: Population,
+    /// Interferences \[m\] at which parts of the force are cut in two, so that each has a share of
+    /// its own.
+    pub(crate) cuts: &'m [f64],
 }
 
 impl Described for Average<'_> {
@@ -45,6 +50,26 @@ impl Described for Average<'_> {
 }
 
 impl Average<'_> {
+    /// The law with its parts in two at each cut.
+    pub(crate) fn cut(&self, mut law: Law) -> Law {
+        for cut in self.cuts {
+            let x = cut / law.interference_unit - law.onset;
+            let halves = |part: Part| {
+                if !(part.range.start < x && x < part.range.end) {
+                    return vec![part];
+                }
+                let half = |range: Range<f64>| {
+                    let kinks = part.kinks.iter().copied();
+                    let kinks = kinks.filter(|x| range.start < *x && *x < range.end).collect();
+                    Part { range, kinks, ..part.clone() }
+                };
+                vec![half(part.range.start..x), half(x..part.range.end)]
+            };
+            law.parts = law.parts.into_iter().flat_map(halves).collect();
+        }
+        law
+    }
+
     /// The average of κ^(-n) law(κ w), of interferences counted from [`Population::begin`] below
     /// u = 0.
     fn average(&self, law: &Law, power: i32) -> Law {
@@ -74,7 +99,7 @@ const WITH_SQUARE: i32 = 2;
 
 impl AsperityModel for Average<'_> {
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
-        Ok(self.average(&self.model.force(asperity, tolerance)?, WITH_SQUARE))
+        Ok(self.average(&self.cut(self.model.force(asperity, tolerance)?), WITH_SQUARE))
     }
 
     fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
@@ -98,8 +123,8 @@ impl AsperityModel for Average<'_> {
 
     fn contact_radius(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         // The root of the average area is not the average of the contact radii.
-        let what = "sums of contact radii for unloading and conductance: these need a model of equal, upright asperities, without -random";
-        Err(ContactError::Unsupported { model: self.name.into(), what: what.into() })
+        let what = format!("contact radii, which need asperities of one radius; {EQUAL}");
+        Err(ContactError::Unsupported { model: self.name.into(), what })
     }
 }
 

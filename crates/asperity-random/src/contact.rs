@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic, Evaluation,
-    HeightDistribution, Quantity, Request, Scene, Separation, SeparationUnit, Share, Validity,
+    AsperityModel, At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic,
+    Evaluation, HeightDistribution, Part, Quantity, Request, Scene, Separation, SeparationUnit,
+    Share, Tolerance, Validity,
 };
 
 use crate::average::Average;
@@ -14,6 +15,10 @@ use crate::population::Population;
 pub const FARTHEST: f64 = 6.0;
 /// The ending of the ids.
 pub const SUFFIX: &str = "-random";
+/// What to do where a random surface is refused.
+pub(crate) const EQUAL: &str = "set asperities = \"equal\" in [surface]";
+/// Relative rounding error of the ends of parts.
+const ROUNDING: f64 = 1e-12;
 
 /// A model of upright contacts whose heights and radii are those of an isotropic Gaussian surface.
 ///
@@ -38,6 +43,37 @@ impl RandomAsperities {
         let what = format!("averages over the asperities of a random surface: {reason}");
         ContactError::Unsupported { model: self.model.name().into(), what }
     }
+
+    /// The model and the asperities that it averages over.
+    fn accepted(&self, scene: &Scene) -> Result<(&dyn AsperityModel, Population), ContactError> {
+        let Some(model) = self.model.asperity_model() else {
+            return Err(self.refused("it has no law of one asperity"));
+        };
+        if model.validity().adhesive {
+            return Err(self.refused(&format!("adhesion changes with the radius; {EQUAL}")));
+        }
+        if model.validity().angles {
+            return Err(self.refused(&format!("its contacts are inclined; {EQUAL}")));
+        }
+        if !matches!(scene.heights, HeightDistribution::Gaussian) {
+            return Err(self.refused(&format!("heights must be Gaussian; {EQUAL}")));
+        }
+        Ok((model, Population::new(scene)?))
+    }
+}
+
+/// The contact of an averaged law.
+fn on_scene(
+    average: &Average<'_>,
+    scene: &Scene,
+    request: &Request,
+) -> Result<OnScene, ContactError> {
+    let population = average.population;
+    // Loads need no change; each separation is shifted.
+    let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));
+    let asked = Request::new(request.quantities.clone()).within(request.tolerance).at(loads);
+    let averaged = average.compile(&population.scene(scene), &asked)?;
+    Ok(OnScene { averaged, scene: scene.clone(), population })
 }
 
 impl Described for RandomAsperities {
@@ -64,25 +100,33 @@ impl Described for RandomAsperities {
 
 impl ContactModel for RandomAsperities {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        let Some(model) = self.model.asperity_model() else {
-            return Err(self.refused("it has no law of one asperity"));
+        let (model, population) = self.accepted(scene)?;
+        let average = Average { model, name: &self.name, population, cuts: &[] };
+        Ok(Box::new(on_scene(&average, scene, request)?))
+    }
+
+    fn shares_beyond(
+        &self,
+        scene: &Scene,
+        at: At,
+        multiples: &[f64],
+    ) -> Result<Option<Vec<f64>>, ContactError> {
+        let (model, population) = self.accepted(scene)?;
+        // w_c is proportional to the radius, and each law of an asperity a function of w over it.
+        let asperity = population.scene(scene).asperity()?;
+        let critical = asperity.critical_interference()?;
+        let cuts: Vec<f64> = multiples.iter().map(|multiple| multiple * critical).collect();
+        let average = Average { model, name: &self.name, population, cuts: &cuts };
+        let request = Request::new([Quantity::Force]).within(Tolerance::default()).at([at]);
+        let shares = on_scene(&average, scene, &request)?.shares_at(Quantity::Force, at)?;
+        let law = average.cut(model.force(&asperity, Tolerance::default())?);
+        let from = |part: &Part| (part.range.start + law.onset) * law.interference_unit;
+        let beyond = |cut: &f64| {
+            let parts = law.parts.iter().zip(&shares);
+            let beyond = parts.filter(|(part, _)| from(part) >= cut * (1.0 - ROUNDING));
+            beyond.map(|(_, share)| share.share).sum()
         };
-        if model.validity().adhesive {
-            return Err(self.refused("adhesion changes with the radius"));
-        }
-        if model.validity().angles {
-            return Err(self.refused("its contacts are inclined"));
-        }
-        if !matches!(scene.heights, HeightDistribution::Gaussian) {
-            return Err(self.refused("heights must be Gaussian"));
-        }
-        let population = Population::new(scene)?;
-        // Loads need no change; each separation is shifted.
-        let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));
-        let asked = Request::new(request.quantities.clone()).within(request.tolerance).at(loads);
-        let average = Average { model, name: &self.name, population };
-        let averaged = average.compile(&population.scene(scene), &asked)?;
-        Ok(Box::new(OnScene { averaged, scene: scene.clone(), population }))
+        Ok(Some(cuts.iter().map(beyond).collect()))
     }
 }
 

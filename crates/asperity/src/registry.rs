@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
+    AbdoFarhang, AminiTehrani, AsperityModel, At, AtReading, ChangEtsionBogy, Citation, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, Described, Diagnostic,
     EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen, JkrBranch,
     JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
@@ -243,6 +243,15 @@ impl ContactModel for Model {
 
     fn solve(&self, scene: &Scene, request: &Request) -> Result<crate::Response, ContactError> {
         self.model.solve(scene, request)
+    }
+
+    fn shares_beyond(
+        &self,
+        scene: &Scene,
+        at: At,
+        multiples: &[f64],
+    ) -> Result<Option<Vec<f64>>, ContactError> {
+        self.model.shares_beyond(scene, at, multiples)
     }
 }
 

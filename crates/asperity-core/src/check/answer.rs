@@ -7,7 +7,7 @@ use crate::diagnostic::short;
 use crate::recommended::{DMT, FULL_CONTACT, JKR, WHOLE_SURFACE, YIELDING};
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, KnownDefect, Quantity,
-    Regime, Request, Separation, SeparationUnit, Severity, Tolerance,
+    Regime, Request, Separation, SeparationUnit, Severity, Tolerance, Validity,
 };
 
 /// Tolerance of the numbers in diagnostics.
@@ -24,6 +24,8 @@ const NEGLIGIBLE: f64 = 1e-6;
 const PLASTIC: f64 = 1.5;
 /// Share of the force on yielding asperities (note, warning), which an elastic law ignores.
 const YIELDS: [f64; 2] = [0.02, 0.1];
+/// Meaning of that share.
+const YIELDING: &str = "of the load, by asperities with w > w_c";
 /// Share of the force in the range of a known defect of the law.
 const MISSED: f64 = 0.2;
 /// Share of the force beyond the fitted range of a law.
@@ -125,7 +127,34 @@ impl Check {
             let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
             check.of_depths(model, scene, at, (&deep, plastic));
         }
+        if whole || yields {
+            check.of_different_radii(model, scene, at, place);
+        }
         Ok(check)
+    }
+
+    /// Numbers and diagnostics from the shares of the force that yielding asperities of different
+    /// radii carry; none for other models and without a hardness.
+    fn of_different_radii(
+        &mut self,
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        place: Separation,
+    ) {
+        let Validity { holds_to, known_defect, .. } = model.validity();
+        let defect = known_defect.map(|defect| [defect.from, defect.to]);
+        let mut multiples = vec![1.0];
+        multiples.extend(defect.iter().flatten());
+        let Ok(Some(beyond)) = model.shares_beyond(scene, place.into(), &multiples) else { return };
+        let [yielding, missing @ ..] = &beyond[..] else { return };
+        self.add_number("yielding_share", *yielding, "", YIELDING);
+        if holds_to.is_some_and(|multiple| multiple <= 1.0) {
+            self.extend(yields(model, at, *yielding));
+        }
+        if let (Some(defect), [from, to]) = (known_defect, missing) {
+            self.extend(missed(model, at, from - to, &defect));
+        }
     }
 
     /// Numbers and findings from force \[N\], area \[m²\] and number of contacts.
@@ -185,7 +214,12 @@ impl Check {
         (deep, plastic): (&Interferences, bool),
     ) {
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
-        self.add_number("interference", w, "m", "w beyond which 1 % of the load is carried");
+        self.add_number(
+            "interference",
+            w,
+            "m",
+            "exceeded by the asperities that carry the top 1 % of the load",
+        );
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > FLATTENED[0] * r {
             let severity = if w > FLATTENED[1] * r { Severity::Error } else { Severity::Warning };
@@ -203,7 +237,7 @@ impl Check {
         };
         self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
-        self.add_number("yielding_share", beyond, "", "of the load, by asperities with w > w_c");
+        self.add_number("yielding_share", beyond, "", YIELDING);
         if let Some(misses) = model.validity().known_defect {
             let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
             self.extend(missed(model, at, from - to, &misses));

@@ -92,7 +92,8 @@ pub(crate) fn place<'s>(averages: &mut impl Averages<'s>, at: At) -> Result<Plac
     }
 }
 
-/// The largest d/σ_z that carries a load of `value` times `area`.
+/// The d/σ_z that carries a load of `value` times `area`: the largest, which is the first on
+/// approach, of a load above 0, and the smallest, which is stable, of a tension.
 pub(crate) fn place_of_load<'s>(
     averages: &mut impl Averages<'s>,
     (field, value): (&'static str, f64),
@@ -118,13 +119,14 @@ pub(crate) fn all_places_of_load<'s>(
     averages: &mut impl Averages<'s>,
     load: f64,
 ) -> Result<Vec<f64>, ContactError> {
-    let largest = place_of_load(averages, ("load", load), 1.0)?.s;
-    let Some(falls) = averages.falls()? else { return Ok(vec![largest]) };
+    let first = place_of_load(averages, ("load", load), 1.0)?.s;
+    let Some(falls) = averages.falls()? else { return Ok(vec![first]) };
     let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
     let mut found = target(averages, load)?.crossings(&force, false)?;
-    // The same digits as `separation_at`.
-    found[0] = largest;
     found.reverse();
+    // The same number as that of the load alone.
+    let same = if load < 0.0 { found.first_mut() } else { found.last_mut() };
+    same.into_iter().for_each(|s| *s = first);
     Ok(found)
 }
 

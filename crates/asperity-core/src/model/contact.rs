@@ -80,13 +80,15 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Err(self.unsupported("separations at a load"))
     }
 
-    /// The largest of these separations: where the load is first met on approach.
+    /// Where the load is first met: on approach at the largest of these separations; for a tension,
+    /// pulled from contact, at the smallest, where the contact is stable (-dF/dd above 0).
     ///
     /// # Errors
     /// Those of [`separations_at`](Self::separations_at).
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
         let found = self.separations_at(load)?;
-        found.last().copied().ok_or_else(|| self.unsupported("separations at a load"))
+        let first = if load < 0.0 { found.first() } else { found.last() };
+        first.copied().ok_or_else(|| self.unsupported("separations at a load"))
     }
 
     /// The separation of the least force, at which the largest tension is held; the force must be

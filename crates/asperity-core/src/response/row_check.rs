@@ -177,7 +177,7 @@ impl Seen {
                 let advice = if quantity.origin() == Quantity::Force {
                     "the surfaces attract each other there"
                 } else {
-                    "a dead load is unstable there; solve --all, or separations_at, gives every separation, and pulling reaches the smallest"
+                    "under a constant load, the surfaces snap together or part there; stable states have a positive tangent"
                 };
                 Diagnostic::warning("adhesion", quantity.to_string(), value)
                     .unit(quantity.unit())

@@ -61,10 +61,13 @@ pub(crate) fn check_load(
 }
 
 impl Target {
-    /// The largest separation that carries the load, of a force that need not fall everywhere.
+    /// Where a force that need not fall everywhere first carries the load: on approach at the
+    /// largest separation, and in tension, pulled from contact, at the smallest.
     pub(crate) fn first(&self, force: &ForceAt<'_>) -> Result<Place, ContactError> {
-        let found = self.crossings(force, true)?;
-        let s = found.first().copied().unwrap_or(f64::NAN);
+        let pulled = self.load < 0.0;
+        let found = self.crossings(force, !pulled)?;
+        let first = if pulled { found.last() } else { found.first() };
+        let s = first.copied().unwrap_or(f64::NAN);
         let mut moments = force.force(s)?;
         if moments.slope.is_nan() {
             let near = 1e-6 * (1.0 + s.abs());
