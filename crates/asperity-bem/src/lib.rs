@@ -58,6 +58,7 @@
 //! ```
 
 mod error;
+mod fixed_contact;
 mod half_space;
 mod height_map;
 mod iteration;
@@ -72,6 +73,7 @@ mod solution;
 mod solver;
 
 pub use error::BemError;
+pub use fixed_contact::FixedContact;
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
 pub use model::Bem;

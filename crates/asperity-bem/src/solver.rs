@@ -109,6 +109,18 @@ impl BoundaryElements {
         self
     }
 
+    pub(crate) fn map(&self) -> &HeightMap {
+        &self.map
+    }
+
+    pub(crate) fn modulus(&self) -> f64 {
+        self.modulus
+    }
+
+    pub(crate) fn boundary_condition(&self) -> Boundary {
+        self.boundary
+    }
+
     /// Solves one contact.
     ///
     /// # Errors

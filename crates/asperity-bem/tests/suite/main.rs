@@ -4,6 +4,7 @@
 
 mod closed_forms;
 mod codes;
+mod fixed_contact;
 mod inputs;
 mod invariants;
 mod light_loads;
