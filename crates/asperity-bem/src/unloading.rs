@@ -1,9 +1,10 @@
-//! The stiffness of a solved contact whose pixels stay in contact: the slope at the start of
-//! unloading, which small vibrations and ultrasound measure.
+//! What a solved contact does next: its stiffness while the pixels stay in contact (the slope at the
+//! start of unloading, which small vibrations and ultrasound measure), and the surface that it
+//! unloads with.
 
 use crate::half_space::{Filter, HalfSpace};
 use crate::parallel::{inside, number, sum, update};
-use crate::{BemError, BoundaryElements, Solution};
+use crate::{BemError, BoundaryElements, HeightMap, Solution};
 
 /// Relative residual, root mean square over the contact, at which the iteration ends.
 const TOLERANCE: f64 = 1e-11;
@@ -45,6 +46,24 @@ impl BoundaryElements {
         let mut space = HalfSpace::new(self.map(), self.modulus(), self.boundary_condition());
         let contact: Vec<f64> = solution.pressures.iter().map(|p| number(*p > 0.0)).collect();
         inside(|| even_approach(&contact, &mut space))
+    }
+
+    /// The same contact with the surface that `solution` leaves: its plastic depths are taken off the
+    /// heights. The load of `solution` gives the same pressures again; smaller loads, or larger mean
+    /// gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
+    ///
+    /// Mean gaps count from the mean plane of the new heights, from where that of `solution` is its
+    /// [`mean_open_gap`](Solution::mean_open_gap): the retreat is the difference to it. \[derived\]
+    ///
+    /// # Errors
+    /// [`BemError::Count`] for the solution of a map of another size.
+    pub fn flattened_by(&self, solution: &Solution) -> Result<Self, BemError> {
+        let depths = solution.gaps.iter().zip(&solution.pressures);
+        let cap = self.cap();
+        let depths = depths.map(|(gap, pressure)| if *pressure < cap { 0.0 } else { gap.min(0.0) });
+        let heights = self.map().heights().iter().zip(depths).map(|(height, depth)| height + depth);
+        let map = self.map();
+        Ok(self.with_map(HeightMap::new(heights.collect(), map.shape(), map.pixel())?))
     }
 }
 

@@ -1,4 +1,5 @@
-//! The stiffness at fixed contact against closed forms and against differences of solutions.
+//! The stiffness at fixed contact and the path of unloading, against closed forms and differences of
+//! solutions.
 
 use std::f64::consts::PI;
 
@@ -109,4 +110,42 @@ fn full_contact_and_foreign_solutions_are_refused() {
     let other = BoundaryElements::new(rough(64, 1), MODULUS).unwrap();
     let refused = other.fixed_contact(&solution).unwrap_err();
     assert!(matches!(refused, BemError::Count { found: 1024, .. }), "{refused}");
+}
+
+/// The flattened surface carries the load as before, and leaves along the slope at fixed contact.
+#[test]
+fn a_yielded_contact_unloads_along_its_own_path() {
+    let solver = BoundaryElements::new(rough(128, 4), MODULUS).unwrap();
+    let solver = solver.hardness(0.2 * UNIT).unwrap().tolerance(1e-11).unwrap();
+    let pressed = solver.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    let flat = solver.flattened_by(&pressed).unwrap();
+    let again = flat.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    close(again.mean_gap, pressed.mean_open_gap, 1e-8);
+    close(again.pixel_area, pressed.pixel_area, 2e-3);
+    // Shorter steps come nearer to the stiffness.
+    let stiffness = solver.fixed_contact(&pressed).unwrap().stiffness;
+    let slope = |share: f64| {
+        let less = flat.solve(LoadCase::MeanPressure(0.02 * UNIT * (1.0 - share))).unwrap();
+        share * 0.02 * UNIT / (less.mean_gap - again.mean_gap)
+    };
+    let errors = [0.08, 0.02, 0.005].map(|share| (slope(share) / stiffness - 1.0).abs());
+    assert!(errors[0] > errors[1] && errors[1] > errors[2] && errors[2] < 0.02, "{errors:?}");
+    // On the way back the gap stays behind that of loading: energy is lost.
+    let at =
+        |solver: &BoundaryElements| solver.solve(LoadCase::MeanPressure(0.005 * UNIT)).unwrap();
+    let (loading, unloading) = (at(&solver).mean_open_gap, at(&flat));
+    let retreat = unloading.mean_gap - again.mean_gap;
+    assert!(retreat > 0.0 && retreat < loading - pressed.mean_gap, "{retreat:e}");
+    assert!(unloading.plastic_area <= pressed.plastic_area);
+}
+
+#[test]
+fn an_elastic_contact_leaves_its_surface_as_it_was() {
+    let map = rough(64, 1);
+    let solver = BoundaryElements::new(map.clone(), MODULUS).unwrap();
+    let solution = solver.solve(LoadCase::MeanPressure(0.05 * UNIT)).unwrap();
+    let after = solver.flattened_by(&solution).unwrap();
+    let again = after.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    let before = solver.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    close(again.mean_gap, before.mean_gap, 1e-9);
 }
