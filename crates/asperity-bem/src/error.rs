@@ -78,6 +78,11 @@ pub enum BemError {
         /// Residual that was asked for.
         required: f64,
     },
+    /// Every pixel of a periodic map is in contact.
+    #[error(
+        "every pixel is in contact: the stiffness at fixed contact is infinite; use a smaller load or a free boundary"
+    )]
+    FullContact,
     /// No load with this mean gap was found.
     #[error(
         "mean gap {gap:e} m was not reached in {trials} trials: a larger one, or a load, was required"

@@ -58,6 +58,7 @@
 //! ```
 
 mod error;
+
 mod half_space;
 mod height_map;
 mod iteration;
@@ -70,11 +71,14 @@ mod random_surface;
 mod seam;
 mod solution;
 mod solver;
+mod unloading;
 
 pub use error::BemError;
+
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
 pub use model::Bem;
 pub use random_surface::RandomSurface;
 pub use solution::{EDGE_SHARE, Solution};
 pub use solver::{BoundaryElements, LoadCase, Progress};
+pub use unloading::FixedContact;

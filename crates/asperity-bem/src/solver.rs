@@ -109,6 +109,26 @@ impl BoundaryElements {
         self
     }
 
+    pub(crate) fn with_map(&self, map: HeightMap) -> Self {
+        Self { map, ..self.clone() }
+    }
+
+    pub(crate) fn cap(&self) -> f64 {
+        self.hardness.unwrap_or(f64::INFINITY)
+    }
+
+    pub(crate) fn map(&self) -> &HeightMap {
+        &self.map
+    }
+
+    pub(crate) fn modulus(&self) -> f64 {
+        self.modulus
+    }
+
+    pub(crate) fn boundary_condition(&self) -> Boundary {
+        self.boundary
+    }
+
     /// Solves one contact.
     ///
     /// # Errors
@@ -200,17 +220,13 @@ impl<'a> Run<'a> {
             LoadCase::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
         }?;
         let BoundaryElements { map, boundary, .. } = self.setup;
-        Ok(Solution::new(given, map, *boundary, self.cap(), fields, self.resolution.clone()))
-    }
-
-    fn cap(&self) -> f64 {
-        self.setup.hardness.unwrap_or(f64::INFINITY)
+        Ok(Solution::new(given, map, *boundary, self.setup.cap(), fields, self.resolution.clone()))
     }
 
     /// Contact at a mean pressure.
     fn press(&mut self, pressure: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
         let BoundaryElements { map, modulus, tolerance, most_iterations, .. } = self.setup;
-        let (cap, heights) = (self.cap(), map.heights());
+        let (cap, heights) = (self.setup.cap(), map.heights());
         if pressure >= cap {
             return Err(BemError::CannotBeCarried { pressure, hardness: cap });
         }
@@ -268,7 +284,7 @@ impl<'a> Run<'a> {
             return Err(BemError::NothingTouches { gap: target, highest });
         }
         let close = GAP_ERROR * tolerance * self.rms_height;
-        let most = self.cap();
+        let most = self.setup.cap();
         let guess = modulus * self.rms_height / map.area().sqrt();
         let mut logarithm = guess.min(most / 2.0).ln();
         // Light loads have the stiffness p/(Sq/2), about.

@@ -4,6 +4,7 @@
 
 mod closed_forms;
 mod codes;
+
 mod inputs;
 mod invariants;
 mod light_loads;
@@ -12,6 +13,7 @@ mod model;
 mod notes;
 mod reference;
 mod surfaces;
+mod unloading;
 
 use asperity_bem::{HeightMap, RandomSurface};
 

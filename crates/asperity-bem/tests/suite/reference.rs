@@ -44,6 +44,8 @@ fn every_row_of_the_dense_solver() {
         let square = found.pressures.iter().map(|p| p * p).sum::<f64>() / pixels as f64;
         close(square, number("pressure_square"), 1e-7);
         close(found.mean_pressure, number("pressure"), 1e-12);
+        let held = solver.fixed_contact(&found).unwrap();
+        close(held.stiffness, number("fixed_stiffness"), 1e-9);
         rows += 1;
     }
     assert_eq!(rows, 36);

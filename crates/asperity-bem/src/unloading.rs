@@ -1,0 +1,119 @@
+//! What a solved contact does next: its stiffness while the pixels stay in contact (the slope at the
+//! start of unloading, which small vibrations and ultrasound measure), and the surface that it
+//! unloads with.
+
+use crate::half_space::{Filter, HalfSpace};
+use crate::parallel::{inside, number, sum, update};
+use crate::{BemError, BoundaryElements, HeightMap, Solution};
+
+/// Relative residual, root mean square over the contact, at which the iteration ends.
+const TOLERANCE: f64 = 1e-11;
+/// Ten to thirty are usual.
+const MOST_ITERATIONS: usize = 1000;
+
+/// The response of a contact to a small approach that leaves the set of touching pixels unchanged.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FixedContact {
+    /// Change of the mean pressure on the area of the map over the approach \[Pa/m\]. Periodic: the
+    /// approach of the mean planes; free: that of the rigid surface and distant points.
+    pub stiffness: f64,
+    /// Changes of the pressures over the approach \[Pa/m\], row after row; 0 outside the contact.
+    pub pressures: Vec<f64>,
+    /// Root mean square over the contact of the deviation from an even approach, over the approach.
+    pub residual: f64,
+    /// Iterations it took.
+    pub iterations: usize,
+}
+
+impl BoundaryElements {
+    /// The stiffness of `solution` at fixed contact: pixels that touch, elastic or plastic, respond
+    /// elastically and follow an even approach, K p = 1 on them.
+    ///
+    /// For elastic contacts it is the slope of load over mean gap. For yielded ones it is the slope
+    /// at the start of unloading, which exceeds that of loading. By Barber's analogy the constriction
+    /// conductance of the same contacts is k_s/E times the stiffness. \[derived\]
+    ///
+    /// # Errors
+    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`] where
+    /// every pixel of a periodic map touches, [`BemError::NotConverged`].
+    pub fn fixed_contact(&self, solution: &Solution) -> Result<FixedContact, BemError> {
+        let [rows, columns] = self.map().shape();
+        let found = solution.pressures.len();
+        if found != rows * columns {
+            return Err(BemError::Count { found, rows, columns });
+        }
+        let mut space = HalfSpace::new(self.map(), self.modulus(), self.boundary_condition());
+        let contact: Vec<f64> = solution.pressures.iter().map(|p| number(*p > 0.0)).collect();
+        inside(|| even_approach(&contact, &mut space))
+    }
+
+    /// The same contact with the surface that `solution` leaves: its plastic depths are taken off the
+    /// heights. The load of `solution` gives the same pressures again; smaller loads, or larger mean
+    /// gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
+    ///
+    /// Mean gaps count from the mean plane of the new heights, from where that of `solution` is its
+    /// [`mean_open_gap`](Solution::mean_open_gap): the retreat is the difference to it. \[derived\]
+    ///
+    /// # Errors
+    /// [`BemError::Count`] for the solution of a map of another size.
+    pub fn flattened_by(&self, solution: &Solution) -> Result<Self, BemError> {
+        let depths = solution.gaps.iter().zip(&solution.pressures);
+        let cap = self.cap();
+        let depths = depths.map(|(gap, pressure)| if *pressure < cap { 0.0 } else { gap.min(0.0) });
+        let heights = self.map().heights().iter().zip(depths).map(|(height, depth)| height + depth);
+        let map = self.map();
+        Ok(self.with_map(HeightMap::new(heights.collect(), map.shape(), map.pixel())?))
+    }
+}
+
+/// Pressures with the deflection 1 m on the contact, by preconditioned conjugate gradients.
+fn even_approach(contact: &[f64], space: &mut HalfSpace) -> Result<FixedContact, BemError> {
+    let [touching] = sum([contact], |[touches]| [touches]);
+    let pixels = contact.len() as f64;
+    let mut pressures = vec![0.0; contact.len()];
+    let mut remainder = contact.to_vec();
+    let mut direction = vec![0.0; contact.len()];
+    let mut response = vec![0.0; contact.len()];
+    let (mut residual, mut product) = (1.0, f64::INFINITY);
+    for iterations in 0..=MOST_ITERATIONS {
+        if residual <= TOLERANCE {
+            let [total] = sum([&pressures], |[pressure]| [pressure]);
+            let stiffness = total / pixels;
+            return Ok(FixedContact { stiffness, pressures, residual, iterations });
+        }
+        // The preconditioned remainder.
+        response.copy_from_slice(&remainder);
+        space.apply(Filter::Undo, &mut response);
+        let before = product;
+        [product] = sum([&remainder, &response], |[left, preconditioned]| [left * preconditioned]);
+        let turn = if before.is_finite() { product / before } else { 0.0 };
+        update(&mut direction, [&response, contact], |direction, [preconditioned, touches]| {
+            *direction = touches * (preconditioned + turn * *direction);
+            []
+        });
+        response.copy_from_slice(&direction);
+        space.apply(Filter::Deflect, &mut response);
+        let [curvature] =
+            sum([&direction, &response], |[direction, response]| [direction * response]);
+        let length = product / curvature;
+        if !(curvature > 0.0 && length.is_finite()) {
+            break;
+        }
+        update(&mut pressures, [&direction], |pressure, [direction]| {
+            *pressure += length * direction;
+            []
+        });
+        let [squares] =
+            update(&mut remainder, [&response, contact], |left, [response, touches]| {
+                *left -= length * touches * response;
+                [left.powi(2)]
+            });
+        residual = (squares / touching).sqrt();
+    }
+    if touching >= pixels {
+        return Err(BemError::FullContact);
+    }
+    let iterations = MOST_ITERATIONS;
+    Err(BemError::NotConverged { residual, iterations, required: TOLERANCE })
+}

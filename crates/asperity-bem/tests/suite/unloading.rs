@@ -1,0 +1,151 @@
+//! The stiffness at fixed contact and the path of unloading, against closed forms and differences of
+//! solutions.
+
+use std::f64::consts::PI;
+
+use asperity_bem::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
+
+use crate::{MODULUS, UNIT, close, rough};
+
+/// Flat punches of the radius 1 at these places [x, y], in a square of the side `side` of n x n
+/// pixels, pressed by a load that holds all of them down.
+fn punches(n: usize, side: f64, places: &[[f64; 2]]) -> (BoundaryElements, Solution) {
+    let step = side / n as f64;
+    let at = |k: usize| (k as f64 + 0.5) * step - 0.5 * side;
+    let inside =
+        |i: usize, j: usize| places.iter().any(|[x, y]| (at(j) - x).hypot(at(i) - y) < 1.0);
+    let heights = (0..n * n).map(|k| if inside(k / n, k % n) { 1.0 } else { 0.0 }).collect();
+    let map = HeightMap::new(heights, [n, n], [step; 2]).unwrap();
+    let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
+    let solution = solver.solve(LoadCase::Load(1e-3 * MODULUS)).unwrap();
+    (solver, solution)
+}
+
+/// Stiffness of the whole map [N/m].
+fn total(solver: &BoundaryElements, solution: &Solution, area: f64) -> f64 {
+    solver.fixed_contact(solution).unwrap().stiffness * area
+}
+
+/// Errors on three grids: each less than the one before, the last below 1 %.
+#[track_caller]
+fn fall(errors: [f64; 3]) {
+    let [coarse, middle, fine] = errors.map(f64::abs);
+    assert!(coarse > middle && middle > fine && fine < 0.01, "{errors:?}");
+}
+
+/// Boussinesq: K = 2 E a, with the radius of a circle of as many pixels.
+#[test]
+fn a_flat_circular_punch() {
+    fall([32, 64, 128].map(|n| {
+        let (solver, solution) = punches(n, 2.5, &[[0.0; 2]]);
+        let radius = 2.5 * (solution.pixel_area / PI).sqrt();
+        total(&solver, &solution, 2.5 * 2.5) / (2.0 * MODULUS * radius) - 1.0
+    }));
+}
+
+/// Each feels the other's force at the distance d: 1/K = 1/(2 E a) + 1/(π E d), to (a/d)³.
+#[test]
+fn two_distant_circles() {
+    let distance = 8.0;
+    let alone = 1.0 / (2.0 * MODULUS) + 1.0 / (PI * MODULUS * distance);
+    fall([80, 160, 320].map(|n| {
+        let (solver, solution) = punches(n, 12.0, &[[-4.0, 0.0], [4.0, 0.0]]);
+        total(&solver, &solution, 144.0) * alone / 2.0 - 1.0
+    }));
+}
+
+/// Hertz: dF/dw = 2 E a.
+#[test]
+fn a_sphere() {
+    let (radius, load) = (1e-3, 2.0);
+    let contact = (3.0 * load * radius / (4.0 * MODULUS)).cbrt();
+    let side = 3.0 * contact;
+    fall([41, 81, 161].map(|n| {
+        let step = side / n as f64;
+        let at = |i: usize| (i as f64 - (n / 2) as f64) * step;
+        let heights = (0..n * n).map(|k| -(at(k / n).powi(2) + at(k % n).powi(2)) / (2.0 * radius));
+        let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+        let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
+        let solution = solver.solve(LoadCase::Load(load)).unwrap();
+        total(&solver, &solution, side * side) / (2.0 * MODULUS * contact) - 1.0
+    }));
+}
+
+/// An elastic contact unloads as it loads: the slope of pressure over mean gap.
+#[test]
+fn an_elastic_contact_has_its_loading_slope() {
+    for seed in [1, 2, 3] {
+        let solver = BoundaryElements::new(rough(256, seed), MODULUS).unwrap();
+        let solver = solver.tolerance(1e-11).unwrap();
+        for pressure in [1e-3, 3e-3, 1e-2, 0.1].map(|share| share * UNIT) {
+            let at = |factor: f64| solver.solve(LoadCase::MeanPressure(factor * pressure)).unwrap();
+            let (less, here, more) = (at(0.99), at(1.0), at(1.01));
+            let slope = 0.02 * pressure / (less.mean_gap - more.mean_gap);
+            let found = solver.fixed_contact(&here).unwrap().stiffness;
+            let within = if here.patches.len() < 30 { 0.02 } else { 0.005 };
+            close(found, slope, within);
+        }
+    }
+}
+
+/// Yielding makes unloading stiffer than loading.
+#[test]
+fn a_yielded_contact_is_stiffer_than_its_loading_slope() {
+    let elastic = BoundaryElements::new(rough(128, 4), MODULUS).unwrap();
+    let solver = elastic.clone().hardness(0.2 * UNIT).unwrap();
+    let at = |pressure: f64| solver.solve(LoadCase::MeanPressure(pressure * UNIT)).unwrap();
+    let (less, here, more) = (at(0.0198), at(0.02), at(0.0202));
+    assert!(here.plastic_area > 0.3 * here.pixel_area);
+    let slope = 0.0004 * UNIT / (less.mean_gap - more.mean_gap);
+    let found = solver.fixed_contact(&here).unwrap();
+    assert!(found.stiffness > 1.1 * slope, "{} {slope}", found.stiffness);
+    assert!(found.iterations < 60 && found.residual <= 1e-11, "{}", found.iterations);
+}
+
+#[test]
+fn full_contact_and_foreign_solutions_are_refused() {
+    let solver = BoundaryElements::new(rough(32, 1), MODULUS).unwrap();
+    let solution = solver.solve(LoadCase::MeanPressure(10.0 * UNIT)).unwrap();
+    assert_eq!(solver.fixed_contact(&solution), Err(BemError::FullContact));
+    let other = BoundaryElements::new(rough(64, 1), MODULUS).unwrap();
+    let refused = other.fixed_contact(&solution).unwrap_err();
+    assert!(matches!(refused, BemError::Count { found: 1024, .. }), "{refused}");
+}
+
+/// The flattened surface carries the load as before, and leaves along the slope at fixed contact.
+#[test]
+fn a_yielded_contact_unloads_along_its_own_path() {
+    let solver = BoundaryElements::new(rough(128, 4), MODULUS).unwrap();
+    let solver = solver.hardness(0.2 * UNIT).unwrap().tolerance(1e-11).unwrap();
+    let pressed = solver.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    let flat = solver.flattened_by(&pressed).unwrap();
+    let again = flat.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    close(again.mean_gap, pressed.mean_open_gap, 1e-8);
+    close(again.pixel_area, pressed.pixel_area, 2e-3);
+    // Shorter steps come nearer to the stiffness.
+    let stiffness = solver.fixed_contact(&pressed).unwrap().stiffness;
+    let slope = |share: f64| {
+        let less = flat.solve(LoadCase::MeanPressure(0.02 * UNIT * (1.0 - share))).unwrap();
+        share * 0.02 * UNIT / (less.mean_gap - again.mean_gap)
+    };
+    let errors = [0.08, 0.02, 0.005].map(|share| (slope(share) / stiffness - 1.0).abs());
+    assert!(errors[0] > errors[1] && errors[1] > errors[2] && errors[2] < 0.02, "{errors:?}");
+    // On the way back the gap stays behind that of loading: energy is lost.
+    let at =
+        |solver: &BoundaryElements| solver.solve(LoadCase::MeanPressure(0.005 * UNIT)).unwrap();
+    let (loading, unloading) = (at(&solver).mean_open_gap, at(&flat));
+    let retreat = unloading.mean_gap - again.mean_gap;
+    assert!(retreat > 0.0 && retreat < loading - pressed.mean_gap, "{retreat:e}");
+    assert!(unloading.plastic_area <= pressed.plastic_area);
+}
+
+#[test]
+fn an_elastic_contact_leaves_its_surface_as_it_was() {
+    let map = rough(64, 1);
+    let solver = BoundaryElements::new(map.clone(), MODULUS).unwrap();
+    let solution = solver.solve(LoadCase::MeanPressure(0.05 * UNIT)).unwrap();
+    let after = solver.flattened_by(&solution).unwrap();
+    let again = after.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    let before = solver.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    close(again.mean_gap, before.mean_gap, 1e-9);
+}
