@@ -17,6 +17,8 @@ pub struct Asperity {
     pub hardness: Option<f64>,
     /// S_y of the softer body \[Pa\]; `None` if it never yields.
     pub yield_strength: Option<f64>,
+    /// E_t of two like bodies \[Pa\], if given.
+    pub tangent_modulus: Option<f64>,
     /// S, the maximum contact pressure factor.
     pub pressure_factor: f64,
     /// w_a \[J/m²\], if given.
@@ -38,6 +40,7 @@ impl Asperity {
             poissons_ratio: interface.poissons_ratio,
             hardness,
             yield_strength,
+            tangent_modulus: interface.tangent_modulus,
             pressure_factor,
             work_of_adhesion: interface.work_of_adhesion,
             radius: positive("asperity_radius", radius)?,

@@ -25,6 +25,10 @@ pub struct Body {
     /// Yield strength \[Pa\]; the hardness over 2.8 if not given.
     #[serde(default)]
     pub yield_strength: Option<f64>,
+    /// E_t \[Pa\], the slope of stress over strain beyond yielding, at least 0 and below E; used
+    /// by Ghaednia's law only.
+    #[serde(default)]
+    pub tangent_modulus: Option<f64>,
     /// Thermal conductivity k \[W/(m K)\]; used by the thermal conductance only.
     #[serde(default)]
     pub thermal_conductivity: Option<f64>,
@@ -55,6 +59,10 @@ pub struct Interface {
     /// Maximum contact pressure factor S; 0.454 + 0.41 ν if not given.
     #[serde(default)]
     pub pressure_factor: Option<f64>,
+    /// E_t \[Pa\] of two bodies with the same Young's modulus and Poisson's ratio, at least 0 and
+    /// below that modulus, 2 (1-ν²) E; used by Ghaednia's law only.
+    #[serde(default)]
+    pub tangent_modulus: Option<f64>,
     /// k \[W/(m K)\]: 2/k = 1/k₁ + 1/k₂; used by the thermal conductance only.
     #[serde(default)]
     pub thermal_conductivity: Option<f64>,
@@ -73,6 +81,17 @@ fn poissons_ratio(value: f64) -> Result<f64, ContactError> {
     } else {
         let required = "a number above -1 and at most 0.5";
         Err(ContactError::OutOfRange { field: "poissons_ratio", value, required })
+    }
+}
+
+/// E_t is at least 0 and below Young's modulus \[Pa\].
+fn check_tangent_modulus(tangent: Option<f64>, youngs_modulus: f64) -> Result<(), ContactError> {
+    match tangent.filter(|value| !(0.0..youngs_modulus).contains(value)) {
+        None => Ok(()),
+        Some(value) => {
+            let required = "at least 0 and less than Young's modulus";
+            Err(ContactError::OutOfRange { field: "tangent_modulus", value, required })
+        }
     }
 }
 
@@ -119,6 +138,7 @@ impl Body {
             poissons_ratio,
             hardness: None,
             yield_strength: None,
+            tangent_modulus: None,
             thermal_conductivity: None,
             electrical_resistivity: None,
         }
@@ -128,6 +148,7 @@ impl Body {
     fn check(&self) -> Result<Option<f64>, ContactError> {
         positive("youngs_modulus", self.youngs_modulus)?;
         poissons_ratio(self.poissons_ratio)?;
+        check_tangent_modulus(self.tangent_modulus, self.youngs_modulus)?;
         check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
         Ok(hardness_and_yield(self.hardness, self.yield_strength)?.0)
     }
@@ -146,6 +167,7 @@ impl Body {
             hardness: self.hardness,
             yield_strength: self.yield_strength,
             pressure_factor: None,
+            tangent_modulus: None,
             thermal_conductivity: None,
             electrical_resistivity: None,
             work_of_adhesion: None,
@@ -165,6 +187,7 @@ impl Interface {
             hardness: Some(hardness),
             yield_strength: None,
             pressure_factor: None,
+            tangent_modulus: None,
             thermal_conductivity: None,
             electrical_resistivity: None,
             work_of_adhesion: None,
@@ -172,7 +195,8 @@ impl Interface {
     }
 
     /// Two deformable bodies. Hardness, yield strength and ν are those of the body with the lower
-    /// hardness, or with the lower Young's modulus if either body has no hardness.
+    /// hardness, or with the lower Young's modulus if either body has no hardness. The tangent
+    /// modulus is that of the softer body if both have the same E and ν; it is not set otherwise.
     ///
     /// # Errors
     /// [`ContactError`] naming the field, of either body, that is out of range.
@@ -187,7 +211,10 @@ impl Interface {
         // Written as ratios, so that no product overflows.
         let conductivities = both(|body| body.thermal_conductivity);
         let resistivities = both(|body| body.electrical_resistivity);
+        let alike = first.youngs_modulus.total_cmp(&second.youngs_modulus).is_eq()
+            && first.poissons_ratio.total_cmp(&second.poissons_ratio).is_eq();
         Ok(Self {
+            tangent_modulus: softer.tangent_modulus.filter(|_| alike),
             thermal_conductivity: conductivities.map(|(a, b)| 2.0 * a / (1.0 + a / b)),
             electrical_resistivity: resistivities.map(|(a, b)| 0.5 * a + 0.5 * b),
             ..softer.interface((a.0 + b.0, a.1 + b.1))
@@ -221,6 +248,8 @@ impl Interface {
             positive("equivalent_shear_modulus", shear)?;
         }
         poissons_ratio(self.poissons_ratio)?;
+        let alike = 2.0 * (1.0 - self.poissons_ratio.powi(2)) * self.equivalent_modulus;
+        check_tangent_modulus(self.tangent_modulus, alike)?;
         check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
         if let Some(value) = self.work_of_adhesion.filter(|w| !(*w >= 0.0 && w.is_finite())) {
             let (field, required) = ("work_of_adhesion", "a finite number, at least 0,");
@@ -283,6 +312,19 @@ mod tests {
     }
 
     #[test]
+    fn a_tangent_modulus_needs_two_like_bodies() {
+        let steel = Body { tangent_modulus: Some(620e6), ..Body::new(192e9, 0.3, 1e9) };
+        let stiffer = Body { youngs_modulus: 193e9, ..steel };
+        let of = |interface: Interface| interface.tangent_modulus;
+        assert_eq!(of(Interface::between(&steel, &steel).unwrap()), Some(620e6));
+        assert_eq!(of(Interface::between(&steel, &stiffer).unwrap()), None);
+        assert_eq!(of(Interface::against_rigid(&steel).unwrap()), None);
+        let rubber = Body { tangent_modulus: Some(192e9), ..steel };
+        let message = Interface::against_rigid(&rubber).unwrap_err().to_string();
+        assert!(message.starts_with("tangent_modulus is 192000000000"), "{message}");
+    }
+
+    #[test]
     fn every_bad_field_is_named() {
         let good = Interface::new(116e9, 0.31, 1.12e9);
         let bad = [
@@ -294,6 +336,8 @@ mod tests {
             ("hardness", Interface { hardness: Some(0.0), ..good }),
             ("yield_strength", Interface { yield_strength: Some(f64::INFINITY), ..good }),
             ("pressure_factor", Interface { pressure_factor: Some(0.0), ..good }),
+            ("tangent_modulus", Interface { tangent_modulus: Some(-1.0), ..good }),
+            ("tangent_modulus", Interface { tangent_modulus: Some(210e9), ..good }),
             ("thermal_conductivity", Interface { thermal_conductivity: Some(-1.0), ..good }),
             ("electrical_resistivity", Interface { electrical_resistivity: Some(0.0), ..good }),
             ("work_of_adhesion", Interface { work_of_adhesion: Some(-0.05), ..good }),
