@@ -1,10 +1,11 @@
 #![doc = include_str!("../README.md")]
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    Quantity, Tolerance, Validity,
+    Tolerance, Validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,7 @@ const SOURCE: Citation = Citation {
 
 /// End of the elastic range, in units of w_y.
 const ELASTIC_END: f64 = 1.9;
+const BEYOND: Range<f64> = ELASTIC_END..f64::INFINITY;
 
 /// The numbers of the law beyond x = 1.9. None depends on the radius.
 #[derive(Debug, Clone, Copy)]
@@ -110,32 +112,24 @@ impl Described for Ghaednia {
 }
 
 impl AsperityModel for Ghaednia {
-    fn law(
-        &self,
-        asperity: &Asperity,
-        quantity: Quantity,
-        _: Tolerance,
-    ) -> Result<Option<Law>, ContactError> {
-        let (fit, r, e) = (Fit::new(asperity)?, asperity.radius, asperity.equivalent_modulus);
+    fn force(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let (fit, r) = (Fit::new(asperity)?, asperity.radius);
+        // F/F_y = x^1.5, then the fit; F_y = (4/3) E R² strain³
+        let unit = 4.0 / 3.0 * asperity.equivalent_modulus * r * r * fit.strain.powi(3);
+        let form = Formula::function(move |x| fit.force(x)).known_as("Ghaednia force", fit.key());
+        Ok(Law::in_units(fit.strain * fit.strain * r, unit)
+            .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
+            .elastic_plastic(BEYOND, form))
+    }
+
+    fn area(&self, asperity: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
+        let (fit, r) = (Fit::new(asperity)?, asperity.radius);
+        // A/A_y = x, then the fit
         let unit = fit.strain * fit.strain * r;
-        let beyond = ELASTIC_END..f64::INFINITY;
-        Ok(Some(match quantity {
-            // F/F_y = x^1.5, then the fit; F_y = (4/3) E R² strain³
-            Quantity::Force => Law::in_units(unit, 4.0 / 3.0 * e * r * r * fit.strain.powi(3))
-                .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.5)])
-                .elastic_plastic(
-                    beyond,
-                    Formula::function(move |x| fit.force(x)).known_as("Ghaednia force", fit.key()),
-                ),
-            // A/A_y = x, then the fit
-            Quantity::Area => Law::in_units(unit, PI * r * unit)
-                .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
-                .elastic_plastic(
-                    beyond,
-                    Formula::function(move |x| fit.area(x)).known_as("Ghaednia area", fit.key()),
-                ),
-            _ => return Ok(None),
-        }))
+        let form = Formula::function(move |x| fit.area(x)).known_as("Ghaednia area", fit.key());
+        Ok(Law::in_units(unit, PI * r * unit)
+            .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])
+            .elastic_plastic(BEYOND, form))
     }
 }
 
@@ -150,9 +144,11 @@ mod tests {
         Asperity::new(&Interface::between(&body, &body).unwrap(), radius).unwrap()
     }
 
-    fn at(asperity: &Asperity, quantity: Quantity, interference: f64) -> f64 {
-        let law = Ghaednia.law(asperity, quantity, Tolerance::default()).unwrap().unwrap();
-        law.value(interference).unwrap()
+    /// Force [N] and area [m²].
+    fn at(asperity: &Asperity, interference: f64) -> [f64; 2] {
+        let tolerance = Tolerance::default();
+        let laws = [Ghaednia.force(asperity, tolerance), Ghaednia.area(asperity, tolerance)];
+        laws.map(|law| law.unwrap().value(interference).unwrap())
     }
 
     /// Forces and contact radii that public code of joint dynamics publishes with its tests.
@@ -169,9 +165,9 @@ mod tests {
             (soft, 1.965663967998e-7, 1.052855831184, 3.225058324276e-5),
         ];
         for (asperity, w, force, radius) in rows {
-            assert!((at(&asperity, Quantity::Force, w) / force - 1.0).abs() < 1e-12, "{w}");
-            let found = (at(&asperity, Quantity::Area, w) / PI).sqrt();
-            assert!((found / radius - 1.0).abs() < 1e-12, "{w}");
+            let [found, area] = at(&asperity, w);
+            assert!((found / force - 1.0).abs() < 1e-12, "{w}");
+            assert!(((area / PI).sqrt() / radius - 1.0).abs() < 1e-12, "{w}");
         }
     }
 
@@ -180,9 +176,10 @@ mod tests {
         let hard = asperity(200e9, 0.3, 0.999_999 * 200e9, 400e6, 1e-3);
         let w = 2e-6f64;
         let hertz = 4.0 / 3.0 * hard.equivalent_modulus * 1e-3f64.sqrt() * w.powf(1.5);
+        let [force, area] = at(&hard, w);
         // e^(-3.3) of the plastic law is left.
-        assert!((at(&hard, Quantity::Force, w) / hertz - 1.0).abs() < 0.04);
-        assert!((at(&hard, Quantity::Area, w) / (PI * 1e-3 * w) - 1.0).abs() < 1e-12);
+        assert!((force / hertz - 1.0).abs() < 0.04);
+        assert!((area / (PI * 1e-3 * w) - 1.0).abs() < 1e-12);
     }
 
     #[test]
@@ -201,7 +198,7 @@ mod tests {
         body.tangent_modulus = Some(1e9);
         let on_rigid = Asperity::new(&Interface::against_rigid(&body).unwrap(), 1e-3).unwrap();
         for asperity in [bare, on_rigid] {
-            let refused = Ghaednia.law(&asperity, Quantity::Force, Tolerance::default());
+            let refused = Ghaednia.force(&asperity, Tolerance::default());
             let message = refused.unwrap_err().to_string();
             assert!(message.starts_with("tangent_modulus is missing: ghaednia needs"), "{message}");
         }

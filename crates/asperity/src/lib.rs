@@ -23,6 +23,7 @@ pub use asperity_gao::{
     AngleDensity, Displacement, ForceComponent, Gao, LateralOptions, ObliqueContact, Stick,
     angle_average, angle_average_of_powers,
 };
+pub use asperity_ghaednia::Ghaednia;
 pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_joints as joints;

@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, At, AtReading, ChangEtsionBogy, Citation, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, Described, Diagnostic,
-    EtsionKligermanKadin, Gao, GeometricHardness, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
     JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
     Validity, ZhaoMaiettaChang, nearest_name,
 };
@@ -184,10 +184,18 @@ impl Model {
         ]
     }
 
+    /// Like bodies that harden: they need the scene's tangent modulus. Commands use them only by
+    /// name.
+    #[must_use]
+    pub fn hardening() -> Vec<Self> {
+        vec![Self::known(Ghaednia)]
+    }
+
     /// Every model that has a name here.
     #[must_use]
     pub fn named() -> Vec<Self> {
-        [Self::all(), Self::all_random(), Self::whole_surface(), Self::adhesive()].concat()
+        let equal = [Self::all(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
+        [equal.concat(), Self::all_random()].concat()
     }
 
     /// All options with their values; `None` for a model of your own.

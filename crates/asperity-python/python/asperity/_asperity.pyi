@@ -86,6 +86,7 @@ class Body:
         yield_strength: _Number | None = None,
         thermal_conductivity: _Number | None = None,
         electrical_resistivity: _Number | None = None,
+        tangent_modulus: _Number | None = None,
     ) -> Body: ...
     youngs_modulus: Final[float]
     poissons_ratio: Final[float]
@@ -93,6 +94,7 @@ class Body:
     yield_strength: Final[float | None]
     thermal_conductivity: Final[float | None]
     electrical_resistivity: Final[float | None]
+    tangent_modulus: Final[float | None]
     def replace(self, **numbers: _Number | None) -> Body: ...
 
 @final
@@ -108,6 +110,7 @@ class Interface:
         thermal_conductivity: _Number | None = None,
         electrical_resistivity: _Number | None = None,
         work_of_adhesion: _Number | None = None,
+        tangent_modulus: _Number | None = None,
     ) -> Interface: ...
     @staticmethod
     def between(
@@ -124,6 +127,7 @@ class Interface:
     thermal_conductivity: Final[float | None]
     electrical_resistivity: Final[float | None]
     work_of_adhesion: Final[float | None]
+    tangent_modulus: Final[float | None]
     def replace(self, **numbers: _Number | None) -> Interface: ...
 
 @final

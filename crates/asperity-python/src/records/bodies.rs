@@ -27,6 +27,8 @@ record! {
     ///     k [W/(m K)]; needed by the quantity "thermal-conductance" only.
     /// electrical_resistivity : float or str, optional
     ///     rho [ohm m]; needed by the quantity "electrical-conductance" only.
+    /// tangent_modulus : float or str, optional
+    ///     Slope of stress over strain beyond yielding [Pa]; needed by the model ghaednia only.
     ///
     /// Examples
     /// --------
@@ -37,7 +39,7 @@ record! {
     /// True
     Body (
         youngs_modulus, poissons_ratio, hardness=None, yield_strength=None,
-        thermal_conductivity=None, electrical_resistivity=None
+        thermal_conductivity=None, electrical_resistivity=None, tangent_modulus=None
     ) from asperity::Body::elastic(0.0, 0.0), |one| asperity::Interface::against_rigid(one).map(drop);
     /// Young's modulus [Pa].
     youngs_modulus: f64,
@@ -51,6 +53,8 @@ record! {
     thermal_conductivity: Option<f64>,
     /// Electrical resistivity [ohm m], if given.
     electrical_resistivity: Option<f64>,
+    /// Tangent modulus [Pa], if given.
+    tangent_modulus: Option<f64>,
     {}
 }
 
@@ -81,6 +85,8 @@ record! {
     ///     rho [ohm m]: 2 rho = rho1 + rho2; needed by "electrical-conductance".
     /// work_of_adhesion : float or str, optional
     ///     w_a [J/m^2], at least 0; needed by the models dmt and jkr.
+    /// tangent_modulus : float or str, optional
+    ///     E_t [Pa] of two bodies with the same E and nu; needed by the model ghaednia.
     ///
     /// Examples
     /// --------
@@ -92,7 +98,7 @@ record! {
     Interface (
         equivalent_modulus, poissons_ratio, hardness=None, yield_strength=None,
         equivalent_shear_modulus=None, pressure_factor=None, thermal_conductivity=None,
-        electrical_resistivity=None, work_of_adhesion=None
+        electrical_resistivity=None, work_of_adhesion=None, tangent_modulus=None
     ) from asperity::Interface::elastic(0.0, 0.0), |one| one.check().map(drop);
     /// Equivalent modulus E [Pa].
     equivalent_modulus: f64,
@@ -112,6 +118,8 @@ record! {
     electrical_resistivity: Option<f64>,
     /// Work of adhesion [J/m^2], if given.
     work_of_adhesion: Option<f64>,
+    /// Tangent modulus of two like bodies [Pa], if given.
+    tangent_modulus: Option<f64>,
     {
         /// The interface of two deformable bodies; hardness and Poisson's ratio are those of the
         /// softer body.
