@@ -136,6 +136,11 @@ pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
     Numbers::read(text, positive_number)
 }
 
+/// Lengths above 0, in m or with their unit.
+pub fn lengths(text: &str) -> Result<Numbers, String> {
+    Numbers::read(text, length)
+}
+
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
     of_unit(text, "N").and_then(not_0)

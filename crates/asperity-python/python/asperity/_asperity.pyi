@@ -169,6 +169,7 @@ class Asperity:
         pressure_factor: _Float,
         radius: _Float,
         work_of_adhesion: _Number | None = None,
+        tangent_modulus: _Number | None = None,
     ) -> Asperity: ...
     equivalent_modulus: Final[float]
     equivalent_shear_modulus: Final[float | None]
@@ -178,6 +179,7 @@ class Asperity:
     pressure_factor: Final[float]
     radius: Final[float]
     work_of_adhesion: Final[float | None]
+    tangent_modulus: Final[float | None]
     critical_interference: Final[float]
     critical_force: Final[float]
     def replace(self, **numbers: _Number | None) -> Asperity: ...

@@ -103,19 +103,23 @@ impl PythonModel {
             poissons_ratio,
             hardness,
             yield_strength,
+            tangent_modulus,
             pressure_factor,
             work_of_adhesion,
             radius,
         } = *asperity;
         let optional =
             |value: Option<f64>| [f64::from(u8::from(value.is_some())), value.unwrap_or(0.0)];
+        let optional_numbers = [
+            equivalent_shear_modulus,
+            hardness,
+            yield_strength,
+            tangent_modulus,
+            work_of_adhesion,
+        ];
         let numbers = [equivalent_modulus, poissons_ratio, pressure_factor, radius]
             .into_iter()
-            .chain(
-                [equivalent_shear_modulus, hardness, yield_strength, work_of_adhesion]
-                    .into_iter()
-                    .flat_map(optional),
-            )
+            .chain(optional_numbers.into_iter().flat_map(optional))
             .collect();
         let form =
             Formula::sampled(Arc::new(PythonLaw { function, unit, raised: self.raised.clone() }))

@@ -118,13 +118,14 @@ record! {
     /// Made by the engine and by ``Scene.asperity``.
     Asperity (
         equivalent_modulus, equivalent_shear_modulus, poissons_ratio, hardness, yield_strength,
-        pressure_factor, radius, work_of_adhesion=None
+        pressure_factor, radius, work_of_adhesion=None, tangent_modulus=None
     ) from asperity::Asperity {
         equivalent_modulus: 0.0,
         equivalent_shear_modulus: None,
         poissons_ratio: 0.0,
         hardness: None,
         yield_strength: None,
+        tangent_modulus: None,
         pressure_factor: 0.0,
         work_of_adhesion: None,
         radius: 0.0,
@@ -145,6 +146,8 @@ record! {
     radius: f64,
     /// Work of adhesion [J/m^2], if given.
     work_of_adhesion: Option<f64>,
+    /// Tangent modulus of two like bodies [Pa], if given.
+    tangent_modulus: Option<f64>,
     {
         /// The interference at the onset of yielding [m]; ValueError if it would exceed the radius,
         /// or without a hardness.
