@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn maps_with_unfit_rows_or_lengths_are_refused() {
+    fn maps_that_cannot_be_are_refused() {
         for wrong in [
             Map { columns: 4, ..map() },
             Map { columns: 0, ..map() },

@@ -10,7 +10,7 @@ use crate::{At, Contact, ContactError, Quantity};
 
 /// Number of values computed one by one if an array of them is not possible.
 const FALLBACK_BLOCK: usize = 16_384;
-/// Below this, slopes are small differences of large integrals, and each must meet the tolerance.
+/// Below this, slopes are small differences of large integrals and each is held to its tolerance.
 const DEEP: f64 = -8.0;
 
 /// Bounds on all values of plain arrays.

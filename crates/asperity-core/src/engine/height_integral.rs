@@ -171,8 +171,8 @@ struct Extent {
     many: bool,
 }
 
-/// Below this s a slope is a small difference of large integrals: with a finer law and a finer
-/// integral by this factor, enough digits are left down to about s = -64.
+/// Below this s a slope is a small difference of large integrals: so much finer an integral of so
+/// much finer a law has enough digits left, to s = -64 or so.
 const DEEP: f64 = -8.0;
 const FINER_BELOW: f64 = 0.01;
 
