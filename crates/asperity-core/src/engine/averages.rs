@@ -61,9 +61,11 @@ pub(crate) trait Averages<'s> {
     /// Where the law of the force falls, if it does: the force may then rise with the separation.
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError>;
 
-    /// The force's integral and slope at s, to guide a search: with a slope also where its bound
-    /// exceeds the tolerance.
-    fn guide(&self, s: f64) -> Result<Moments, ContactError>;
+    /// The force's integral and slope at s where its law falls, to guide a search: with a slope also
+    /// where its bound exceeds the tolerance.
+    fn guide(&self, falls: &Falls, s: f64) -> Result<Moments, ContactError> {
+        falls.force(s)
+    }
 
     /// Makes the integrals for s itself where they were made too far from it for their bounds;
     /// returns whether there were any.
@@ -109,7 +111,7 @@ pub(crate) fn place_of_load<'s>(
         return Ok(place);
     }
     let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
-    target.first(&ForceAt { guide: &|s| averages.guide(s), falls: &falls })
+    target.first(&ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls })
 }
 
 /// All d/σ_z that carry a load, ascending.
@@ -119,7 +121,7 @@ pub(crate) fn all_places_of_load<'s>(
 ) -> Result<Vec<f64>, ContactError> {
     let largest = place_of_load(averages, ("load", load), 1.0)?.s;
     let Some(falls) = averages.falls()? else { return Ok(vec![largest]) };
-    let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
+    let force = ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls };
     let mut found = target(averages, load)?.crossings(&force, false)?;
     // The same number as that of the load alone.
     found[0] = largest;
@@ -134,7 +136,7 @@ pub(crate) fn place_of_pull_off<'s>(
     let Some(falls) = averages.falls()? else { return Ok(None) };
     // Far out in the tail of the heights adhesion always prevails, by forces that are no numbers.
     let ln_least = target(averages, -1.0)?.ln_least();
-    let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
+    let force = ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls };
     let least = force.largest(-1.0, ln_least)?;
     let level = least.level();
     let (pulls, value) = (level.sign < 0.0 && level.ln > ln_least, least.s);
