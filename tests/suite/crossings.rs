@@ -315,3 +315,37 @@ fn loads_on_heights_with_a_light_tail_are_met() {
         assert_eq!(contact.separations_at(load).unwrap().len(), 1, "{s}");
     }
 }
+
+/// A law that waves without end, about a line.
+#[derive(Debug)]
+struct Endless;
+
+impl Described for Endless {
+    fn citation(&self) -> &Citation {
+        &SOURCE
+    }
+}
+
+impl AsperityModel for Endless {
+    fn law(&self, _: &Asperity, _: Quantity, _: Tolerance) -> Result<Option<Law>, ContactError> {
+        let law = |x: f64| x * (1.0 + 0.9 * (8.0 * x).sin());
+        let all = 0.0..f64::INFINITY;
+        Ok(Some(Law::in_units(1e-6, 1e-4).elastic(all, Formula::function(law))))
+    }
+}
+
+#[test]
+fn a_law_that_waves_without_end_is_followed_as_far_as_a_load_needs() {
+    let mut scene = Scene::new(Interface::new(1e11, 0.3, 1e9), Surface::new(1e-4, 1e9, 1e-6), 1e-4);
+    let weibull = |skewness| HeightDistribution::Weibull(WeibullHeights::new(skewness).unwrap());
+    for heights in [HeightDistribution::Exponential, weibull(1.0), weibull(-0.5)] {
+        scene.heights = heights;
+        let contact = Endless.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        for load in [1e-6, 0.1, 1.0, 5.0] {
+            assert_eq!(wrong(&*contact, load), None, "{load} on {}", scene.heights.name());
+        }
+        // The lightest asperity carries more than this only where too many waves are met.
+        let error = contact.separations_at(1e3).unwrap_err().to_string();
+        assert!(error.contains("ask for the largest separation alone"), "{error}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::{Contact, Model, Quantity, Request, Scene};
+use asperity::{Contact, ContactModel, Model, Quantity, Request, Scene, Tolerance};
 use asperity_quadrature::gauss_kronrod;
 
 use crate::scenes::{close, compiled, model, named, unit, upright, value, with_index};
@@ -210,4 +210,43 @@ fn the_tangent_of_jg_includes_its_small_jump() {
     let share = jump / value(&compiled, Quantity::Tangent, 0.0);
     assert!((9e-4..1.1e-3).contains(&share), "{share}");
     assert_tangent(&compiled, &[0.0], 1e-9, "JG");
+}
+
+/// √(a + z) averaged over Gaussian z is √a (1 - 1/(8a²) - 15/(128a⁴) - ..).
+#[test]
+fn tangents_far_below_the_heights_meet_the_tolerance() {
+    let scene = named("at-paper");
+    let contact = |id: &str, tolerance: f64| {
+        let asked = Request::new([Quantity::Force, Quantity::Tangent]);
+        let asked = asked.within(Tolerance::new(tolerance).unwrap());
+        model(id).compile(&scene, &asked).unwrap()
+    };
+    let gw = contact("gw", 1e-10);
+    let asperity = scene.asperity().unwrap();
+    let std = scene.surface.asperity_height_std;
+    for a in [700.0, 1000.0, 1e4, 1e5] {
+        let found = gw.evaluate(Quantity::Tangent, -a).unwrap();
+        let stiffness = 2.0 * asperity.equivalent_modulus * (asperity.radius * std * a).sqrt();
+        let all = scene.surface.asperity_density * scene.nominal_area * stiffness;
+        let wanted = all * (1.0 - 0.125 / (a * a) - 15.0 / 128.0 / a.powi(4));
+        let error = (found.value() / wanted - 1.0).abs();
+        assert!(
+            error <= found.relative_error() && found.relative_error() <= 1e-10,
+            "{a}: {found:?}"
+        );
+    }
+    // Gao, AT: against central differences of a force that is known to more digits.
+    for id in ["gao", "at-additive", "at-overlap"] {
+        let (loose, tight) = (contact(id, 1e-8), contact(id, 1e-13));
+        for s in [-63.0, -66.5, -80.0, -300.0] {
+            let found = loose.evaluate(Quantity::Tangent, s).unwrap();
+            let force = |s: f64| tight.evaluate(Quantity::Force, s).unwrap().value();
+            let slope = |h: f64| (force(s - h) - force(s + h)) / (2.0 * h * std);
+            let wanted = (4.0 * slope(8.0) - slope(16.0)) / 3.0;
+            let error = (found.value() / wanted - 1.0).abs();
+            // The differences err by 1e-10.
+            let bound = found.relative_error();
+            assert!(error <= bound + 1e-10 && bound <= 1e-8, "{id} {s}: {error:e} {bound:e}");
+        }
+    }
 }

@@ -9,7 +9,8 @@ use asperity_adhesion::{
 };
 use asperity_core::{
     At, Case, Contact, ContactError, ContactModel, Diagnostic, Evaluation, HeightDistribution,
-    Interface, Quantity, Request, Scene, Severity, Surface, Sweep, Tolerance,
+    Heights, Interface, Quantity, Request, Scene, Severity, StandardisedHeights, Surface, Sweep,
+    Tolerance,
 };
 use asperity_gw::GreenwoodWilliamson;
 
@@ -356,6 +357,82 @@ fn tensions_between_nearly_smooth_surfaces_are_held_at_the_largest_separation() 
         }
         assert!(contact.separations_at(1.001 * held.force.value()).is_err());
     }
+}
+
+/// 2(z - low) and 2(high - z) about a mode, which is declared or not.
+#[derive(Debug)]
+struct Triangular {
+    mode: f64,
+    end: f64,
+    declared: Vec<f64>,
+}
+
+impl Heights for Triangular {
+    fn name(&self) -> &str {
+        "triangular"
+    }
+
+    fn ln_density(&self, z: f64) -> f64 {
+        let Self { mode, end, .. } = *self;
+        match z {
+            z if z.abs() > end => f64::NEG_INFINITY,
+            z if z < mode => ((z + end) / (end * (mode + end))).ln(),
+            z => ((end - z) / (end * (end - mode))).ln(),
+        }
+    }
+
+    fn support(&self) -> (f64, f64) {
+        (-self.end, self.end)
+    }
+
+    fn breaks(&self) -> &[f64] {
+        &self.declared
+    }
+}
+
+fn triangular(std: f64, mode: f64, declared: bool) -> Scene {
+    let mut interface = Interface::elastic(1e9, 0.5);
+    interface.work_of_adhesion = Some(1.0);
+    let mut scene = Scene::new(interface, Surface::new(1e-4, 1e9, std), 3e-5);
+    let (mode, end) = (mode * std, 2.4 * std);
+    let declared = if declared { vec![mode] } else { vec![] };
+    scene.heights = HeightDistribution::other(Triangular { mode, end, declared });
+    scene
+}
+
+#[test]
+fn the_pull_off_needs_no_declared_kinks_of_the_heights() {
+    for (std, mode) in [(1e-6, 0.3), (1e-6, -0.5), (1e-7, 1.0)] {
+        let [declared, found] = [true, false].map(|declared| {
+            let contact = compiled(&SEPARATION, &triangular(std, mode, declared), 1e-10);
+            pull_off(&*contact).unwrap().unwrap()
+        });
+        let [a, b] = [declared, found].map(|p: PullOff| p.force.value());
+        assert!((a / b - 1.0).abs() < 1e-9, "{std} {mode}: {declared:?} {found:?}");
+    }
+}
+
+/// The triangle of statrs, whose last ten-thousandth is hardly integrated next to its end.
+#[test]
+fn loads_next_to_the_last_contact_are_met_on_steep_ends() {
+    let mut scene = triangular(1e-6, 1.0, true);
+    let steep = statrs::distribution::Triangular::new(-2.0, 2.0, 1.9999).unwrap();
+    let steep = StandardisedHeights::new("steep", steep, 1e-6).unwrap();
+    scene.heights = HeightDistribution::other(steep);
+    let contact = compiled(&SEPARATION, &scene, 1e-10);
+    let last = 1.488_771_670_037_970_5;
+    for below in [1e-6, 1e-4, 1e-3, 1e-2, 0.1, 0.3] {
+        let s = last - below;
+        let force = contact.evaluate(Quantity::Force, s).unwrap().value();
+        let all = contact.separations_at(force).unwrap();
+        assert!(all.iter().any(|found| (found.value - s).abs() < 1e-8), "{s}: {all:?}");
+        assert_eq!(all.last(), Some(&contact.separation_at(force).unwrap()), "{s}");
+    }
+    let found = pull_off(&*contact).unwrap().unwrap();
+    let near = |step: f64| {
+        contact.evaluate(Quantity::Force, found.separation.value + step).unwrap().value()
+    };
+    assert!(near(1e-3) > found.force.value() && near(-1e-3) > found.force.value(), "{found:?}");
 }
 
 /// On a rough surface with little adhesion the force is negative only far out in the tail of the

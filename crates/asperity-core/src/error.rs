@@ -158,7 +158,7 @@ pub enum ContactError {
     },
     /// The force varies too much between two separations to find all those that carry the load.
     #[error(
-        "the separations that carry the load cannot be resolved between {from} and {to}: the force varies too much there"
+        "the separations that carry the load cannot be resolved between {from} and {to}, as law or heights vary too much there: ask for the largest separation alone, or declare the kinks of the law and the breaks of the heights"
     )]
     Unresolved {
         /// The lower separation.

@@ -62,9 +62,11 @@ pub(crate) trait Averages<'s> {
     /// separation.
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError>;
 
-    /// The force's integral and slope at s, to guide a search: with a slope also where its bound
-    /// exceeds the tolerance.
-    fn guide(&self, s: f64) -> Result<Moments, ContactError>;
+    /// The force's integral and slope at s where its law falls, to guide a search: with a slope also
+    /// where its bound exceeds the tolerance.
+    fn guide(&self, falls: &Falls, s: f64) -> Result<Moments, ContactError> {
+        falls.force(s)
+    }
 
     /// Makes the integrals for s if they were made too far from it for their bounds to hold;
     /// returns whether there were any.
@@ -111,7 +113,7 @@ pub(crate) fn place_of_load<'s>(
         return Ok(place);
     }
     let Some(falls) = averages.falls()? else { return target.newton(&mut Force(averages)) };
-    target.first(&ForceAt { guide: &|s| averages.guide(s), falls: &falls })
+    target.first(&ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls })
 }
 
 /// All d/σ_z that carry a load, ascending.
@@ -121,7 +123,7 @@ pub(crate) fn all_places_of_load<'s>(
 ) -> Result<Vec<f64>, ContactError> {
     let first = place_of_load(averages, ("load", load), 1.0)?.s;
     let Some(falls) = averages.falls()? else { return Ok(vec![first]) };
-    let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
+    let force = ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls };
     let mut found = target(averages, load)?.crossings(&force, false)?;
     found.reverse();
     // The same number as that of the load alone.
@@ -137,7 +139,7 @@ pub(crate) fn place_of_pull_off<'s>(
     let Some(falls) = averages.falls()? else { return Ok(None) };
     // Far out in the tail of the heights adhesion always prevails, with forces that underflow f64.
     let ln_least = target(averages, -1.0)?.ln_least();
-    let force = ForceAt { guide: &|s| averages.guide(s), falls: &falls };
+    let force = ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls };
     let least = force.largest(-1.0, ln_least)?;
     let level = least.level();
     let (pulls, value) = (level.sign < 0.0 && level.ln > ln_least, least.s);

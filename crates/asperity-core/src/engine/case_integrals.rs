@@ -1,11 +1,10 @@
 //! The integrals of one case: shared if parts recur in other cases, otherwise made for its
 //! separation.
 
-use std::cell::OnceCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use asperity_quadrature::{Density, Moments, Nearby, QuadratureError, Sampler};
+use asperity_quadrature::{Density, Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
 use crate::engine::channel::Units;
@@ -42,8 +41,6 @@ pub(crate) struct CaseIntegrals<'c> {
     laws: &'c Laws,
     tolerance: Tolerance,
     law_integrals: Vec<LawIntegrals<'c>>,
-    /// The force over all separations, for laws that fall.
-    force: OnceCell<HeightIntegral>,
 }
 
 impl<'c> CaseIntegrals<'c> {
@@ -95,7 +92,7 @@ impl<'c> CaseIntegrals<'c> {
             let sources = parts.map(|(j, part)| source((k, j), part)).collect();
             law_integrals.push(LawIntegrals { base: *base, law, units, sources });
         }
-        Ok(Self { scene, laws, tolerance, law_integrals, force: OnceCell::new() })
+        Ok(Self { scene, laws, tolerance, law_integrals })
     }
 
     fn law(&mut self, base: Quantity) -> Result<&mut LawIntegrals<'c>, ContactError> {
@@ -157,30 +154,11 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     }
 
     fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
-        let law = self.laws.law(Quantity::Force);
-        let law = law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?;
-        // Each sample of an angle average is an integral; unless parts are subtracted it rises,
-        // as scenes that are compiled verify.
-        let costly = |part: &Part| part.form.unprepared().is_some();
-        if !law.is_signed() && law.parts.iter().any(costly) {
-            return Ok(true);
-        }
-        Ok(Falls::rises_above(law, self.scene, s))
+        self.laws.rises_above(self.scene, s)
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
-        let law = self.laws.law(Quantity::Force);
-        let law = law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?;
-        Ok(Falls::of(law, self.scene, self.tolerance).map(Arc::new))
-    }
-
-    fn guide(&self, s: f64) -> Result<Moments, ContactError> {
-        let law = self.laws.law(Quantity::Force);
-        let law = law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?;
-        let total = self.force.get_or_init(|| {
-            HeightIntegral::new(law.density(), law, self.scene, self.tolerance.relative())
-        });
-        total.guide(s).map_err(integral_failed(Quantity::Force, s.into()))
+        self.laws.falls(self.scene, self.tolerance)
     }
 
     fn settle(&mut self, base: Quantity, (s, at): (f64, At)) -> Result<bool, ContactError> {

@@ -6,6 +6,7 @@ use asperity_quadrature::Density;
 
 use crate::engine::height_integral::HeightIntegral;
 use crate::engine::inverse::force_at::Falls;
+use crate::engine::laws::Laws;
 use crate::engine::onset::Onset;
 use crate::{ContactError, Law, Quantity, Scene, Tolerance};
 
@@ -21,7 +22,7 @@ pub(crate) struct Channel {
     pub(crate) units: Units,
     pub(crate) total: HeightIntegral,
     parts: OnceLock<Vec<HeightIntegral>>,
-    falls: OnceLock<Option<Arc<Falls>>>,
+    falls: OnceLock<Result<Option<Arc<Falls>>, ContactError>>,
     scene: Scene,
     tolerance: Tolerance,
 }
@@ -69,9 +70,8 @@ impl Channel {
     }
 
     /// The falls of the law, if there are any.
-    pub(crate) fn falls(&self) -> Option<Arc<Falls>> {
-        let of = || Falls::of(&self.law, &self.scene, self.tolerance).map(Arc::new);
-        self.falls.get_or_init(of).clone()
+    pub(crate) fn falls(&self, laws: &Laws) -> Result<Option<Arc<Falls>>, ContactError> {
+        self.falls.get_or_init(|| laws.falls(&self.scene, self.tolerance)).clone()
     }
 
     /// The integral of each part of the law.

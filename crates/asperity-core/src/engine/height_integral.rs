@@ -125,9 +125,10 @@ impl HeightIntegral {
     }
 
     /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to
-    /// the sizes: to guide a search. Without a slope (NaN), signs and bounds remain.
-    pub(crate) fn guide(&self, s: f64) -> Result<Moments, QuadratureError> {
-        let extent = Extent { slope: true, many: true };
+    /// the sizes: to guide a search, prepared for `many` s. Without a slope (NaN), signs and bounds
+    /// remain.
+    pub(crate) fn guide(&self, s: f64, many: bool) -> Result<Moments, QuadratureError> {
+        let extent = Extent { slope: true, many };
         let found = match &self.over {
             HeightKind::Exponential(integral) if self.onset.shifted(s) < 0.0 => {
                 let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
@@ -175,13 +176,15 @@ struct Extent {
 /// integral by [`FINER_BELOW`], enough digits are left down to about s = -64.
 pub(crate) const SLOPES_CANCEL: f64 = -8.0;
 const FINER_BELOW: f64 = 0.01;
+/// No law that is sampled is better than this.
+const FINEST_LAW: f64 = 1e-13;
 
 /// `found`, an integral at s with its slope, or a finer integral if its slope misses the tolerance
 /// and the finer one meets it.
 #[inline]
 pub(crate) fn with_slope_within(
     found: Moments,
-    density: impl FnOnce() -> Density,
+    density: impl Fn() -> Density,
     (scale, s): (f64, f64),
     tolerance: f64,
 ) -> Moments {
@@ -190,8 +193,25 @@ pub(crate) fn with_slope_within(
     }
     let finer = FINER_BELOW * tolerance;
     let made = Nearby::new(&density().finer(finer), scale, s, finer).map(|made| made.at(s));
-    made.ok().filter(|made| made.slope_within(s, tolerance).is_ok()).unwrap_or(found)
+    // Farther down, derivatives of the law are averaged instead: those of samples err by as much
+    // more than the samples as s is deep.
+    let derived = || {
+        let weight = GAUSSIAN.as_ref().map_err(Clone::clone)?;
+        let (density, finer) = (density(), (0.1 * tolerance / (1.0 - s)).max(FINEST_LAW));
+        let own = if density.knows_slope() { 0.0 } else { finer * (1.0 - s) };
+        let made = Overlap::new(density.finer(finer), scale, tolerance).at(weight, s, true)?;
+        Ok::<_, QuadratureError>(Moments { error: made.error + own, ..made })
+    };
+    let within = |made: &Moments| made.slope_within(s, tolerance).is_ok();
+    made.ok().filter(within).or_else(|| derived().ok().filter(within)).unwrap_or(found)
 }
+
+/// exp(-z²/2)/√(2π).
+static GAUSSIAN: LazyLock<Result<Arc<Weight>, QuadratureError>> = LazyLock::new(|| {
+    let ln = |z: f64| -0.5 * z * z - 0.5 * (2.0 * std::f64::consts::PI).ln();
+    let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+    Weight::new("the Gaussian density", ln, everywhere, &[], 0.0).map(Arc::new)
+});
 
 /// The integral over Gaussian heights.
 #[derive(Debug)]

@@ -1,8 +1,11 @@
 //! The laws of one asperity that a request needs.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Tolerance, Validity};
+use asperity_quadrature::Sampler;
+
+use crate::engine::inverse::force_at::{Falls, KnownFalls};
+use crate::{Asperity, AsperityModel, At, ContactError, Law, Quantity, Scene, Tolerance, Validity};
 
 /// The laws of one asperity that quantities follow from.
 #[derive(Debug)]
@@ -14,6 +17,7 @@ pub(crate) struct Laws {
     pub(crate) adhesive: bool,
     pub(crate) laws: Vec<(Quantity, Arc<Law>)>,
     by_load: bool,
+    known_falls: Mutex<KnownFalls>,
 }
 
 impl Laws {
@@ -27,7 +31,8 @@ impl Laws {
     ) -> Result<Self, ContactError> {
         let Validity { adhesive, .. } = model.validity();
         let (own_stiffness, laws) = (false, vec![]);
-        let mut found = Self { asperity, own_stiffness, adhesive, laws, by_load };
+        let known_falls = Mutex::default();
+        let mut found = Self { asperity, own_stiffness, adhesive, laws, by_load, known_falls };
         for &quantity in quantities.iter().chain(by_load.then_some(&Quantity::Force)) {
             if quantity == Quantity::Stiffness && !found.own_stiffness {
                 let own = model.stiffness(&asperity, tolerance)?;
@@ -49,6 +54,36 @@ impl Laws {
     /// The law of this quantity.
     pub(crate) fn law(&self, base: Quantity) -> Option<&Arc<Law>> {
         self.laws.iter().find(|(known, _)| *known == base).map(|(_, law)| law)
+    }
+
+    /// The law of the force.
+    pub(crate) fn force(&self) -> Result<&Law, ContactError> {
+        let law = self.law(Quantity::Force);
+        Ok(law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?)
+    }
+
+    /// Whether, from a separation on, the heights of a scene meet only a rising part of the law of
+    /// the force.
+    pub(crate) fn rises_above(&self, scene: &Scene, s: f64) -> Result<bool, ContactError> {
+        let law = self.force()?;
+        // Each sample of an angle average is an integral; unless parts are subtracted it rises,
+        // as scenes that are compiled verify.
+        let costly = |part: &crate::Part| part.form.unprepared().is_some();
+        if !law.is_signed() && law.parts.iter().any(costly) {
+            return Ok(true);
+        }
+        let mut known = self.known_falls.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(known.rises_above(law, scene, s))
+    }
+
+    /// Where the law of the force falls on a scene, if it does; the tolerance is that of the laws.
+    pub(crate) fn falls(
+        &self,
+        scene: &Scene,
+        tolerance: Tolerance,
+    ) -> Result<Option<Arc<Falls>>, ContactError> {
+        let mut known = self.known_falls.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(known.on(self.force()?, scene, tolerance))
     }
 
     /// Whether a part is subtracted in any of them.

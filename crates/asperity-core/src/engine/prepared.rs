@@ -141,16 +141,16 @@ impl<'p> Averages<'p> for &'p Prepared {
     }
 
     fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
-        let falls = self.channel(Quantity::Force)?.falls();
+        let falls = self.falls()?;
         Ok(falls.is_none_or(|falls| falls.hides_above(s)))
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
-        Ok(self.channel(Quantity::Force)?.falls())
+        Ok(self.channel(Quantity::Force)?.falls(&self.facts.laws)?)
     }
 
-    fn guide(&self, s: f64) -> Result<Moments, ContactError> {
-        let found = self.channel(Quantity::Force)?.total.guide(s);
+    fn guide(&self, _: &Falls, s: f64) -> Result<Moments, ContactError> {
+        let found = self.channel(Quantity::Force)?.total.guide(s, true);
         found.map_err(integral_failed(Quantity::Force, s.into()))
     }
 

@@ -33,6 +33,11 @@ impl Sample {
         self.force.ln_scale.max(self.variation.ln_scale)
     }
 
+    /// Whether no height reaches the law.
+    pub(crate) fn is_nothing(&self) -> bool {
+        self.variation.value == 0.0
+    }
+
     /// The force as a level.
     pub(crate) fn level(&self) -> Level {
         let Moments { value, ln_scale, .. } = self.force;

@@ -4,7 +4,7 @@ use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::ContactError;
 use crate::engine::inverse::ALL_TOUCH;
-use crate::engine::inverse::force_at::ForceAt;
+use crate::engine::inverse::force_at::{ForceAt, Landmark};
 use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
 use crate::request::separation::{HIGHEST, LOWEST};
 
@@ -25,27 +25,51 @@ impl ForceAt<'_> {
         first_only: bool,
     ) -> Result<Vec<f64>, ContactError> {
         let mut found = vec![];
-        let mut high = self.sample(top)?;
-        for (place, sample) in self.places(top) {
-            let (low, last) = match sample {
-                Err(ContactError::Integral { .. }) if place < ALL_TOUCH => {
-                    (self.last(place, high)?, true)
-                }
-                other => (other?, false),
-            };
-            self.within(Interval { low, high }, level, first_only, &mut found)?;
-            if last || first_only && !found.is_empty() {
-                break;
+        let mut high = self.highest(top)?;
+        for landmark in self.landmarks(high.s) {
+            if landmark.is_faint(high) {
+                continue;
             }
+            let above = landmark.stays_above(level);
+            let (low, last) = self.down_to(landmark, high)?;
+            self.within(Interval { low, high }, level, first_only, &mut found)?;
             high = low;
+            if first_only && !found.is_empty() || last || above {
+                found.dedup_by(|a, b| (*a - *b).abs() <= TOUCH * (1.0 + a.abs()));
+                return Ok(found);
+            }
         }
-        found.dedup_by(|a, b| (*a - *b).abs() <= TOUCH * (1.0 + a.abs()));
-        Ok(found)
+        Err(unresolved(LOWEST, high.s))
     }
 
-    /// The last separation on the way down to one that is refused.
+    /// The sample at a landmark, or where integrals end on the way down to it; whether it is the
+    /// last one.
+    fn down_to(&self, landmark: Landmark, high: Sample) -> Result<(Sample, bool), ContactError> {
+        match landmark.sample {
+            Err(ContactError::Integral { .. }) if landmark.s < ALL_TOUCH => {
+                Ok((self.last(landmark.s, high)?, true))
+            }
+            // The variation of a law that turns all the time cannot be integrated.
+            Err(ContactError::Integral { .. }) => Err(unresolved(LOWEST, high.s)),
+            other => Ok((other?, landmark.s <= LOWEST)),
+        }
+    }
+
+    /// The sample at `top`, or at the highest separation below it that has one: heights with a
+    /// light tail cannot be integrated so far out, where nothing touches.
+    fn highest(&self, top: f64) -> Result<Sample, ContactError> {
+        let error = match self.sample(top) {
+            Err(error @ ContactError::Integral { .. }) if top > 0.0 => error,
+            other => return other,
+        };
+        let mut below = self.landmarks(top).take_while(|landmark| landmark.s >= 0.0);
+        let answered = below.find_map(|landmark| landmark.sample.ok()).ok_or(error)?;
+        self.last(top, answered)
+    }
+
+    /// The last separation on the way from one that is answered to one that is refused.
     fn last(&self, mut refused: f64, mut answered: Sample) -> Result<Sample, ContactError> {
-        while answered.s - refused > 1e-9 * refused.abs() {
+        while (answered.s - refused).abs() > 1e-9 * refused.abs() {
             let middle = 0.5 * (refused + answered.s);
             match self.sample(middle) {
                 Ok(sample) => answered = sample,
@@ -76,7 +100,13 @@ impl ForceAt<'_> {
                 found.extend(met.then_some(interval.high.s));
             } else {
                 let Interval { low, high } = interval;
-                let middle = self.sample(0.5 * (low.s + high.s))?;
+                let middle = match self.middle(interval)? {
+                    Middle::Sample(middle) => middle,
+                    Middle::Edge(edge) => {
+                        open.push(Interval { low, high: edge });
+                        continue;
+                    }
+                };
                 match interval.course(&middle, level) {
                     Course::Apart => {}
                     Course::Monotone => found.extend(self.root(interval, level)?),
@@ -98,7 +128,19 @@ impl ForceAt<'_> {
                 return Ok(());
             }
         }
-        Err(ContactError::Unresolved { from: whole.low.s.into(), to: whole.high.s.into() })
+        Err(unresolved(whole.low.s, whole.high.s))
+    }
+
+    /// The sample in the middle of an interval; or, where hardly any height is left there and none
+    /// at its upper end, the last one that there is.
+    fn middle(&self, Interval { low, high }: Interval) -> Result<Middle, ContactError> {
+        let middle = 0.5 * (low.s + high.s);
+        match self.sample(middle) {
+            Err(ContactError::Integral { .. }) if high.is_nothing() && !low.is_nothing() => {
+                self.last(middle, low).map(Middle::Edge)
+            }
+            found => found.map(Middle::Sample),
+        }
     }
 
     /// Where the force is the level, between signs that differ.
@@ -137,26 +179,24 @@ impl ForceAt<'_> {
             }
             _ => least,
         };
-        // Heights with a light tail cannot be integrated so far out, where nothing touches.
-        let far = std::iter::once((HIGHEST, self.sample(HIGHEST)));
-        let places = far.chain(self.places(HIGHEST));
-        let mut places = places.skip_while(|(place, sample)| *place > 0.0 && sample.is_err());
-        let Some((_, first)) = places.next() else { return self.sample(LOWEST) };
-        let mut high = first?;
-        let (mut best, mut open) = (high, vec![]);
-        for (place, sample) in places {
-            let (low, last) = match sample {
-                Err(ContactError::Integral { .. }) if place < ALL_TOUCH => {
-                    (self.last(place, high)?, true)
-                }
-                other => (other?, false),
-            };
+        let mut high = self.highest(HIGHEST)?;
+        let (mut best, mut open, mut all) = (high, vec![], false);
+        for landmark in self.landmarks(high.s) {
+            if landmark.is_faint(high) {
+                continue;
+            }
+            let above = sign < 0.0 && landmark.stays_above(least);
+            let (low, last) = self.down_to(landmark, high)?;
             best = larger(best, low, sign);
             open.push(Interval { low, high });
             high = low;
-            if last {
+            all = last || above;
+            if all {
                 break;
             }
+        }
+        if !all {
+            return Err(unresolved(LOWEST, high.s));
         }
         for _ in 0..MOST {
             let Some(interval) = open.pop() else { return Ok(best) };
@@ -167,7 +207,14 @@ impl ForceAt<'_> {
                 continue;
             }
             let Interval { low, high } = interval;
-            let middle = self.sample(0.5 * (low.s + high.s))?;
+            let middle = match self.middle(interval)? {
+                Middle::Sample(middle) => middle,
+                Middle::Edge(edge) => {
+                    best = larger(best, edge, sign);
+                    open.push(Interval { low, high: edge });
+                    continue;
+                }
+            };
             best = larger(best, middle, sign);
             match interval.course(&middle, level) {
                 Course::Apart | Course::Monotone => {}
@@ -179,8 +226,18 @@ impl ForceAt<'_> {
                 }
             }
         }
-        Err(ContactError::Unresolved { from: LOWEST.into(), to: HIGHEST.into() })
+        Err(unresolved(LOWEST, HIGHEST))
     }
+}
+
+/// What there is in the middle of an interval.
+enum Middle {
+    Sample(Sample),
+    Edge(Sample),
+}
+
+fn unresolved(from: f64, to: f64) -> ContactError {
+    ContactError::Unresolved { from: from.into(), to: to.into() }
 }
 
 /// The one whose force times `sign` is larger.

@@ -10,8 +10,14 @@ use asperity_quadrature::{Density, Piece, QuadratureError, Sampler, highest};
 
 use crate::{Formula, Law, Part};
 
-/// Places at which a function is looked at, in each octave.
-const OCTAVE: f64 = 12.0;
+/// Places at which a function is looked at, in each octave; where it turns more than twice there,
+/// four times as many, and so on up to a number beyond which its turns count as unresolved.
+const OCTAVE: usize = 12;
+const MOST_OF_OCTAVE: usize = 3072;
+/// More turns than these are not followed: each integral of the variation is split at all of them.
+const TURNS: usize = 128;
+/// Turns are resolved where this many places lie between two.
+const BETWEEN: usize = 6;
 /// Smaller falls, over the size of the law's parts, are rounding or the error of a tabulated law.
 const FLAT: f64 = 1e-9;
 
@@ -32,6 +38,11 @@ pub(crate) struct Variation {
     pub(crate) knots: Vec<Knot>,
     /// Where it first falls, if it does.
     pub(crate) falls: Option<f64>,
+    /// Beyond this, it turns more often than can be followed.
+    pub(crate) resolved: f64,
+    /// The farthest place at which it was looked at, and its value, unless its formula shows that it
+    /// rises for ever.
+    last: Option<(f64, f64)>,
 }
 
 impl Variation {
@@ -39,7 +50,7 @@ impl Variation {
     pub(crate) fn new(law: &Law, (least, most): (f64, f64)) -> Self {
         let breaks = law.density().breaks(0.0, f64::INFINITY);
         let ends: Vec<f64> = [0.0].into_iter().chain(breaks).chain([f64::INFINITY]).collect();
-        let mut found = Self { knots: vec![], falls: None };
+        let mut found = Self { knots: vec![], falls: None, resolved: f64::INFINITY, last: None };
         let (mut left, mut before) = (0.0, 0.0);
         for pair in ends.windows(2) {
             let (from, to) = (pair[0], pair[1]);
@@ -57,7 +68,15 @@ impl Variation {
                 None => break,
             }
         }
+        if let Some(knot) = found.knots.get(TURNS) {
+            found.resolved = found.resolved.min(knot.x);
+        }
         found
+    }
+
+    /// The knots that are followed.
+    pub(crate) fn followed(&self) -> &[Knot] {
+        &self.knots[..self.knots.len().min(TURNS)]
     }
 
     fn push(&mut self, law: &Law, knot: Knot, before: f64) {
@@ -80,11 +99,10 @@ impl Variation {
         start: (f64, f64),
         (to, least, most): (f64, f64, f64),
     ) -> (f64, f64) {
-        let places = places(first.max(least.min(0.5 * to)), to.min(most.max(2.0 * first)));
-        let all: Vec<(f64, f64, f64)> = places
-            .into_iter()
-            .map_while(|x| seen(law, x).map(|(q, size)| (x, q, FLAT * size)))
-            .collect();
+        let (from, upto) = (first.max(least.min(0.5 * to)), to.min(most.max(2.0 * first)));
+        let (all, resolved) = samples(law, from, upto);
+        self.resolved = self.resolved.min(resolved);
+        self.last = all.last().map(|last| (last.0, last.1)).filter(|_| to == f64::INFINITY);
         let (mut extreme, mut upwards, mut knot) = (start, None, start);
         for (k, &(x, q, flat)) in all.iter().enumerate() {
             let up = upwards.unwrap_or(q > extreme.1);
@@ -114,12 +132,25 @@ impl Variation {
         knot
     }
 
+    /// The smallest value from this x on, as far as the law was looked at.
+    pub(crate) fn least_from(&self, law: &Law, x: f64) -> Option<f64> {
+        let last = match self.last {
+            Some((end, _)) if x >= end => return None,
+            Some((_, value)) => value,
+            None => f64::INFINITY,
+        };
+        let here = law.shape(x).ok().filter(|_| x > 0.0)?;
+        let beyond = self.knots.iter().filter(|knot| knot.x >= x);
+        Some(beyond.map(|knot| knot.left.min(knot.right)).fold(here.min(last), f64::min))
+    }
+
     /// The variation as a density.
     pub(crate) fn density(&self, law: &Law) -> Density {
         let (mut before, mut value, mut pieces) = (0.0, 0.0, vec![]);
         let all: Vec<f64> = law.density().breaks(0.0, f64::INFINITY);
-        for (k, knot) in self.knots.iter().enumerate() {
-            let (from, to) = (knot.x, self.knots.get(k + 1).map_or(f64::INFINITY, |next| next.x));
+        let knots = self.followed();
+        for (k, knot) in knots.iter().enumerate() {
+            let (from, to) = (knot.x, knots.get(k + 1).map_or(f64::INFINITY, |next| next.x));
             value += (knot.left - before).abs() + (knot.right - knot.left).abs();
             before = knot.right;
             let middle = if to.is_finite() { 0.5 * (from + to) } else { 2.0 * from + 1.0 };
@@ -177,13 +208,53 @@ fn seen(law: &Law, x: f64) -> Option<(f64, f64)> {
     total.is_finite().then_some((total, size))
 }
 
-/// Places between two, each a share larger than the one before.
-fn places(from: f64, to: f64) -> Vec<f64> {
-    let steps = ((to / from).log2() * OCTAVE).ceil().clamp(24.0, 4096.0);
-    let ratio = (to / from).ln() / steps;
-    (0..=steps as usize)
-        .map(|k| (from * (ratio * k as f64).exp()).min(to.next_down()).max(from))
-        .collect()
+/// The law between two places, octave by octave: place, value and what is flat there; and the place
+/// beyond which it turns too often to be followed.
+fn samples(law: &Law, from: f64, to: f64) -> (Vec<(f64, f64, f64)>, f64) {
+    let (mut all, mut resolved) = (vec![], f64::INFINITY);
+    // At least two octaves' worth of places, on however narrow a range.
+    let octaves = (to / from).log2().ceil().clamp(2.0, 512.0);
+    let ratio = (to / from).ln() / octaves;
+    for k in 0..octaves as usize {
+        let mut count = OCTAVE;
+        loop {
+            let place = |j: usize| {
+                let share = k as f64 + j as f64 / count as f64;
+                (from * (ratio * share).exp()).min(to.next_down()).max(from)
+            };
+            let octave: Vec<(f64, f64, f64)> = (0..=count)
+                .map(place)
+                .map_while(|x| seen(law, x).map(|(q, size)| (x, q, FLAT * size)))
+                .collect();
+            let ends = octave.len() <= count;
+            let coarse = BETWEEN * turns_of(&octave) > count;
+            if coarse && resolved.is_infinite() && !ends {
+                if count < MOST_OF_OCTAVE {
+                    count *= 4;
+                    continue;
+                }
+                resolved = place(0);
+            }
+            all.extend(octave);
+            if ends {
+                return (all, resolved);
+            }
+            // It begins the next one, too.
+            if k + 1 < octaves as usize {
+                all.pop();
+            }
+            break;
+        }
+    }
+    (all, resolved)
+}
+
+/// How often a run of samples changes its direction.
+fn turns_of(samples: &[(f64, f64, f64)]) -> usize {
+    let steps = samples.windows(2).map(|pair| (pair[1].1 - pair[0].1, pair[1].2));
+    let steps = steps.filter(|(step, flat)| step.abs() > *flat).map(|(step, _)| step > 0.0);
+    let steps: Vec<bool> = steps.collect();
+    steps.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
 #[cfg(test)]
