@@ -196,7 +196,7 @@ def test_other_formats_are_read_through_surface_topography(tmp_path: Path) -> No
         asperity.topography(path, channel="Phase")
     broken = tmp_path / "a.spm"
     broken.write_bytes(b"\\*File list\r\n\x00\x01")
-    with pytest.raises(asperity.UnsupportedFormat, match="Nanoscope.*cannot read this one"):
+    with pytest.raises(asperity.UnsupportedFormat, match="Nanoscope.*cannot read this one: "):
         asperity.topography(broken)
 
 
