@@ -55,7 +55,7 @@ def check(path: Path, heights: Floats, dx: float, dy: float, rtol: float = 1e-6)
 
 
 def with_holes(steps: npt.NDArray[np.int64]) -> Floats:
-    heights = 1e-9 * steps
+    heights: Floats = 1e-9 * steps.astype(np.float64)
     heights.flat[len(steps)] = np.nan
     heights.flat[0] = 3e-9
     return heights
@@ -65,7 +65,7 @@ def with_holes(steps: npt.NDArray[np.int64]) -> Floats:
 @many
 def test_gwyddion_files_of_gwyfile(tmp_path: Path, steps: npt.NDArray[np.int64]) -> None:
     objects = optional("gwyfile.objects")
-    heights = 1e-9 * steps
+    heights: Floats = 1e-9 * steps.astype(np.float64)
     heights[0, 0] = 3e-9
     rows, columns = heights.shape
     size = {"xreal": 5e-6 * columns, "yreal": 2e-6 * rows, "si_unit_xy": "m"}
@@ -196,7 +196,7 @@ def test_other_formats_are_read_through_surface_topography(tmp_path: Path) -> No
         asperity.topography(path, channel="Phase")
     broken = tmp_path / "a.spm"
     broken.write_bytes(b"\\*File list\r\n\x00\x01")
-    with pytest.raises(asperity.UnsupportedFormat, match="Nanoscope.*cannot read this one"):
+    with pytest.raises(asperity.UnsupportedFormat, match="Nanoscope.*cannot read this one: "):
         asperity.topography(broken)
 
 

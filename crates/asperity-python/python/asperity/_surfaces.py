@@ -65,13 +65,24 @@ def _from_file(path: str, unit: str | None, channel: str | None) -> Topography:
     except ImportError:
         message = f"{unsupported}; or install the extra asperity[formats] and call this again"
         raise UnsupportedFormat(message) from None
+
+    def refused(error: Exception) -> UnsupportedFormat:
+        reason = str(error).partition("\n")[0] or type(error).__name__
+        return UnsupportedFormat(f"{unsupported}; SurfaceTopography cannot read this one: {reason}")
+
+    # The exceptions of its readers have no common base.
     try:
         reader = other.open_topography(path)
-    except Exception as error:  # the exceptions of its readers have no common base
-        raise UnsupportedFormat(f"{unsupported}; SurfaceTopography cannot read this one") from error
+        names = [str(found.name) for found in reader.channels]
+    except Exception as error:
+        raise refused(error) from error
     with reader:
-        index = _channel(path, [str(found.name) for found in reader.channels], channel)
-        return _from_surface_topography(reader.topography(channel_index=index), unit)
+        index = _channel(path, names, channel)
+        try:
+            surface = reader.topography(channel_index=index)
+        except Exception as error:
+            raise refused(error) from error
+        return _from_surface_topography(surface, unit)
 
 
 def _channel(path: str, names: list[str], channel: str | None) -> int | None:

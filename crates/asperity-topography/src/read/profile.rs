@@ -83,7 +83,8 @@ pub(super) fn profile(
     let distances = || pairs().map(|(_, distance)| distance);
     let note = Diagnostic::warning("resampled", "points", places.len() as f64)
         .fact(format!(
-            "the positions of the profile are {:.4e} to {:.4e} apart: the heights are interpolated linearly at {} equal distances of {step:.4e}, in the unit of the file",
+            "the positions of the profile are {:.4e} to {:.4e} apart: the heights are interpolated \
+             linearly at {} equal distances of {step:.4e}, in the unit of the file",
             distances().fold(f64::INFINITY, f64::min),
             distances().fold(0.0, f64::max),
             places.len() - 1,

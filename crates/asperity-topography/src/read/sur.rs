@@ -9,6 +9,7 @@ use asperity_core::Diagnostic;
 
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points, select};
+use super::table::decode;
 use super::{sur_data, units};
 use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
@@ -189,11 +190,10 @@ impl Header<'_> {
         }
     }
 
-    /// Text of a fixed length, in Latin 1, filled up with zeros or spaces.
+    /// Text of a fixed length, in UTF-8 or Latin 1, filled up with zeros or spaces.
     fn text(&self, at: usize, length: usize) -> String {
         let bytes = self.0[at..at + length].split(|byte| *byte == 0).next().unwrap_or_default();
-        let latin: String = bytes.iter().map(|byte| char::from(*byte)).collect();
-        latin.trim().to_owned()
+        decode(bytes).trim().to_owned()
     }
 
     fn unit(&self, at: usize, field: &'static str) -> Result<LengthUnit, TopographyError> {

@@ -32,7 +32,7 @@ pub(super) fn unpack(data: &[u8], size: usize) -> Result<Vec<u8>, TopographyErro
         let (stream, rest) = streams
             .split_at_checked(packed)
             .ok_or_else(|| wrong(format!("{} bytes", streams.len())))?;
-        if unpacked.len() + plain > size {
+        if plain > size - unpacked.len() {
             let required = format!("{size} bytes for the points of the header");
             return Err(refuse("compressed data", format!("streams of {plain} bytes"), &required));
         }

@@ -258,7 +258,7 @@ fn value(field: &[u8], comma: bool) -> Option<f64> {
 }
 
 /// UTF-8 text, or else Latin 1: instruments write µ in either.
-fn decode(bytes: &[u8]) -> String {
+pub(super) fn decode(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),

@@ -6,6 +6,7 @@ use std::io::{Cursor, Read};
 
 use zip::ZipArchive;
 
+use super::points::grid;
 use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 use super::{npy, profile};
@@ -75,6 +76,13 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         }
     }
     let unit = Some(LengthUnit::Metre);
+    if description.stored.len() == 3 {
+        let placed = |point: &&[f64]| point.iter().take(2).all(|place| !place.is_nan());
+        let placed = numbers.chunks(3).filter(placed).flatten().copied().collect();
+        let (heights, columns, pixel_size) = grid(placed)?;
+        let pixel_size = PixelSize::Metres(pixel_size);
+        return Ok(Scan { heights, columns, unit, pixel_size, notes: vec![] });
+    }
     let [Some(dx), Some(dy)] = description.increments else {
         let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
         let (places, heights) = points.map(|point| (point[0], point[1])).unzip();

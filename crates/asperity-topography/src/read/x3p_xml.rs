@@ -45,15 +45,19 @@ impl Description {
     }
 
     fn read(root: Node<'_, '_>) -> Result<Self, TopographyError> {
-        let profile = match text(root, &["Record1", "FeatureType"], "FeatureType")? {
-            "SUR" => false,
-            "PRF" => true,
-            other => return Err(refuse("FeatureType", other, "SUR (surface) or PRF (profile)")),
+        let (profile, cloud) = match text(root, &["Record1", "FeatureType"], "FeatureType")? {
+            "SUR" => (false, false),
+            "PRF" => (true, false),
+            "PCL" => (false, true),
+            other => {
+                let required = "SUR (surface), PRF (profile) or PCL (points)";
+                return Err(refuse("FeatureType", other, required));
+            }
         };
         let [columns, rows] = dimensions(root)?;
         let mut stored = Vec::new();
         let (x, of_x) = axis(root, "CX", ["CX AxisType", "CX DataType", "CX Increment"])?;
-        if of_x.is_some() && !(profile && rows == 1) {
+        if of_x.is_some() && !cloud && !(profile && rows == 1) {
             return Err(refuse("CX AxisType", "A", "I: points at equal distances"));
         }
         stored.extend(of_x);
@@ -67,10 +71,16 @@ impl Description {
                 x
             }
             false => match axis(root, "CY", ["CY AxisType", "CY DataType", "CY Increment"])? {
-                (y, None) => y,
+                (y, of_y) if cloud || of_y.is_none() => {
+                    stored.extend(of_y);
+                    y
+                }
                 _ => return Err(refuse("CY AxisType", "A", "I: points at equal distances")),
             },
         };
+        if cloud && stored.len() != 2 {
+            return Err(refuse("AxisType", "I", "A: points with positions in x and y"));
+        }
         let kind = text(root, &["Record1", "Axes", "CZ", "DataType"], "CZ DataType")?;
         stored.push(coordinate(root, "CZ", ["CZ DataType", "CZ Increment"], kind)?);
         let data = Data::read(root, stored.len())?;

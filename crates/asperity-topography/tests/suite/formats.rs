@@ -174,6 +174,14 @@ fn digital_surf_files_are_read() {
     assert!(surface.heights()[7].is_nan() && surface.heights()[12].is_nan());
     assert!((surface.missing_share() - 0.1).abs() < 1e-12);
     assert!((surface.heights()[19] / 4.25e-6 - 1.0).abs() < 1e-6);
+    for unit in [&b"\xc2\xb5m"[..], b"\xb5m"] {
+        let sur = Sur { unit, ..Sur::default() };
+        check(
+            &read_bytes("a.sur", &sur.bytes(&HEIGHTS), &options).unwrap(),
+            1.25e-7,
+            [5e-6, 2.5e-6],
+        );
+    }
     let volt = Sur { unit: b"V", ..Sur::default() };
     let volt = message("a.sur", &volt.bytes(&HEIGHTS), &options);
     assert!(volt.contains("unit of") && volt.contains("\"V\""), "{volt}");

@@ -245,7 +245,7 @@ fn hostile_x3p() {
     refused("a.x3p", &of_z("<Increment>inf</Increment>"), "CZ Increment: inf");
     refused("a.x3p", &of_z("<Offset>much</Offset>"), "CZ Offset: much");
     refused("a.x3p", &x3p_of(&X3p { kind: "X", ..X3p::default() }), "CZ DataType: X");
-    refused("a.x3p", &x3p_of(&X3p { feature: "PCL", ..X3p::default() }), "FeatureType: PCL");
+    refused("a.x3p", &x3p_of(&X3p { feature: "PCX", ..X3p::default() }), "FeatureType: PCX");
     let short = X3p { data: data.clone(), valid: Some(vec![0xff; 2]), ..X3p::default() };
     refused("a.x3p", &x3p_of(&short), "3 bytes, by main.xml");
     refused("a.x3p", &archive(&[("other.xml", b"<a/>")]), "main.xml");

@@ -2,7 +2,9 @@
 
 use asperity_topography::{LengthUnit, ReadOptions, read_bytes};
 
-use crate::files::{Sur, X3p, gwy, gwy_field, item, object, sdf, sdf_text, x3p_of, zeroed};
+use crate::files::{
+    Sur, X3p, archive, gwy, gwy_field, item, object, sdf, sdf_text, x3p_of, zeroed,
+};
 
 fn map() -> Vec<f64> {
     (0..20).map(|i| f64::from(1 + 10 * (i / 5) + i % 5)).collect()
@@ -114,6 +116,15 @@ fn infinite_heights_and_lists_of_x3p_are_read() {
     assert!((surface.pixel_size()[0] / 2e-6 - 1.0).abs() < 1e-12);
     assert!((surface.heights()[1] / 4e-6 - 1.0).abs() < 1e-12);
     assert_eq!(surface.notes()[0].code, "resampled");
+    // Points of a regular grid, in any order.
+    let points = [3usize, 0, 2, 1].map(|i| [(i % 2) as f64, (i / 2) as f64, i as f64 + 1.0]);
+    let data = points.iter().flatten().flat_map(|number| metres(*number)).collect();
+    let cloud = X3p { data, size: [4, 1], feature: "PCL", x: "A", ..X3p::default() };
+    let xml = cloud.xml().replace("<CY><AxisType>I", "<CY><AxisType>A").replace(">2.5e-7<", ">1<");
+    let cloud = archive(&[("main.xml", xml.as_bytes()), ("bindata/data.bin", &cloud.data)]);
+    let surface = read_bytes("a.x3p", &cloud, &channel_free()).unwrap();
+    assert_eq!((surface.rows(), surface.columns()), (2, 2));
+    assert!((surface.heights()[2] / 3e-6 - 1.0).abs() < 1e-12);
     let areal = X3p { x: "A", ..X3p::default() };
     assert!(message("a.x3p", &x3p_of(&areal), &channel_free()).contains("CX AxisType: A"));
 }
