@@ -33,7 +33,7 @@ pub struct ScanPicture {
 
 /// Place of the map beside the left edge of its panel, and room for its bar of colours.
 const OUT: f64 = 44.0;
-const BAR: f64 = 74.0;
+const BAR: f64 = 92.0;
 /// Units of lengths.
 const UNITS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
 
@@ -47,7 +47,7 @@ pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
         .heights
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(*z), h.max(*z)));
-    let (height, of_height) = unit(0.25 * (high - low));
+    let (height, of_height) = unit(high - low);
     let (length, of_length) = unit(scan.size[0].max(scan.size[1]) / 10.0);
     let map = Map {
         values: scan.heights.iter().map(|z| z / height).collect(),

@@ -124,6 +124,32 @@ impl Topography {
         self.changed(py, asperity_topography::Topography::fill)
     }
 
+    /// The same surface with its outliers replaced by harmonic heights; see ``outliers``. Call it
+    /// before ``filter`` and ``smooth``, which spread outliers.
+    fn despiked(&self, py: Python<'_>) -> PyResult<Self> {
+        self.changed(py, asperity_topography::Topography::despiked)
+    }
+
+    /// The number of outliers that ``despiked`` has replaced.
+    #[getter]
+    fn despiked_points(&self) -> usize {
+        self.0.despiked_points()
+    }
+
+    /// Outliers: points outside their neighbours (5 x 5, in a profile 17) by twice the range of
+    /// these. A dict: ``count``, ``largest`` [m] (negative below), ``m4_share`` and
+    /// ``kurtosis_share`` (their shares of m4 and of the fourth moment of the heights), and
+    /// ``points`` (row and column of each).
+    fn outliers<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let found = py.detach(|| self.0.outliers());
+        let columns = self.0.columns();
+        let points = found.points.iter().map(|at| (at / columns, at % columns));
+        let points: Vec<(usize, usize)> = points.collect();
+        let numbers = object(py, &found)?;
+        numbers.set_item("points", points)?;
+        Ok(numbers)
+    }
+
     /// The roughness at wavelengths below `cutoff` [m] (Gaussian filter, ISO 16610).
     fn filter(&self, py: Python<'_>, cutoff: f64) -> PyResult<Self> {
         self.changed(py, |surface| surface.filter(cutoff))
@@ -159,7 +185,7 @@ impl Topography {
         });
         let both = both.map_err(value_error)?;
         both.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
-        Surface::of(Ok(both.surface()))
+        Surface::of(Ok(both.surface().map_err(value_error)?))
     }
 
     /// Statistics in SI units: Sq, Ssk, Sku, moments, and asperities by the estimator ("moments" or
@@ -185,7 +211,8 @@ impl Topography {
         estimator: &str,
         cutoff: Option<f64>,
     ) -> PyResult<Surface> {
-        Surface::of(Ok(self.found(py, level, estimator, cutoff)?.surface()))
+        let found = self.found(py, level, estimator, cutoff)?.surface();
+        Surface::of(Ok(found.map_err(value_error)?))
     }
 
     fn __repr__(&self) -> String {

@@ -184,7 +184,9 @@ impl SceneFile {
 
     fn scan_findings(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Diagnostic> {
         let mut found = vec![];
-        if matches!(self.scene.heights, HeightDistribution::Gaussian) {
+        // Outliers would be part of measured heights.
+        let clean = !statistics.outliers.matter();
+        if clean && matches!(self.scene.heights, HeightDistribution::Gaussian) {
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
                 Diagnostic::warning("not-gaussian", field, value).usual(usual).advice(
                     "the heights are not Gaussian; heights = \"measured\" uses those of the scan",
@@ -261,7 +263,7 @@ mod tests {
     fn summary(scan: &Topography) -> Vec<String> {
         let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
         let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
-        file.scene.surface = statistics.surface();
+        file.scene.surface = statistics.surface().unwrap();
         file.measured = Some(Measured { statistics, pixel_size: 1e-6 });
         let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
         let ke = file.model("ke").unwrap();

@@ -30,6 +30,7 @@ struct MeasuredKeys {
     periodic: bool,
     max_missing: Option<f64>,
     fill_missing: bool,
+    despike: bool,
 }
 
 /// `pixel_size` of square pixels, or along a row and along a column.
@@ -75,6 +76,7 @@ pub(crate) fn measured(
             let [dx, dy] = read.pixel_size();
             let topography = prepare(read, &keys)?;
             let statistics = topography.statistics(keys.estimator)?;
+            statistics.surface()?;
             let density = measured_heights.then(|| density(&topography)).transpose()?;
             Ok((Measured { statistics, pixel_size: dx.max(dy) }, density, topography))
         });
@@ -130,9 +132,13 @@ pub(crate) fn measured(
         }
     };
     let statistics = &measured.statistics;
-    let surface = statistics.surface();
-    surface.check().map_err(document.refused("surface"))?;
     let at = document.place(at);
+    let refused = |reason: TopographyError| SceneError::Measured {
+        at: at.clone(),
+        reason: reason.to_string(),
+    };
+    let surface = statistics.surface().map_err(refused)?;
+    surface.check().map_err(document.refused("surface"))?;
     let from = |at: &Place| {
         let at = at.to_string();
         move |found: Diagnostic| found.from_origin(at.clone())
@@ -174,9 +180,11 @@ fn density(topography: &Topography) -> Result<Vec<(f64, f64)>, TopographyError> 
     Ok(heights_m.into_iter().map(|z| z + offset).zip(density_per_m).collect())
 }
 
-/// The scan, levelled, filled and filtered.
+/// The scan, despiked, levelled, filled and filtered.
 fn prepare(read: Topography, keys: &MeasuredKeys) -> Result<Topography, TopographyError> {
-    let mut topography = read.with_periodic(keys.periodic).levelled(keys.level)?;
+    let read = read.with_periodic(keys.periodic);
+    let read = if keys.despike { read.despiked()? } else { read };
+    let mut topography = read.levelled(keys.level)?;
     if keys.fill_missing {
         topography = topography.fill()?;
     }
@@ -220,7 +228,7 @@ mod tests {
     #[test]
     fn every_choice_changes_the_surface() {
         let std = |level, filter, estimator| {
-            statistics(level, filter, estimator).surface().asperity_height_std
+            statistics(level, filter, estimator).asperity_height_std.unwrap()
         };
         let plain = std(Level::Plane, None, Estimator::Moments);
         // 60 waves of 1e-7 have a variance of 30e-14, (0.548e-6)²; that of asperities is smaller.
@@ -235,7 +243,7 @@ mod tests {
     fn the_mean_plane_offset_of_summits_agrees_with_theory() {
         for level in [Level::Plane, Level::Quadratic] {
             let [theory, counted] = [Estimator::Moments, Estimator::Summits]
-                .map(|estimator| statistics(level, None, estimator).mean_plane_offset);
+                .map(|estimator| statistics(level, None, estimator).mean_plane_offset.unwrap());
             assert!(theory > 0.3e-6 && (counted / theory - 1.0).abs() < 0.3, "{theory} {counted}");
         }
     }

@@ -175,7 +175,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
         (_, Some(table)) => HeightDistribution::other(table.clone()),
         _ => HeightDistribution::Gaussian,
     };
-    let offset = measured.as_ref().map(|measured| measured.statistics.mean_plane_offset);
+    let offset = measured.as_ref().and_then(|measured| measured.statistics.mean_plane_offset);
     let offset = heights_table.as_ref().map(TabulatedHeights::mean).or(offset);
     if let (Some(_), Some(_)) = (mean_plane_offset, offset) {
         let source = if heights_table.is_some() { "surface.heights" } else { "surface.file" };

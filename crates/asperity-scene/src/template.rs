@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn every_key_of_a_section_is_declared() {
         let only_measured: Vec<&str> = measured_keys().collect();
-        let wanted = "file files unit pixel_size estimator level filter smooth periodic max_missing fill_missing";
+        let wanted = "file files unit pixel_size estimator level filter smooth periodic max_missing fill_missing despike";
         assert_eq!(only_measured.join(" "), wanted);
         let declared = |section: &str, fields: serde_json::Value, elsewhere: &[&str]| {
             let fields = fields.as_object().unwrap().keys().map(String::as_str);

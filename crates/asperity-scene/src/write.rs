@@ -218,7 +218,7 @@ impl SceneFile {
             keys.insert("separation_from".into(), "surface-mean".into());
         }
         let measured = self.measured.as_ref().filter(|_| !self.names_no_scan());
-        let measured = measured.map(|measured| measured.statistics.mean_plane_offset);
+        let measured = measured.and_then(|measured| measured.statistics.mean_plane_offset);
         let known = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
         let offset = scene.mean_plane_offset;
         if known.is_none() {

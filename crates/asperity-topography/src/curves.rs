@@ -77,6 +77,41 @@ impl Topography {
         csv
     }
 
+    /// Sentences below the picture.
+    #[must_use]
+    pub fn caption(&self, glance: &Glance) -> Vec<String> {
+        let mean = self.mean();
+        let moment = |power| self.central_moment(mean, power);
+        let sq = moment(2).sqrt();
+        let [dx, dy] = self.pixel_size();
+        let micro = |length: f64| significant(1e6 * length);
+        let mut first = format!(
+            "{} x {} points, {} x {} µm apart; {}; {:.2} % missing. Sq = {} µm, Ssk = {:.2}, Sku = {:.2}.",
+            self.columns(),
+            self.rows(),
+            micro(dx),
+            micro(dy),
+            glance.filter,
+            100.0 * self.missing_share(),
+            micro(sq),
+            moment(3) / (sq * sq * sq),
+            moment(4) / (sq * sq * sq * sq),
+        );
+        if let (Some(ratio), Some(direction)) = (glance.slope_ratio, glance.lay_direction) {
+            first += &format!(
+                " Rms slope across the lay over that along it: {ratio:.2}; lay at {direction:.0}° from the rows."
+            );
+        }
+        let mut all = vec![first];
+        if glance.power_law.is_some() && (glance.roll_off.is_some() || glance.cut_off.is_some()) {
+            all.push(
+                "Dashed in the radial spectrum: the wavelengths between which the power law holds."
+                    .into(),
+            );
+        }
+        all
+    }
+
     /// Heights \[m\] for a map of at most `most` points on a side, row by row, and their number in a
     /// row: means of squares of points, NaN where none is measured.
     #[must_use]
@@ -92,6 +127,12 @@ impl Topography {
         }
         (sums.into_iter().map(|(sum, n)| sum / n).collect(), columns)
     }
+}
+
+/// A number with three significant digits.
+fn significant(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    format!("{rounded}")
 }
 
 #[cfg(test)]

@@ -206,6 +206,11 @@ pub enum TopographyError {
         "summits need 8 neighbours, which a profile does not have: an areal scan or the estimator \"moments\" was required"
     )]
     SummitsOfProfile,
+    /// Outliers are replaced before a filter, which spreads them.
+    #[error(
+        "outliers of a filtered surface cannot be replaced, because a filter spreads them: despike before filter and smooth"
+    )]
+    Filtered,
     /// Points that do not lie on a regular grid.
     #[error("{field}: {found} was found, {required} was required")]
     Grid {
@@ -234,6 +239,9 @@ pub enum TopographyError {
     /// Moments that no isotropic Gaussian surface has.
     #[error("{0}; the estimator \"summits\" does not assume a Gaussian surface")]
     Moments(#[source] ContactError),
+    /// A surface in which an estimator finds no asperities.
+    #[error("{0}")]
+    NoAsperities(String),
     /// Asperity parameters out of range.
     #[error(transparent)]
     Contact(#[from] ContactError),

@@ -25,20 +25,37 @@ impl Topography {
         }
         let places: Vec<usize> =
             (0..self.heights().len()).filter(|at| self.heights()[*at].is_nan()).collect();
-        if places.is_empty() {
-            return Ok(self);
+        let heights = self.harmonic(&places)?;
+        Ok(self.with_filled(places.into_iter().zip(heights)))
+    }
+
+    /// The surface with harmonic heights at these points, which are outliers.
+    pub(crate) fn replaced(self, places: &[usize]) -> Result<Self, TopographyError> {
+        let (share, limit) = (places.len() as f64 / self.measured() as f64, Self::MOST_FILLED);
+        if share > limit {
+            return Err(TopographyError::TooManyToFill { share, limit });
         }
+        let heights = self.harmonic(places)?;
+        Ok(self.with_despiked(places.iter().copied().zip(heights)))
+    }
+
+    /// Harmonic heights \[m\] at these points, ascending; other points without a height count as
+    /// beyond an edge.
+    fn harmonic(&self, places: &[usize]) -> Result<Vec<f64>, TopographyError> {
+        if places.is_empty() {
+            return Ok(vec![]);
+        }
+        // The heights there must not tilt the plane.
+        let open = self.clone().without_points(places);
         // Without the tilt, so that the filled heights are level at an edge.
-        let form = self.form(Level::usual(self.is_periodic()));
-        let form = form.or_else(|_| self.form(Level::Mean))?;
-        let flat = self.clone().without(&form);
-        let points: Vec<Point> = places.iter().map(|at| Point::new(&flat, &places, *at)).collect();
+        let form = open.form(Level::usual(self.is_periodic()));
+        let form = form.or_else(|_| open.form(Level::Mean))?;
+        let flat = open.without(&form);
+        let points: Vec<Point> = places.iter().map(|at| Point::new(&flat, places, *at)).collect();
         let found = solve(&points, points.iter().map(|point| point.measured).collect())?;
         let columns = self.columns();
-        let height =
-            |(at, rest): (usize, f64)| (at, rest + form.along_row(at / columns)(at % columns));
-        let found: Vec<(usize, f64)> = places.into_iter().zip(found).map(height).collect();
-        Ok(self.with_filled(found.into_iter()))
+        let height = |(at, rest): (&usize, f64)| rest + form.along_row(at / columns)(at % columns);
+        Ok(places.iter().zip(found).map(height).collect())
     }
 }
 
@@ -66,11 +83,13 @@ impl Point {
         let across = [false, true].map(|on| Some((step(y, rows, on)? * columns + x, wy)));
         let mut point = Self { weight: 0.0, measured: 0.0, missing: [None; 4] };
         for (k, (beside, weight)) in along.into_iter().chain(across).flatten().enumerate() {
-            point.weight += weight;
+            let height = surface.heights()[beside];
             match places.binary_search(&beside) {
                 Ok(number) => point.missing[k] = Some((number, weight)),
-                Err(_) => point.measured += weight * surface.heights()[beside],
+                Err(_) if height.is_nan() => continue,
+                Err(_) => point.measured += weight * height,
             }
+            point.weight += weight;
         }
         point
     }

@@ -24,6 +24,7 @@ impl Topography {
     /// the surface.
     pub fn filter(mut self, cutoff: f64) -> Result<Self, TopographyError> {
         let mean = self.gaussian_mean("filter", cutoff)?;
+        self = self.with_outliers_found();
         for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
             *height -= mean;
         }
@@ -37,6 +38,7 @@ impl Topography {
     /// As [`Topography::filter`].
     pub fn smooth(mut self, cutoff: f64) -> Result<Self, TopographyError> {
         let mean = self.gaussian_mean("smooth", cutoff)?;
+        self = self.with_outliers_found();
         for (height, mean) in self.heights_mut().iter_mut().zip(mean) {
             if !height.is_nan() {
                 *height = mean;
@@ -62,10 +64,14 @@ impl Topography {
             }
         };
         let mean = self.mean();
-        // Heights and their weights are real: one complex number holds both.
+        // Heights and their weights are real: one complex number holds both. Rounding is relative
+        // to the larger part, so heights are scaled by a power of 2, which is exact.
+        let largest = self.heights().iter().filter(|height| !height.is_nan());
+        let largest = largest.fold(0.0, |largest, z| f64::max(largest, (z - mean).abs()));
+        let scale = if largest > f64::MIN_POSITIVE { largest.log2().floor().exp2() } else { 1.0 };
         let there = |height: &f64| match height.is_nan() {
             true => Complex64::new(0.0, 0.0),
-            false => Complex64::new(height - mean, 1.0),
+            false => Complex64::new((height - mean) / scale, 1.0),
         };
         let mut along_rows = along(columns, dx)?;
         let mut points: Vec<Complex64> = self.heights().iter().map(there).collect();
@@ -92,7 +98,7 @@ impl Topography {
                 }
             }
         }
-        Ok(points.into_iter().map(move |point| mean + point.re / point.im))
+        Ok(points.into_iter().map(move |point| mean + scale * (point.re / point.im)))
     }
 }
 

@@ -1,12 +1,13 @@
-//! Statistics of a surface: heights, moments, asperities.
+//! Statistics of a surface: heights, moments, outliers, asperities.
 
 use asperity_core::{Diagnostic, Surface};
 use serde::Serialize;
 
-use crate::{Estimator, Moments, Topography, TopographyError, warning};
+use crate::{Estimator, Moments, Outliers, Topography, TopographyError, warning};
 
 /// Statistics of a surface, in SI units.
-/// Serialisation has the numbers from `sq` to `missing_share` only.
+/// Serialisation has the numbers from `sq` to `outliers` only; those of asperities are null where
+/// the estimator finds none: a sphere, a wave or a step has heights and moments all the same.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Statistics {
@@ -25,27 +26,34 @@ pub struct Statistics {
     /// Bandwidth α = m₀ m₄/m₂².
     pub alpha: f64,
     /// η \[1/m²\] by the estimator.
-    pub asperity_density: f64,
+    pub asperity_density: Option<f64>,
     /// R \[m\] by the estimator.
-    pub asperity_radius: f64,
+    pub asperity_radius: Option<f64>,
     /// σ_z \[m\] by the estimator.
-    pub asperity_height_std: f64,
+    pub asperity_height_std: Option<f64>,
     /// β = η R Sq.
-    pub beta: f64,
+    pub beta: Option<f64>,
     /// β_z = η R σ_z.
-    pub beta_z: f64,
+    pub beta_z: Option<f64>,
     /// Share of the points that are missing or were filled, 0 to 1.
     pub missing_share: f64,
+    /// The number of outliers that were replaced.
+    pub despiked: usize,
+    /// The outliers that remain: of the surface or, of two surfaces, together.
+    pub outliers: Outliers,
     /// Height of the mean of the asperities above the mean plane \[m\], of the summits found or of
     /// a Gaussian surface with these moments.
     #[serde(skip)]
-    pub mean_plane_offset: f64,
+    pub mean_plane_offset: Option<f64>,
     /// The estimator of the asperities.
     #[serde(skip)]
     pub estimator: Estimator,
     /// The moments by direction, and the areal ones.
     #[serde(skip)]
     pub moments: Moments,
+    /// The asperities, or the reason why the estimator finds none.
+    #[serde(skip)]
+    asperities: Result<Surface, String>,
     /// The asperities by the other estimator, if it finds any.
     #[serde(skip)]
     pub other: Option<Surface>,
@@ -56,13 +64,14 @@ pub struct Statistics {
 
 impl Topography {
     /// Heights, moments and asperities of the surface, which should be
-    /// [levelled](Topography::level).
+    /// [levelled](Topography::level). A surface may have no asperities, by this estimator or by the
+    /// other one: that is a [`Diagnostic`], and an error of [`Statistics::surface`].
+    ///
+    /// Where [outliers](Topography::outliers) matter, the first warning is about them, and no other
+    /// one is drawn from heights that they determine.
     ///
     /// # Errors
-    /// As [`Topography::moments`]; [`TopographyError::Flat`] when all heights are equal; the error
-    /// of this estimator: [`TopographyError::Moments`] where no isotropic Gaussian surface has such
-    /// moments, or as [`Summits::surface`](crate::Summits::surface). A failure of the other
-    /// estimator is a [`Diagnostic`].
+    /// As [`Topography::moments`]; [`TopographyError::Flat`] when all heights are equal.
     pub fn statistics(&self, estimator: Estimator) -> Result<Statistics, TopographyError> {
         let moments = self.moments()?;
         let mean = self.mean();
@@ -83,17 +92,35 @@ impl Topography {
             Estimator::Moments => (by_moments, by_summits),
             Estimator::Summits => (by_summits, by_moments),
         };
-        let (surface, mean_plane_offset) = primary?;
+        let (surface, offset) = match primary {
+            Ok((surface, offset)) => (Ok(surface), Some(offset)),
+            Err(reason) => (Err(reason.to_string()), None),
+        };
         let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
-        statistics.mean_plane_offset = mean_plane_offset;
+        statistics.mean_plane_offset = offset;
         statistics.missing_share = self.missing_share() + self.filled_share();
-        statistics.warnings.extend(warning::filled(self.filled_share()));
+        statistics.despiked = self.despiked_points();
+        statistics.outliers = self.outliers();
+        let notes = [warning::filled(self.filled_share()), warning::despiked(self)];
+        if let Some(found) = warning::outliers(&statistics.outliers) {
+            let clean = self.clone().without_points(&statistics.outliers.points);
+            let anisotropic = clean.moments().ok().and_then(|moments| anisotropic(&moments));
+            statistics.warnings = [Some(found), anisotropic].into_iter().flatten().collect();
+            statistics.warnings.extend(notes.into_iter().flatten());
+            statistics.other = other.ok().map(|(other, _)| other);
+            return Ok(statistics);
+        }
+        statistics.warnings.extend(notes.into_iter().flatten());
         statistics.warnings.extend(self.sampling());
-        match other {
-            Ok((other, _)) => statistics.compare(other),
+        match (other, &statistics.asperities) {
+            (Ok((other, _)), Ok(primary)) => {
+                let primary = *primary;
+                statistics.compare(primary, other);
+            }
+            (Ok((other, _)), Err(_)) => statistics.other = Some(other),
             // No warning for a profile: summits need 8 neighbours.
-            Err(TopographyError::SummitsOfProfile) => {}
-            Err(error) => statistics.warnings.push(warning::no_second_estimator(&error)),
+            (Err(TopographyError::SummitsOfProfile), _) | (_, Err(_)) => {}
+            (Err(error), Ok(_)) => statistics.warnings.push(warning::no_second_estimator(&error)),
         }
         Ok(statistics)
     }
@@ -111,18 +138,29 @@ impl Topography {
     }
 }
 
+/// A warning if the rms slopes along rows and columns differ.
+fn anisotropic(moments: &Moments) -> Option<Diagnostic> {
+    let [m2, _] = moments.along_columns?;
+    warning::anisotropic(moments.along_rows[0].sqrt(), m2.sqrt())
+}
+
 impl Statistics {
-    /// Statistics of one surface, or of the gap of two, without missing points or a second
-    /// estimator.
-    fn new([ssk, sku]: [f64; 2], moments: Moments, estimator: Estimator, surface: Surface) -> Self {
+    /// Statistics of one surface, or of the gap of two, without missing points, outliers or a
+    /// second estimator.
+    fn new(
+        [ssk, sku]: [f64; 2],
+        moments: Moments,
+        estimator: Estimator,
+        asperities: Result<Surface, String>,
+    ) -> Self {
         let profile = moments.profile;
         let sq = profile.m0.sqrt();
-        let per_length = surface.asperity_density * surface.asperity_radius;
-        let beta = per_length * sq;
-        let mut warnings: Vec<_> = warning::roughness_parameter(beta).into_iter().collect();
-        if let Some([m2, _]) = moments.along_columns {
-            warnings.extend(warning::anisotropic(moments.along_rows[0].sqrt(), m2.sqrt()));
-        }
+        let surface = asperities.as_ref().ok().copied();
+        let of = |number: fn(&Surface) -> f64| surface.as_ref().map(number);
+        let beta = of(|surface| surface.asperity_density * surface.asperity_radius);
+        let beta = beta.map(|per_length| per_length * sq);
+        let without = asperities.as_ref().err().map(|reason| warning::no_asperities(reason));
+        let found = [without, beta.and_then(warning::roughness_parameter), anisotropic(&moments)];
         Self {
             sq,
             ssk,
@@ -131,23 +169,25 @@ impl Statistics {
             m2: profile.m2,
             m4: profile.m4,
             alpha: profile.bandwidth(),
-            asperity_density: surface.asperity_density,
-            asperity_radius: surface.asperity_radius,
-            asperity_height_std: surface.asperity_height_std,
+            asperity_density: of(|surface| surface.asperity_density),
+            asperity_radius: of(|surface| surface.asperity_radius),
+            asperity_height_std: of(|surface| surface.asperity_height_std),
             beta,
-            beta_z: surface.roughness_parameter(),
+            beta_z: of(Surface::roughness_parameter),
             missing_share: 0.0,
-            mean_plane_offset: surface.mean_plane_offset(),
+            despiked: 0,
+            outliers: Outliers::default(),
+            mean_plane_offset: of(Surface::mean_plane_offset),
             estimator,
             moments,
+            asperities,
             other: None,
-            warnings,
+            warnings: found.into_iter().flatten().collect(),
         }
     }
 
     /// Keeps the asperities by the other estimator, and warns where the two disagree.
-    fn compare(&mut self, other: Surface) {
-        let primary = self.surface();
+    fn compare(&mut self, primary: Surface, other: Surface) {
         let parameters = [
             ("asperity_density", primary.asperity_density, other.asperity_density),
             ("asperity_radius", primary.asperity_radius, other.asperity_radius),
@@ -163,9 +203,13 @@ impl Statistics {
     }
 
     /// The asperities as a surface for a scene.
-    #[must_use]
-    pub fn surface(&self) -> Surface {
-        Surface::new(self.asperity_radius, self.asperity_density, self.asperity_height_std)
+    ///
+    /// # Errors
+    /// [`TopographyError::NoAsperities`] with the reason why the estimator finds none: that of
+    /// [`Summits::surface`](crate::Summits::surface), or [`TopographyError::Moments`] where no
+    /// isotropic Gaussian surface has such moments.
+    pub fn surface(&self) -> Result<Surface, TopographyError> {
+        self.asperities.clone().map_err(TopographyError::NoAsperities)
     }
 
     /// Rms slope of profiles: √m₂.
@@ -187,20 +231,29 @@ impl Statistics {
     ///
     /// # Errors
     /// [`TopographyError::SummitsOfTwo`] when one of the two has the estimator `Summits`, as
-    /// summits do not add; [`TopographyError::Moments`] when no isotropic Gaussian surface has the
-    /// summed moments.
+    /// summits do not add.
     pub fn combined(first: &Self, second: &Self) -> Result<Self, TopographyError> {
         if [first, second].iter().any(|of| of.estimator == Estimator::Summits) {
             return Err(TopographyError::SummitsOfTwo);
         }
         let moments = first.moments.plus(&second.moments);
-        let surface = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments)?;
+        let surface = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments);
         let m0 = moments.profile.m0;
         let third = |of: &Self| of.ssk * (of.m0 / m0).powf(1.5);
         let fourth = |of: &Self| (of.sku - 3.0) * (of.m0 / m0).powi(2);
         let shape = [third(first) + third(second), 3.0 + fourth(first) + fourth(second)];
-        let mut combined = Self::new(shape, moments, Estimator::Moments, surface);
+        let mut combined = Self::new(
+            shape,
+            moments,
+            Estimator::Moments,
+            surface.map_err(|reason| reason.to_string()),
+        );
         combined.missing_share = 1.0 - (1.0 - first.missing_share) * (1.0 - second.missing_share);
+        combined.despiked = first.despiked + second.despiked;
+        combined.outliers = first.outliers.plus(&second.outliers, first.m4 / combined.m4);
+        if let Some(found) = warning::outliers(&combined.outliers) {
+            combined.warnings = vec![found];
+        }
         Ok(combined)
     }
 }

@@ -1,6 +1,8 @@
 //! Heights on a regular grid.
 
-use crate::{LengthUnit, TopographyError};
+use std::sync::Arc;
+
+use crate::{LengthUnit, Outliers, TopographyError};
 
 /// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
 pub const MAX_POINTS: usize = 1 << 27;
@@ -24,6 +26,9 @@ pub struct Topography {
     periodic: bool,
     missing: usize,
     filled: usize,
+    despiked: usize,
+    /// Those found before a filter.
+    outliers: Option<Arc<Outliers>>,
 }
 
 impl Topography {
@@ -67,7 +72,8 @@ impl Topography {
             1 => (heights.len(), [pixel_size[1]; 2]),
             _ => (columns, pixel_size),
         };
-        Ok(Self { heights, columns, pixel_size, periodic: false, missing, filled: 0 })
+        let (periodic, filled, despiked, outliers) = (false, 0, 0, None);
+        Ok(Self { heights, columns, pixel_size, periodic, missing, filled, despiked, outliers })
     }
 
     /// [`new`](Self::new), from heights and distances in another unit.
@@ -144,6 +150,43 @@ impl Topography {
     pub(crate) fn with_filled(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
         points.for_each(|(at, height)| self.heights[at] = height);
         self.filled += std::mem::take(&mut self.missing);
+        self
+    }
+
+    /// The number of outliers that have been [replaced](Self::despiked).
+    #[must_use]
+    pub fn despiked_points(&self) -> usize {
+        self.despiked
+    }
+
+    /// The surface with other heights for its outliers, by index.
+    pub(crate) fn with_despiked(mut self, points: impl Iterator<Item = (usize, f64)>) -> Self {
+        for (at, height) in points {
+            self.heights[at] = height;
+            self.despiked += 1;
+        }
+        self
+    }
+
+    /// The surface without these points.
+    pub(crate) fn without_points(mut self, points: &[usize]) -> Self {
+        for at in points {
+            self.missing += usize::from(!self.heights[*at].is_nan());
+            self.heights[*at] = f64::NAN;
+        }
+        self
+    }
+
+    /// The outliers found before a filter; `None` for a surface that is not filtered.
+    pub(crate) fn found_outliers(&self) -> Option<&Outliers> {
+        self.outliers.as_deref()
+    }
+
+    /// The surface, about to be filtered, with a record of its outliers.
+    pub(crate) fn with_outliers_found(mut self) -> Self {
+        if self.outliers.is_none() {
+            self.outliers = Some(Arc::new(self.find_outliers()));
+        }
         self
     }
 

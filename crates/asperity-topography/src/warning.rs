@@ -2,7 +2,7 @@
 
 use asperity_core::{Diagnostic, Surface};
 
-use crate::{Level, TopographyError};
+use crate::{Level, Outliers, Topography, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
@@ -87,6 +87,42 @@ pub(crate) fn filled(share: f64) -> Option<Diagnostic> {
         ))
         .advice("filled parts are smoother than the surface and have no summits");
     (share > 0.0).then_some(found)
+}
+
+/// A warning that outliers determine parameters of the surface.
+pub(crate) fn outliers(found: &Outliers) -> Option<Diagnostic> {
+    let Outliers { count, largest, m4_share, kurtosis_share, .. } = *found;
+    let (points, have) = if count == 1 { ("point is", "has") } else { ("points are", "have") };
+    let side = if largest > 0.0 { "above" } else { "below" };
+    let (percent, of_kurtosis) = (100.0 * m4_share, 100.0 * kurtosis_share);
+    let warning = Diagnostic::warning("outliers", "outliers", count as f64)
+        .usual([0.0, 0.0])
+        .fact(format!(
+            "{count} {points} far outside the neighbouring heights (up to {:.3e} m {side}) and {have} {percent:.1} % of m4 and {of_kurtosis:.1} % of the kurtosis",
+            largest.abs()
+        ))
+        .advice(
+            "radius, density and kurtosis describe these points, not the surface; despike = true (--despike) replaces them",
+        );
+    found.matter().then_some(warning)
+}
+
+/// A note that outliers were replaced.
+pub(crate) fn despiked(surface: &Topography) -> Option<Diagnostic> {
+    let count = surface.despiked_points();
+    let points = if count == 1 { "outlier was" } else { "outliers were" };
+    let found = Diagnostic::note("despiked", "despiked", count as f64)
+        .usual([0.0, 0.0])
+        .fact(format!("{count} {points} replaced by harmonic heights"));
+    (count > 0).then_some(found)
+}
+
+/// A warning that the estimator finds no asperities.
+pub(crate) fn no_asperities(reason: &str) -> Diagnostic {
+    Diagnostic::warning("no-asperities", "asperities", 0.0)
+        .usual([1.0, f64::INFINITY])
+        .fact("the surface has no asperities for asperity models")
+        .advice(format!("{reason}; boundary elements (bem) need none"))
 }
 
 /// A warning if the rms slopes along rows and columns differ.

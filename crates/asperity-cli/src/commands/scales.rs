@@ -36,9 +36,9 @@ pub struct Scales {
     /// With --with: model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id, requires = "with")]
     model: Option<String>,
-    /// With --scales: also plot the table
+    /// Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales,
+    /// its table
     #[arg(long, value_name = "FILE.svg", value_parser = |name: &str| svg_file(name.into()))]
-    #[arg(requires = "scales")]
     plot: Option<PathBuf>,
 }
 
@@ -89,22 +89,23 @@ impl Scales {
         for cutoff in cutoffs {
             let found = surface.clone().smooth(*cutoff).map_err(Into::into).and_then(&finish);
             let found = found.and_then(|smooth| Ok(smooth.statistics(estimator)?));
+            let asperities = found.as_ref().ok().and_then(|found| found.surface().ok());
             let mut row = vec![Cell::Number(Some(*cutoff))];
-            let numbers = found.as_ref().ok().map(|s| {
-                let Surface { asperity_radius, asperity_density, asperity_height_std, .. } =
-                    s.surface();
+            let numbers = found.as_ref().map_or([None; COLUMNS.len()], |s| {
                 let slope = (2.0 * s.m2).sqrt();
-                [s.alpha, asperity_radius, asperity_density, asperity_height_std, slope]
+                let (radius, density) = (s.asperity_radius, s.asperity_density);
+                [Some(s.alpha), radius, density, s.asperity_height_std, Some(slope)]
             });
-            row.extend((0..COLUMNS.len()).map(|k| Cell::Number(numbers.map(|n| n[k]))));
-            match (&asked, at, &found) {
-                (Some((scene, model)), Some(at), Ok(statistics)) => {
-                    row.extend(answers(scene, model, at, statistics.surface())?);
+            row.extend(numbers.map(Cell::Number));
+            match (&asked, at, asperities) {
+                (Some((scene, model)), Some(at), Some(surface)) => {
+                    row.extend(answers(scene, model, at, surface)?);
                 }
                 (Some(_), ..) => row.extend(ANSWERS.map(|_| Cell::Number(None))),
                 _ => {}
             }
-            if let Err(reason) = &found {
+            let reason = found.and_then(|found| Ok(found.surface()?)).err();
+            if let Some(reason) = &reason {
                 let (reason, cutoff) = (output::summary(reason), format!("{cutoff:e}"));
                 match failed.iter_mut().find(|(known, _)| kind(known) == kind(&reason)) {
                     Some((_, cutoffs)) => cutoffs.push(cutoff),

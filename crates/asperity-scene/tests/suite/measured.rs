@@ -158,22 +158,25 @@ fn files_give_the_surfaces_of_the_topography_crate() {
     };
     let (a, b) = (statistics("a.txt"), statistics("b.txt"));
     let one = scene(&directory, "file = \"a.txt\"").unwrap();
-    assert_eq!(one.scene.surface, a.surface());
+    assert_eq!(one.scene.surface, a.surface().unwrap());
     assert!(one.warnings.len() == a.warnings.len());
     let both = scene(&directory, "files = [\"a.txt\", \"b.txt\"]").unwrap();
-    assert_eq!(both.scene.surface, Statistics::combined(&a, &b).unwrap().surface());
+    assert_eq!(both.scene.surface, Statistics::combined(&a, &b).unwrap().surface().unwrap());
 
     let bare = scene(&directory, "file = \"bare.txt\"").unwrap_err().to_string();
     assert!(bare.contains("scene.toml:8: surface.file: ") && bare.contains("bare.txt"), "{bare}");
     let tilt_warning =
         scene(&directory, "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = 1000").unwrap();
-    assert!((tilt_warning.scene.surface.asperity_radius / a.asperity_radius - 1.0).abs() < 1e-9);
+    assert!(
+        (tilt_warning.scene.surface.asperity_radius / a.asperity_radius.unwrap() - 1.0).abs()
+            < 1e-9
+    );
     let wide = "file = \"bare.txt\"\nunit = \"nm\"\npixel_size = [1000, 2000]";
     let wide = scene(&directory, wide).unwrap().scene.surface;
-    assert!(wide.asperity_radius > 1.1 * a.asperity_radius);
+    assert!(wide.asperity_radius > 1.1 * a.asperity_radius.unwrap());
 
     let from = scene(&directory, "file = \"a.txt\"\nseparation_from = \"surface-mean\"").unwrap();
-    assert!((from.scene.mean_plane_offset() - a.surface().mean_plane_offset()).abs() < 1e-15);
+    assert!((from.scene.mean_plane_offset() - a.mean_plane_offset.unwrap()).abs() < 1e-15);
     assert!(
         from.model("ke")
             .unwrap()
@@ -218,7 +221,7 @@ fn unusual_scans_have_warnings() {
     // Pits: most of the surface is flat.
     let pits = scan(5.1);
     let pits =
-        pits.split_whitespace().map(|z| (-(0.02 * z.parse::<f64>().unwrap()).exp()).to_string());
+        pits.split_whitespace().map(|z| (-(0.002 * z.parse::<f64>().unwrap()).exp()).to_string());
     let rows: Vec<String> = pits.collect();
     let rows: String = rows.chunks(96).map(|row| row.join(" ") + "\n").collect();
     std::fs::write(directory.join("pits.txt"), rows).unwrap();
@@ -234,4 +237,35 @@ fn unusual_scans_have_warnings() {
     assert!(flat.contains(&"slope"), "{flat:?}");
     let pits = codes("file = \"pits.txt\"\nunit = \"nm\"\npixel_size = 1000");
     assert!(pits.contains(&"not-gaussian"), "{pits:?}");
+}
+
+#[test]
+fn outliers_are_the_first_warning_and_despike_replaces_them() {
+    let directory = directory("measured-outliers");
+    std::fs::write(directory.join("a.txt"), scan(5.1)).unwrap();
+    let spiked: Vec<String> = scan(5.1).split_whitespace().map(Into::into).collect();
+    let spiked: Vec<String> = spiked
+        .into_iter()
+        .enumerate()
+        .map(|(k, z)| if k % 1537 == 700 { "9000".to_string() } else { z })
+        .collect();
+    let rows: String = spiked.chunks(96).map(|row| row.join(" ") + "\n").collect();
+    std::fs::write(directory.join("spiked.txt"), rows).unwrap();
+    let of = |name: &str, words: &str| {
+        let words = format!("file = \"{name}\"\nunit = \"nm\"\npixel_size = 1000\n{words}");
+        scene(&directory, &words).unwrap()
+    };
+    let (clean, spiked) = (of("a.txt", ""), of("spiked.txt", ""));
+    let found = spiked.findings();
+    assert_eq!(spiked.warnings.iter().next().unwrap().code, "outliers");
+    assert!(found.iter().all(|f| f.code != "not-gaussian"), "{found:?}");
+    let radius = |file: &asperity_scene::SceneFile| file.scene.surface.asperity_radius;
+    assert!(radius(&spiked) < 0.5 * radius(&clean));
+    let despiked = of("spiked.txt", "despike = true");
+    assert!((radius(&despiked) / radius(&clean) - 1.0).abs() < 0.02);
+    let notes: Vec<String> = despiked.warnings.iter().map(ToString::to_string).collect();
+    assert!(notes.iter().any(|note| note.contains("6 outliers were replaced")), "{notes:?}");
+    // Smoothing spreads them, so they are looked for before.
+    let smooth = of("spiked.txt", "smooth = 5e-6");
+    assert_eq!(smooth.measured.as_ref().unwrap().statistics.outliers.count, 6);
 }

@@ -5,5 +5,7 @@ mod files;
 mod formats;
 mod gaussian;
 mod hostile;
+mod outliers;
 mod parameters;
+mod scale;
 mod spectra;

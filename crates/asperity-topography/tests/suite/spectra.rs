@@ -45,18 +45,22 @@ fn both_estimators_find_the_asperities_of_the_spectrum() {
     for seed in 1..4 {
         let surface = spectrum.surface(seed);
         let by_moments = surface.statistics(Estimator::Moments).unwrap();
-        close(by_moments.asperity_density, expected.asperity_density, 0.01);
-        close(by_moments.asperity_radius, expected.asperity_radius, 0.01);
-        close(by_moments.asperity_height_std, expected.asperity_height_std, 0.002);
-        close(by_moments.beta.powi(2) * 768.0 * std::f64::consts::PI, by_moments.alpha, 1e-10);
+        close(by_moments.asperity_density.unwrap(), expected.asperity_density, 0.01);
+        close(by_moments.asperity_radius.unwrap(), expected.asperity_radius, 0.01);
+        close(by_moments.asperity_height_std.unwrap(), expected.asperity_height_std, 0.002);
+        close(
+            by_moments.beta.unwrap().powi(2) * 768.0 * std::f64::consts::PI,
+            by_moments.alpha,
+            1e-10,
+        );
         assert_eq!(by_moments.warnings, []);
         // With some thousand summits, their count, mean and spread have small statistical errors.
         let by_summits = surface.statistics(Estimator::Summits).unwrap();
-        close(by_summits.asperity_density, expected.asperity_density, 0.05);
-        close(by_summits.asperity_radius, expected.asperity_radius, 0.05);
-        close(by_summits.asperity_height_std, expected.asperity_height_std, 0.05);
+        close(by_summits.asperity_density.unwrap(), expected.asperity_density, 0.05);
+        close(by_summits.asperity_radius.unwrap(), expected.asperity_radius, 0.05);
+        close(by_summits.asperity_height_std.unwrap(), expected.asperity_height_std, 0.05);
         assert_eq!(by_summits.warnings, []);
-        assert_eq!(by_summits.other, Some(by_moments.surface()));
+        assert_eq!(by_summits.other, by_moments.surface().ok());
         // The mean of the summits agrees with the moments.
         let heights = surface.summits().unwrap().heights;
         let mean = heights.iter().sum::<f64>() / heights.len() as f64;
@@ -100,9 +104,9 @@ fn moments_of_two_surfaces_add() {
         (both.sq, sum.sq),
         (both.m2, sum.m2),
         (both.m4, sum.m4),
-        (both.asperity_density, sum.asperity_density),
-        (both.asperity_radius, sum.asperity_radius),
-        (both.asperity_height_std, sum.asperity_height_std),
+        (both.asperity_density.unwrap(), sum.asperity_density.unwrap()),
+        (both.asperity_radius.unwrap(), sum.asperity_radius.unwrap()),
+        (both.asperity_height_std.unwrap(), sum.asperity_height_std.unwrap()),
         (both.moments.areal.unwrap().m4, sum.moments.areal.unwrap().m4),
     ] {
         close(found, expected, 1e-9);
@@ -197,7 +201,8 @@ fn profiles_have_the_moments_of_the_surface() {
     close(m2, whole.moments.along_rows[0], 1e-10);
     let profile = Topography::new(surface.heights()[..768].to_vec(), 768, [1e-6; 2]).unwrap();
     assert!(profile.statistics(Estimator::Moments).is_ok());
-    assert!(profile.statistics(Estimator::Summits).unwrap_err().to_string().contains("profile"));
+    let summits = profile.statistics(Estimator::Summits).unwrap();
+    assert!(summits.surface().unwrap_err().to_string().contains("profile"));
 }
 
 #[test]
@@ -211,7 +216,7 @@ fn missing_points_change_the_statistics_little_and_are_reported() {
     let holed = holed.statistics(Estimator::Summits).unwrap();
     assert!((holed.missing_share - 0.02).abs() < 0.002);
     close(holed.m4, whole.m4, 0.01);
-    close(holed.asperity_density, whole.asperity_density, 0.03);
+    close(holed.asperity_density.unwrap(), whole.asperity_density.unwrap(), 0.03);
 }
 
 #[test]
@@ -250,7 +255,7 @@ fn an_anisotropic_surface_has_a_warning() {
 }
 
 #[test]
-fn a_flat_or_regular_surface_is_refused() {
+fn a_flat_surface_is_refused_and_a_regular_one_has_statistics_without_asperities() {
     let flat = Topography::new(vec![1e-6; 100], 10, [1e-6; 2]).unwrap();
     let error = flat.statistics(Estimator::Moments).unwrap_err().to_string();
     assert_eq!(
@@ -259,8 +264,15 @@ fn a_flat_or_regular_surface_is_refused() {
     );
     // One wave: no Gaussian surface has a bandwidth of 1.
     let wave = Spectrum { n: 64, pixel_size: [1e-6; 2], waves: vec![(3, 3, 1e-14)] };
-    let error = wave.surface(1).statistics(Estimator::Moments).unwrap_err().to_string();
+    let wave = wave.surface(1).statistics(Estimator::Moments).unwrap();
+    let error = wave.surface().unwrap_err().to_string();
     assert!(error.starts_with("bandwidth") && error.contains("summits"), "{error}");
+    close(wave.sq, 1e-7, 1e-12);
+    close(wave.sku, 1.5, 1e-12);
+    assert!(wave.ssk.abs() < 1e-12 && wave.asperity_radius.is_none() && wave.beta.is_none());
+    assert_eq!(wave.warnings[0].code, "no-asperities");
+    let json = serde_json::to_value(&wave).unwrap();
+    assert!(json["asperity_radius"].is_null() && json["m2"].is_number());
 }
 
 #[test]
@@ -270,11 +282,14 @@ fn json_has_the_numbers_only() {
         serde_json::from_str(&serde_json::to_string(&statistics).unwrap()).unwrap();
     let mut keys: Vec<_> = json.keys().map(String::as_str).collect();
     let mut expected: Vec<_> = "sq ssk sku m0 m2 m4 alpha asperity_density asperity_radius \
-        asperity_height_std beta beta_z missing_share"
+        asperity_height_std beta beta_z missing_share despiked outliers"
         .split_whitespace()
         .collect();
     keys.sort_unstable();
     expected.sort_unstable();
     assert_eq!(keys, expected);
-    assert!(json.values().all(serde_json::Value::is_number));
+    let outliers = json["outliers"].as_object().unwrap();
+    assert!(outliers.values().all(serde_json::Value::is_number));
+    let numbers = json.iter().filter(|(key, _)| *key != "outliers");
+    assert!(numbers.into_iter().all(|(_, value)| value.is_number()));
 }
