@@ -9,7 +9,8 @@ use crate::{Glance, PowerSpectrum, Topography};
 const BINS: usize = 60;
 
 impl Topography {
-    /// The curves of a scan as csv text with the columns `panel,curve,x,y`, in SI units:
+    /// The curves of a scan as csv text with the columns `panel,curve,x,y`, in SI units; y is blank
+    /// where a bin of the histogram is empty:
     ///
     /// | panel | curves | x | y |
     /// |---|---|---|---|
@@ -21,9 +22,10 @@ impl Topography {
     #[must_use]
     pub fn curves_csv(&self, glance: &Glance) -> String {
         let mut csv = String::from("panel,curve,x,y\n");
-        let mut add = |panel: &str, curve: &str, x: f64, y: f64| {
-            // Nine digits; a String takes all.
-            let _ = writeln!(csv, "{panel},{curve},{x:.8e},{y:.8e}");
+        let mut add = |panel: &str, curve: &str, x: f64, y: Option<f64>| {
+            let y = y.map_or(String::new(), |y| format!("{y:.8e}"));
+            // A String takes all.
+            let _ = writeln!(csv, "{panel},{curve},{x:.8e},{y}");
         };
         let mean = self.mean();
         let sq = self.central_moment(mean, 2).sqrt();
@@ -34,19 +36,20 @@ impl Topography {
         let mut counts = [0_usize; BINS];
         measured().for_each(|z| counts[(((z - low) / width) as usize).min(BINS - 1)] += 1);
         let one = 1.0 / (self.measured() as f64 * width);
-        for (bin, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
-            add("histogram", "heights", low + width * (bin as f64 + 0.5), *count as f64 * one);
+        for (bin, count) in counts.iter().enumerate() {
+            let density = Some(*count as f64 * one).filter(|density| *density > 0.0);
+            add("histogram", "heights", low + width * (bin as f64 + 0.5), density);
         }
         for k in -60..=60 {
             let z = sq * f64::from(k) / 10.0;
             let density = (-0.5 * (z / sq).powi(2)).exp() / (sq * TAU.sqrt());
             if density > 0.5 * one {
-                add("histogram", "gaussian", z, density);
+                add("histogram", "gaussian", z, Some(density));
             }
         }
         let mut spectrum = |panel: &str, curve: &str, found: &PowerSpectrum| {
             let each = found.wave_number.iter().zip(&found.density);
-            each.for_each(|(q, c)| add(panel, curve, *q, *c));
+            each.for_each(|(q, c)| add(panel, curve, *q, Some(*c)));
         };
         if let Some(spectra) = &glance.spectra {
             if let Some(radial) = &spectra.radial {
@@ -58,7 +61,7 @@ impl Topography {
             }
         }
         if let Some(law) = &glance.power_law {
-            law.range.iter().for_each(|q| add("radial", "law", *q, law.density(*q)));
+            law.range.iter().for_each(|q| add("radial", "law", *q, Some(law.density(*q))));
         }
         let [dx, dy] = self.pixel_size();
         for at in self.scale_dependence() {
@@ -70,7 +73,7 @@ impl Topography {
                 ("curvature", "columns", dy, at.curvature_columns),
             ] {
                 if let Some(value) = value.filter(|value| *value > 0.0) {
-                    add(panel, curve, step * pixel, value);
+                    add(panel, curve, step * pixel, Some(value));
                 }
             }
         }
@@ -84,16 +87,15 @@ impl Topography {
         let moment = |power| self.central_moment(mean, power);
         let sq = moment(2).sqrt();
         let [dx, dy] = self.pixel_size();
-        let micro = |length: f64| significant(1e6 * length);
         let mut first = format!(
-            "{} x {} points, {} x {} µm apart; {}; {:.2} % missing. Sq = {} µm, Ssk = {:.2}, Sku = {:.2}.",
+            "{} x {} points, {} x {} apart; {}; {:.2} % missing. Sq = {}, Ssk = {:.2}, Sku = {:.2}.",
             self.columns(),
             self.rows(),
-            micro(dx),
-            micro(dy),
+            length(dx),
+            length(dy),
             glance.filter,
             100.0 * self.missing_share(),
-            micro(sq),
+            length(sq),
             moment(3) / (sq * sq * sq),
             moment(4) / (sq * sq * sq * sq),
         );
@@ -129,10 +131,12 @@ impl Topography {
     }
 }
 
-/// A number with three significant digits.
-fn significant(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    format!("{rounded}")
+/// A length with three significant digits.
+fn length(metres: f64) -> String {
+    let units = [(1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm")];
+    let (unit, name) = units.into_iter().find(|(unit, _)| metres >= *unit).unwrap_or((1.0, "m"));
+    let rounded: f64 = format!("{:.2e}", metres / unit).parse().unwrap_or(metres / unit);
+    format!("{rounded} {name}")
 }
 
 #[cfg(test)]
@@ -152,7 +156,7 @@ mod tests {
         let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
         let of = |panel: &str, curve: &str| -> Vec<[f64; 2]> {
             let rows = rows.iter().filter(|row| row[0] == panel && row[1] == curve);
-            rows.map(|row| [row[2].parse().unwrap(), row[3].parse().unwrap()]).collect()
+            rows.map(|row| [row[2].parse().unwrap(), row[3].parse().unwrap_or(0.0)]).collect()
         };
         for curve in ["heights", "gaussian"] {
             let found = of("histogram", curve);

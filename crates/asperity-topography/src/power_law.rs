@@ -10,14 +10,14 @@ const OCTAVES: f64 = 2.0;
 const WORTH: f64 = 0.2;
 /// ... and only where the rms residual of ln C without it is above this.
 const SCATTER: f64 = 0.02;
-/// The largest rms residual of ln C of a law: a factor of 2.
-const LOOSE: f64 = 0.7;
+/// The largest rms residual of ln C between the breaks: a factor of 1.4.
+const LOOSE: f64 = 0.35;
 
 /// C(q) ∝ q^(-2-2H) between two wave numbers, constant below them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct PowerLaw {
-    /// Hurst exponent H, from -0.1 to 1.1; exactly self-affine surfaces have 0 to 1.
+    /// Hurst exponent H, from 0 to 1.
     pub hurst: f64,
     /// The wavelength \[m\] above which the spectrum is flat; `None` without a roll-off within
     /// the scan.
@@ -34,8 +34,8 @@ pub struct PowerLaw {
 impl PowerLaw {
     /// The law fitted by least squares to ln C over ln q: flat, then of slope -2 - 2H, then of
     /// another slope, with breaks where the residuals are least and only where they are worth it.
-    /// `None` below two octaves or eight points, and where no such law is near: H outside -0.1 to
-    /// 1.1, or a scatter of ln C above 0.7.
+    /// `None` below two octaves or eight points, and where no such law is near: H outside 0 to
+    /// 1, or a scatter of ln C about it above 0.35.
     #[must_use]
     pub fn fit(spectrum: &PowerSpectrum) -> Option<Self> {
         let x: Vec<f64> = spectrum.wave_number.iter().map(|q| q.ln()).collect();
@@ -68,7 +68,7 @@ impl PowerLaw {
                 found = Some(fit);
             }
         }
-        let found = found.filter(|fit| fit.squares < n as f64 * LOOSE * LOOSE)?;
+        let found = found.filter(|fit| fit.scatter < LOOSE)?;
         let Fit { from, to, level, slope, .. } = found;
         let q = &spectrum.wave_number;
         let wavelength = |k: usize| std::f64::consts::TAU / q[k];
@@ -96,11 +96,13 @@ struct Fit {
     level: f64,
     slope: f64,
     squares: f64,
+    /// Rms residual between the breaks.
+    scatter: f64,
 }
 
 impl Fit {
     fn is_self_affine(&self) -> bool {
-        (-0.1..=1.1).contains(&(-0.5 * self.slope - 1.0))
+        (0.0..=1.0).contains(&(-0.5 * self.slope - 1.0))
     }
 
     fn new(x: &[f64], y: &[f64], from: usize, to: usize) -> Option<Self> {
@@ -116,8 +118,13 @@ impl Fit {
             normal[(2, 2)] = 1.0;
         }
         let fit = normal.cholesky()?.solve(&right);
-        let squares = x.iter().zip(y).map(|(x, y)| (y - fit.dot(&terms(*x))).powi(2)).sum();
-        Some(Self { from, to, level: fit[0], slope: fit[1], squares })
+        let sum = |from: usize, to: usize| -> f64 {
+            let each = x[from..=to].iter().zip(&y[from..=to]);
+            each.map(|(x, y)| (y - fit.dot(&terms(*x))).powi(2)).sum()
+        };
+        let scatter = (sum(from, to) / (to - from + 1) as f64).sqrt();
+        let squares = sum(0, x.len() - 1);
+        Some(Self { from, to, level: fit[0], slope: fit[1], squares, scatter })
     }
 }
 

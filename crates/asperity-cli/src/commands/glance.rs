@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::output::table::{Cell, Table};
 
 /// The most points of the map on a side.
-const MAP: usize = 512;
+const MAP: usize = 800;
 
 /// All numbers of a scan; of two scans their statistics alone.
 #[derive(Serialize)]
