@@ -11,6 +11,7 @@ mod lists;
 mod model;
 mod notes;
 mod reference;
+mod steps;
 mod surfaces;
 
 use asperity_bem::{HeightMap, RandomSurface};

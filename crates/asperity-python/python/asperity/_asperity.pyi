@@ -445,20 +445,20 @@ def bem(
     given: str,
     values: Sequence[_Float],
     elastic: bool,
-    boundary: str,
+    boundary: str | None,
     maps_and_mask: tuple[bool, bool],
 ) -> tuple[
-    dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str]
+    dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str], str
 ]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
     elastic: bool,
-    boundary: str,
+    boundary: str | None,
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str]
+    list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str], str
 ]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
