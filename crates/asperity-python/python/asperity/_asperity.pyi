@@ -49,6 +49,7 @@ __all__ = [
     "plan",
     "pull_off",
     "quantities",
+    "random_surface",
     "recommend",
     "separations",
     "shares",
@@ -277,6 +278,20 @@ class Topography:
     def outliers(self) -> dict[str, Any]: ...
     def filter(self, cutoff: _Float) -> Topography: ...
     def smooth(self, cutoff: _Float) -> Topography: ...
+    def report(
+        self,
+        level: str | None = None,
+        smooth: _Float | None = None,
+        cutoff: _Float | None = None,
+    ) -> dict[str, Any]: ...
+    def plot(
+        self,
+        level: str | None = None,
+        smooth: _Float | None = None,
+        cutoff: _Float | None = None,
+        title: str = "",
+    ) -> Any: ...
+    def to_x3p(self, path: str | PathLike[str]) -> None: ...
     def summit_density(self) -> tuple[tuple[float, ...], tuple[float, ...]]: ...
 
 @disjoint_base
@@ -464,3 +479,11 @@ def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...
+
+def random_surface(
+    shape: tuple[int, int],
+    pixel_size: _Spacing,
+    wavelengths: tuple[_Float, _Float, _Float],
+    sizes: tuple[_Float | None, _Float | None],
+    options: tuple[_Float, _Float, _Float, _Float | None, int],
+) -> Topography: ...
