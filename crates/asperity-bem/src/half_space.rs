@@ -14,8 +14,7 @@ const BLOCK: usize = 8;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Boundary {
-    /// Periodic repetition of the map. Edges that do not match make steps: use
-    /// [`HeightMap::periodic_part`].
+    /// Periodic repetition of the map, with the steps of edges that do not match.
     #[default]
     Periodic,
     /// A free half-space outside the map, for scans with edges that do not match and for single

@@ -21,7 +21,7 @@
 //! # Valid for
 //! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`];
 //! [`HeightMap::half_grid`] shows how much depends on the grid. A periodic map whose edges do not
-//! match has steps along its seam: use [`HeightMap::periodic_part`] or [`Boundary::Free`].
+//! match has steps there, real or not: [`Continuation`] lists what can be done.
 //!
 //! The hardness limits the pressure, which models a material of constant mean pressure H and
 //! differs from elastic-plastic finite elements. A sphere starts to yield at Hertz' p_max = H.
@@ -57,6 +57,7 @@
 //! # Ok::<(), asperity_bem::BemError>(())
 //! ```
 
+mod continuation;
 mod error;
 
 mod half_space;
@@ -73,6 +74,7 @@ mod solution;
 mod solver;
 mod unloading;
 
+pub use continuation::Continuation;
 pub use error::BemError;
 
 pub use half_space::Boundary;

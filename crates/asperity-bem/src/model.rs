@@ -5,11 +5,12 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Evaluation, Interface,
-    Provenance, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic, Evaluation,
+    Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
 };
 
-use crate::{BemError, Boundary, BoundaryElements, HeightMap, LoadCase, Solution};
+use crate::continuation::taken_part;
+use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
 /// Relative error of what was iterated to the usual tolerance: of the contact of these pixels, not
 /// of the surface between them.
@@ -24,8 +25,9 @@ const SAME: f64 = 1e-12;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bem {
     map: HeightMap,
-    boundary: Boundary,
+    continuation: Continuation,
     elastic: bool,
+    /// The step at the edges, where the periodic component is used by default.
     seam: Option<f64>,
 }
 
@@ -36,13 +38,15 @@ impl Bem {
     /// Its names, and where the method comes from.
     pub const SOURCE: Citation = SOURCE;
 
-    /// `elastic` leaves the hardness of scenes out. Where the map is repeated and its edges do not
-    /// meet, its [periodic part](HeightMap::periodic_part) is taken.
+    /// `elastic` leaves the hardness of scenes out. Without a continuation the map is repeated, and
+    /// its [periodic component](HeightMap::periodic_part) is used where its edges do not match,
+    /// with a [note](Self::note).
     #[must_use]
-    pub fn new(map: HeightMap, boundary: Boundary, elastic: bool) -> Self {
-        let seam = (boundary == Boundary::Periodic && !map.edges_meet()).then(|| map.seam_step());
-        let map = if seam.is_some() { map.periodic_part() } else { map };
-        Self { map, boundary, elastic, seam }
+    pub fn new(map: HeightMap, continuation: Option<Continuation>, elastic: bool) -> Self {
+        let usual = continuation.is_none().then(|| Continuation::of(&map));
+        let seam = (usual == Some(Continuation::PeriodicPart)).then(|| map.seam_step());
+        let continuation = continuation.or(usual).unwrap_or(Continuation::Periodic);
+        Self { map: continuation.applied(map), continuation, elastic, seam }
     }
 
     /// The map that is solved.
@@ -51,10 +55,16 @@ impl Bem {
         &self.map
     }
 
-    /// The [step over the seam](HeightMap::seam_step) that was taken out, if there was one.
+    /// How the scan continues beyond its edges.
     #[must_use]
-    pub fn seam(&self) -> Option<f64> {
-        self.seam
+    pub fn continuation(&self) -> Continuation {
+        self.continuation
+    }
+
+    /// A note where the periodic component is used by default.
+    #[must_use]
+    pub fn note(&self) -> Option<Diagnostic> {
+        self.seam.map(taken_part)
     }
 
     /// The same on every second pixel: see [`HeightMap::half_grid`].
@@ -81,7 +91,7 @@ impl Bem {
     pub fn elements(&self, interface: &Interface) -> Result<BoundaryElements, ContactError> {
         let hardness = self.hardness(interface)?;
         let elements = BoundaryElements::new(self.map.clone(), interface.equivalent_modulus);
-        let elements = elements.map_err(refused)?.boundary(self.boundary);
+        let elements = elements.map_err(refused)?.boundary(self.continuation.boundary());
         match hardness {
             Some(hardness) => elements.hardness(hardness).map_err(refused),
             // What has no hardness is elastic.

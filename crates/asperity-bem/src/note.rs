@@ -45,14 +45,16 @@ pub(crate) fn of_contact(
     few_pixels.into_iter().chain(few_patches)
 }
 
-/// A map with waves of a few pixels, or one that is repeated although its edges do not meet.
+/// A map with waves of a few pixels, or one whose edges do not match although nobody declared it
+/// periodic.
 pub(crate) fn of_map(
     map: &HeightMap,
-    boundary: Boundary,
+    boundary: Option<Boundary>,
     space: &mut HalfSpace,
 ) -> Vec<Diagnostic> {
-    let meet = boundary == Boundary::Periodic && map.edges_meet();
-    let pixels = shortest_wavelength(map, !meet, space).filter(|p| *p < LEAST_WAVELENGTH);
+    let open = boundary.is_none() && !map.edges_meet();
+    let fades = open || boundary == Some(Boundary::Free);
+    let pixels = shortest_wavelength(map, fades, space).filter(|p| *p < LEAST_WAVELENGTH);
     let short = pixels.map(|pixels| {
         Diagnostic::warning("short-waves", "shortest_wavelength", pixels)
             .usual([LEAST_WAVELENGTH, f64::INFINITY])
@@ -64,16 +66,18 @@ pub(crate) fn of_map(
     let step = map.seam_step();
     let seam = Diagnostic::warning("seam", "seam_step", step)
         .usual([0.0, LARGEST_STEP])
-        .fact(format!("the edges do not meet, with a step of {step:.1} times that between neighbours"))
-        .advice(format!(
-            "a repeated map needs less than {LARGEST_STEP}; use its periodic part or a free boundary"
-        ));
-    let seam = (boundary == Boundary::Periodic && !meet).then_some(seam);
+        .fact(format!(
+            "the edges of the map do not match (step {step:.1} times that between neighbours)"
+        ))
+        .advice(
+            "a map that is not periodic needs its periodic component or a free boundary; declare boundary Periodic if the step is real",
+        );
+    let seam = open.then_some(seam);
     seam.into_iter().chain(short).collect()
 }
 
 /// Wavelength \[pixels\] below which [`SHORT_SHARE`] of the mean square slope lies; none for a
-/// flat map. Edges that do not meet are faded out (Hann), or their steps would
+/// flat map. Edges that are not repeated are faded out (Hann), or their steps would
 /// pass for short waves.
 fn shortest_wavelength(map: &HeightMap, fades: bool, space: &mut HalfSpace) -> Option<f64> {
     let [rows, columns] = map.shape();

@@ -49,7 +49,8 @@ pub struct Progress {
 pub struct BoundaryElements {
     map: HeightMap,
     modulus: f64,
-    boundary: Boundary,
+    /// Periodic, if not declared.
+    boundary: Option<Boundary>,
     hardness: Option<f64>,
     tolerance: f64,
     most_iterations: usize,
@@ -65,7 +66,7 @@ impl BoundaryElements {
         Ok(Self {
             map,
             modulus: positive("equivalent modulus", modulus)?,
-            boundary: Boundary::default(),
+            boundary: None,
             hardness: None,
             tolerance: 1e-8,
             most_iterations: 1000,
@@ -75,7 +76,7 @@ impl BoundaryElements {
     /// What lies beyond the edges.
     #[must_use]
     pub fn boundary(mut self, boundary: Boundary) -> Self {
-        self.boundary = boundary;
+        self.boundary = Some(boundary);
         self
     }
 
@@ -205,7 +206,8 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn new(setup: &'a BoundaryElements) -> Self {
-        let mut space = HalfSpace::new(&setup.map, setup.modulus, setup.boundary);
+        let mut space =
+            HalfSpace::new(&setup.map, setup.modulus, setup.boundary.unwrap_or_default());
         let resolution = note::of_map(&setup.map, setup.boundary, &mut space);
         Self { setup, space, rms_height: setup.map.rms_height(), resolution, last: None }
     }
@@ -220,7 +222,14 @@ impl<'a> Run<'a> {
             LoadCase::MeanGap(gap) => self.approach(positive("mean gap", gap)?, watch),
         }?;
         let BoundaryElements { map, boundary, .. } = self.setup;
-        Ok(Solution::new(given, map, *boundary, self.setup.cap(), fields, self.resolution.clone()))
+        Ok(Solution::new(
+            given,
+            map,
+            boundary.unwrap_or_default(),
+            self.setup.cap(),
+            fields,
+            self.resolution.clone(),
+        ))
     }
 
     /// Contact at a mean pressure.

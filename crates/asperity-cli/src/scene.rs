@@ -31,10 +31,23 @@ impl LoadedScene {
             |id: &String| id.parse().map_or(id != Bem::ID, |m: Model| m.validity().asperities);
         let asperities = ids.is_empty() || ids.iter().any(knows);
         let scene = Self::open(path)?;
-        let found = scene.file.warnings.iter().cloned().chain(scene.file.findings());
+        scene.report_for(asperities);
+        Ok(scene)
+    }
+
+    /// Reads the file for boundary elements, which need no asperities.
+    pub fn load_scan(path: &Path) -> Result<Self> {
+        output::keep(path);
+        let file = asperity_scene::load_scan(path)?;
+        let scene = Self { file, name: path.display().to_string() };
+        scene.report_for(false);
+        Ok(scene)
+    }
+
+    fn report_for(&self, asperities: bool) {
+        let found = self.file.warnings.iter().cloned().chain(self.file.findings());
         let found = found.collect::<Diagnostics>().for_asperities(asperities);
         report(&found.at_least(Severity::Warning));
-        Ok(scene)
     }
 
     /// Reads the file; only its files are reported on.

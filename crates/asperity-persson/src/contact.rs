@@ -29,8 +29,7 @@ pub(crate) struct OnScene {
 impl OnScene {
     fn gap(&self) -> Result<Gap<'_>, ContactError> {
         let spectrum = self.spectrum.as_deref().map_err(Clone::clone)?;
-        let gradient = (2.0 * self.scene.surface.moments().m2).sqrt();
-        Ok(Gap { spectrum, gradient, share: self.model.variance.elastic_share() })
+        Ok(Gap { spectrum, share: self.model.variance.elastic_share() })
     }
 
     /// b = p/√(2 V).

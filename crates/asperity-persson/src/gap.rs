@@ -18,8 +18,6 @@ pub(crate) const ERROR: f64 = 1e-11;
 #[derive(Debug)]
 pub(crate) struct Gap<'a> {
     pub(crate) spectrum: &'a Spectrum,
-    /// The root mean square gradient g.
-    pub(crate) gradient: f64,
     /// γ of the elastic energy.
     pub(crate) share: f64,
 }
@@ -28,13 +26,13 @@ impl Gap<'_> {
     /// The mean gap \[m\] at b = √2 p/(E g) > 0: √(2/π) g ∫ f(b e^v) R(e^-v) dv, R(y) being the
     /// integral of dy/q from y to 1; the outer integral is that over pressures above p.
     pub(crate) fn mean_gap(&self, b: f64) -> Result<f64, QuadratureError> {
-        let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.gradient * (-b * b).exp();
+        let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.spectrum.gradient() * (-b * b).exp();
         Ok(scale * self.integral(b, |y| self.spectrum.from(y))?)
     }
 
     /// -du/d(ln p) \[m\], √(2/π) g ∫ f(b/y) dy/q, as a factor and the logarithm of another.
     pub(crate) fn fall(&self, b: f64) -> Result<(f64, f64), QuadratureError> {
-        let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.gradient;
+        let scale = std::f64::consts::FRAC_2_PI.sqrt() * self.spectrum.gradient();
         Ok((scale * self.integral(b, |y| y * self.spectrum.wave(y))?, -b * b))
     }
 
@@ -69,7 +67,8 @@ mod tests {
     use crate::{Persson, PerssonVariance, Spectrum};
 
     const MODULUS: f64 = 1e11;
-    const QUANTITIES: [Quantity; 3] = [Quantity::Force, Quantity::Stiffness, Quantity::Tangent];
+    const QUANTITIES: [Quantity; 4] =
+        [Quantity::Force, Quantity::Stiffness, Quantity::Tangent, Quantity::AreaFraction];
 
     fn scene(alpha: f64) -> Scene {
         let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: alpha * 1e4 };
@@ -96,6 +95,47 @@ mod tests {
 
     fn power_law(variance: PerssonVariance, hurst: f64) -> Persson {
         Persson { variance, hurst_exponent: Some(hurst), ..Persson::default() }
+    }
+
+    /// For waves of one length q is constant: with f(t) = exp(-t²) the gap is √(2/π) (g/q)
+    /// (E1(b²)/2 - s), and -du/d(ln p) = √(2/π) (g/q) s, with s = exp(-b²) - √π b erfc(b).
+    #[test]
+    fn a_scan_of_one_wave_length_has_one_gradient() {
+        let (q, sq) = (2e5, 1e-8);
+        let spectrum = std::sync::Arc::new(Spectrum::of_waves([(q, sq * sq)]).unwrap());
+        assert!((spectrum.gradient() / (q * sq) - 1.0).abs() < 1e-15);
+        let persson = Persson { spectrum: Some(Ok(spectrum)), ..Persson::default() };
+        let pressure = 0.01 * MODULUS * q * sq;
+        let b = 0.01 * std::f64::consts::SQRT_2;
+        // E1(b²) by its series.
+        let (x, mut term, mut series) = (b * b, 1.0, 0.0);
+        for k in 1..20 {
+            term *= -x / f64::from(k);
+            series -= term / f64::from(k);
+        }
+        const EULER: f64 = 0.577_215_664_901_532_9;
+        let s = (-x).exp() - std::f64::consts::PI.sqrt() * b * libm::erfc(b);
+        let factor = std::f64::consts::FRAC_2_PI.sqrt();
+        let wanted = factor * (0.5 * (series - x.ln() - EULER) - s);
+        // Differences of neighbouring points see less of the slopes: the answers are the same.
+        for points in [4.0, 8.0, 16.0, 64.0_f64] {
+            let turn = std::f64::consts::PI / points;
+            let flattened = turn.sin() / turn;
+            let m2 = 0.5 * (q * sq * flattened).powi(2);
+            let moments = ProfileMoments { m0: sq * sq, m2, m4: 2.0 * m2 * m2 / (sq * sq) };
+            let surface = Surface::from_moments(&moments).unwrap();
+            let scene = Scene::new(Interface::elastic(MODULUS, 0.3), surface, 1.0);
+            let contact = persson.compile(&scene, &Request::new(QUANTITIES)).unwrap();
+            let gap = contact.separation(At::Pressure(pressure)).unwrap();
+            let gap = gap.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &scene).unwrap();
+            assert!((gap.value / sq / wanted - 1.0).abs() < 1e-9, "{points}: {}", gap.value / sq);
+            let slope = factor * sq * s;
+            let stiffness = contact.evaluate(Quantity::Tangent, At::Pressure(pressure)).unwrap();
+            assert!((stiffness.value() * slope / pressure - 1.0).abs() < 1e-9, "{points}");
+            // b = p/√(2 V) of the area.
+            let area = contact.evaluate(Quantity::AreaFraction, At::Pressure(pressure)).unwrap();
+            assert!((area.value() / libm::erf(b) - 1.0).abs() < 1e-12, "{points}");
+        }
     }
 
     #[test]

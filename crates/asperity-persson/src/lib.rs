@@ -105,12 +105,18 @@ impl ContactModel for Persson {
                 Err(ContactError::Missing { field: "hurst_exponent", reason })
             }
         };
+        // One gradient for area, gap and stiffness: differences of neighbouring points, from which
+        // the moments of a scan follow, flatten short waves.
+        let gradient = match &spectrum {
+            Ok(spectrum) => spectrum.gradient(),
+            Err(_) => (2.0 * moments.m2).sqrt(),
+        };
         Ok(Box::new(OnScene {
             model: self.clone(),
             scene: scene.clone(),
             quantities: request.quantities.clone(),
-            // √V = E g/2 with g² = 2 m₂.
-            pressure_std: scene.interface.equivalent_modulus * (0.5 * moments.m2).sqrt(),
+            // √V = E g/2.
+            pressure_std: 0.5 * scene.interface.equivalent_modulus * gradient,
             spectrum,
         }))
     }

@@ -24,6 +24,8 @@ const RING: f64 = 1.05;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
+    /// g.
+    gradient: f64,
     law: Law,
     /// Ascending y from 0 to 1, between which the law is smooth.
     ends: Vec<f64>,
@@ -84,7 +86,7 @@ impl Spectrum {
             end *= 2.0;
         }
         ends.push(1.0);
-        Ok(Self::new(Law::Power { lowest, spread, power }, ends))
+        Ok(Self::new((2.0 * moments.m2).sqrt(), Law::Power { lowest, spread, power }, ends))
     }
 
     /// Checks the range of a Hurst exponent.
@@ -142,15 +144,21 @@ impl Spectrum {
         if let Some(last) = ends.last_mut() {
             *last = 1.0;
         }
-        Ok(Self::new(Law::Rings(rings), ends))
+        Ok(Self::new(total.sqrt(), Law::Rings(rings), ends))
     }
 
-    fn new(law: Law, ends: Vec<f64>) -> Self {
-        let mut new = Self { law, beyond: vec![0.0; ends.len()], ends };
+    fn new(gradient: f64, law: Law, ends: Vec<f64>) -> Self {
+        let mut new = Self { gradient, law, beyond: vec![0.0; ends.len()], ends };
         for k in (0..new.ends.len() - 1).rev() {
             new.beyond[k] = new.beyond[k + 1] + new.between(k, new.ends[k]);
         }
         new
+    }
+
+    /// The root mean square gradient g of all waves.
+    #[must_use]
+    pub fn gradient(&self) -> f64 {
+        self.gradient
     }
 
     /// Ascending y from 0 to 1 at which the law is not smooth or changes fast.

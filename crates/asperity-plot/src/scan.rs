@@ -33,7 +33,9 @@ pub struct ScanPicture {
 
 /// Place of the map beside the left edge of its panel, and room for its bar of colours.
 const OUT: f64 = 44.0;
-const BAR: f64 = 74.0;
+const BAR: f64 = 92.0;
+/// Colours end at so many standard deviations.
+const SPREAD: f64 = 4.0;
 /// Units of lengths.
 const UNITS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m")];
 
@@ -43,11 +45,15 @@ const UNITS: [(f64, &str); 4] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0
 /// Those of [`draw`](crate::draw) and [`draw_map`](crate::draw_map).
 pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
     let table = Table::read(csv)?;
-    let (low, high) = scan
-        .heights
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(*z), h.max(*z)));
-    let (height, of_height) = unit(0.25 * (high - low));
+    let there = || scan.heights.iter().copied().filter(|z| !z.is_nan());
+    let n = there().count().max(1) as f64;
+    let mean = there().sum::<f64>() / n;
+    let wide = SPREAD * (there().map(|z| (z - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let lowest = there().fold(f64::INFINITY, f64::min);
+    let highest = there().fold(f64::NEG_INFINITY, f64::max);
+    // Spikes would leave one colour for all else.
+    let (low, high) = (lowest.max(mean - wide), highest.min(mean + wide));
+    let (height, of_height) = unit(high - low);
     let (length, of_length) = unit(scan.size[0].max(scan.size[1]) / 10.0);
     let map = Map {
         values: scan.heights.iter().map(|z| z / height).collect(),
@@ -64,7 +70,12 @@ pub fn draw_scan(scan: &ScanPicture, csv: &str) -> Result<String, PlotError> {
         ..Map::default()
     };
     check(&map)?;
-    let figure = figure(scan, csv, height, of_height);
+    let mut figure = figure(scan, csv, height, of_height);
+    if low > lowest || high < highest {
+        let text =
+            format!("Colours of the map end at {SPREAD} standard deviations of the heights.");
+        figure.caption.push(text);
+    }
     let plots = (0..figure.panels.len())
         .map(|index| Plot::new(&figure, index, &table))
         .collect::<Result<Vec<Plot>, _>>()?;
@@ -135,7 +146,9 @@ fn figure(scan: &ScanPicture, csv: &str, height: f64, of_height: &str) -> Figure
     let mut place =
         Panel::new(Axis::new("x", "").range(0.0, 1.0), Axis::new("y", "").range(0.0, 1.0));
     place.only = Some(("panel".into(), String::new()));
-    let mut figure = Figure::new(&scan.title, &[], vec![place]);
+    // Underscores of file names lower no letters.
+    let title = scan.title.replace('_', "_\u{200b}");
+    let mut figure = Figure::new(&title, &[], vec![place]);
     figure.caption.clone_from(&scan.caption);
     figure.columns = 2;
     for (key, title, x, mut y, all) in panels {
@@ -155,15 +168,19 @@ fn figure(scan: &ScanPicture, csv: &str, height: f64, of_height: &str) -> Figure
         if key == "radial" {
             let mark = |length: &f64| {
                 let (of, name) = unit(*length);
-                let text = format!("{:.2}", length / of);
-                let text = number(text.parse().unwrap_or(length / of));
-                Mark::new(std::f64::consts::TAU / length, &format!("{text} {name}"))
+                let text = format!("{} {name}", three(length / of));
+                Mark::new(std::f64::consts::TAU / length, &text)
             };
             panel.verticals = scan.marks.iter().map(mark).collect();
         }
         figure.panels.push(panel);
     }
     figure
+}
+
+/// A number with three digits.
+fn three(value: f64) -> String {
+    number(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 /// The unit in which a length is at least 1.
@@ -183,7 +200,7 @@ mod tests {
 
     fn scan() -> ScanPicture {
         ScanPicture {
-            title: "a scan".into(),
+            title: "a_1 scan".into(),
             caption: vec!["Sq 0.1 µm".into()],
             heights: vec![-1e-7, 0.0, 1e-7, f64::NAN, 2e-7, 0.0],
             columns: 3,
@@ -197,14 +214,14 @@ mod tests {
     fn map_panels_marks_and_legend_are_drawn() {
         let svg = draw_scan(&scan(), CSV).unwrap();
         for word in [
-            "a scan",
+            "a_\u{200b}1 scan",
             "(a) map",
             ">20 µm<",
             "height (nm)",
             "white: missing",
             "rad/µm",
             "power law, H = 0.80",
-            ">12.34 µm<",
+            ">12.3 µm<",
             "along rows",
             "rms curvature",
             "Sq 0.1 µm",
@@ -220,6 +237,10 @@ mod tests {
         let few: String =
             CSV.lines().filter(|l| !l.starts_with("radial")).map(|l| format!("{l}\n")).collect();
         assert!(!draw_scan(&scan(), &few).unwrap().contains("radial"));
+        let spike: Vec<f64> =
+            (0..300).map(|k| if k == 7 { 5e-6 } else { 1e-8 * f64::from(k % 5) }).collect();
+        let spiked = ScanPicture { heights: spike, columns: 30, ..scan() };
+        assert!(draw_scan(&spiked, CSV).unwrap().contains("end at 4 standard deviations"));
         let flat = ScanPicture { heights: vec![0.0; 6], ..scan() };
         assert!(draw_scan(&flat, CSV).is_err());
     }

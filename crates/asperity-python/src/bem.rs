@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 
-use asperity::bem::{Bem, BemError, Boundary, LoadCase, Solution};
+use asperity::bem::{Bem, BemError, Continuation, LoadCase, Solution};
 use asperity::{ContactState, Described, Diagnostics, Model, Truth};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError};
@@ -54,18 +54,15 @@ impl<'a> Scan<'a> {
     fn bem(
         &self,
         py: Python<'_>,
-        boundary: &str,
+        boundary: Option<&str>,
         elastic: bool,
     ) -> PyResult<(Bem, asperity::Interface)> {
-        let boundary = match boundary {
-            "periodic" => Boundary::Periodic,
-            "free" => Boundary::Free,
-            other => {
-                return Err(value_error(format!(
-                    "boundary is {other:?}: \"periodic\" or \"free\" was required"
-                )));
-            }
+        let named = |name: &str| {
+            let required = "\"periodic\", \"periodic-part\" or \"free\" was required";
+            let unknown = || value_error(format!("boundary is {name:?}: {required}"));
+            Continuation::named(name).ok_or_else(unknown)
         };
+        let boundary = boundary.map(named).transpose()?;
         match self {
             Self::Scene(file) => {
                 let bem = file.bem(boundary, elastic).map_err(value_error)?;
@@ -73,7 +70,12 @@ impl<'a> Scan<'a> {
             }
             Self::Topography(topography, interface, level) => {
                 let level = topography.form(py, *level, 1)?;
-                let levelled = topography.0.clone().levelled(level).map_err(value_error)?;
+                // A plane taken from a periodic surface would add steps.
+                let declared = topography.0.is_periodic().then_some(Continuation::Periodic);
+                let boundary = boundary.or(declared);
+                let periodic = [boundary, declared].contains(&Some(Continuation::Periodic));
+                let scan = topography.0.clone().with_periodic(periodic);
+                let levelled = scan.levelled(level).map_err(value_error)?;
                 let map = asperity_scene::height_map(&levelled).map_err(|error| {
                     match levelled.missing_share() > 0.0 {
                         true => value_error(format!("{error}: use Topography.fill()")),
@@ -95,12 +97,13 @@ impl<'a> Scan<'a> {
 }
 
 /// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
-/// if kept; rows and columns; and the reasons of failures by place.
+/// if kept; rows and columns; the reasons of failures by place; and the boundary.
 type Contacts<'py> = (
     Bound<'py, PyDict>,
     Option<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)>,
     [usize; 2],
     BTreeMap<usize, String>,
+    &'static str,
 );
 
 /// Solves contacts at mean pressures, loads or mean gaps.
@@ -110,13 +113,13 @@ pub(crate) fn bem<'py>(
     given: &str,
     values: Vec<f64>,
     elastic: bool,
-    boundary: &str,
+    boundary: Option<&str>,
     maps_and_mask: (bool, bool),
 ) -> PyResult<Contacts<'py>> {
     let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
     let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
     let (bem, interface) = scan.bem(py, boundary, elastic)?;
-    warn_of_seam(py, &bem)?;
+    bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
     let elements = bem.elements(&interface).map_err(refused)?;
     let area = scan.area(&bem);
     let of = |value| match given {
@@ -185,16 +188,17 @@ pub(crate) fn bem<'py>(
         true => Some((map(&|s| &s.pressures)?, map(&|s| &s.gaps)?)),
         false => None,
     };
-    Ok((numbers, maps, bem.map().shape(), failures))
+    Ok((numbers, maps, bem.map().shape(), failures, bem.continuation().name()))
 }
 
 /// Area fraction, mean gap [m] and stiffness [N/m].
 type State = (Option<f64>, Option<f64>, Option<f64>);
 /// Pressure [Pa], a model's id, its numbers and their deviations from boundary elements.
 type Row = (f64, String, State, State);
-/// Rows, the nearest models, the reasons of missing models by id, and the reasons of failed
-/// pressures by place.
-type Truths = (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>);
+/// Rows, the nearest models, the reasons of missing models by id, the reasons of failed pressures
+/// by place, and the boundary.
+type Truths =
+    (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
@@ -203,14 +207,14 @@ pub(crate) fn truth(
     scene: &SceneFile,
     pressures: Vec<f64>,
     elastic: bool,
-    boundary: &str,
+    boundary: Option<&str>,
     models: Option<Vec<String>>,
     refine_and_mask: (bool, bool),
 ) -> PyResult<Truths> {
     let (refine, mask) = refine_and_mask;
     let scene = &*scene.0;
     let (bem, _) = Scan::Scene(scene).bem(py, boundary, elastic)?;
-    warn_of_seam(py, &bem)?;
+    bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
     let (models, left_out) = match models {
         None => scene.models_beside_bem(),
         Some(ids) => {
@@ -268,17 +272,8 @@ pub(crate) fn truth(
         all.map(row).collect()
     };
     let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
-    Ok((found.iter().enumerate().flat_map(rows).collect(), nearest, refused, failures))
-}
-
-/// Warns if the edges of a periodic scan do not meet.
-fn warn_of_seam(py: Python<'_>, bem: &Bem) -> PyResult<()> {
-    let Some(step) = bem.seam() else { return Ok(()) };
-    let fact = format!(
-        "the edges of the scan do not meet, with a step of {step:.1} times that between neighbours"
-    );
-    let advice = "its periodic component is used; boundary=\"free\" uses the scan as it is";
-    warn(py, format!("{fact}: {advice}"), 1)
+    let rows = found.iter().enumerate().flat_map(rows).collect();
+    Ok((rows, nearest, refused, failures, bem.continuation().name()))
 }
 
 /// Runs `work` on the threads of this process while this thread, which gets the signals, checks for

@@ -7,6 +7,7 @@
 //! convert → records → scene → ask, joints, contact_table, check
 //!                     model ↗
 //! scene, topography → bem
+//! topography ↔ glance
 //! ```
 
 mod ask;
@@ -15,6 +16,7 @@ mod check;
 mod conductance;
 mod contact_table;
 mod convert;
+mod glance;
 mod joints;
 mod model;
 mod picture;
@@ -43,6 +45,8 @@ mod _asperity {
     use crate::convert::error::{ContactWarning, NotConverged, UnsupportedFormat};
     #[pymodule_export]
     use crate::convert::numbers::{floats, in_si};
+    #[pymodule_export]
+    use crate::glance::random_surface;
     #[pymodule_export]
     use crate::joints::{JointTable, PartialSlip, Unloading};
     #[pymodule_export]

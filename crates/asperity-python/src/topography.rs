@@ -9,6 +9,7 @@ use pyo3::types::PyTuple;
 
 use crate::convert::error::{UnsupportedFormat, value_error, warn};
 use crate::convert::objects::object;
+use crate::glance;
 use crate::records::Surface;
 
 /// A measured surface: heights on a regular grid.
@@ -27,13 +28,13 @@ use crate::records::Surface;
 pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
 
 #[derive(FromPyObject)]
-enum Spacing {
+pub(crate) enum Spacing {
     Same(f64),
     Two(f64, f64),
 }
 
 impl Spacing {
-    fn both(self) -> [f64; 2] {
+    pub(crate) fn both(self) -> [f64; 2] {
         match self {
             Self::Same(dx) => [dx, dx],
             Self::Two(dx, dy) => [dx, dy],
@@ -239,6 +240,48 @@ impl Topography {
     ) -> PyResult<Surface> {
         let found = self.found(py, level, estimator, cutoff)?.surface();
         Surface::of(Ok(found.map_err(value_error)?))
+    }
+
+    /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface
+    /// --format json``: form removed, lay and ratio of slopes, long waves on the shorter side, moments
+    /// over those at half the resolution, Sa to Spc, and the power law of the radial spectrum. After
+    /// levelling and, with cut-offs [m], Gaussian filters (``smooth`` short, ``cutoff`` long).
+    #[pyo3(signature = (level=None, smooth=None, cutoff=None))]
+    fn report<'py>(
+        &self,
+        py: Python<'py>,
+        level: Option<&str>,
+        smooth: Option<f64>,
+        cutoff: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let level = self.form(py, level, 0)?;
+        let found = py.detach(|| glance::glance(&self.0, level, smooth, cutoff));
+        object(py, &found.map_err(value_error)?.1)
+    }
+
+    /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density of
+    /// its heights, spectra, slope and curvature against scale; see ``report``.
+    #[pyo3(signature = (level=None, smooth=None, cutoff=None, title=""))]
+    fn plot<'py>(
+        &self,
+        py: Python<'py>,
+        level: Option<&str>,
+        smooth: Option<f64>,
+        cutoff: Option<f64>,
+        title: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let level = self.form(py, level, 0)?;
+        let svg = py.detach(|| {
+            let found = glance::glance(&self.0, level, smooth, cutoff).map_err(value_error)?;
+            glance::picture(&found.0, &found.1, title)
+        })?;
+        py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))
+    }
+
+    /// Writes the surface to an ISO 25178-72 ``.x3p`` file.
+    fn to_x3p(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        let bytes = py.detach(|| self.0.x3p()).map_err(value_error)?;
+        Ok(std::fs::write(path, bytes)?)
     }
 
     fn __repr__(&self) -> String {

@@ -26,5 +26,5 @@ pub use mistaken::mistaken_unit;
 pub use options::{Asperities, ModelOptions, OptionValue};
 pub use quantity::{quantity, unit_of};
 pub use scan::{height_map, open_seam};
-pub use scene_file::{LeftOut, SceneFile, load, parse};
+pub use scene_file::{LeftOut, SceneFile, load, load_scan, parse};
 pub use template::{template, template_on};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use asperity::{Diagnostic, Surface, TabulatedHeights};
+use asperity::{ContactError, Diagnostic, ProfileMoments, Surface, TabulatedHeights};
 use asperity_topography::{
     Estimator, HeightDensity, LengthUnit, Level, ReadOptions, Statistics, Topography,
     TopographyError, read,
@@ -13,7 +13,11 @@ use serde::Deserialize;
 use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::scan::open_seam;
+use crate::scene_file::Asked;
 use crate::{Measured, Place, SceneError};
+
+/// The bandwidth α of the surface that stands in where a scan has no asperities.
+const BANDWIDTH: f64 = 3.0;
 
 /// The keys of `[surface]` for measured files.
 #[derive(Debug, Default, Deserialize)]
@@ -55,6 +59,8 @@ pub(crate) struct SurfaceDescription {
     pub(crate) notes: Vec<Diagnostic>,
     /// The scan, levelled and filtered, if there is exactly one.
     pub(crate) scan: Option<Arc<Topography>>,
+    /// The reason why the scan has no asperities.
+    pub(crate) no_asperities: Option<String>,
     /// The keys from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
 }
@@ -63,6 +69,7 @@ pub(crate) struct SurfaceDescription {
 pub(crate) fn measured(
     document: &Document<'_>,
     heights: &HeightsKey,
+    asked: Asked,
 ) -> Result<SurfaceDescription, SceneError> {
     let keys: MeasuredKeys = document.surface()?;
     let measured_heights = matches!(heights, HeightsKey::Measured);
@@ -77,8 +84,12 @@ pub(crate) fn measured(
             let [dx, dy] = read.pixel_size();
             let topography = prepare(read, &keys)?;
             let statistics = topography.statistics(keys.estimator)?;
-            statistics.surface()?;
-            let density = measured_heights.then(|| density(&topography)).transpose()?;
+            if asked == Asked::Asperities {
+                statistics.surface()?;
+            }
+            let density = (measured_heights && asked == Asked::Asperities)
+                .then(|| density(&topography))
+                .transpose()?;
             Ok((Measured { statistics, pixel_size: dx.max(dy) }, density, topography))
         });
         found.map_err(|error| match without_path(error) {
@@ -138,7 +149,14 @@ pub(crate) fn measured(
         at: at.clone(),
         reason: reason.to_string(),
     };
-    let surface = statistics.surface().map_err(refused)?;
+    let (surface, no_asperities) = match statistics.surface() {
+        Ok(surface) => (surface, None),
+        // The surface is not used.
+        Err(reason) if asked == Asked::Scan => {
+            (alike(statistics).map_err(document.refused("surface"))?, Some(reason.to_string()))
+        }
+        Err(reason) => return Err(refused(reason)),
+    };
     surface.check().map_err(document.refused("surface"))?;
     let from = |at: &Place| {
         let at = at.to_string();
@@ -153,7 +171,14 @@ pub(crate) fn measured(
         TabulatedHeights::new("measured", &points).map_err(document.refused("surface"))
     });
     let (heights, measured) = (heights.transpose()?, Some(measured));
-    Ok(SurfaceDescription { surface, measured, heights, notes, scan, follows_from: &[] })
+    let follows_from = &[];
+    Ok(SurfaceDescription { surface, measured, heights, notes, scan, no_asperities, follows_from })
+}
+
+/// A Gaussian surface with the rms height and slope of a scan without asperities.
+fn alike(statistics: &Statistics) -> Result<Surface, ContactError> {
+    let Statistics { m0, m2, .. } = *statistics;
+    Surface::from_moments(&ProfileMoments { m0, m2, m4: BANDWIDTH * m2 * m2 / m0 })
 }
 
 /// The error without the name of the file, which only errors of reading have.

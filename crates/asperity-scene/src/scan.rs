@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity::{Diagnostic, Spectrum};
-use asperity_bem::{Bem, BemError, Boundary, HeightMap};
+use asperity_bem::{Bem, BemError, Continuation, HeightMap};
 use asperity_topography::Topography;
 
 use crate::{Place, SceneError, SceneFile};
@@ -18,8 +18,8 @@ pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
     HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
 }
 
-/// A warning for a periodic scan whose edges do not match; `None` for other scans and for those
-/// without a [`height_map`].
+/// A warning for a scan declared periodic whose edges do not match; `None` for other scans and for
+/// those without a [`height_map`].
 #[must_use]
 pub fn open_seam(scan: &Topography) -> Option<Diagnostic> {
     let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;
@@ -28,16 +28,23 @@ pub fn open_seam(scan: &Topography) -> Option<Diagnostic> {
         "the edges of the scan do not match (step {step:.1} times that between neighbours)"
     );
     let found = Diagnostic::warning("open-seam", "seam_step", step).fact(fact);
-    Some(found.advice("periodic adds this step to slopes and curvatures; remove periodic"))
+    Some(found.advice(
+        "slopes, curvatures and boundary elements include this step; remove periodic if it is not real",
+    ))
 }
 
 impl SceneFile {
     /// The boundary-element model of the scene's scan, levelled and filtered; see [`Bem::new`].
+    /// Without a continuation, a scan with `periodic = true` is repeated as it is.
     ///
     /// # Errors
     /// [`SceneError::Missing`] without a scan or with two;
     /// [`SceneError::Measured`] for a profile and for missing points.
-    pub fn bem(&self, boundary: Boundary, elastic: bool) -> Result<Bem, SceneError> {
+    pub fn bem(
+        &self,
+        continuation: Option<Continuation>,
+        elastic: bool,
+    ) -> Result<Bem, SceneError> {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = &self.scan else {
             let one = "boundary elements (bem) need the scan of one surface";
@@ -51,7 +58,7 @@ impl SceneFile {
         };
         let map = whole_map(scan, "boundary elements need");
         let map = map.map_err(|reason| SceneError::Measured { at, reason })?;
-        Ok(Bem::new(map, boundary, elastic))
+        Ok(Bem::new(map, continuation.or(declared(scan)), elastic))
     }
 
     /// The spectrum of the scene's scan, continued periodically, or the reason why it has none;
@@ -59,7 +66,8 @@ impl SceneFile {
     pub(crate) fn spectrum(&self) -> Option<ScanSpectrum> {
         let of = |scan: &Topography| {
             let map = whole_map(scan, "its spectrum needs")?;
-            let map = if map.edges_meet() { map } else { map.periodic_part() };
+            // As boundary elements press it.
+            let map = declared(scan).unwrap_or_else(|| Continuation::of(&map)).applied(map);
             let spectrum = Spectrum::of_waves(map.waves()).map_err(|error| error.to_string())?;
             Ok(Arc::new(spectrum))
         };
@@ -70,6 +78,11 @@ impl SceneFile {
 
 /// The spectrum of a scan, or the reason why there is none.
 pub(crate) type ScanSpectrum = Result<Arc<Spectrum>, String>;
+
+/// The continuation of a scan that is declared periodic.
+fn declared(scan: &Topography) -> Option<Continuation> {
+    scan.is_periodic().then_some(Continuation::Periodic)
+}
 
 /// The height map of a scan; the error for missing points explains how to fill them.
 fn whole_map(scan: &Topography, needing: &str) -> Result<HeightMap, String> {
@@ -217,11 +230,11 @@ mod tests {
         let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
              poissons_ratio = 0.3\n[surface]\nfile = \"few.txt\"\nunit = \"m\"\npixel_size = [1e-6, 2e-6]\n";
         let read = |more: &str| crate::parse(&format!("{text}{more}"), folder.path()).unwrap();
-        let refused = read("").bem(Boundary::Free, true).unwrap_err().to_string();
+        let refused = read("").bem(Some(Continuation::Free), true).unwrap_err().to_string();
         let wanted = "surface.file: 0.651 % of the points are missing, and boundary elements need all points: fill_missing = true in [surface] fills up to 5 %";
         assert_eq!(refused, wanted);
         let filled = read("fill_missing = true");
-        let bem = filled.bem(Boundary::Free, true).unwrap();
+        let bem = filled.bem(Some(Continuation::Free), true).unwrap();
         let whole = scan().level(asperity_topography::Level::Plane).unwrap();
         let largest = whole.heights().iter().fold(0.0, |m: f64, z| m.max(z.abs()));
         let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
@@ -243,7 +256,7 @@ mod tests {
     fn the_scan_is_levelled_and_belongs_to_its_surface() {
         let file = scene("file = \"scan.txt\"");
         let levelled = scan().level(asperity_topography::Level::Plane).unwrap();
-        let bem = file.bem(Boundary::Free, true).unwrap();
+        let bem = file.bem(Some(Continuation::Free), true).unwrap();
         for (a, b) in bem.map().heights().iter().zip(levelled.heights()) {
             assert!((a - b).abs() < 1e-18);
         }
@@ -253,13 +266,13 @@ mod tests {
         harder.hardness = Some(2e9);
         rougher.asperity_height_std = 1e-6;
         let same = file.with_numbers(harder, surface, 2.0 * nominal_area).unwrap();
-        assert!(same.bem(Boundary::Periodic, false).is_ok());
+        assert!(same.bem(None, false).is_ok());
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
         for (none, end) in
             [(other, "if the file does not state them"), (two, "of one surface, not two")]
         {
-            let refused = none.bem(Boundary::Periodic, false).unwrap_err().to_string();
+            let refused = none.bem(None, false).unwrap_err().to_string();
             assert!(refused.starts_with("surface.file is missing: boundary elements"), "{refused}");
             assert!(refused.ends_with(end), "{refused}");
         }

@@ -8,7 +8,7 @@ use asperity::{
     Interface, Model, Quantity, Request, Scene, Separation, SeparationUnit, Surface,
     TabulatedHeights, WeibullHeights,
 };
-use asperity_bem::{Bem, Boundary};
+use asperity_bem::Bem;
 use asperity_topography::Topography;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -43,6 +43,8 @@ pub struct SceneFile {
     pub accept: Vec<String>,
     /// The scan of the surface, levelled and filtered, if there is exactly one.
     pub scan: Option<Arc<Topography>>,
+    /// The reason why the scan has no asperities, in a scene from [`load_scan`].
+    pub(crate) no_asperities: Option<String>,
     /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
     /// The file as read, for writing it again.
@@ -65,11 +67,34 @@ pub struct LeftOut {
 /// # Errors
 /// [`SceneError`] with the file, the line, the field, the value found and the value needed.
 pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
+    load_with(path, Asked::Asperities)
+}
+
+/// [`load`] for [boundary elements](SceneFile::bem), which need no asperities: of a sphere, a wave
+/// or a step, for example. The surface of such a scene only has the rms height and slope of the
+/// scan, and [`SceneFile::model`] refuses models of asperities with the reason.
+///
+/// # Errors
+/// Those of [`load`], except that of a scan without asperities.
+pub fn load_scan(path: &Path) -> Result<SceneFile, SceneError> {
+    load_with(path, Asked::Scan)
+}
+
+/// What a scene file is read for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asked {
+    /// Models of asperities, among others.
+    Asperities,
+    /// Boundary elements.
+    Scan,
+}
+
+fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
     let read = || {
         let text = read_text(path, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        scene_file(&Document::new(Some(path), Some(folder), &text)?)
+        scene_file(&Document::new(Some(path), Some(folder), &text)?, asked)
     };
     read().map_err(|error| scan_instead_of_scene(path, error))
 }
@@ -116,7 +141,7 @@ fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
 /// # Errors
 /// Those of [`load`], without a file's name.
 pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
-    scene_file(&Document::new(None, Some(directory), text)?)
+    scene_file(&Document::new(None, Some(directory), text)?, Asked::Asperities)
 }
 
 /// The keys at the top of the file; sections have readers of their own.
@@ -138,7 +163,7 @@ struct AsperitiesKey {
     asperities: Option<Asperities>,
 }
 
-fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
+fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
     let table = document.table()?;
     let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
     options.check(document, "options.")?;
@@ -158,7 +183,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
 
     let given = heights.table(document)?;
     let own_std = given.as_ref().map(TabulatedHeights::standard_deviation);
-    let described = surface(document, &heights, &interface, own_std)?;
+    let described = surface(document, &heights, &interface, own_std, asked)?;
     let (surface, mut warnings) = (described.surface, described.notes);
     if let Some(table) = &given {
         warnings.extend(compare_std(document, table, surface.asperity_height_std)?);
@@ -213,6 +238,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
         warnings: warnings.into_iter().collect::<Diagnostics>().silenced(&accept),
         accept,
         scan,
+        no_asperities: described.no_asperities,
         follows_from: described.follows_from,
         read: Some(Arc::new(read)),
         spectrum: Arc::default(),
@@ -250,6 +276,7 @@ impl From<Scene> for SceneFile {
             warnings: Diagnostics::default(),
             accept: vec![],
             scan: None,
+            no_asperities: None,
             follows_from: &[],
             read: None,
             spectrum: Arc::default(),
@@ -259,7 +286,7 @@ impl From<Scene> for SceneFile {
 
 impl SceneFile {
     /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on
-    /// the scene's scan, continued periodically and with the hardness. The gaps of `persson` follow
+    /// the scene's scan, repeated and with the hardness. The gaps of `persson` follow
     /// from the spectrum of that scan.
     ///
     /// # Errors
@@ -275,8 +302,17 @@ impl SceneFile {
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
-            Bem::ID => Ok(options.on_surface(Model::new(self.bem(Boundary::Periodic, false)?))),
-            _ => options.model_beside(|| self.spectrum(), id),
+            Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
+            _ => {
+                let model = options.model_beside(|| self.spectrum(), id)?;
+                match &self.no_asperities {
+                    Some(reason) if model.validity().asperities => {
+                        let at = Place::field("surface.file").into();
+                        Err(SceneError::Measured { at, reason: reason.clone() })
+                    }
+                    _ => Ok(model),
+                }
+            }
         }
     }
 

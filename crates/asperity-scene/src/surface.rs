@@ -7,6 +7,7 @@ use crate::SceneError;
 use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::measured::{SurfaceDescription, measured};
+use crate::scene_file::Asked;
 use crate::template::measured_keys;
 
 /// The five ways; `asperity_height_std` belongs to two of them.
@@ -48,6 +49,7 @@ pub(crate) fn surface(
     heights: &HeightsKey,
     interface: &Interface,
     measured_std: Option<f64>,
+    asked: Asked,
 ) -> Result<SurfaceDescription, SceneError> {
     let keys: NumberKeys = document.surface()?;
     let at = |key: &str| format!("surface.{key}");
@@ -108,7 +110,7 @@ pub(crate) fn surface(
             let spc = needed("spc", keys.spc)?;
             Surface::from_iso25178(sq, spd, spc).map_err(&refused)?
         }
-        _ => return measured(document, heights),
+        _ => return measured(document, heights, asked),
     };
     surface.check().map_err(&refused)?;
     let follows_from = match way {
@@ -116,6 +118,13 @@ pub(crate) fn surface(
         0 => &[][..],
         _ => WAYS[way],
     };
-    let (notes, scan) = (vec![], None);
-    Ok(SurfaceDescription { surface, measured: None, heights: None, notes, scan, follows_from })
+    Ok(SurfaceDescription {
+        surface,
+        measured: None,
+        heights: None,
+        notes: vec![],
+        scan: None,
+        no_asperities: None,
+        follows_from,
+    })
 }

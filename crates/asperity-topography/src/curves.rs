@@ -9,7 +9,8 @@ use crate::{Glance, PowerSpectrum, Topography};
 const BINS: usize = 60;
 
 impl Topography {
-    /// The curves of a scan as csv text with the columns `panel,curve,x,y`, in SI units:
+    /// The curves of a scan as csv text with the columns `panel,curve,x,y`, in SI units; y is blank
+    /// where a bin of the histogram is empty:
     ///
     /// | panel | curves | x | y |
     /// |---|---|---|---|
@@ -21,9 +22,10 @@ impl Topography {
     #[must_use]
     pub fn curves_csv(&self, glance: &Glance) -> String {
         let mut csv = String::from("panel,curve,x,y\n");
-        let mut add = |panel: &str, curve: &str, x: f64, y: f64| {
-            // Nine digits; a String takes all.
-            let _ = writeln!(csv, "{panel},{curve},{x:.8e},{y:.8e}");
+        let mut add = |panel: &str, curve: &str, x: f64, y: Option<f64>| {
+            let y = y.map_or(String::new(), |y| format!("{y:.8e}"));
+            // A String takes all.
+            let _ = writeln!(csv, "{panel},{curve},{x:.8e},{y}");
         };
         let mean = self.mean();
         let sq = self.central_moment(mean, 2).sqrt();
@@ -34,19 +36,20 @@ impl Topography {
         let mut counts = [0_usize; BINS];
         measured().for_each(|z| counts[(((z - low) / width) as usize).min(BINS - 1)] += 1);
         let one = 1.0 / (self.measured() as f64 * width);
-        for (bin, count) in counts.iter().enumerate().filter(|(_, count)| **count > 0) {
-            add("histogram", "heights", low + width * (bin as f64 + 0.5), *count as f64 * one);
+        for (bin, count) in counts.iter().enumerate() {
+            let density = Some(*count as f64 * one).filter(|density| *density > 0.0);
+            add("histogram", "heights", low + width * (bin as f64 + 0.5), density);
         }
         for k in -60..=60 {
             let z = sq * f64::from(k) / 10.0;
             let density = (-0.5 * (z / sq).powi(2)).exp() / (sq * TAU.sqrt());
             if density > 0.5 * one {
-                add("histogram", "gaussian", z, density);
+                add("histogram", "gaussian", z, Some(density));
             }
         }
         let mut spectrum = |panel: &str, curve: &str, found: &PowerSpectrum| {
             let each = found.wave_number.iter().zip(&found.density);
-            each.for_each(|(q, c)| add(panel, curve, *q, *c));
+            each.for_each(|(q, c)| add(panel, curve, *q, Some(*c)));
         };
         if let Some(spectra) = &glance.spectra {
             if let Some(radial) = &spectra.radial {
@@ -58,7 +61,7 @@ impl Topography {
             }
         }
         if let Some(law) = &glance.power_law {
-            law.range.iter().for_each(|q| add("radial", "law", *q, law.density(*q)));
+            law.range.iter().for_each(|q| add("radial", "law", *q, Some(law.density(*q))));
         }
         let [dx, dy] = self.pixel_size();
         for at in self.scale_dependence() {
@@ -70,11 +73,45 @@ impl Topography {
                 ("curvature", "columns", dy, at.curvature_columns),
             ] {
                 if let Some(value) = value.filter(|value| *value > 0.0) {
-                    add(panel, curve, step * pixel, value);
+                    add(panel, curve, step * pixel, Some(value));
                 }
             }
         }
         csv
+    }
+
+    /// Sentences below the picture.
+    #[must_use]
+    pub fn caption(&self, glance: &Glance) -> Vec<String> {
+        let mean = self.mean();
+        let moment = |power| self.central_moment(mean, power);
+        let sq = moment(2).sqrt();
+        let [dx, dy] = self.pixel_size();
+        let mut first = format!(
+            "{} x {} points, {} x {} apart; {}; {:.2} % missing. Sq = {}, Ssk = {:.2}, Sku = {:.2}.",
+            self.columns(),
+            self.rows(),
+            length(dx),
+            length(dy),
+            glance.filter,
+            100.0 * self.missing_share(),
+            length(sq),
+            moment(3) / (sq * sq * sq),
+            moment(4) / (sq * sq * sq * sq),
+        );
+        if let (Some(ratio), Some(direction)) = (glance.slope_ratio, glance.lay_direction) {
+            first += &format!(
+                " Rms slope across the lay over that along it: {ratio:.2}; lay at {direction:.0}° from the rows."
+            );
+        }
+        let mut all = vec![first];
+        if glance.power_law.is_some() && (glance.roll_off.is_some() || glance.cut_off.is_some()) {
+            all.push(
+                "Dashed in the radial spectrum: the wavelengths between which the power law holds."
+                    .into(),
+            );
+        }
+        all
     }
 
     /// Heights \[m\] for a map of at most `most` points on a side, row by row, and their number in a
@@ -94,6 +131,14 @@ impl Topography {
     }
 }
 
+/// A length with three significant digits.
+fn length(metres: f64) -> String {
+    let units = [(1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm")];
+    let (unit, name) = units.into_iter().find(|(unit, _)| metres >= *unit).unwrap_or((1.0, "m"));
+    let rounded: f64 = format!("{:.2e}", metres / unit).parse().unwrap_or(metres / unit);
+    format!("{rounded} {name}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,7 +156,7 @@ mod tests {
         let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
         let of = |panel: &str, curve: &str| -> Vec<[f64; 2]> {
             let rows = rows.iter().filter(|row| row[0] == panel && row[1] == curve);
-            rows.map(|row| [row[2].parse().unwrap(), row[3].parse().unwrap()]).collect()
+            rows.map(|row| [row[2].parse().unwrap(), row[3].parse().unwrap_or(0.0)]).collect()
         };
         for curve in ["heights", "gaussian"] {
             let found = of("histogram", curve);

@@ -10,12 +10,14 @@ const OCTAVES: f64 = 2.0;
 const WORTH: f64 = 0.2;
 /// ... and only where the rms residual of ln C without it is above this.
 const SCATTER: f64 = 0.02;
+/// The largest rms residual of ln C between the breaks: a factor of 1.4.
+const LOOSE: f64 = 0.35;
 
 /// C(q) ∝ q^(-2-2H) between two wave numbers, constant below them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct PowerLaw {
-    /// Hurst exponent H; outside 0 to 1 the surface is not self-affine.
+    /// Hurst exponent H, from 0 to 1.
     pub hurst: f64,
     /// The wavelength \[m\] above which the spectrum is flat; `None` without a roll-off within
     /// the scan.
@@ -32,7 +34,8 @@ pub struct PowerLaw {
 impl PowerLaw {
     /// The law fitted by least squares to ln C over ln q: flat, then of slope -2 - 2H, then of
     /// another slope, with breaks where the residuals are least and only where they are worth it.
-    /// `None` below two octaves or eight points.
+    /// `None` below two octaves or eight points, and where no such law is near: H outside 0 to
+    /// 1, or a scatter of ln C about it above 0.35.
     #[must_use]
     pub fn fit(spectrum: &PowerSpectrum) -> Option<Self> {
         let x: Vec<f64> = spectrum.wave_number.iter().map(|q| q.ln()).collect();
@@ -48,22 +51,24 @@ impl PowerLaw {
         };
         let best = |from: std::ops::Range<usize>, to: std::ops::RangeInclusive<usize>| {
             let pairs = from.flat_map(|a| to.clone().map(move |b| (a, b)));
-            let fits = pairs.filter_map(|(a, b)| try_fit(a, b));
+            let fits = pairs.filter_map(|(a, b)| try_fit(a, b)).filter(Fit::is_self_affine);
             fits.min_by(|one, other| one.squares.total_cmp(&other.squares))
         };
-        let mut found = best(0..1, last..=last)?;
+        let mut found = best(0..1, last..=last);
 
-        let worth = |fit: &Fit, least: f64| {
+        let worth = |fit: &Fit, found: &Option<Fit>| {
+            let least = found.as_ref().map_or(f64::INFINITY, |found| found.squares);
             fit.squares < (1.0 - WORTH) * least && least > n as f64 * SCATTER * SCATTER
         };
         // A break next to an end would fit one point.
         for other in
             [best(2..last, last..=last), best(0..1, 2..=last - 2), best(2..last, 2..=last - 2)]
         {
-            if let Some(fit) = other.filter(|fit| worth(fit, found.squares)) {
-                found = fit;
+            if let Some(fit) = other.filter(|fit| worth(fit, &found)) {
+                found = Some(fit);
             }
         }
+        let found = found.filter(|fit| fit.scatter < LOOSE)?;
         let Fit { from, to, level, slope, .. } = found;
         let q = &spectrum.wave_number;
         let wavelength = |k: usize| std::f64::consts::TAU / q[k];
@@ -91,9 +96,15 @@ struct Fit {
     level: f64,
     slope: f64,
     squares: f64,
+    /// Rms residual between the breaks.
+    scatter: f64,
 }
 
 impl Fit {
+    fn is_self_affine(&self) -> bool {
+        (0.0..=1.0).contains(&(-0.5 * self.slope - 1.0))
+    }
+
     fn new(x: &[f64], y: &[f64], from: usize, to: usize) -> Option<Self> {
         let (a, b) = (x[from], x[to]);
         let terms = |x: f64| Vector3::new(1.0, x.clamp(a, b) - a, (x - b).max(0.0));
@@ -107,8 +118,13 @@ impl Fit {
             normal[(2, 2)] = 1.0;
         }
         let fit = normal.cholesky()?.solve(&right);
-        let squares = x.iter().zip(y).map(|(x, y)| (y - fit.dot(&terms(*x))).powi(2)).sum();
-        Some(Self { from, to, level: fit[0], slope: fit[1], squares })
+        let sum = |from: usize, to: usize| -> f64 {
+            let each = x[from..=to].iter().zip(&y[from..=to]);
+            each.map(|(x, y)| (y - fit.dot(&terms(*x))).powi(2)).sum()
+        };
+        let scatter = (sum(from, to) / (to - from + 1) as f64).sqrt();
+        let squares = sum(0, x.len() - 1);
+        Some(Self { from, to, level: fit[0], slope: fit[1], squares, scatter })
     }
 }
 
@@ -137,7 +153,10 @@ mod tests {
     }
 
     #[test]
-    fn a_noise_floor_is_a_cut_off_and_few_points_have_no_law() {
+    fn a_noise_floor_is_a_cut_off_and_few_points_or_other_laws_are_none() {
+        assert!(PowerLaw::fit(&spectrum(|q| q.powf(-6.0))).is_none());
+        let comb = |q: f64| if (4.0 * q.log2()).round() % 2.0 > 0.5 { 1e3 } else { 1.0 };
+        assert!(PowerLaw::fit(&spectrum(|q| comb(q) * q.powf(-3.0))).is_none());
         let floor = PowerLaw::fit(&spectrum(|q| q.powf(-3.6) + 32f64.powf(-3.6))).unwrap();
         assert!((floor.hurst - 0.8).abs() < 0.08 && floor.roll_off.is_none(), "{floor:?}");
         let cut = std::f64::consts::TAU / (1e5 * floor.cut_off.unwrap());

@@ -68,13 +68,13 @@ impl Truth {
 /// ```
 /// use std::ops::ControlFlow;
 ///
-/// use asperity::bem::{Bem, Boundary, RandomSurface};
+/// use asperity::bem::{Bem, Continuation, RandomSurface};
 /// use asperity::{Interface, Model, Scene, Surface, compare_with_bem};
 ///
 /// let rough = RandomSurface::new(2.0, 2.0, 16.0)?.side(1e-4)?.gradient(0.05)?;
 /// let interface = Interface::new(116e9, 0.3, 7e9);
 /// let scene = Scene::new(interface, Surface::from_moments(&rough.moments())?, 1e-8);
-/// let bem = Bem::new(rough.heights(128)?, Boundary::Periodic, true);
+/// let bem = Bem::new(rough.heights(128)?, Some(Continuation::Periodic), true);
 /// let models = ["gw".parse::<Model>()?, "ke".parse()?];
 /// let found = compare_with_bem(&scene, &bem, &[1e7, 1e8], &models, |_| ControlFlow::Continue(()))?;
 /// let heavy = found[1].as_ref().map_err(Clone::clone)?;
@@ -213,7 +213,7 @@ fn asked(contact: &dyn Contact, at: At) -> (ContactState, Option<ContactError>) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bem::{Boundary, RandomSurface};
+    use crate::bem::RandomSurface;
     use crate::{Interface, Surface};
 
     const GO_ON: ControlFlow<()> = ControlFlow::Continue(());
@@ -222,7 +222,7 @@ mod tests {
         let rough = RandomSurface::new(2.0, 3.0, 12.0).unwrap().gradient(0.05).unwrap();
         let surface = Surface::from_moments(&rough.moments()).unwrap();
         let scene = Scene::new(Interface::new(1e11, 0.3, 1e9), surface, 2.0);
-        (scene, Bem::new(rough.heights(96).unwrap(), Boundary::Periodic, false))
+        (scene, Bem::new(rough.heights(96).unwrap(), None, false))
     }
 
     #[test]

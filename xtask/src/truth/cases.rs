@@ -1,7 +1,7 @@
 //! The surfaces, materials and loads of the truth report.
 
 use anyhow::Result;
-use asperity::bem::{Bem, Boundary, RandomSurface};
+use asperity::bem::{Bem, Continuation, RandomSurface};
 use asperity::{Interface, Model, Persson, PerssonVariance, Scene, Surface};
 
 /// The extent of the evidence.
@@ -70,7 +70,7 @@ pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
 /// The boundary elements of one surface.
 pub fn bem(scope: &Scope, surface: RandomSurface, seed: u64) -> Result<Bem> {
     let map = surface.seed(seed).heights(scope.pixels)?;
-    Ok(Bem::new(map, Boundary::Periodic, false))
+    Ok(Bem::new(map, Some(Continuation::Periodic), false))
 }
 
 /// Every model that is compared with boundary elements. Persson's spectrum is a power law, as that

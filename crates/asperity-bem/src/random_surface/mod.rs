@@ -99,7 +99,7 @@ struct Wave {
 }
 
 impl RandomSurface {
-    /// H, unless another is asked for.
+    /// The default of H.
     pub const HURST: f64 = 0.8;
 
     /// A surface whose waves are counted per side: `longest` (the fewest), where it rolls off, and

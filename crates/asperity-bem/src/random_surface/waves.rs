@@ -65,7 +65,7 @@ impl Waves {
             |(), (a, row)| {
                 let half = 0..columns / 2 + 1;
                 let mut waves: Vec<Complex64> = half.map(|j| values[j * rows + a]).collect();
-                // Real but for rounding, which is refused.
+                // Imaginary parts are rounding, which the transform refuses.
                 waves[0].im = 0.0;
                 // It fails only for wrong lengths and for these.
                 let _ = along.process(&mut waves, row);

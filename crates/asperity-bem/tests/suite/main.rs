@@ -12,6 +12,7 @@ mod lists;
 mod model;
 mod notes;
 mod reference;
+mod steps;
 mod surfaces;
 mod unloading;
 

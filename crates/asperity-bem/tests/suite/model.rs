@@ -1,6 +1,6 @@
 //! `bem` as a model: the solver's answers under the names that all models share.
 
-use asperity_bem::{Bem, Boundary, LoadCase};
+use asperity_bem::{Bem, Continuation, LoadCase};
 use asperity_core::{At, ContactModel, Interface, Quantity, Request, Scene, Separation, Surface};
 
 use crate::{MODULUS, UNIT, close, rough};
@@ -15,7 +15,7 @@ fn scene() -> Scene {
 #[test]
 fn answers_are_those_of_the_solver() {
     for elastic in [true, false] {
-        let bem = Bem::new(rough(64, 1), Boundary::Periodic, elastic);
+        let bem = Bem::new(rough(64, 1), None, elastic);
         let elements = bem.elements(&scene().interface).unwrap();
         let direct = elements.solve(LoadCase::MeanPressure(0.05 * UNIT)).unwrap();
         assert_eq!(direct.plastic_area > 0.0, !elastic);
@@ -48,7 +48,7 @@ fn answers_are_those_of_the_solver() {
 
 #[test]
 fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
-    let bem = Bem::new(rough(64, 1), Boundary::Free, false);
+    let bem = Bem::new(rough(64, 1), Some(Continuation::Free), false);
     let request = Request::new([Quantity::Area, Quantity::MeanPressure]);
     let contact = bem.compile(&scene(), &request).unwrap();
     let far: At = Separation::metres(1.0).from_surface_mean().into();
@@ -68,12 +68,28 @@ fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
 }
 
 #[test]
-fn a_seam_is_taken_out_where_the_map_is_repeated() {
+fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
     let cut = rough(64, 1).heights()[..64 * 40].to_vec();
     let cut = asperity_bem::HeightMap::new(cut, [40, 64], rough(64, 1).pixel()).unwrap();
-    let periodic = Bem::new(cut.clone(), Boundary::Periodic, true);
-    assert!(periodic.seam().is_some_and(|step| step > 3.0) && periodic.map().edges_meet());
-    assert_eq!(periodic.half_grid().unwrap().map().shape(), [20, 32]);
-    let free = Bem::new(cut.clone(), Boundary::Free, true);
-    assert!(free.seam().is_none() && *free.map() == cut);
+    let usual = Bem::new(cut.clone(), None, true);
+    assert!(usual.note().is_some_and(|note| note.value > 3.0) && usual.map().edges_meet());
+    assert_eq!(usual.continuation(), Continuation::PeriodicPart);
+    assert_eq!(usual.half_grid().unwrap().map().shape(), [20, 32]);
+    let requested = Bem::new(cut.clone(), Some(Continuation::PeriodicPart), true);
+    assert!(requested.note().is_none() && requested.map() == usual.map());
+    for continuation in [Continuation::Periodic, Continuation::Free] {
+        let bem = Bem::new(cut.clone(), Some(continuation), true);
+        assert!(bem.note().is_none() && *bem.map() == cut);
+        assert_eq!(bem.continuation(), continuation);
+        // What is declared has no second warning.
+        let solved = bem.elements(&scene().interface).unwrap().tolerance(0.1).unwrap();
+        let solved = solved.solve(LoadCase::MeanPressure(UNIT)).unwrap();
+        assert!(solved.notes.iter().all(|note| note.code != "seam"), "{:?}", solved.notes);
+    }
+    let whole = Bem::new(rough(64, 1), None, true);
+    assert_eq!((whole.continuation(), whole.note()), (Continuation::Periodic, None));
+    for one in Continuation::ALL {
+        assert_eq!(Continuation::named(&one.to_string()), Some(one));
+    }
+    assert_eq!(Continuation::named("open"), None);
 }

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asperity::Diagnostics;
-use asperity::bem::{Bem, Boundary, LoadCase};
+use asperity::bem::{Bem, Continuation, LoadCase};
 use asperity_plot::{draw_map, map_png};
-use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
-use clap::{ArgAction, Args, ValueEnum};
+use clap::{ArgAction, Args};
 
 use crate::input::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
 use crate::input::numbers::{Numbers, all, length, load, pressure};
@@ -28,7 +28,8 @@ whole nominal area, levelled and filtered by the scene's keys. The material is t
 the scene and yields where the pressure reaches the hardness.
 Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
 pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
-planes), patches, iterations, residual; with --refine the same on half the grid.
+planes), patches, iterations, residual; with --refine the same on half the grid;
+boundary (periodic, periodic-part or free).
 After Ctrl-C the loads solved so far are written; the exit code is 130.
 
 Examples:
@@ -84,17 +85,17 @@ pub struct Way {
     /// Ignore the hardness: elastic, with unlimited pressures
     #[arg(long)]
     pub elastic: bool,
-    /// Boundary of the scan: periodic (uses the periodic component if the edges do not match) or
-    /// free
-    #[arg(long, value_name = "WHAT", default_value = "periodic")]
-    pub boundary: Beyond,
+    /// Beyond the edges of the scan: periodic (repeated as it is, with steps), periodic-part (its
+    /// periodic component) or free [default: periodic if the scene says periodic = true or the
+    /// edges match, otherwise periodic-part]
+    #[arg(long, value_name = "WHAT", value_parser = continuation())]
+    pub boundary: Option<Continuation>,
 }
 
-/// `--boundary`.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-pub enum Beyond {
-    Periodic,
-    Free,
+/// The values of `--boundary`.
+fn continuation() -> impl TypedValueParser<Value = Continuation> {
+    let names = PossibleValuesParser::new(Continuation::ALL.map(Continuation::name));
+    names.try_map(|name| Continuation::named(&name).ok_or("another name was required"))
 }
 
 impl Places {
@@ -112,31 +113,20 @@ impl Places {
 }
 
 impl Way {
-    /// The model of the scene's scan, with a note if its periodic component is used.
+    /// The model of the scene's scan, with a note if its periodic component is used by default.
     pub fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
-        let boundary = match self.boundary {
-            Beyond::Periodic => Boundary::Periodic,
-            Beyond::Free => Boundary::Free,
-        };
-        let bem = match scene.file.bem(boundary, self.elastic) {
+        let bem = match scene.file.bem(self.boundary, self.elastic) {
             Ok(bem) => bem,
             Err(error) => bail!("{}: {error}", scene.name),
         };
-        if let Some(step) = bem.seam() {
-            let why = "the edges of the scan do not match";
-            let what = "its periodic component is used; --boundary free uses the scan unchanged";
-            print_message(
-                "note",
-                &format!("{why} (step {step:.1} times that between neighbours): {what}"),
-            );
-        }
+        crate::output::report(&bem.note().into_iter().collect());
         Ok(bem)
     }
 }
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load_for(&self.scene, &["bem".into()])?;
+        let scene = LoadedScene::load_scan(&self.scene)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.way.bem(&scene)?;
@@ -171,7 +161,11 @@ impl BemCommand {
             }
             bail!("{}: no load was solved", scene.name);
         }
-        self.output.write(&table(&whole, half.as_deref(), scene.file.scene.nominal_area))?;
+        let nominal_area = scene.file.scene.nominal_area;
+        let mut table = table(&whole, half.as_deref(), nominal_area);
+        table.head.push("boundary".into());
+        table.rows.iter_mut().for_each(|row| row.push(bem.continuation().name().into()));
+        self.output.write(&table)?;
         if let Some(path) = &self.map {
             contact_map::write(path, &maps, bem.map().shape())?;
         }

@@ -8,6 +8,7 @@ mod conductance;
 mod curve;
 mod export;
 mod generate;
+mod glance;
 mod history;
 mod init;
 mod models;

@@ -37,9 +37,9 @@ pub struct Scales {
     /// With --with: model [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id, requires = "with")]
     model: Option<String>,
-    /// With --scales: also plot the table
+    /// Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales,
+    /// its table
     #[arg(long, value_name = "FILE.svg", value_parser = |name: &str| svg_file(name.into()))]
-    #[arg(requires = "scales")]
     plot: Option<PathBuf>,
 }
 

@@ -5,16 +5,17 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::Diagnostics;
 use asperity_topography::{
-    Estimator, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError,
+    Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError,
 };
 use clap::Args;
 use clap::error::ErrorKind;
 use toml::Value;
 
+use crate::commands::glance;
 use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
 use crate::input::numbers::{length, number, positive_numbers};
-use crate::output::table::{Cell, Format, Table};
+use crate::output::table::{Format, Table};
 use crate::output::{self, print_message, progress, report};
 
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
@@ -32,6 +33,7 @@ Examples:
   asperity surface scan.txt --unit um --pixel-size 0.5
   asperity surface scan.txt --unit um --pixel-size 0.5,0.5 --estimator summits --format json
   asperity surface scan.txt --unit um --pixel-size 0.5 --heights pdf.csv --scene rough.toml
+  asperity surface scan.txt --unit um --pixel-size 0.5 --plot report.svg
   asperity surface scan.txt --unit um --pixel-size 0.5 --scales 1.5e-6:2e-5:8:log
   asperity surface scan.txt scan.txt --unit um --pixel-size 0.5 --scene measured.toml"
 )]
@@ -115,9 +117,10 @@ impl Surface {
             return self.output.write(&table);
         }
         let (mut each, mut found, mut density) = (vec![], Diagnostics::default(), None);
+        let mut glance = None;
         for path in &self.files {
             let of = || path.display().to_string();
-            let surface = self.prepared(path)?;
+            let (raw, surface) = self.prepared(path)?;
             let statistics = surface.statistics(self.estimator).with_context(of)?;
             let seam = asperity_scene::open_seam(&surface).into_iter();
             let of_scan = seam.chain(statistics.warnings.iter().cloned());
@@ -125,6 +128,15 @@ impl Surface {
             each.push(statistics);
             if self.heights.is_some() {
                 density = Some(surface.height_density().with_context(of)?);
+            }
+            if self.files.len() == 1 {
+                let level = self.level.unwrap_or(Level::usual(self.periodic));
+                let cutoffs = [self.smooth, self.filter];
+                let found = Glance::new(&raw, level, cutoffs, &surface).with_context(of)?;
+                if let Some(plot) = self.scales.plot() {
+                    output::write_text(Some(plot), &glance::picture(path, &surface, &found)?)?;
+                }
+                glance = Some(found);
             }
         }
         if let [first, second] = &each[..] {
@@ -147,9 +159,10 @@ impl Surface {
             print_message("note", &format!("{}: {text}", path.display()));
         }
         if self.output.format == Format::Json {
-            return self.output.write_text(&(serde_json::to_string_pretty(statistics)? + "\n"));
+            let report = glance::Report { statistics, glance };
+            return self.output.write_text(&(serde_json::to_string_pretty(&report)? + "\n"));
         }
-        self.output.write(&table(statistics))
+        self.output.write(&glance::table(statistics, glance.as_ref()))
     }
 
     /// Refuses options that exclude each other.
@@ -170,6 +183,9 @@ impl Surface {
         if self.scales.is_requested() && self.files.len() > 1 {
             refuse("--scales takes one FILE");
         }
+        if self.scales.plot().is_some() && self.files.len() > 1 {
+            refuse("--plot takes one FILE");
+        }
         if let (Some(smooth), Some(filter)) = (self.smooth, self.filter)
             && smooth >= filter
         {
@@ -187,31 +203,32 @@ impl Surface {
     /// The surface against the short-wavelength cut-off.
     fn at_scales(&self) -> Result<Table> {
         let path = self.files.first().context("a file was required")?;
-        let surface = self.levelled(path)?;
+        let (_, surface) = self.levelled(path)?;
         let finish = |smooth: Topography| Ok(self.filtered(smooth)?);
         self.scales.table(&surface, self.estimator, finish)
     }
 
-    /// The scan, read, despiked, levelled, filled and filtered.
-    fn prepared(&self, path: &Path) -> Result<Topography> {
-        let mut surface = self.levelled(path)?;
+    /// The scan as read and despiked; and levelled, filled and filtered.
+    fn prepared(&self, path: &Path) -> Result<(Topography, Topography)> {
+        let (raw, mut surface) = self.levelled(path)?;
         let of = || path.display().to_string();
         if let Some(cutoff) = self.smooth {
             surface = surface.smooth(cutoff).with_context(of)?;
         }
-        self.filtered(surface).with_context(of)
+        Ok((raw, self.filtered(surface).with_context(of)?))
     }
 
-    fn levelled(&self, path: &Path) -> Result<Topography> {
+    fn levelled(&self, path: &Path) -> Result<(Topography, Topography)> {
         output::keep(path);
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let channel = self.channel.clone();
         let options = ReadOptions { unit, pixel_size, max_missing, channel };
         let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
-        let clean = if self.despike { read.despiked() } else { Ok(read) };
-        let levelled = clean.and_then(|surface| surface.levelled(self.level));
+        let of = || path.display().to_string();
+        let clean = if self.despike { read.despiked().with_context(of)? } else { read };
+        let levelled = clean.clone().levelled(self.level);
         let filled = if self.fill_missing { levelled.and_then(Topography::fill) } else { levelled };
-        filled.with_context(|| path.display().to_string())
+        Ok((clean, filled.with_context(of)?))
     }
 
     fn filtered(&self, surface: Topography) -> Result<Topography, TopographyError> {
@@ -265,31 +282,4 @@ fn beside(scene: &Path, file: &Path) -> Result<String> {
     text.ok_or_else(|| {
         anyhow!("{} is not valid UTF-8, so that no scene file can name it", named.display())
     })
-}
-
-fn table(statistics: &Statistics) -> Table {
-    let outliers = &statistics.outliers;
-    let rows = [
-        ("sq", Some(statistics.sq), "m", "standard deviation of the heights"),
-        ("ssk", Some(statistics.ssk), "", "skewness of the heights"),
-        ("sku", Some(statistics.sku), "", "kurtosis of the heights, 3 for a Gaussian surface"),
-        ("m0", Some(statistics.m0), "m2", "profile moment <z^2>"),
-        ("m2", Some(statistics.m2), "", "profile moment <z'^2>"),
-        ("m4", Some(statistics.m4), "1/m2", "profile moment <z''^2>"),
-        ("alpha", Some(statistics.alpha), "", "bandwidth m0 m4/m2^2"),
-        ("asperity_density", statistics.asperity_density, "1/m2", "eta"),
-        ("asperity_radius", statistics.asperity_radius, "m", "R"),
-        ("asperity_height_std", statistics.asperity_height_std, "m", "sigma_z"),
-        ("beta", statistics.beta, "", "eta R sq"),
-        ("beta_z", statistics.beta_z, "", "eta R sigma_z"),
-        ("missing_share", Some(statistics.missing_share), "", "share of missing points"),
-        ("outliers", Some(outliers.count as f64), "", "points far outside their neighbours"),
-        ("outlier_largest", Some(outliers.largest), "m", "the furthest, above (+) or below (-)"),
-        ("outlier_m4_share", Some(outliers.m4_share), "", "share of m4 due to outliers"),
-    ];
-    let row = |(name, value, unit, meaning): (&str, Option<f64>, &str, &str)| {
-        vec![name.into(), Cell::Number(value), unit.into(), meaning.into()]
-    };
-    let rows = rows.into_iter().map(row).collect();
-    Table { rows, ..Table::new(&["name", "value", "unit", "meaning"]) }
 }

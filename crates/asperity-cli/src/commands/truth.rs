@@ -121,7 +121,10 @@ impl TruthCommand {
         }
         by_reason(&missing).iter().for_each(|text| print_message("warning", text));
         print_message("note", &summary(&found));
-        self.output.write(&table(&found, &half, area))?;
+        let mut table = table(&found, &half, area);
+        table.head.push("boundary".into());
+        table.rows.iter_mut().for_each(|row| row.push(bem.continuation().name().into()));
+        self.output.write(&table)?;
         let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| *state);
         if !models.is_empty() && states.all(|state| state == ContactState::default()) {
             bail!("{}: no model has a result", scene.name);

@@ -1,6 +1,6 @@
 //! `bem`: the scan of a scene, pixel by pixel.
 
-use asperity::bem::{Boundary, LoadCase};
+use asperity::bem::{Continuation, LoadCase};
 
 use crate::bench::{Bench, NO_SHEAR, Run, cells, column};
 
@@ -70,9 +70,9 @@ fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
 fn rows_are_those_of_the_library() {
     let bench = bench();
     for (arguments, boundary, elastic) in [
-        ("", Boundary::Periodic, false),
-        ("--elastic", Boundary::Periodic, true),
-        ("--elastic --boundary free", Boundary::Free, true),
+        ("", None, false),
+        ("--elastic", None, true),
+        ("--elastic --boundary free", Some(Continuation::Free), true),
     ] {
         let arguments = format!("bem scan.toml --pressure 1e7,2e9,1e8 {arguments} --format csv");
         let data = bench.data(&arguments);
@@ -194,7 +194,10 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
         ("bem scan.toml", "--pressure"),
         ("bem scan.toml --pressure 1 --load 1", "cannot be used with"),
         ("bem scan.toml --pressure -1", "-1 is not above 0"),
-        ("bem scan.toml --pressure 1e6 --boundary open", "[possible values: periodic, free]"),
+        (
+            "bem scan.toml --pressure 1e6 --boundary open",
+            "[possible values: periodic, periodic-part, free]",
+        ),
         ("bem scan.toml --pressure 1e6,1e7 --picture a.svg", "--picture draws one load"),
         ("bem scan.toml --pressure 1e6 --picture a.jpg", "ends in .svg or .png"),
         (

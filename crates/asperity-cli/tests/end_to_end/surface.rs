@@ -119,8 +119,8 @@ fn the_numbers_agree_with_the_library() {
     let printed: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(printed.as_object().unwrap().len(), KEYS.len());
     assert_eq!(printed["sq"].as_f64(), Some(found.sq));
-    assert_eq!(printed["asperity_density"].as_f64(), Some(found.asperity_density));
-    assert_eq!(printed["beta_z"].as_f64(), Some(found.beta_z));
+    assert_eq!(printed["asperity_density"].as_f64(), found.asperity_density);
+    assert_eq!(printed["beta_z"].as_f64(), found.beta_z);
 }
 
 #[test]

@@ -216,10 +216,11 @@ impl Diagnostic {
     /// [models of the whole surface](crate::Validity::asperities) do not use.
     #[must_use]
     pub fn is_of_asperities(&self) -> bool {
-        const CODES: [&str; 5] = [
+        const CODES: [&str; 6] = [
             FEW_ASPERITIES,
             ROUGHNESS_PARAMETER,
             "estimators-disagree",
+            "no-asperities",
             "no-second-estimator",
             "summits-follow-sampling",
         ];

@@ -46,7 +46,7 @@ from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
 from asperity._scene import Scenes
-from asperity._surfaces import read, topography
+from asperity._surfaces import Picture, random_surface, read, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
 
 __version__ = _version("asperity")
@@ -68,6 +68,7 @@ __all__ = [
     "Model",
     "NotConverged",
     "PartialSlip",
+    "Picture",
     "Plan",
     "PlanStep",
     "Recommendation",
@@ -89,6 +90,7 @@ __all__ = [
     "model",
     "models",
     "plan",
+    "random_surface",
     "read",
     "read_sweep",
     "recommend",

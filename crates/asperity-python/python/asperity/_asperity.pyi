@@ -50,6 +50,7 @@ __all__ = [
     "plan",
     "pull_off",
     "quantities",
+    "random_surface",
     "recommend",
     "separations",
     "shares",
@@ -291,6 +292,20 @@ class Topography:
     def outliers(self) -> dict[str, Any]: ...
     def filter(self, cutoff: _Float) -> Topography: ...
     def smooth(self, cutoff: _Float) -> Topography: ...
+    def report(
+        self,
+        level: str | None = None,
+        smooth: _Float | None = None,
+        cutoff: _Float | None = None,
+    ) -> dict[str, Any]: ...
+    def plot(
+        self,
+        level: str | None = None,
+        smooth: _Float | None = None,
+        cutoff: _Float | None = None,
+        title: str = "",
+    ) -> Any: ...
+    def to_x3p(self, path: str | PathLike[str]) -> None: ...
     def summit_density(self) -> tuple[tuple[float, ...], tuple[float, ...]]: ...
 
 @disjoint_base
@@ -459,22 +474,30 @@ def bem(
     given: str,
     values: Sequence[_Float],
     elastic: bool,
-    boundary: str,
+    boundary: str | None,
     maps_and_mask: tuple[bool, bool],
 ) -> tuple[
-    dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str]
+    dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str], str
 ]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
     elastic: bool,
-    boundary: str,
+    boundary: str | None,
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str]
+    list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str], str
 ]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
 def model_ids() -> list[str]: ...
 def template() -> str: ...
+
+def random_surface(
+    shape: tuple[int, int],
+    pixel_size: _Spacing,
+    wavelengths: tuple[_Float, _Float, _Float],
+    sizes: tuple[_Float | None, _Float | None],
+    options: tuple[_Float, _Float, _Float, _Float | None, int],
+) -> Topography: ...

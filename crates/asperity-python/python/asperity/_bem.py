@@ -15,7 +15,7 @@ from asperity._arguments import checked_errors, place
 from asperity._asperity import Interface, Scene, Topography, in_si
 from asperity._scene import Floats
 
-Boundary = Literal["periodic", "free"]
+Boundary = Literal["periodic", "periodic-part", "free"]
 
 
 @dataclass(frozen=True)
@@ -49,6 +49,8 @@ class BemContacts:
     gaps: Floats | None
     #: The reasons of masked contacts with ``errors="mask"``, by place in the order of memory.
     failures: Mapping[int, str]
+    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
+    boundary: str
 
     def __repr__(self) -> str:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
@@ -74,20 +76,23 @@ class TruthRows(list[TruthRow]):
     nearest: str | None = None
     #: The reasons of models without a row or with blanks, by model.
     refused: Mapping[str, str] = MappingProxyType({})
+    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
+    boundary: str = "periodic"
     #: The reasons of pressures without rows with ``errors="mask"``, by place.
     failures: Mapping[int, str] = MappingProxyType({})
 
 
 def bem(
-    surface: Topography | Scene,
+    surface: Topography | Scene | npt.ArrayLike,
     *,
     pressure: npt.ArrayLike | None = None,
     load: npt.ArrayLike | None = None,
     gap: npt.ArrayLike | None = None,
     interface: Interface | None = None,
+    pixel_size: float | str | tuple[float, float] | None = None,
     level: str | None = None,
     elastic: bool = False,
-    boundary: Boundary = "periodic",
+    boundary: Boundary | None = None,
     maps: bool = True,
     errors: str = "raise",
 ) -> BemContacts:
@@ -95,21 +100,26 @@ def bem(
 
     Parameters
     ----------
-    surface : Topography or Scene
-        A scan; or a scene whose file names a scan ([surface] file = ...), with the levelling and
-        filter of that file.
+    surface : Topography, Scene or array_like
+        A scan; a scene whose file names a scan ([surface] file = ...), with the levelling and
+        filter of that file; or heights [m], row by row, pressed as they are.
     pressure, load, gap : array_like
         One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or on the
         scan, or mean gaps [m].
     interface : Interface
-        The two bodies; for a Topography only.
+        The two bodies; for a Topography and for heights.
+    pixel_size : float or (float, float)
+        Distance between neighbouring heights [m] along a row, and along a column; for heights only.
     level : "plane", "quadratic", "mean" or "none"
-        The form removed from a Topography first; by default the plane, for a periodic one the mean.
+        The form removed first: by default the plane from a Topography, the mean from a periodic one
+        and nothing from heights.
     elastic : bool
         Ignores the hardness: pressures are unlimited.
-    boundary : "periodic" or "free"
-        Whether the scan is repeated beyond its edges, or ends there. Where the edges of a repeated
-        scan do not match, its periodic component is used, with a warning.
+    boundary : "periodic", "periodic-part" or "free"
+        Beyond its edges the scan is repeated as it is, with its steps; or its periodic component is
+        repeated, without steps; or there is a free half-space. By default a scan declared periodic
+        is repeated as it is. So is another one if its edges match; if not, its periodic component
+        is used, with a warning. ``BemContacts.boundary`` names the choice.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"
@@ -133,8 +143,14 @@ def bem(
     ((name, value),) = named
     values = _asperity.floats(value, name)
     mask = checked_errors(errors) == "mask"
-    numbers, kept, (rows, columns), failures = _asperity.bem(
-        (surface, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
+    if isinstance(surface, Topography | Scene):
+        if pixel_size is not None:
+            raise TypeError("pixel_size was given beside a Topography or a Scene, which has its own")
+        scan = surface
+    else:
+        scan, level = _scan(surface, pixel_size), level or "none"
+    numbers, kept, (rows, columns), failures, used = _asperity.bem(
+        (scan, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
     )
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
@@ -148,7 +164,25 @@ def bem(
         missing = np.ma.getmask(contacts[count])
         contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
     pressures, gaps = (None, None) if kept is None else (shaped(k, rows, columns) for k in kept)
-    return BemContacts(**contacts, pressures=pressures, gaps=gaps, failures=failures)
+    return BemContacts(
+        **contacts, pressures=pressures, gaps=gaps, failures=failures, boundary=used
+    )
+
+
+def _scan(heights: npt.ArrayLike, pixel_size: float | str | tuple[float, float] | None) -> Topography:
+    """Heights [m] as a scan."""
+    if np.ndim(heights) != 2:
+        raise TypeError(
+            f"surface has {np.ndim(heights)} dimensions: a Topography, a Scene or heights in two "
+            "dimensions was required"
+        )
+    if pixel_size is None:
+        raise TypeError("pixel_size is missing: heights in an array need it, in m")
+    size = np.asarray(in_si(pixel_size, "m"), dtype=float)
+    if size.shape not in ((), (2,)):
+        raise TypeError("pixel_size must be a length or two, along a row and along a column")
+    along_row, along_column = np.broadcast_to(size, 2).tolist()
+    return Topography(heights, (along_row, along_column), "m")
 
 
 def truth(
@@ -157,7 +191,7 @@ def truth(
     pressure: npt.ArrayLike | None = None,
     load: npt.ArrayLike | None = None,
     elastic: bool = False,
-    boundary: Boundary = "periodic",
+    boundary: Boundary | None = None,
     models: Sequence[str] | None = None,
     refine: bool = False,
     errors: str = "raise",
@@ -182,7 +216,7 @@ def truth(
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
     mask = checked_errors(errors) == "mask"
-    found, nearest, refused, failures = _asperity.truth(
+    found, nearest, refused, failures, used = _asperity.truth(
         scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
     rows = TruthRows(
@@ -199,4 +233,5 @@ def truth(
         for at, model, state, deviation in found
     )
     rows.nearest, rows.refused, rows.failures = nearest, refused, failures
+    rows.boundary = used
     return rows

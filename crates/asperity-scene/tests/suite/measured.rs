@@ -140,8 +140,9 @@ fn a_periodic_scan_keeps_its_moments_by_default() {
         tilted.warnings
     );
     // Boundary elements use the same scan.
-    let bem = usual.bem(asperity_bem::Boundary::Periodic, true).unwrap();
-    assert!(bem.seam().is_none());
+    let bem = usual.bem(None, true).unwrap();
+    assert!(bem.note().is_none());
+    assert_eq!(bem.continuation(), asperity_bem::Continuation::Periodic);
 }
 
 #[test]

@@ -8,6 +8,6 @@ mod hostile;
 mod orientation;
 mod others;
 mod outliers;
-mod scale;
 mod parameters;
+mod scale;
 mod spectra;

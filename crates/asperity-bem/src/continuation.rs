@@ -1,0 +1,81 @@
+//! How a scan continues beyond its edges.
+
+use std::fmt;
+
+use asperity_core::Diagnostic;
+
+use crate::seam::LARGEST_STEP;
+use crate::{Boundary, HeightMap};
+
+/// How a scan continues beyond its edges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Continuation {
+    /// Repeated as it is, with the steps at its edges: for a surface known to be periodic.
+    Periodic,
+    /// Its [periodic component](HeightMap::periodic_part) is repeated, without steps.
+    PeriodicPart,
+    /// A free half-space around the scan as it is.
+    Free,
+}
+
+impl Continuation {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Periodic, Self::PeriodicPart, Self::Free];
+
+    /// Its name in options and answers: `periodic`, `periodic-part`, `free`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Periodic => "periodic",
+            Self::PeriodicPart => "periodic-part",
+            Self::Free => "free",
+        }
+    }
+
+    /// The continuation of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|one| one.name() == name)
+    }
+
+    /// That of a map of which nothing is declared: repeated, without steps if its edges do not
+    /// [match](HeightMap::edges_meet).
+    #[must_use]
+    pub fn of(map: &HeightMap) -> Self {
+        if map.edges_meet() { Self::Periodic } else { Self::PeriodicPart }
+    }
+
+    /// The map that is pressed.
+    #[must_use]
+    pub fn applied(self, map: HeightMap) -> HeightMap {
+        if self == Self::PeriodicPart { map.periodic_part() } else { map }
+    }
+
+    /// The boundary of the half-space.
+    #[must_use]
+    pub fn boundary(self) -> Boundary {
+        match self {
+            Self::Periodic | Self::PeriodicPart => Boundary::Periodic,
+            Self::Free => Boundary::Free,
+        }
+    }
+}
+
+impl fmt::Display for Continuation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A note that the periodic component is used although nobody asked for it; `step` is the
+/// [step at the edges](HeightMap::seam_step).
+pub(crate) fn taken_part(step: f64) -> Diagnostic {
+    Diagnostic::note("periodic-part", "seam_step", step)
+        .usual([0.0, LARGEST_STEP])
+        .fact(format!(
+            "the edges of the scan do not match (step {step:.1} times that between neighbours)"
+        ))
+        .advice(
+            "its periodic component is used; boundary \"periodic\", or periodic = true, uses the scan with this step, boundary \"free\" without repetition",
+        )
+}
