@@ -45,6 +45,8 @@ pub struct SceneFile {
     pub scan: Option<Arc<Topography>>,
     /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
+    /// The keys that were given with a unit.
+    pub(crate) stated: Vec<String>,
     /// The file as read, for writing it again.
     pub(crate) read: Option<Arc<Read>>,
     /// The spectrum of the scan, computed on first use.
@@ -64,7 +66,8 @@ pub struct LeftOut {
 ///
 /// # Errors
 /// [`SceneError`] with the file, the line, the field, the value found and the value needed.
-pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
+pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
+    let path = path.as_ref();
     let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
     let read = || {
         let text = read_text(path, named)?;
@@ -214,6 +217,7 @@ fn scene_file(document: &Document<'_>) -> Result<SceneFile, SceneError> {
         accept,
         scan,
         follows_from: described.follows_from,
+        stated: document.stated.clone(),
         read: Some(Arc::new(read)),
         spectrum: Arc::default(),
     })
@@ -251,6 +255,7 @@ impl From<Scene> for SceneFile {
             accept: vec![],
             scan: None,
             follows_from: &[],
+            stated: vec![],
             read: None,
             spectrum: Arc::default(),
         }
@@ -372,6 +377,7 @@ impl SceneFile {
             bodies,
             measured,
             follows_from,
+            stated: vec![],
             warnings: Diagnostics::default(),
             scan,
             ..self.clone()
