@@ -12,5 +12,13 @@ pub use pull_off::{PullOff, pull_off};
 
 /// The validity of an adhesive model, with its range of the Tabor parameter.
 fn adhesive_validity([least, most]: [f64; 2], valid_for: &'static str) -> Validity {
-    Validity::with_adhesion().for_tabor(least, most).valid_for(valid_for).holds_to(1.0)
+    Validity {
+        force_monotone: false,
+        hertz_limit: None,
+        adhesive: true,
+        tabor: Some([least, most]),
+        valid_for,
+        holds_to: Some(1.0),
+        ..Validity::default()
+    }
 }

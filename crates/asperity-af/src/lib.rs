@@ -51,7 +51,10 @@ impl Described for AbdoFarhang {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default().valid_for("w_c < R; the mean pressure has no plastic limit")
+        Validity {
+            valid_for: "w_c < R; the mean pressure has no plastic limit",
+            ..Validity::default()
+        }
     }
 }
 

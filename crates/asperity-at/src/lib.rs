@@ -9,6 +9,7 @@ use asperity_core::{
 };
 use asperity_gao::{
     ELASTIC_END, Lateral, LateralLaw, LateralOptions, NormalLaw, PLASTIC_FROM, Stick,
+    lateral_validity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -86,7 +87,7 @@ impl Described for AminiTehrani {
     }
 
     fn validity(&self) -> Validity {
-        self.options.validity().valid_for(match self.reading {
+        lateral_validity(match self.reading {
             AtReading::Printed => {
                 "w_c < R; needs the equivalent shear modulus; inclined contacts; totals can be negative"
             }

@@ -109,8 +109,9 @@ impl Described for Bem {
     }
 
     fn validity(&self) -> Validity {
-        let valid_for = "the scan as it is, at small slopes; the hardness is a cap of the pressure";
-        Validity::without_asperities().valid_for(valid_for)
+        let valid_for =
+            "the scan unchanged, at small slopes; the hardness is a cap of the pressure";
+        Validity { asperities: false, hertz_limit: None, valid_for, ..Validity::default() }
     }
 }
 

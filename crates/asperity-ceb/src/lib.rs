@@ -27,8 +27,10 @@ impl Described for ChangEtsionBogy {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default()
-            .valid_for("w_c < R; no elastic-plastic range: the force jumps by 50 % at w_c")
+        Validity {
+            valid_for: "w_c < R; no elastic-plastic range: the force jumps by 50 % at w_c",
+            ..Validity::default()
+        }
     }
 }
 

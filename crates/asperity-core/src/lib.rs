@@ -12,7 +12,7 @@
 //! scene + request → model.force(asperity) → compiled → response
 //! ```
 //!
-//! This crate contains no model; diagnostics recommend models by their ids. All units are SI;
+//! This crate contains no model; messages recommend some by their ids. All units are SI;
 //! plain separations are multiples of σ_z.
 
 mod check;
@@ -22,6 +22,8 @@ mod error;
 mod heights;
 mod law;
 mod model;
+#[doc(hidden)]
+pub mod recommended;
 mod request;
 mod response;
 mod scene;

@@ -29,15 +29,17 @@ impl Described for EtsionKligermanKadin {
 
     fn validity(&self) -> Validity {
         // The jump at x = 170 is upwards or downwards, depending on S.
-        Validity::default()
-            .not_monotone()
-            .valid_for("w_c < R, loading; fitted to finite elements up to 170 w_c, plastic beyond")
-            .holds_to(170.0)
-            .known_defect(KnownDefect {
+        Validity {
+            force_monotone: false,
+            valid_for: "w_c < R, loading; fitted to finite elements up to 170 w_c, plastic beyond",
+            holds_to: Some(170.0),
+            known_defect: Some(KnownDefect {
                 from: 1.2,
                 to: 20.0,
                 summary: "underestimates the force by 9 to 17 % there and overestimates the area by 5 to 12 %, compared with finite elements; use ke or jg",
-            })
+            }),
+            ..Validity::default()
+        }
     }
 }
 

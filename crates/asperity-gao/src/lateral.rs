@@ -73,6 +73,13 @@ pub struct LateralOptions {
     pub force: ForceComponent,
 }
 
+/// The validity of a lateral model: inclined contacts have no Hertz limit, and the force may fall.
+#[must_use]
+pub fn lateral_validity(valid_for: &'static str) -> Validity {
+    let (force_monotone, hertz_limit) = (false, None);
+    Validity { force_monotone, hertz_limit, angles: true, valid_for, ..Validity::default() }
+}
+
 impl LateralOptions {
     fn check(&self) -> Result<(), ContactError> {
         self.angle_density.check()?;
@@ -85,12 +92,6 @@ impl LateralOptions {
             }
         }
         Ok(())
-    }
-
-    /// The validity of a lateral model with these options.
-    #[must_use]
-    pub fn validity(&self) -> Validity {
-        Validity::over_angles()
     }
 
     /// Warnings about these options.

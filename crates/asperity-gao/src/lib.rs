@@ -19,7 +19,9 @@ use serde::{Deserialize, Serialize};
 
 pub use angles::AngleDensity;
 pub use average::{angle_average, angle_average_of_powers};
-pub use lateral::{Displacement, ForceComponent, Lateral, LateralLaw, LateralOptions, Stick};
+pub use lateral::{
+    Displacement, ForceComponent, Lateral, LateralLaw, LateralOptions, Stick, lateral_validity,
+};
 pub use oblique::ObliqueContact;
 pub use pieces::{ELASTIC_END, NormalLaw, PLASTIC_FROM, friction, regime_range};
 pub use slip::{ObliqueSlip, Response};
@@ -37,7 +39,7 @@ const SOURCE: Citation = Citation {
     name: "Gao",
     authors: "Gao, Fu, Wang and others, through Amini & Tehrani",
     year: 2018,
-    title: "(title not known; read through Amini & Tehrani 2020)",
+    title: "(title not known)",
     provenance: Provenance::Derived,
 };
 
@@ -47,9 +49,7 @@ impl Described for Gao {
     }
 
     fn validity(&self) -> Validity {
-        self.options
-            .validity()
-            .valid_for("w_c < R; needs the equivalent shear modulus; inclined contacts")
+        lateral_validity("w_c < R; needs the equivalent shear modulus; inclined contacts")
     }
 
     fn notes(&self) -> Vec<Diagnostic> {

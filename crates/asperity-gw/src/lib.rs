@@ -29,9 +29,11 @@ impl Described for GreenwoodWilliamson {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default()
-            .valid_for("plasticity index below about 0.6; yielding is ignored")
-            .holds_to(1.0)
+        Validity {
+            valid_for: "plasticity index below about 0.6; yielding is ignored",
+            holds_to: Some(1.0),
+            ..Validity::default()
+        }
     }
 }
 

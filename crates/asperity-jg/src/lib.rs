@@ -134,9 +134,11 @@ impl Described for JacksonGreen {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default().not_monotone().valid_for(
-            "w_c' < R; fitted to finite elements; the mean pressure has no plastic limit",
-        )
+        Validity {
+            force_monotone: false,
+            valid_for: "w_c' < R; fitted to finite elements; the mean pressure has no plastic limit",
+            ..Validity::default()
+        }
     }
 }
 

@@ -28,9 +28,11 @@ impl Described for KogutEtsion {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default()
-            .valid_for("w_c < R; fitted to finite elements up to 110 w_c, plastic beyond")
-            .holds_to(110.0)
+        Validity {
+            valid_for: "w_c < R; fitted to finite elements up to 110 w_c, plastic beyond",
+            holds_to: Some(110.0),
+            ..Validity::default()
+        }
     }
 }
 

@@ -68,9 +68,12 @@ impl Described for Persson {
     }
 
     fn validity(&self) -> Validity {
-        Validity::without_asperities().valid_for(
-            "elastic contact of surfaces with Gaussian slopes; gaps need a Hurst exponent or a scan",
-        )
+        Validity {
+            asperities: false,
+            hertz_limit: None,
+            valid_for: "elastic contact of surfaces with Gaussian slopes; gaps need a Hurst exponent or a scan",
+            ..Validity::default()
+        }
     }
 }
 

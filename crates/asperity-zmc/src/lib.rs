@@ -57,8 +57,10 @@ impl Described for ZhaoMaiettaChang {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default()
-            .valid_for("w_1 < R; a smooth transition from elastic at w_1 to plastic at 54 w_1")
+        Validity {
+            valid_for: "w_1 < R; a smooth transition from elastic at w_1 to plastic at 54 w_1",
+            ..Validity::default()
+        }
     }
 }
 

@@ -353,6 +353,39 @@ mod tests {
     }
 
     #[test]
+    fn the_models_that_messages_recommend_are_what_they_are_recommended_for() {
+        use crate::recommended::{
+            DMT, ELASTIC, FULL_CONTACT, JKR, JKR_SEPARATION, WHOLE_SURFACE, YIELDING,
+        };
+        use crate::{Interface, Quantity, Request, Scene, Surface};
+        let ids = |text: &'static str| text.replace(" and ", ", ").replace(" or ", ", ");
+        let models = |text| -> Vec<Model> {
+            let ids = ids(text);
+            // Boundary elements need a scan and are not listed.
+            ids.split(", ")
+                .filter(|id| *id != crate::bem::Bem::ID)
+                .map(|id| id.parse().unwrap())
+                .collect()
+        };
+        let yields = |model: &Model| model.validity().holds_to.is_none_or(|x| x > 1.0);
+        assert!(models(YIELDING).iter().all(|m| yields(m) && m.validity().asperities));
+        assert!([DMT, JKR, JKR_SEPARATION].iter().all(|id| models(id)[0].validity().adhesive));
+        let whole = [models(WHOLE_SURFACE), models(FULL_CONTACT)].concat();
+        assert!(whole.iter().all(|model| !model.validity().asperities));
+        // Without a hardness, these alone have an answer, but for their own variants.
+        let mut interface = Interface::elastic(1e11, 0.3);
+        (interface.equivalent_shear_modulus, interface.work_of_adhesion) = (Some(4e10), Some(0.1));
+        let scene = Scene::new(interface, Surface::new(1e-4, 1e9, 1e-6), 1e-5);
+        let request = Request::new([Quantity::Force]);
+        let elastic = ids(ELASTIC);
+        for model in Model::named() {
+            let stem = model.id().split('-').next().unwrap();
+            let stated = elastic.split(", ").any(|id| id == stem);
+            assert_eq!(model.compile(&scene, &request).is_ok(), stated, "{model}");
+        }
+    }
+
+    #[test]
     fn far_names_get_the_list_and_no_guess() {
         let message = "westergaard".parse::<Model>().unwrap_err().to_string();
         assert!(!message.contains("mean") && message.contains("gw, ceb, zmc"), "{message}");

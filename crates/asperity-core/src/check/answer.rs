@@ -4,6 +4,7 @@
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::diagnostic::short;
+use crate::recommended::{DMT, FULL_CONTACT, JKR, WHOLE_SURFACE, YIELDING};
 use crate::{
     At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, KnownDefect, Quantity,
     Regime, Request, Separation, SeparationUnit, Severity, Tolerance, Validity,
@@ -16,7 +17,7 @@ const CROWDED: [f64; 2] = [0.1, 0.5];
 /// Number of contacts below which a single realisation differs much from the average.
 const FEW: f64 = 30.0;
 /// w/R (warning, error) beyond which an asperity is no spherical cap under small deformation.
-const DEEP: [f64; 2] = [0.3, 1.0];
+const FLATTENED: [f64; 2] = [0.3, 1.0];
 /// Share of the contacts that carries less than one per cent of the load.
 const NEGLIGIBLE: f64 = 1e-6;
 /// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.
@@ -77,7 +78,9 @@ impl Check {
             .of_model(model.name())
             .at(At::Pressure(pressure))
             .fact(format!("area_fraction is {}, above 1", short(area_fraction)))
-            .advice("check the units of modulus and load; at such loads use persson-fudge or bem");
+            .advice(format!(
+                "check the units of modulus and load; at such loads use {FULL_CONTACT}"
+            ));
         (area_fraction > 1.0).then_some(found)
     }
 
@@ -218,11 +221,11 @@ impl Check {
             "exceeded by the asperities that carry the top 1 % of the load",
         );
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
-        if w > DEEP[0] * r {
-            let severity = if w > DEEP[1] * r { Severity::Error } else { Severity::Warning };
+        if w > FLATTENED[0] * r {
+            let severity = if w > FLATTENED[1] * r { Severity::Error } else { Severity::Warning };
             let deep = Diagnostic::warning("deep", "interference_over_radius", w / r)
                 .severity(severity)
-                .usual([0.0, DEEP[0]])
+                .usual([0.0, FLATTENED[0]])
                 .of_model(model.name())
                 .at(at)
                 .advice("the interference is too large for a spherical-asperity law");
@@ -253,7 +256,7 @@ impl Check {
 /// Whether a relevant share of the contacts is deeper than spherical caps allow, by counting.
 fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool {
     let surface = &contact.scene().surface;
-    let depth = DEEP[0] * surface.asperity_radius / surface.asperity_height_std;
+    let depth = FLATTENED[0] * surface.asperity_radius / surface.asperity_height_std;
     let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
 }
@@ -267,11 +270,13 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
         let found = Diagnostic::warning("sticks", "adhesion_parameter", theta)
             .usual([HIDDEN, f64::INFINITY])
             .of_model(model.name())
-            .advice("this model ignores work_of_adhesion, which matters here; use dmt or jkr");
+            .advice(format!(
+                "this model ignores work_of_adhesion, which matters here; use {DMT} or {JKR}"
+            ));
         return Some(found);
     };
     let tabor = scene.asperity().ok()?.tabor_parameter()?;
-    let other = if tabor > most { "jkr" } else { "dmt" };
+    let other = if tabor > most { JKR } else { DMT };
     let found = Diagnostic::warning("tabor", "tabor_parameter", tabor)
         .usual([least, most])
         .of_model(model.name())
@@ -283,10 +288,10 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
 fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
     let name = model.name();
     let remedy = match model.validity().adhesive {
-        true => {
-            "no model has both yielding and adhesion; use ke or jg if adhesion_parameter is above 10"
-        }
-        false => "use ke or jg",
+        true => format!(
+            "no model has both yielding and adhesion; use {YIELDING} if adhesion_parameter is above {HIDDEN}"
+        ),
+        false => format!("use {YIELDING}"),
     };
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
     let found = Diagnostic::warning("yields", "yielding_share", share)
@@ -349,8 +354,9 @@ fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Diagnostic
         _ => return None,
     };
     let found = Diagnostic::warning("crowded", "area_fraction", fraction).severity(severity);
-    let advice =
-        "contacts merge, and models of independent asperities do not hold; use persson or bem";
+    let advice = format!(
+        "contacts merge, and models of independent asperities do not hold; use {WHOLE_SURFACE}"
+    );
     Some(found.usual([0.0, CROWDED[0]]).of_model(model.name()).at(at).advice(advice))
 }
 
@@ -360,7 +366,7 @@ fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Diagno
         .usual([0.0, PLASTIC])
         .of_model(model.name())
         .at(at)
-        .advice("the contacts would yield, and the real area is larger; use ke or jg");
+        .advice(format!("the contacts would yield, and the real area is larger; use {YIELDING}"));
     (ratio > PLASTIC).then_some(found)
 }
 

@@ -12,6 +12,7 @@ use std::borrow::Cow;
 use serde::{Serialize, Serializer};
 
 use crate::diagnostic::short;
+use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use crate::{ContactError, Diagnostic, Diagnostics, HeightDistribution, Scene};
 
 /// A number that follows from a scene.
@@ -81,8 +82,8 @@ impl Check {
 }
 
 /// Largest Tabor parameter of DMT, and smallest of JKR.
-const DMT: f64 = 0.1;
-const JKR: f64 = 5.0;
+const LEAST_TABOR: f64 = 0.1;
+const MOST_TABOR: f64 = 5.0;
 
 /// Distance of two atoms \[m\]; asperities with a smaller w_c are plastic from the onset of
 /// contact.
@@ -120,7 +121,9 @@ impl Scene {
         }
         if let (Some(work), Some(tabor)) = (asperity.work_of_adhesion, asperity.tabor_parameter()) {
             check.add_number("work_of_adhesion", work, "J/m2", "w_a");
-            let meaning = "(R w_a^2/(E^2 z0^3))^(1/3), z0 = 0.3 nm: dmt below 0.1, jkr above 5";
+            let meaning = format!(
+                "(R w_a^2/(E^2 z0^3))^(1/3), z0 = 0.3 nm: {DMT} below {LEAST_TABOR}, {JKR} above {MOST_TABOR}"
+            );
             check.add_number("tabor_parameter", tabor, "", meaning);
             if let Some(stiff) = self.adhesion_parameter() {
                 let meaning =
@@ -185,16 +188,21 @@ impl Scene {
         let tabor = self.asperity().ok()?.tabor_parameter().filter(|tabor| *tabor > 0.0)?;
         let theta = self.adhesion_parameter()?;
         let advice = match tabor {
-            t if t <= DMT => "use dmt",
-            t if t >= JKR => "use jkr, or jkr-separation as the surfaces part",
-            _ => "between dmt (below 0.1) and jkr (above 5); use both as bounds",
+            t if t <= LEAST_TABOR => format!("use {DMT}"),
+            t if t >= MOST_TABOR => {
+                format!("use {JKR}, or {JKR_SEPARATION} as the surfaces part")
+            }
+            _ => format!(
+                "between {DMT} (below {LEAST_TABOR}) and {JKR} (above {MOST_TABOR}); use both as bounds"
+            ),
         };
         let advice = format!(
             "{advice}, as other models ignore work_of_adhesion; adhesion_parameter is {}, and above {} roughness hides adhesion",
             short(theta),
             Self::HIDES_ADHESION
         );
-        let found = Diagnostic::note("adhesion", "tabor_parameter", tabor).usual([DMT, JKR]);
+        let found =
+            Diagnostic::note("adhesion", "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
         let fact = format!("tabor_parameter is {}", short(tabor));
         Some(found.fact(fact).advice(advice))
     }

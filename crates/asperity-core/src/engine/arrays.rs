@@ -3,6 +3,7 @@
 use asperity_quadrature::{Column, ColumnAccuracy};
 
 use crate::engine::averages::Averages;
+use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
 use crate::request::quantity_table::Derivation;
 use crate::response::row_check::CANCELLED;
@@ -10,8 +11,6 @@ use crate::{At, Contact, ContactError, Quantity};
 
 /// Values that fall back together to one at a time, if one of them has to.
 const FALLBACK_BLOCK: usize = 16_384;
-/// Below this, slopes are small differences of large integrals and each is held to its tolerance.
-const DEEP: f64 = -8.0;
 
 /// Bounds on all values of plain arrays.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,7 +113,7 @@ fn multiple(
         channel.total.fill(separations, column, values)?;
     // The factor is a product of two or three numbers.
     let report = FillReport { bound: error + f64::EPSILON, condition };
-    (normal && !(slope && lowest < DEEP)).then_some(report)
+    (normal && !(slope && lowest < SLOPES_CANCEL)).then_some(report)
 }
 
 /// The law, whether its slope is meant, and the factor, for a multiple of an integral.

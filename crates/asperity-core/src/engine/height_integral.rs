@@ -173,7 +173,7 @@ struct Extent {
 
 /// Below this s a slope is a small difference of large integrals: so much finer an integral of so
 /// much finer a law has enough digits left, to s = -64 or so.
-const DEEP: f64 = -8.0;
+pub(crate) const SLOPES_CANCEL: f64 = -8.0;
 const FINER_BELOW: f64 = 0.01;
 
 /// `found`, an integral at s with its slope; if that misses the tolerance, one that meets it, if
@@ -185,7 +185,7 @@ pub(crate) fn with_slope_within(
     (scale, s): (f64, f64),
     tolerance: f64,
 ) -> Moments {
-    if s >= DEEP || found.slope_within(s, tolerance).is_ok() {
+    if s >= SLOPES_CANCEL || found.slope_within(s, tolerance).is_ok() {
         return found;
     }
     let finer = FINER_BELOW * tolerance;

@@ -15,17 +15,15 @@ use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 /// # Errors
 /// Every law returns a [`ContactError`] when the asperity is outside the model's range or lacks an
 /// input.
+#[allow(clippy::missing_errors_doc, reason = "those of all laws are above")]
 pub trait AsperityModel: Described {
     /// The law of the normal force \[N\].
-    #[allow(clippy::missing_errors_doc)]
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError>;
 
     /// The law of the contact area \[m²\].
-    #[allow(clippy::missing_errors_doc)]
     fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError>;
 
     /// The law of the stiffness \[N/m\], where the model's paper defines another than -dF/dd.
-    #[allow(clippy::missing_errors_doc)]
     fn stiffness(
         &self,
         asperity: &Asperity,
@@ -36,7 +34,6 @@ pub trait AsperityModel: Described {
     }
 
     /// The law of the number of contacts: 1 from the onset of contact, unless overridden.
-    #[allow(clippy::missing_errors_doc)]
     fn contacts(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
         if !self.validity().adhesive {
             return Ok(Law::counting(asperity.radius));
@@ -47,7 +44,6 @@ pub trait AsperityModel: Described {
     }
 
     /// The law of the contact radius √(A/π) \[m\]; an error where contacts are not circles.
-    #[allow(clippy::missing_errors_doc)]
     fn contact_radius(
         &self,
         asperity: &Asperity,

@@ -46,8 +46,14 @@ pub struct Citation {
 }
 
 /// Properties and range of a model's laws; the test-kit verifies the properties.
+///
+/// ```
+/// use asperity_core::Validity;
+///
+/// let fitted = Validity { holds_to: Some(110.0), ..Validity::default() };
+/// assert_eq!(fitted.hertz_limit, Some(1.0));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Validity {
     /// The force never falls as the interference grows.
     pub force_monotone: bool,
@@ -96,62 +102,6 @@ impl Default for Validity {
             holds_to: None,
             known_defect: None,
         }
-    }
-}
-
-impl Validity {
-    /// The force may fall as the interference grows.
-    #[must_use]
-    pub fn not_monotone(self) -> Self {
-        Self { force_monotone: false, ..self }
-    }
-
-    /// Without a known limit for vanishing interference.
-    #[must_use]
-    pub fn without_hertz_limit(self) -> Self {
-        Self { hertz_limit: None, ..self }
-    }
-
-    /// For a theory of the whole surface, without a law of an asperity.
-    #[must_use]
-    pub fn without_asperities() -> Self {
-        Self { asperities: false, ..Self::default().without_hertz_limit() }
-    }
-
-    /// For inclined contacts: no Hertz limit, and the force may fall.
-    #[must_use]
-    pub fn over_angles() -> Self {
-        Self { angles: true, ..Self::default().not_monotone().without_hertz_limit() }
-    }
-
-    /// For adhesion: no Hertz limit, and the force may be negative and fall.
-    #[must_use]
-    pub fn with_adhesion() -> Self {
-        Self { adhesive: true, ..Self::default().not_monotone().without_hertz_limit() }
-    }
-
-    /// The adhesive laws hold where Tabor's parameter is from `least` to `most`.
-    #[must_use]
-    pub fn for_tabor(self, least: f64, most: f64) -> Self {
-        Self { tabor: Some([least, most]), ..self }
-    }
-
-    /// The laws are derived or fitted up to this multiple of w_c.
-    #[must_use]
-    pub fn holds_to(self, interference: f64) -> Self {
-        Self { holds_to: Some(interference), ..self }
-    }
-
-    /// With a range in which the force is known to be inaccurate.
-    #[must_use]
-    pub fn known_defect(self, defect: KnownDefect) -> Self {
-        Self { known_defect: Some(defect), ..self }
-    }
-
-    /// With this range of validity, in a few words.
-    #[must_use]
-    pub fn valid_for(self, valid_for: &'static str) -> Self {
-        Self { valid_for, ..self }
     }
 }
 

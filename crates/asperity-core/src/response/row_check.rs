@@ -1,6 +1,7 @@
 //! Diagnostics of rows, as they are answered.
 
 use crate::diagnostic::short;
+use crate::recommended::WHOLE_SURFACE;
 use crate::{At, ContactError, Diagnostic, Evaluation, Quantity, Scene};
 
 /// A condition number beyond this is reported.
@@ -187,7 +188,9 @@ impl Seen {
             Kind::AreaAboveNominal => Diagnostic::warning("area-above-nominal", "fraction", value)
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
-                .advice("models of independent asperities do not hold there; use persson or bem"),
+                .advice(format!(
+                    "models of independent asperities do not hold there; use {WHOLE_SURFACE}"
+                )),
             Kind::Cancelled => Diagnostic::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)

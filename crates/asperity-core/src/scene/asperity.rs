@@ -1,6 +1,7 @@
 //! One asperity pressed by a flat: the inputs of a single-asperity law.
 
 use crate::error::positive;
+use crate::recommended::ELASTIC;
 use crate::{ContactError, Interface};
 
 /// One asperity, with every input resolved. It does not depend on the surface.
@@ -120,8 +121,7 @@ impl Asperity {
 }
 
 fn never_yields() -> ContactError {
-    let reason =
-        "set hardness or yield_strength; only gw, persson, dmt and jkr work without".into();
+    let reason = format!("set hardness or yield_strength; only {ELASTIC} work without");
     ContactError::Missing { field: "hardness", reason }
 }
 

@@ -164,8 +164,7 @@ impl Described for PythonModel {
     }
 
     fn validity(&self) -> Validity {
-        let validity = Validity::default().without_hertz_limit();
-        if self.monotone { validity } else { validity.not_monotone() }
+        Validity { force_monotone: self.monotone, hertz_limit: None, ..Validity::default() }
     }
 }
 

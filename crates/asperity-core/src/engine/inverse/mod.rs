@@ -14,7 +14,7 @@ mod search;
 mod variation;
 
 /// Below this all asperities are in contact.
-pub(crate) const DEEP: f64 = -64.0;
+pub(crate) const ALL_TOUCH: f64 = -64.0;
 
 /// The integral of a force, where it falls all the way.
 pub(crate) trait ForceCurve {

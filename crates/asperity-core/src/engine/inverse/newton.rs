@@ -2,7 +2,7 @@
 
 use asperity_quadrature::Moments;
 
-use crate::engine::inverse::{DEEP, ForceCurve, Target, place};
+use crate::engine::inverse::{ALL_TOUCH, ForceCurve, Target, place};
 use crate::request::separation::{HIGHEST, LOWEST, Place};
 use crate::{At, ContactError};
 
@@ -33,9 +33,9 @@ impl Target {
         let mut last = f64::INFINITY;
         for _ in 0..MOST {
             let moments = match curve.at(s) {
-                Err(ContactError::Integral { .. }) if s < DEEP && low < DEEP => {
+                Err(ContactError::Integral { .. }) if s < ALL_TOUCH && low < ALL_TOUCH => {
                     refused = s;
-                    let answered = high.min(DEEP);
+                    let answered = high.min(ALL_TOUCH);
                     if answered - refused <= 1e-9 * answered.abs() {
                         // Where the integrals end, so does what can be carried.
                         return Err(self.out_of_reach(&curve.at(answered)?, answered));

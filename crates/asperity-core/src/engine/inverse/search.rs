@@ -3,7 +3,7 @@
 use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::ContactError;
-use crate::engine::inverse::DEEP;
+use crate::engine::inverse::ALL_TOUCH;
 use crate::engine::inverse::force_at::ForceAt;
 use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
 use crate::request::separation::{HIGHEST, LOWEST};
@@ -28,7 +28,7 @@ impl ForceAt<'_> {
         let mut high = self.sample(top)?;
         for (place, sample) in self.places(top) {
             let (low, last) = match sample {
-                Err(ContactError::Integral { .. }) if place < DEEP => {
+                Err(ContactError::Integral { .. }) if place < ALL_TOUCH => {
                     (self.last(place, high)?, true)
                 }
                 other => (other?, false),
@@ -146,7 +146,7 @@ impl ForceAt<'_> {
         let (mut best, mut open) = (high, vec![]);
         for (place, sample) in places {
             let (low, last) = match sample {
-                Err(ContactError::Integral { .. }) if place < DEEP => {
+                Err(ContactError::Integral { .. }) if place < ALL_TOUCH => {
                     (self.last(place, high)?, true)
                 }
                 other => (other?, false),
