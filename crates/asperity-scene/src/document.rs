@@ -49,7 +49,8 @@ impl<'a> Document<'a> {
         directory: Option<&'a Path>,
         text: &'a str,
     ) -> Result<Self, SceneError> {
-        let mut document = Self { file, directory, text: text.into(), keys: vec![], stated: vec![] };
+        let mut document =
+            Self { file, directory, text: text.into(), keys: vec![], stated: vec![] };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         let (span, table) = (root.span(), root.into_inner());
         let in_si = in_si(text, &table);

@@ -285,15 +285,21 @@ impl SceneFile {
         }
     }
 
-    /// All models that the scene allows, with its options, from simplest to most complex; and the
-    /// others, each with the reason.
+    /// All models of asperities that the scene allows, with its options, and those with adhesion if
+    /// it has a work of adhesion; and the others, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
-        for model in self.options.models() {
+        let adhesive = self.adhesive_models().into_iter();
+        let adhesive = adhesive.map(|model| self.options.on_surface(model));
+        for model in self.options.models().into_iter().chain(adhesive) {
             match self.refusal(&model) {
                 None => allowed.push(model),
-                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+                // Not every model has an id on random asperities.
+                Some(reason) => {
+                    let id = model.id().parse().map_or(model.equal().id(), |_: Model| model.id());
+                    left_out.push(LeftOut { id: id.into(), reason });
+                }
             }
         }
         (allowed, left_out)

@@ -37,7 +37,10 @@ fn likely_units(document: &Document<'_>, [sq, spd, spc]: [f64; 3]) -> Option<Str
     let usual = |units: &[(&str, f64); 3]| {
         let changed = given.iter().zip(units).all(|((key, _), unit)| unit.1 == 1.0 || !stated(key));
         let surface = Surface::from_iso25178(sq * units[0].1, spd * units[1].1, spc * units[2].1);
-        changed && surface.is_ok_and(|s| s.findings().is_empty() && (from..=to).contains(&s.roughness_parameter()))
+        changed
+            && surface.is_ok_and(|s| {
+                s.findings().is_empty() && (from..=to).contains(&s.roughness_parameter())
+            })
     };
     let changes = |units: &[(&str, f64); 3]| units.iter().filter(|unit| unit.1 != 1.0).count();
     let units = all.filter(usual).min_by_key(changes)?;

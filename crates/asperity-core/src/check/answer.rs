@@ -12,8 +12,9 @@ use crate::{
 
 /// Tolerance of the numbers in diagnostics.
 const TOLERANCE: f64 = 1e-6;
-/// Area fractions (warning, error) above which asperities interact.
-const CROWDED: [f64; 2] = [0.1, 0.5];
+/// Area fractions above which asperities interact (warning), and above which they would overlap
+/// (error).
+const CROWDED: [f64; 2] = [0.1, 1.0];
 /// Number of contacts below which a single realisation differs much from the average.
 const FEW: f64 = 30.0;
 /// w/R (warning, error) beyond which an asperity is no spherical cap under small deformation.
@@ -25,7 +26,7 @@ const PLASTIC: f64 = 1.5;
 /// Share of the force on yielding asperities (note, warning), which an elastic law ignores.
 const YIELDS: [f64; 2] = [0.02, 0.1];
 /// Meaning of that share.
-const YIELDING: &str = "of the load, by asperities with w > w_c";
+const YIELDING_SHARE: &str = "of the load, by asperities with w > w_c";
 /// Share of the force in the range of a known defect of the law.
 const MISSED: f64 = 0.2;
 /// Share of the force beyond the fitted range of a law.
@@ -148,7 +149,7 @@ impl Check {
         multiples.extend(defect.iter().flatten());
         let Ok(Some(beyond)) = model.shares_beyond(scene, place.into(), &multiples) else { return };
         let [yielding, missing @ ..] = &beyond[..] else { return };
-        self.add_number("yielding_share", *yielding, "", YIELDING);
+        self.add_number("yielding_share", *yielding, "", YIELDING_SHARE);
         if holds_to.is_some_and(|multiple| multiple <= 1.0) {
             self.extend(yields(model, at, *yielding));
         }
@@ -237,7 +238,7 @@ impl Check {
         };
         self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
         let beyond = deep.beyond(critical);
-        self.add_number("yielding_share", beyond, "", YIELDING);
+        self.add_number("yielding_share", beyond, "", YIELDING_SHARE);
         if let Some(misses) = model.validity().known_defect {
             let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
             self.extend(missed(model, at, from - to, &misses));

@@ -85,12 +85,14 @@ impl Surface {
             asperity_density: density * self.asperity_density,
             asperity_height_std: length * self.asperity_height_std,
         };
-        let same = LENGTHS.iter().map(|(name, unit)| (*name, *unit, format!("1/{name}2"), unit.powi(-2)));
+        let same =
+            LENGTHS.iter().map(|(name, unit)| (*name, *unit, format!("1/{name}2"), unit.powi(-2)));
         let others = LENGTHS.iter().flat_map(|(name, unit)| {
             DENSITIES.iter().map(|(inverse, density)| (*name, *unit, inverse.to_string(), *density))
         });
-        let (name, _, inverse, _) =
-            same.chain(others).find(|(_, length, _, density)| makes_sense(&scaled(*length, *density)))?;
+        let (name, _, inverse, _) = same
+            .chain(others)
+            .find(|(_, length, _, density)| makes_sense(&scaled(*length, *density)))?;
         let std = self.asperity_height_std;
         let found = Diagnostic::warning(CODE, "asperity_height_std", std)
             .usual(HEIGHT_STD)
