@@ -133,7 +133,9 @@ impl LoadedScene {
     /// A model with the scene's options, under the given name.
     pub fn model(&self, id: &str) -> Result<NamedModel> {
         let model = self.file.model(id)?;
-        if let Some(reason) = self.file.refusal(&model) {
+        // Other models report what they lack with their answers.
+        let averaged = model.asperity_model().is_some();
+        if let Some(reason) = averaged.then(|| self.file.refusal(&model)).flatten() {
             bail!("{}: {reason}", self.name);
         }
         if model.id() != id {

@@ -70,7 +70,9 @@ mod tests {
             ];
             for call in calls {
                 for after in text.split(call).skip(1) {
-                    if let Some(code) = after.trim_start().strip_prefix('"') {
+                    let quoted = after.trim_start().strip_prefix('"');
+                    if let Some(code) = quoted.filter(|code| code.starts_with(char::is_alphabetic))
+                    {
                         written.insert(code.split('"').next().unwrap().to_string());
                     }
                 }

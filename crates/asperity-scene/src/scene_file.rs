@@ -308,10 +308,7 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        // Theories of the whole surface report their inputs with their answers.
-        let averaged = model.validity().asperities;
-        let request = Request::new([Quantity::Force]);
-        averaged.then(|| model.compile(&self.scene, &request).err()).flatten()
+        model.compile(&self.scene, &Request::new([Quantity::Force])).err()
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),

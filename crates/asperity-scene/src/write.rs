@@ -1,7 +1,7 @@
 //! Writer of scenes as text that reads back bit for bit.
 
-use std::fs;
 use std::path::Path;
+use std::{fs, mem};
 
 use asperity::{Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights};
 use toml::{Table, Value};
@@ -252,9 +252,12 @@ impl SceneFile {
         } = self;
         let offset = |scene: &Scene| scene.mean_plane_offset.map(f64::to_bits);
         let points = |table: &Option<TabulatedHeights>| table.as_ref().map(|t| bits(t.points()));
-        let heights = |scene: &Scene| match &scene.heights {
-            HeightDistribution::Weibull(heights) => format!("{:?}", heights.skewness()),
-            heights => heights.name().into(),
+        let heights = |scene: &Scene| {
+            let skewness = match &scene.heights {
+                HeightDistribution::Weibull(heights) => Some(heights.skewness().to_bits()),
+                _ => None,
+            };
+            (mem::discriminant(&scene.heights), skewness)
         };
         let same = [
             ("nominal_area", scene.nominal_area.to_bits() == other.scene.nominal_area.to_bits()),

@@ -308,7 +308,7 @@ fn scales_show_what_the_shortest_wave_changes() {
     // A theory of the whole surface gets the spectrum of this surface, too.
     bench.write(
         "scanned.toml",
-        &format!("{bodies}[surface]\nfile = \"scan.txt\"\nunit = \"um\"\npixel_size = 2e-6\n"),
+        &format!("{bodies}[surface]\nfile = \"scan.txt\"\nunit = \"um\"\npixel_size = 2\n"),
     );
     let table = of("--scales 6e-6 --with scanned.toml --pressure 1e6 --model persson --format csv");
     let smooth = bench.read("scanned.toml") + "smooth = 6e-6\n";
