@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
 use asperity_core::{
-    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic, Evaluation,
-    Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
+    At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic, Diagnostics,
+    Evaluation, Interface, Provenance, Quantity, Request, Scene, Separation, SeparationUnit,
+    Validity,
 };
 
 use crate::continuation::taken_part;
@@ -129,11 +130,12 @@ impl ContactModel for Bem {
     /// Solves the request's places, one from the other; others are solved when they are asked for.
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         asperity_core::positive("nominal_area", scene.nominal_area)?;
-        let contact = OnScene {
+        let mut contact = OnScene {
             elements: self.elements(&scene.interface)?,
             scene: scene.clone(),
             quantities: request.quantities.clone(),
             solved: Mutex::default(),
+            notes: vec![],
         };
         // Before anything is solved.
         request
@@ -143,6 +145,9 @@ impl ContactModel for Bem {
         let given: Vec<LoadCase> =
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
+        let solutions = all.iter().filter_map(|solution| solution.as_ref().ok());
+        let notes: Diagnostics = solutions.flat_map(|solution| solution.notes.clone()).collect();
+        contact.notes = notes.into_vec();
         let all = given.into_iter().zip(all);
         contact.keep(all.map(|(given, solution)| (given, summary(solution))).collect());
         Ok(Box::new(contact))
@@ -174,6 +179,8 @@ struct OnScene {
     scene: Scene,
     quantities: Vec<Quantity>,
     solved: Mutex<Vec<Solved>>,
+    /// Of the places that were solved first.
+    notes: Vec<Diagnostic>,
 }
 
 impl fmt::Debug for OnScene {
@@ -234,6 +241,10 @@ impl Contact for OnScene {
 
     fn quantities(&self) -> &[Quantity] {
         &self.quantities
+    }
+
+    fn notes(&self) -> &[Diagnostic] {
+        &self.notes
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

@@ -127,7 +127,7 @@ impl BoundaryElements {
     }
 
     pub(crate) fn boundary_condition(&self) -> Boundary {
-        self.boundary
+        self.boundary.unwrap_or_default()
     }
 
     /// Solves one contact.

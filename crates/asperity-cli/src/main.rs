@@ -27,7 +27,7 @@ use clap::{CommandFactory, Parser};
   asperity solve scene.toml --model ke --load 100
 
 Results go to standard output; errors, warnings and notes go to standard error.
-Exit code: 0 done, 1 bad input, 2 bad usage.")]
+Exit code: 0 done; 1 bad input, or a result that an error declares invalid; 2 bad usage.")]
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
@@ -41,6 +41,7 @@ fn main() -> ExitCode {
     let Cli { command, quiet } = Cli::parse_from(with_negative_numbers(std::env::args_os()));
     output::set_quiet(quiet);
     match command.run() {
+        Ok(()) if output::has_error() => ExitCode::FAILURE,
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if output::is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {

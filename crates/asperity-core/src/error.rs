@@ -4,7 +4,7 @@ use asperity_quadrature::QuadratureError;
 
 use serde::Serialize;
 
-use crate::{At, Quantity, Separation, nearest_hint};
+use crate::{At, Quantity, Separation, nearest_hint, short};
 
 /// Why a contact problem was refused or could not be answered.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
@@ -147,7 +147,7 @@ pub enum ContactError {
         ratio: f64,
     },
     /// No separation carries this load or holds this tension.
-    #[error("load is {load:?} N: {} was required", reach(*.load, *.largest, *.at))]
+    #[error("load is {load:?} N: {}", reach(*.load, *.largest, *.at))]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
@@ -193,11 +193,15 @@ pub enum ContactError {
 fn reach(load: f64, largest: f64, at: At) -> String {
     match (load < 0.0, largest < 0.0) {
         (false, _) => {
-            format!("a load above 0 and at most {largest:e} N, the largest force found, at {at},")
+            format!(
+                "a load above 0 and at most {largest:e} N, the largest force found, at {at}, was required"
+            )
         }
-        (true, true) => format!("a load from {largest:e} N, the greatest tension found, at {at},"),
+        (true, true) => {
+            format!("the surfaces pull off at {} N, at {at}", short(largest))
+        }
         // The tension is so large that the search ends where no asperity touches.
-        (true, false) => "a smaller tension, or a load above 0,".into(),
+        (true, false) => "a smaller tension, or a load above 0, was required".into(),
     }
 }
 

@@ -33,7 +33,7 @@ mod text;
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
 pub use check::{Check, DerivedNumber};
-pub use diagnostic::{Diagnostic, Diagnostics, Severity};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity, short};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
 pub use engine::plan::{Method, Plan, PlannedPart, Step};

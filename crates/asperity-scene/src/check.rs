@@ -71,7 +71,22 @@ impl SceneFile {
         // Consequences of findings about the bodies are not repeated.
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
-        found.filter(|found| !self.warnings.contains(found)).collect()
+        let found = found.filter(|found| !self.warnings.contains(found));
+        found.filter_map(|found| self.without_stated_unit(found)).collect()
+    }
+
+    /// The finding without a likely unit if the number was given with its unit.
+    fn without_stated_unit(&self, found: Diagnostic) -> Option<Diagnostic> {
+        let stated = |key: &str| {
+            let of = |path: &String| path == key || path.ends_with(&format!(".{key}"));
+            self.stated.iter().any(of)
+        };
+        let derived = ASPERITY_FIELDS.contains(&&*found.field) && !self.follows_from.is_empty();
+        let stated = match derived {
+            true => self.follows_from.iter().all(|key| stated(key)),
+            false => stated(&found.field),
+        };
+        if stated { found.with_stated_unit() } else { Some(found) }
     }
 
     /// One diagnostic for each cause, without those that the scene accepts.
@@ -98,10 +113,13 @@ impl SceneFile {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => self.scene.check()?,
         };
-        let theirs = self.scene.findings();
+        let (theirs, of_scene) = (self.scene.findings(), self.findings());
+        // Findings about an answer may be consequences of an error of the scene.
+        let valid = !of_scene.iter().any(|finding| finding.severity == Severity::Error);
         let of_answer = std::mem::take(&mut check.findings).into_iter();
-        check.findings = of_answer.filter(|finding| !theirs.contains(finding)).collect();
-        check.extend(self.findings());
+        let of_answer = of_answer.filter(|finding| valid && !theirs.contains(finding));
+        check.findings = of_answer.collect();
+        check.extend(of_scene);
         if let Some((model, _)) = place {
             check.keep_for(model);
         }

@@ -32,6 +32,8 @@ pub(crate) struct Document<'a> {
     pub(crate) text: Cow<'a, str>,
     /// Every key with its range; a table comes before its keys.
     pub(crate) keys: Vec<(String, Range<usize>)>,
+    /// The keys of numbers with a unit.
+    pub(crate) stated: Vec<String>,
 }
 
 /// The keys of `[surface]` used by one module.
@@ -47,15 +49,17 @@ impl<'a> Document<'a> {
         directory: Option<&'a Path>,
         text: &'a str,
     ) -> Result<Self, SceneError> {
-        let mut document = Self { file, directory, text: text.into(), keys: vec![] };
+        let mut document =
+            Self { file, directory, text: text.into(), keys: vec![], stated: vec![] };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         let (span, table) = (root.span(), root.into_inner());
         let in_si = in_si(text, &table);
         document.index(String::new(), span, &DeValue::Table(table), DEEPEST);
-        let in_si = in_si.map_err(|QuantityError { path, found, near, needed }| {
+        let (in_si, stated) = in_si.map_err(|QuantityError { path, found, near, needed }| {
             let (at, found) = (document.place(&path), format!("{:?}", shorten(&found)));
             SceneError::Value { at, found, near, needed }
         })?;
+        document.stated = stated;
         if in_si != text {
             // The ranges of the keys in the rewritten text.
             document.keys.clear();
@@ -123,7 +127,8 @@ impl<'a> Document<'a> {
         let at = self.at("TOML", error.span().map_or(0, |span| span.start));
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
         let reason = error.message().replace('\n', ", ");
-        let reason = format!("{reason}: {:?} was found", shorten(found.trim()));
+        let advice = if decimal_comma(found) { "write a decimal point, as in 0.3; " } else { "" };
+        let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
         SceneError::Syntax { at, reason }
     }
 
@@ -167,6 +172,15 @@ impl<'a> Document<'a> {
         let (at, other) = (self.place(one), self.place(other));
         SceneError::Conflict { at, other, needed: needed.into() }
     }
+}
+
+/// Whether the value of a line is a number with a decimal comma.
+fn decimal_comma(line: &str) -> bool {
+    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
+    let digit = |text: Option<char>| text.is_some_and(|c| c.is_ascii_digit());
+    let parts = value.split_once(',');
+    parts.is_some_and(|(whole, rest)| digit(whole.chars().last()) && digit(rest.chars().next()))
+        && digit(value.chars().next())
 }
 
 pub(crate) fn joined(section: &str, key: &str) -> String {

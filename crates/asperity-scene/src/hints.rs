@@ -31,6 +31,7 @@ impl Document<'_> {
         let needed = match needed {
             "f64" => format!("a number in SI units, without quotes ({meaning}),"),
             "a boolean" => "true or false".into(),
+            "a sequence" if path == "body" => "[[body]], with two brackets on each side,".into(),
             "a sequence" => format!("a list ({meaning})"),
             "path string" => format!("the path of a file, in quotes ({meaning}),"),
             other if other.starts_with("wanted ") => "a name in quotes".into(),
@@ -81,6 +82,13 @@ fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
         "electrical_conductivity" | "electric_conductivity" => ("electrical_resistivity", inverse),
         "resistivity" | "electric_resistivity" => ("electrical_resistivity", ""),
         "conductivity" | "heat_conductivity" => ("thermal_conductivity", ""),
+        "yield_stress" | "yield" | "sy" | "rp02" => ("yield_strength", ""),
+        "e" | "young_modulus" | "elastic_modulus" => ("youngs_modulus", ""),
+        "nu" | "poisson_ratio" | "poisson" => ("poissons_ratio", ""),
+        "ra" | "rq" | "sa" | "rms" => (
+            "surface_height_std",
+            "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ",
+        ),
         "adhesion" | "adhesion_energy" | "surface_energy" | "energy_of_adhesion" | "gamma" => {
             ("work_of_adhesion", "it is gamma1 + gamma2 - gamma12 of the pair, in J/m^2; ")
         }

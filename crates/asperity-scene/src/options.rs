@@ -222,12 +222,13 @@ impl ModelOptions {
         Ok(if named_so { model.random() } else { self.on_surface(model) })
     }
 
-    /// The model on equal or random asperities, by these options.
+    /// The model on equal or random asperities, by these options; theories of the whole surface
+    /// have no asperities.
     #[must_use]
     pub fn on_surface(&self, model: Model) -> Model {
         match self.asperities {
-            Asperities::Equal => model,
-            Asperities::Random => model.random(),
+            Asperities::Random if model.validity().asperities => model.random(),
+            _ => model,
         }
     }
 

@@ -60,13 +60,28 @@ pub(crate) struct QuantityError {
     pub(crate) needed: String,
 }
 
-/// The text with plain numbers instead of numbers with units; line numbers stay.
-pub(crate) fn in_si(text: &str, table: &DeTable<'_>) -> Result<String, QuantityError> {
+/// A number with its unit in a text.
+struct Stated {
+    /// The key with its sections.
+    path: String,
+    span: Range<usize>,
+    /// In SI units.
+    value: f64,
+}
+
+/// The text with plain numbers instead of numbers with units, and the keys of these; line numbers
+/// stay.
+pub(crate) fn in_si(
+    text: &str,
+    table: &DeTable<'_>,
+) -> Result<(String, Vec<String>), QuantityError> {
     let mut found = vec![];
     collect(table, "", &mut found)?;
-    found.sort_by_key(|(span, _): &(Range<usize>, f64)| span.start);
+    found.sort_by_key(|stated: &Stated| stated.span.start);
     let (mut rewritten, mut done) = (String::with_capacity(text.len()), 0);
-    for (span, value) in found {
+    let mut paths = vec![];
+    for Stated { path, span, value } in found {
+        paths.push(path);
         rewritten.push_str(text.get(done..span.start).unwrap_or_default());
         // A text in three quotes may contain newlines.
         let lines = text.get(span.clone()).unwrap_or_default().matches('\n').count();
@@ -78,13 +93,13 @@ pub(crate) fn in_si(text: &str, table: &DeTable<'_>) -> Result<String, QuantityE
         done = span.end;
     }
     rewritten.push_str(text.get(done..).unwrap_or_default());
-    Ok(rewritten)
+    Ok((rewritten, paths))
 }
 
 fn collect(
     table: &DeTable<'_>,
     section: &str,
-    found: &mut Vec<(Range<usize>, f64)>,
+    found: &mut Vec<Stated>,
 ) -> Result<(), QuantityError> {
     let items = table.iter().map(|(name, value)| (name.get_ref().to_string(), value));
     for (name, value) in items {
@@ -102,15 +117,18 @@ fn collect(
                 if let Some(units) = units_of(bare, &name) {
                     let dot = if section.is_empty() { "" } else { "." };
                     let path = format!("{section}{dot}{name}");
-                    let value_of = read(given, units).ok_or_else(|| {
+                    let Some(number) = read(given, units) else {
                         let ((si, example, _), known) = (units, list(units.2));
-                        let needed = format!(
-                            "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
-                        );
+                        let needed = match converted(given, si) {
+                            Some(same) => format!("\"{same}\", which is the same,"),
+                            None => format!(
+                                "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
+                            ),
+                        };
                         let near = in_other_case(given, units);
-                        QuantityError { path, found: given.to_string(), near, needed }
-                    })?;
-                    found.push((value.span(), value_of));
+                        return Err(QuantityError { path, found: given.to_string(), near, needed });
+                    };
+                    found.push(Stated { path, span: value.span(), value: number });
                 }
             }
             _ => {}
@@ -158,6 +176,9 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
     }
     let units = UNITS.into_iter().find(|(known, ..)| *known == si);
     units.and_then(|units| read(text, units)).ok_or_else(|| {
+        if let Some(same) = converted(text, si) {
+            return format!("{text:?} is not a number in {si}: write {same}, which is the same");
+        }
         let (_, example, names) = units.unwrap_or((si, "", &[]));
         let near = units.and_then(|units| in_other_case(text, units));
         let near = nearest_hint(near);
@@ -165,6 +186,28 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
         format!(
             "{text:?} is not a number in {si}{near}: write {example}, for example (units: {names})"
         )
+    })
+}
+
+/// Units that are not decimal, with their size in a decimal unit.
+const OTHERS: [(&str, &str, f64, &str); 8] = [
+    ("Pa", "HV", 9.80665e-3, "GPa"),
+    ("Pa", "kgf/mm2", 9.80665, "MPa"),
+    ("Pa", "ksi", 6.894_757_3, "MPa"),
+    ("Pa", "psi", 6.894_757_3, "kPa"),
+    ("N", "kgf", 9.80665, "N"),
+    ("N", "lbf", 4.448_221_6, "N"),
+    ("m", "uin", 25.4, "nm"),
+    ("m", "in", 25.4, "mm"),
+];
+
+/// A number in a unit that is not decimal, in one that is: 2.452 GPa for 250 HV.
+fn converted(given: &str, si: &str) -> Option<String> {
+    let text = plain(given);
+    let other = OTHERS.iter().filter(|(of, ..)| *of == si);
+    other.into_iter().find_map(|(_, unit, factor, decimal)| {
+        let value = scale(text.strip_suffix(unit)?, 0)?;
+        Some(format!("{}{decimal}", asperity::short(factor * value)))
     })
 }
 
@@ -224,6 +267,20 @@ mod tests {
     fn value(text: &str, key: &str) -> Option<f64> {
         let units = units_of("", key).unwrap();
         read(text, units)
+    }
+
+    #[test]
+    fn other_units_are_converted() {
+        for (text, si, same) in [
+            ("250 HV", "Pa", "write 2.452GPa, which is the same"),
+            ("36 ksi", "Pa", "write 248.2MPa,"),
+            ("100 lbf", "N", "write 444.8N,"),
+            ("16 \u{b5}in", "m", "write 406.4nm,"),
+        ] {
+            let error = quantity(text, si).unwrap_err();
+            assert!(error.contains(same), "{error}");
+        }
+        assert!(quantity("36 ksi", "N").unwrap_err().contains("write 2kN, for example"));
     }
 
     #[test]

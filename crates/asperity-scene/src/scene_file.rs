@@ -47,6 +47,8 @@ pub struct SceneFile {
     pub(crate) no_asperities: Option<String>,
     /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
+    /// The keys that were given with a unit.
+    pub(crate) stated: Vec<String>,
     /// The file as read, for writing it again.
     pub(crate) read: Option<Arc<Read>>,
     /// The spectrum of the scan, computed on first use.
@@ -66,8 +68,8 @@ pub struct LeftOut {
 ///
 /// # Errors
 /// [`SceneError`] with the file, the line, the field, the value found and the value needed.
-pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
-    load_with(path, Asked::Asperities)
+pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Asperities)
 }
 
 /// [`load`] for [boundary elements](SceneFile::bem), which need no asperities: of a sphere, a wave
@@ -76,8 +78,8 @@ pub fn load(path: &Path) -> Result<SceneFile, SceneError> {
 ///
 /// # Errors
 /// Those of [`load`], except that of a scan without asperities.
-pub fn load_scan(path: &Path) -> Result<SceneFile, SceneError> {
-    load_with(path, Asked::Scan)
+pub fn load_scan(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Scan)
 }
 
 /// What a scene file is read for.
@@ -240,6 +242,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         scan,
         no_asperities: described.no_asperities,
         follows_from: described.follows_from,
+        stated: document.stated.clone(),
         read: Some(Arc::new(read)),
         spectrum: Arc::default(),
     })
@@ -278,6 +281,7 @@ impl From<Scene> for SceneFile {
             scan: None,
             no_asperities: None,
             follows_from: &[],
+            stated: vec![],
             read: None,
             spectrum: Arc::default(),
         }
@@ -316,15 +320,21 @@ impl SceneFile {
         }
     }
 
-    /// All models that the scene allows, with its options, from simplest to most complex; and the
-    /// others, each with the reason.
+    /// All models of asperities that the scene allows, with its options, and those with adhesion if
+    /// it has a work of adhesion; and the others, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
-        for model in self.options.models() {
+        let adhesive = self.adhesive_models().into_iter();
+        let adhesive = adhesive.map(|model| self.options.on_surface(model));
+        for model in self.options.models().into_iter().chain(adhesive) {
             match self.refusal(&model) {
                 None => allowed.push(model),
-                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+                // Not every model has an id on random asperities.
+                Some(reason) => {
+                    let id = model.id().parse().map_or(model.equal().id(), |_: Model| model.id());
+                    left_out.push(LeftOut { id: id.into(), reason });
+                }
             }
         }
         (allowed, left_out)
@@ -405,6 +415,7 @@ impl SceneFile {
             bodies,
             measured,
             follows_from,
+            stated: vec![],
             warnings: Diagnostics::default(),
             scan,
             ..self.clone()

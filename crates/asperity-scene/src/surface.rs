@@ -24,6 +24,35 @@ const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
 
+/// The units in which ISO 25178 parameters that were given without one describe a usual surface.
+fn likely_units(document: &Document<'_>, [sq, spd, spc]: [f64; 3]) -> Option<String> {
+    const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("um", 1e-6), ("nm", 1e-9)];
+    const DENSITIES: [(&str, f64); 3] = [("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)];
+    const CURVATURES: [(&str, f64); 3] = [("1/m", 1.0), ("1/mm", 1e3), ("1/um", 1e6)];
+    let all = LENGTHS.iter().flat_map(|a| {
+        DENSITIES.iter().flat_map(move |b| CURVATURES.iter().map(move |c| [*a, *b, *c]))
+    });
+    let given = [("sq", sq), ("spd", spd), ("spc", spc)];
+    let stated = |key: &str| document.stated.contains(&format!("surface.{key}"));
+    let [from, to] = Surface::USUAL_ASPERITY_ROUGHNESS;
+    let usual = |units: &[(&str, f64); 3]| {
+        let changed = given.iter().zip(units).all(|((key, _), unit)| unit.1 == 1.0 || !stated(key));
+        let surface = Surface::from_iso25178(sq * units[0].1, spd * units[1].1, spc * units[2].1);
+        changed
+            && surface.is_ok_and(|s| {
+                s.findings().is_empty() && (from..=to).contains(&s.roughness_parameter())
+            })
+    };
+    let changes = |units: &[(&str, f64); 3]| units.iter().filter(|unit| unit.1 != 1.0).count();
+    let units = all.filter(usual).min_by_key(changes)?;
+    let changed = given.iter().zip(&units).filter(|(_, unit)| unit.1 != 1.0);
+    let hint = |((key, value), (unit, factor)): (&(&str, f64), &(&str, f64))| {
+        let [given, meant] = [*value, value * factor].map(asperity::short);
+        format!("{key} = {given} looks like {unit}; {given} {unit} is {meant} in SI units")
+    };
+    Some(changed.map(hint).collect::<Vec<_>>().join("; "))
+}
+
 /// The numbers among the keys of `[surface]`.
 #[derive(Deserialize)]
 #[serde(expecting = "a table, [surface],")]
@@ -108,7 +137,13 @@ pub(crate) fn surface(
         3 => {
             let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
             let spc = needed("spc", keys.spc)?;
-            Surface::from_iso25178(sq, spd, spc).map_err(&refused)?
+            let surface = Surface::from_iso25178(sq, spd, spc);
+            if surface.is_err()
+                && let Some(units) = likely_units(document, [sq, spd, spc])
+            {
+                return Err(SceneError::Measured { at: document.place("surface"), reason: units });
+            }
+            surface.map_err(&refused)?
         }
         _ => return measured(document, heights, asked),
     };

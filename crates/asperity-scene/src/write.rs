@@ -245,6 +245,7 @@ impl SceneFile {
             scan: _,
             follows_from: _,
             // Made on reading.
+            stated: _,
             warnings: _,
             read: _,
             spectrum: _,

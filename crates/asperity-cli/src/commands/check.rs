@@ -81,6 +81,9 @@ impl Check {
             None => (scene.file.check(None)?, None),
         };
         if self.output.format == Format::Json {
+            let mut checked = checked.clone();
+            // Warnings about the file have codes to accept, too.
+            checked.extend(scene.file.warnings.clone());
             self.output.write_text(&(serde_json::to_string_pretty(&checked)? + "\n"))?;
         } else {
             let table = numbers(&checked);

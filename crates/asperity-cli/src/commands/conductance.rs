@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use asperity::joints::conductance::{Correlation, gap_conductance};
-use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
+use asperity::{At, ContactError, ContactModel, Datum, Quantity, Request, SeparationUnit};
 use clap::{ArgGroup, Args};
 
 use crate::input::args::{OutputArgs, model_id};
@@ -30,6 +30,7 @@ slope, are those of the scan or, without one, of a Gaussian surface with the sce
 asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
 power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
 sqrt(2) p/(E m) of 1e-5 to 0.012).
+With --model, the models and correlations of the list only.
 All values are for contacts in vacuum; the models neglect their thermal interaction.
 
 Examples:
@@ -41,9 +42,10 @@ pub struct Conductance {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Models by id [default: ke; gw without a hardness]
-    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
-    models: Vec<String>,
+    /// Models by id and correlations, cmy or mikic [default: ke (gw without a hardness), cmy and
+    /// mikic]
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = formula)]
+    models: Vec<Formula>,
     /// Loads in N, or with a unit, for example 2kN
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(load), group = "given")]
     load: Option<Numbers>,
@@ -87,14 +89,31 @@ impl Conductance {
 
         self.check_gas();
 
-        let models = match &self.models[..] {
-            [] => vec![scene.reference(None)?],
-            asked => scene.models(asked, &[CONDUCTANCE])?,
+        let asked = |formula: &Formula| match formula {
+            Formula::Model(id) => Some(id.clone()),
+            Formula::Correlation(_) => None,
         };
+        let ids: Vec<String> = self.models.iter().filter_map(asked).collect();
+        let wanted = |correlation: &Correlation| {
+            ids.is_empty() && self.models.is_empty()
+                || self.models.contains(&Formula::Correlation(correlation.id()))
+        };
+        let models = match (&ids[..], &self.models[..]) {
+            ([], []) => vec![scene.reference(None)?],
+            ([], _) => vec![],
+            (asked, _) => scene.models(asked, &[CONDUCTANCE])?,
+        };
+        let alone = self.models.len() == 1;
         for (id, model) in &models {
             let context = || format!("{}: {id}", scene.name);
             let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
-            let compiled = model.compile(contact, &request).with_context(context)?;
+            let compiled = match model.compile(contact, &request) {
+                Err(reason @ ContactError::Unsupported { .. }) if !alone => {
+                    print_message("warning", &format!("left out: {id}: {reason}"));
+                    continue;
+                }
+                compiled => compiled.with_context(context)?,
+            };
             for at in &places {
                 let found = compiled.evaluate(CONDUCTANCE, *at).with_context(context)?.value();
                 let mut row = row(id, at, None, Some(found), "");
@@ -110,7 +129,7 @@ impl Conductance {
         }
         scene.report_answers(&models.iter().collect::<Vec<_>>(), &places);
 
-        'each: for correlation in Correlation::ALL {
+        'each: for correlation in Correlation::ALL.into_iter().filter(wanted) {
             let (id, range, mut outside) = (correlation.id(), correlation.range(), None);
             for at in &places {
                 let pressure = at.pressure(contact).unwrap_or(f64::NAN);
@@ -148,6 +167,12 @@ impl Conductance {
                 print_message("warning", &text);
             }
         }
+        if table.rows.is_empty() {
+            bail!("{}: no model of the list has a conductance", scene.name);
+        }
+        if !Correlation::ALL.iter().any(wanted) {
+            return self.output.write(&table);
+        }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
         let of = match scene.file.measured {
             Some(_) => "of the scan",
@@ -180,6 +205,21 @@ impl Conductance {
             }
             _ => {}
         }
+    }
+}
+
+/// A model, by its id, or a correlation.
+#[derive(Debug, Clone, PartialEq)]
+enum Formula {
+    Model(String),
+    Correlation(&'static str),
+}
+
+fn formula(name: &str) -> Result<Formula, String> {
+    let known = Correlation::ALL.map(|correlation| correlation.id());
+    match known.into_iter().find(|id| name.trim().eq_ignore_ascii_case(id)) {
+        Some(id) => Ok(Formula::Correlation(id)),
+        None => model_id(name).map(Formula::Model),
     }
 }
 

@@ -19,7 +19,7 @@ pub const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tan
     after_help = "Columns: model, load_N and pressure_Pa at loads, separation_over_sigma,
 separation_m, then the quantities with their units: force_N, area_m2.
 Where several separations carry a load (jg, at), the largest is used, which is the
-first on approach. Values that do not exist are blank; a message gives the reason.
+first on approach; a tension (dmt, jkr) has its stable separation, the smallest. Values that do not exist are blank; a message gives the reason.
 Stiffness: tangent (-dF/dd) describes first loading and is what a solver needs;
 unloading-stiffness (2 E times the sum of the contact radii, larger where asperities
 yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness

@@ -10,9 +10,9 @@ use asperity::{
 use clap::error::ErrorKind;
 use clap::{Args, ValueEnum};
 
-use crate::input::args::{model_id, separation_unit};
+use crate::input::args::{one_model_id, separation_unit};
 use crate::input::distances::{DistanceSpan, warn_unit};
-use crate::input::numbers::{Span, friction, load, positive_number, pressure, range};
+use crate::input::numbers::{Span, friction, load, pressure, range, relative_error};
 use crate::output::{self, print_message, progress};
 use crate::scene::LoadedScene;
 
@@ -43,7 +43,7 @@ pub struct Export {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The model; `asperity models` lists them
-    #[arg(long, value_name = "M", value_parser = model_id)]
+    #[arg(long, value_name = "M", value_parser = one_model_id)]
     model: String,
     /// Form of the table: for a solver, or csv
     #[arg(long = "as", value_name = "FORM")]
@@ -55,8 +55,9 @@ pub struct Export {
     #[arg(default_value = "sigma", requires = "separation")]
     #[arg(conflicts_with_all = ["load", "pressure"])]
     unit: SeparationUnit,
-    /// Add nodes until the relative error of the interpolated pressure is below this bound
-    #[arg(long, value_name = "X", value_parser = positive_number)]
+    /// Add nodes until the relative error of the interpolated pressure is below this bound, for
+    /// example 1% or 0.01
+    #[arg(long, value_name = "X", value_parser = relative_error)]
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
     /// clearance

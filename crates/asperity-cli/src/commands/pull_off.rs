@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, pull_off};
+use asperity::{
+    ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, pull_off, short,
+};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id, tolerance};
@@ -50,6 +52,10 @@ impl PullOff {
         let mut scene = LoadedScene::read(&self.scene)?;
         let work = &mut scene.file.scene.interface.work_of_adhesion;
         *work = self.work_of_adhesion.or(*work);
+        if work.is_none() {
+            let how = "set it in the scene, or use --work-of-adhesion 50mJ/m2";
+            bail!("{}: work_of_adhesion is missing: {how}", scene.name);
+        }
         // The report includes the given work of adhesion.
         scene.report_scene();
         let (contact, from) = (&scene.file.scene, scene.file.separation_from);
@@ -72,12 +78,7 @@ impl PullOff {
             match pull_off(&*compiled).with_context(context)? {
                 None => {
                     row.extend([const { Cell::Number(None) }; 4]);
-                    print_message(
-                        "note",
-                        &format!(
-                            "{id}: no tensile force within the range of f64 at any separation"
-                        ),
-                    );
+                    print_message("note", &format!("{id}: no pull-off force{}", hidden(contact)));
                 }
                 Some(found) => {
                     scene.report_answers(&[&named], &[found.separation.into()]);
@@ -100,6 +101,9 @@ impl PullOff {
     }
 }
 
+/// Tension \[% of that of asperities of equal height\] below which there is practically none.
+const SMALLEST: f64 = 1e-6;
+
 /// Notes the tension relative to that of asperities of equal height.
 fn note_reduction(id: &str, force: f64, scene: &Scene) {
     // Pull-off force of one asperity in units of pi R w_a.
@@ -110,13 +114,25 @@ fn note_reduction(id: &str, force: f64, scene: &Scene) {
     };
     let Some(work) = scene.interface.work_of_adhesion else { return };
     let single = single * std::f64::consts::PI * scene.surface.asperity_radius * work;
-    let percent = rounded(-100.0 * force / (scene.asperities() * single));
+    let percent = -100.0 * force / (scene.asperities() * single);
+    if percent < SMALLEST {
+        let text = format!("{id}: practically no pull-off force{}", hidden(scene));
+        return print_message("note", &text);
+    }
+    let percent = rounded(percent);
     print_message(
         "note",
         &format!(
             "{id}: roughness reduces the tension to {percent} % of that of asperities of equal height"
         ),
     );
+}
+
+/// Why there is no pull-off force.
+fn hidden(scene: &Scene) -> String {
+    scene.adhesion_parameter().map_or(String::new(), |theta| {
+        format!(": adhesion_parameter is {}, and above 10 roughness hides adhesion", short(theta))
+    })
 }
 
 fn work(text: &str) -> Result<f64, String> {

@@ -11,7 +11,7 @@ use crate::input::numbers::share;
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
 use crate::output::{print_message, progress};
-use crate::scene::LoadedScene;
+use crate::scene::{LoadedScene, by_reason};
 
 /// Recommend the simplest valid model near a reference, with evidence from boundary elements
 #[derive(Debug, Args)]
@@ -37,7 +37,7 @@ fn help() -> String {
 contacts, random asperities, no asperities (Persson), inclined contacts; among these,
 force laws with fewer parts first, then older models first. The recommended model is the
 first that is near enough to the reference and valid for the scene (an elastic model is
-not valid where asperities yield). Deviations are the largest over the separations or
+not valid where yielding asperities carry more than 10 % of the load). Deviations are the largest over the separations or
 loads, relative to the reference (differences for logarithms and shares).
 Agreement with the reference is no proof of accuracy: columns .._off_bem have the
 deviation of a model from boundary elements in the nearest solved case (random surfaces of
@@ -63,10 +63,7 @@ impl Recommend {
         let usual = [Quantity::Force, Quantity::Area];
         let request = self.asked.request(&scene.file, &separations, &usual);
         // Persson's theory has evidence, too.
-        let mut models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
-        if self.asked.models.is_empty() {
-            models.extend(scene.file.adhesive_models());
-        }
+        let models = scene.models_beside_bem(&self.asked.models, &request.quantities)?;
         let working = progress("comparing models");
         let advice = scene.file.recommend_among(models, &request, &reference, self.within);
         let advice = advice.with_context(|| format!("{}: the reference {id}", scene.name))?;
@@ -77,6 +74,7 @@ impl Recommend {
         table.head.extend(["simplest", "area_off_bem", "area_off_bem_spread"].map(Into::into));
         table.head.extend(["stiffness_off_bem", "stiffness_off_bem_spread"].map(Into::into));
         let simplest = advice.simplest.as_ref().map(Described::id);
+        let mut lacking = vec![];
         for found in &advice.comparisons {
             let validity = found.model.validity();
             let asperities = match (validity.asperities, validity.angles) {
@@ -93,7 +91,10 @@ impl Recommend {
             };
             row.extend(deviations.into_iter().map(Cell::Number));
             row.push(match &found.deviations {
-                Err(error) => error.to_string().as_str().into(),
+                Err(error) => {
+                    lacking.push((found.model.id().to_string(), error.clone()));
+                    "no value".into()
+                }
                 Ok(_) if simplest == Some(found.model.id()) => "simplest".into(),
                 Ok(_) if found.outside.is_some() => "does not hold".into(),
                 Ok(_) if found.largest() <= advice.within => "near enough".into(),
@@ -103,6 +104,9 @@ impl Recommend {
             let off = [off.area, off.area_spread, off.stiffness, off.stiffness_spread];
             row.extend(off.map(Cell::Number));
             table.rows.push(row);
+        }
+        for text in by_reason(&lacking) {
+            print_message("note", &format!("no value: {text}"));
         }
         let places = if self.asked.is_nowhere() { vec![At::from(2.0)] } else { request.at.clone() };
         let outside = advice.comparisons.iter().filter(|found| found.outside.is_some());

@@ -31,9 +31,11 @@ Columns: model, law, retreat_m, separation_over_sigma, force_N, pressure_Pa, are
 (not by etsion), stiffness_N_per_m (-dF/dd), contacts (asperities that still touch;
 below 1 most surfaces have parted, and values are averages over many surfaces).
 hertz: as a Hertzian contact with the force and area at the closest approach; brake:
-Brake 2015, whose area jumps at the start; etsion: Etsion, Kligerman & Kadin 2005.
+Brake 2015, whose area jumps at the start (at retreat 0 the columns have the values after
+the jump); etsion: Etsion, Kligerman & Kadin 2005.
 Coming closer again retraces these curves, and then follows the virgin one: the energy is
-dissipated in the first cycle only. The loss factor is the energy dissipated over 2 pi times the work of closing.
+dissipated in the first cycle only. The loss factor is the energy dissipated over 2 pi
+times the work of closing; that of slip is another one, per cycle.
 --history takes a new joint through turning points instead, from the first;
 columns: model, law, way, separation_over_sigma, separation_m, force_N, pressure_Pa,
 stiffness_N_per_m; a note gives the work of each way.
@@ -140,6 +142,14 @@ impl Unload {
             // Only a default depends on the end of contact.
             ends.extend(end.ok());
             ways.push(way);
+        }
+        let laws: Vec<_> = joints.iter().map(Joint::law).collect();
+        if laws.contains(&UnloadingLaw::Brake) {
+            let text = "brake: the area jumps at the start; the row of retreat 0 has the area after the jump";
+            print_message("note", text);
+        }
+        if laws.len() > 1 && laws.contains(&UnloadingLaw::Etsion) {
+            print_message("note", "etsion: area_m2 is blank, as this law gives no area");
         }
         let retreats = self.retreats(scene, ends.iter().copied().reduce(f64::max))?;
         let of = |retreats: &[f64]| tabulate(scene, model, &ways, retreats).with_context(context);

@@ -27,7 +27,8 @@ pub struct ModelArgs {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// Models by id, as listed by `asperity models` [default: all that the scene allows]
+    /// Models by id, as listed by `asperity models` [default: all models of asperities that
+    /// the scene allows]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     pub models: Vec<String>,
     /// Separations: N values from A to B in equal steps (or equal ratios with :log), or a list; in
@@ -233,7 +234,7 @@ pub fn model_id(name: &str) -> Result<String, String> {
 }
 
 /// The id of the one model of a command.
-fn one_model_id(name: &str) -> Result<String, String> {
+pub fn one_model_id(name: &str) -> Result<String, String> {
     match name.split_once(',') {
         Some((first, _)) => Err(format!("this command takes one model, for example {first}")),
         None => model_id(name),
@@ -242,8 +243,14 @@ fn one_model_id(name: &str) -> Result<String, String> {
 
 /// The unit of a separation by its name.
 pub fn separation_unit(name: &str) -> Result<SeparationUnit, String> {
-    let name: StrDeserializer<'_, Error> = name.into_deserializer();
-    SeparationUnit::deserialize(name).map_err(|e| e.to_string())
+    let read: StrDeserializer<'_, Error> = name.into_deserializer();
+    SeparationUnit::deserialize(read).map_err(|_| {
+        let own = match asperity_scene::quantity(&format!("2{name}"), "m") {
+            Ok(_) => format!("; a separation may have its own unit, for example 2{name}"),
+            Err(_) => String::new(),
+        };
+        format!("the units are sigma (asperity_height_std) and m{own}")
+    })
 }
 
 /// The name of a plot.

@@ -34,7 +34,11 @@ impl Numbers {
     pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
         have_units(text, number)?;
         if !text.contains(':') {
-            return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
+            let values = text.split(',').map(number).collect::<Result<_, _>>().map(Self);
+            return values.map_err(|error| match is_range(text) {
+                true => format!("{error}; a range is written A:B:N, for example 1kN:50kN:6"),
+                false => error,
+            });
         }
         let Span { first, last, count, log } = Span::read(text, number)?;
         let count = count.ok_or("the number of values is missing; write A:B:N")?;
@@ -47,6 +51,14 @@ impl Numbers {
         (values[0], values[count - 1]) = (first, last);
         Ok(Self(values))
     }
+}
+
+/// Whether a text looks like a range: 1-50kN, 1..50kN.
+fn is_range(text: &str) -> bool {
+    let ends = |by: &str| text.split_once(by).map(|(first, last)| [first.trim(), last.trim()]);
+    let number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let both = ends("..").or_else(|| ends("-"));
+    both.is_some_and(|[first, last]| number(first) && number(last))
 }
 
 impl Span {
@@ -168,7 +180,13 @@ pub fn length(text: &str) -> Result<f64, String> {
 
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
-    match asperity_scene::quantity(text, si)? {
+    let is = |unit| asperity_scene::quantity(text, unit).is_ok();
+    let value = asperity_scene::quantity(text, si);
+    match value.map_err(|error| match si {
+        "N" if is("Pa") => format!("{text} is a pressure; use --pressure {text}"),
+        "Pa" if is("N") => format!("{text} is a load; use --load {text}"),
+        _ => error,
+    })? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
     }
@@ -201,17 +219,21 @@ pub fn friction(text: &str) -> Result<f64, String> {
 
 /// A share, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
 pub fn share(text: &str) -> Result<f64, String> {
-    match text.trim().strip_suffix('%') {
-        Some(percent) => positive_number(percent.trim()).map(|percent| percent / 100.0),
-        None => positive_number(text),
-    }
-    .and_then(|share| match share {
+    relative_error(text).and_then(|share| match share {
         share if share <= 1.0 => Ok(share),
         _ if text.contains('%') => Err("a share is at most 100%".into()),
         share => {
             Err(format!("{share} means {} %; write {share}% or {}", 100.0 * share, share / 100.0))
         }
     })
+}
+
+/// A relative error, "1%" or "0.01".
+pub fn relative_error(text: &str) -> Result<f64, String> {
+    match text.trim().strip_suffix('%') {
+        Some(percent) => positive_number(percent.trim()).map(|percent| percent / 100.0),
+        None => positive_number(text),
+    }
 }
 
 /// A finite number above 0.
@@ -259,6 +281,17 @@ mod tests {
         }
         assert!(range(pressure)("0:1MPa").is_err() && range(load)("1:2kN:3:log").is_err());
         assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
+    }
+
+    #[test]
+    fn mistaken_options_and_ranges_are_named() {
+        assert_eq!(load("5MPa").unwrap_err(), "5MPa is a pressure; use --pressure 5MPa");
+        assert_eq!(pressure("5 kN").unwrap_err(), "5 kN is a load; use --load 5 kN");
+        for range in ["1-50kN", "1..50kN", "1 - 50 kN"] {
+            let error = loads(range).unwrap_err();
+            assert!(error.ends_with("a range is written A:B:N, for example 1kN:50kN:6"), "{error}");
+        }
+        assert!(!loads("kN-1").unwrap_err().contains("range"));
     }
 
     #[test]

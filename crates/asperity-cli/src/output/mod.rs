@@ -173,11 +173,20 @@ pub fn set_quiet(quiet: bool) {
     QUIET.store(quiet, Ordering::Relaxed);
 }
 
+/// Whether an error was printed.
+static ERROR: AtomicBool = AtomicBool::new(false);
+
+/// Whether an error was printed, so that the results are invalid.
+pub fn has_error() -> bool {
+    ERROR.load(Ordering::Relaxed)
+}
+
 /// A message on standard error; the program goes on where that is closed.
 pub fn print_message(kind: &str, text: &str) {
     if QUIET.load(Ordering::Relaxed) && matches!(kind, "warning" | "note") {
         return;
     }
+    ERROR.fetch_or(kind == "error", Ordering::Relaxed);
     let _ = writeln!(io::stderr(), "{kind}: {text}");
 }
 

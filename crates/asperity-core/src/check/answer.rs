@@ -12,8 +12,9 @@ use crate::{
 
 /// Tolerance of the numbers in diagnostics.
 const TOLERANCE: f64 = 1e-6;
-/// Area fractions (warning, error) above which asperities interact.
-const CROWDED: [f64; 2] = [0.1, 0.5];
+/// Area fractions above which asperities interact (warning), and above which they would overlap
+/// (error).
+const CROWDED: [f64; 2] = [0.1, 1.0];
 /// Number of contacts below which a single realisation differs much from the average.
 const FEW: f64 = 30.0;
 /// w/R (warning, error) beyond which an asperity is no spherical cap under small deformation.

@@ -66,9 +66,8 @@ impl Interface {
                     "{share} of the equivalent modulus, where (1 - nu)/(2 (2 - nu)), about 0.2, is usual"
                 );
                 let unit = likely_unit(shear, PRESSURES, "Pa", |g| within(g, usual));
-                let advice = [Some(meaning), unit].into_iter().flatten().collect::<Vec<_>>();
                 let found_here = unusual("equivalent_shear_modulus", shear, usual).unit("Pa");
-                found.push(found_here.advice(advice.join("; ")));
+                found.push(with_unit(found_here.advice(meaning), unit));
             }
         }
         if let Some(work) = self.work_of_adhesion
@@ -76,9 +75,9 @@ impl Interface {
             && !within(work, ADHESION)
         {
             let unit = likely_unit(work, ENERGIES, "J/m2", |w| within(w, ADHESION));
-            let advice = unit.unwrap_or_else(|| "clean surfaces in air have about 0.05".into());
             let found_here = unusual("work_of_adhesion", work, ADHESION).unit("J/m2");
-            found.push(found_here.advice(advice));
+            let found_here = found_here.advice("clean surfaces in air have about 0.05");
+            found.push(with_unit(found_here, unit));
         }
         if let Some(factor) = self.pressure_factor
             && !within(factor, PRESSURE_FACTOR)
@@ -96,7 +95,7 @@ fn conducting(conductivity: Option<f64>, resistivity: Option<f64>) -> Vec<Diagno
     let check = |field, value: f64, usual, units: &[Unit], si| {
         let unit = likely_unit(value, units, si, |x| within(x, usual));
         let found = Diagnostic::warning("unusual-size", field, value).usual(usual).unit(si);
-        (!within(value, usual)).then(|| found.advice(unit.unwrap_or_default()))
+        (!within(value, usual)).then(|| with_unit(found.advice(CHECK_UNIT), unit))
     };
     let thermal = conductivity
         .and_then(|k| check("thermal_conductivity", k, CONDUCTIVITY, CONDUCTIVITIES, "W/(m K)"));
@@ -129,11 +128,13 @@ impl Material {
             return vec![];
         }
         let ratio = strength.unwrap_or(0.0) / modulus;
-        let by_ratio = ratios(modulus);
         let found = |field, value: f64, usual: [f64; 2], unit: Option<Unit>| {
             let of_modulus = field == modulus_field;
+            // The usual range is that of the material with the likely unit.
+            let meant = unit.filter(|_| of_modulus).map_or(1.0, |(_, factor)| factor);
+            let by_ratio = ratios(meant * modulus);
             let (usual, meaning) = match within(value, usual) {
-                false => (usual, "no material has such a value".to_string()),
+                false => (usual, format!("no material has such a value; {CHECK_UNIT}")),
                 true => {
                     let usual = match of_modulus {
                         true => [by_ratio[1], by_ratio[0]].map(|r| ratio * modulus / r),
@@ -149,7 +150,9 @@ impl Material {
             };
             let stiff = !of_modulus && modulus >= PLASTIC && ratio > NO_HARDNESS;
             match unit {
-                Some(unit) => unusual(field, value, usual).advice(likely(value, unit, "Pa")),
+                Some(unit) => unusual(field, value, usual)
+                    .advice(format!("{meaning}; {CHECK_UNIT}"))
+                    .likely_unit(likely(value, unit, "Pa")),
                 None if stiff => {
                     let usual = by_ratio.map(|r| r * modulus);
                     let advice = format!("{} times the modulus looks like a modulus", short(ratio));
@@ -212,6 +215,17 @@ pub(crate) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
 /// An error ten times outside the usual range, otherwise a warning.
 pub(crate) fn severity(value: f64, [from, to]: [f64; 2]) -> Severity {
     if value < 0.1 * from || value > 10.0 * to { Severity::Error } else { Severity::Warning }
+}
+
+/// What to do where no unit is likely.
+const CHECK_UNIT: &str = "check the number and its unit";
+
+/// A finding with the likely unit, if there is one.
+fn with_unit(found: Diagnostic, unit: Option<String>) -> Diagnostic {
+    match unit {
+        Some(unit) => found.likely_unit(unit),
+        None => found,
+    }
 }
 
 /// A finding for a number outside the usual range of materials.

@@ -196,11 +196,16 @@ impl Scene {
                 "between {DMT} (below {LEAST_TABOR}) and {JKR} (above {MOST_TABOR}); use both as bounds"
             ),
         };
-        let advice = format!(
-            "{advice}, as other models ignore work_of_adhesion; adhesion_parameter is {}, and above {} roughness hides adhesion",
-            short(theta),
-            Self::HIDES_ADHESION
-        );
+        let (theta, hides) = (short(theta), theta > Self::HIDES_ADHESION);
+        let limit = Self::HIDES_ADHESION;
+        let advice = match hides {
+            true => format!(
+                "roughness hides adhesion (adhesion_parameter is {theta}, above {limit}), and models without it hold; to include it, {advice}"
+            ),
+            false => format!(
+                "{advice}; other models ignore work_of_adhesion, which matters here (adhesion_parameter is {theta}, below {limit})"
+            ),
+        };
         let found =
             Diagnostic::note("adhesion", "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
         let fact = format!("tabor_parameter is {}", short(tabor));

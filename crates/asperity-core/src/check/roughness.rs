@@ -40,7 +40,8 @@ impl Surface {
                 makes_sense(&other)
             });
             let found = Diagnostic::warning(CODE, field, value).usual(usual).unit(si);
-            unit.map(|unit| found.severity(self.severity()).advice(unit))
+            let found = found.severity(self.severity()).advice("check the number and its unit");
+            unit.map(|unit| found.likely_unit(unit))
         };
         let &Self { asperity_height_std: std, asperity_radius: radius, .. } = self;
         let density = self.asperity_density;
@@ -76,14 +77,22 @@ impl Surface {
         sizes.min().unwrap_or(Severity::Warning)
     }
 
-    /// A finding if all lengths are plausible in another common unit.
+    /// A finding if all lengths are plausible in another common unit, with densities in its square
+    /// or in another unit.
     fn in_one_unit(&self) -> Option<Diagnostic> {
-        let scaled = |unit: f64| Self {
-            asperity_radius: unit * self.asperity_radius,
-            asperity_density: self.asperity_density / unit.powi(2),
-            asperity_height_std: unit * self.asperity_height_std,
+        let scaled = |length: f64, density: f64| Self {
+            asperity_radius: length * self.asperity_radius,
+            asperity_density: density * self.asperity_density,
+            asperity_height_std: length * self.asperity_height_std,
         };
-        let (name, _) = LENGTHS.iter().find(|(_, unit)| makes_sense(&scaled(*unit)))?;
+        let same =
+            LENGTHS.iter().map(|(name, unit)| (*name, *unit, format!("1/{name}2"), unit.powi(-2)));
+        let others = LENGTHS.iter().flat_map(|(name, unit)| {
+            DENSITIES.iter().map(|(inverse, density)| (*name, *unit, inverse.to_string(), *density))
+        });
+        let (name, _, inverse, _) = same
+            .chain(others)
+            .find(|(_, length, _, density)| makes_sense(&scaled(*length, *density)))?;
         let std = self.asperity_height_std;
         let found = Diagnostic::warning(CODE, "asperity_height_std", std)
             .usual(HEIGHT_STD)
@@ -93,8 +102,10 @@ impl Surface {
                 short(std),
                 short(self.asperity_radius)
             ))
-            .advice(format!(
-                "all lengths look like {name}, and the density like 1/{name}2; give m and 1/m2"
+            .advice("check the numbers and their units")
+            .likely_unit(format!(
+                "both look like {name}, and the density {} like {inverse}; give m and 1/m2",
+                short(self.asperity_density)
             ));
         Some(found)
     }
@@ -185,8 +196,11 @@ pub(crate) fn of_area(scene: &Scene) -> Option<Diagnostic> {
             (if few { Severity::Warning } else { Severity::Note }, meaning)
         }
     };
-    let advice = [Some(meaning), unit].into_iter().flatten().collect::<Vec<_>>().join("; ");
     let code = if few { FEW_ASPERITIES } else { CODE };
     let found = Diagnostic::warning(code, "nominal_area", area).severity(severity);
-    Some(found.usual(usual).unit("m2").advice(advice))
+    let found = found.usual(usual).unit("m2").advice(meaning);
+    Some(match unit {
+        Some(unit) => found.likely_unit(unit),
+        None => found,
+    })
 }

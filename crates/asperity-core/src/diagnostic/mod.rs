@@ -80,6 +80,7 @@ pub struct Diagnostic {
     pub also: Vec<String>,
     fact: Option<Cow<'static, str>>,
     advice: Cow<'static, str>,
+    likely_unit: Option<String>,
 }
 
 impl Diagnostic {
@@ -118,6 +119,7 @@ impl Diagnostic {
             also: vec![],
             fact: None,
             advice: "".into(),
+            likely_unit: None,
         }
     }
 
@@ -185,6 +187,20 @@ impl Diagnostic {
     #[must_use]
     pub fn advice(self, advice: impl Into<Cow<'static, str>>) -> Self {
         Self { advice: advice.into(), ..self }
+    }
+
+    /// With a unit that explains the value, in place of the advice: "210 looks like GPa; ..".
+    #[must_use]
+    pub fn likely_unit(self, hint: impl Into<String>) -> Self {
+        Self { likely_unit: Some(hint.into()), ..self }
+    }
+
+    /// Without a likely unit, for a value that was given with its unit; `None` for a note, which
+    /// then says nothing.
+    #[must_use]
+    pub fn with_stated_unit(mut self) -> Option<Self> {
+        let guess = self.likely_unit.take();
+        (guess.is_none() || self.severity < Severity::Note).then_some(self)
     }
 
     /// With the field prefixed by its section: `body[1].hardness`.
@@ -263,8 +279,9 @@ impl fmt::Display for Diagnostic {
         if self.fact.is_none() {
             self.write_range(f)?;
         }
-        if !self.advice.is_empty() {
-            write!(f, ": {}", self.advice)?;
+        match self.likely_unit.as_deref().unwrap_or(&self.advice) {
+            "" => {}
+            advice => write!(f, ": {advice}")?,
         }
         match &self.also[..] {
             [] => Ok(()),

@@ -149,9 +149,10 @@ pub trait Contact: fmt::Debug + Send + Sync {
         };
         let cells = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
         let shares = |quantity, at| self.shares_at(quantity, at);
-        respond((self.model(), self.scene(), self.is_adhesive()), request, cells, shares, |_, _| {
-            None
-        })
+        let of = (self.model(), self.scene(), self.is_adhesive());
+        let mut response = respond(of, request, cells, shares, |_, _| None);
+        response.warnings.extend(self.notes().iter().cloned());
+        response
     }
 
     /// Checks that a quantity was requested and is `known`: for models that have only a few.

@@ -153,12 +153,27 @@ impl FromStr for Quantity {
             false => "",
         };
         let near = nearest_name(&wanted, names.iter().map(String::as_str)).and_then(named);
+        let near = near.or_else(|| named(synonym(&wanted)?));
         Err(ContactError::UnknownQuantity {
             name: name.into(),
             near: near.map(|(quantity, _)| quantity),
             known: names.join(", ") + beside,
         })
     }
+}
+
+/// The quantity of another usual name.
+fn synonym(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "normal-stiffness" | "contact-stiffness" | "interface-stiffness" => "tangent",
+        "shear-stiffness" => "tangential-stiffness",
+        "vibration-stiffness" | "ultrasonic-stiffness" => "unloading-stiffness",
+        "conductance" | "contact-conductance" => "thermal-conductance",
+        "htc" | "tcc" | "hc" => "thermal-conductance-per-area",
+        "load" | "normal-force" => "force",
+        "contact-area" | "real-area" | "real-contact-area" => "area",
+        _ => return None,
+    })
 }
 
 #[cfg(test)]

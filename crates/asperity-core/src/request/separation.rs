@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{ContactError, HeightDistribution, Scene};
+use crate::{ContactError, HeightDistribution, Scene, short};
 
 /// The unit of a separation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash, Serialize, Deserialize)]
@@ -169,6 +169,7 @@ impl fmt::Display for Separation {
                 write!(f, "{:e} asperity_height_std", self.value)?;
             }
             SeparationUnit::Sigma => write!(f, "{} asperity_height_std", self.value)?,
+            SeparationUnit::Metres if self.value == 0.0 => f.write_str("0 m")?,
             SeparationUnit::Metres => write!(f, "{:e} m", self.value)?,
         }
         match self.from {
@@ -187,7 +188,8 @@ pub enum At {
     /// At a separation.
     Separation(Separation),
     /// Under a normal load \[N\], > 0 (below 0 for a tension, with adhesion). If several
-    /// separations carry it, the largest is meant: the first on approach.
+    /// separations carry it, the largest is meant, the first on approach; of a tension
+    /// the smallest, where the contact is stable.
     Load(f64),
     /// Under a mean pressure on the nominal area \[Pa\], > 0.
     Pressure(f64),
@@ -248,7 +250,7 @@ impl fmt::Display for At {
                 write!(f, "a load of {load:e} N")
             }
             Self::Load(load) => write!(f, "a load of {load} N"),
-            Self::Pressure(pressure) => write!(f, "a pressure of {pressure:e} Pa"),
+            Self::Pressure(pressure) => write!(f, "a pressure of {} Pa", short(*pressure)),
         }
     }
 }

@@ -60,7 +60,7 @@ impl Asperity {
         if strain < 1.0 {
             Ok(strain * strain * self.radius)
         } else {
-            let required = "a hardness below 2E/(pi S), so that the critical interference is smaller than the radius,";
+            let required = "a hardness below 2E/(pi S), of the order of the modulus (check the units of both),";
             Err(ContactError::OutOfRange { field: "hardness", value, required })
         }
     }

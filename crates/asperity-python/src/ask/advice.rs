@@ -75,7 +75,6 @@ pub(crate) fn recommend<'py>(
             others.retain(|model| !ids.iter().any(|id| id == model.id()));
             left_out.retain(|model| !ids.contains(&model.id));
             models.extend(others);
-            models.extend(file.adhesive_models());
             (models, left_out)
         }
         Some(ids) => {

@@ -29,7 +29,7 @@ pub enum TableError {
         nodes: usize,
     },
     /// The format has no such table.
-    #[error("format is {}: one with {what} was required, {known}", format.name())]
+    #[error("{} has no {what}; use {known}", format.name())]
     NoSuchTable {
         /// The format.
         format: TableFormat,
@@ -74,7 +74,7 @@ pub enum TableError {
     },
     /// An error that cannot be met.
     #[error(
-        "error is {error:e}: one that 100000 nodes and the tolerance of the integrals can meet was required"
+        "error is {error:e}, which 100000 nodes and the tolerance of the integrals cannot meet; give a larger error or a narrower range"
     )]
     TooFine {
         /// The relative error asked for.

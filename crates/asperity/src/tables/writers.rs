@@ -100,7 +100,7 @@ fn abaqus(head: &Head<'_>) -> Result<String> {
     let mut text = format!(
         "** {title}: contact pressure against overclosure, in {stress} and {length}
 {converted}** overclosure = -(separation from {from})
-** so that a negative overclosure is a clearance and 0 is where the nominal surfaces meet
+** so that a negative overclosure is a clearance and 0 is where {from} meets the counterface
 ** straight lines between {nodes} nodes: largest relative error {pressure} of the pressure, {slope} of its slope
 ** between any two; the slope jumps at the nodes
 ** the first pair is where the tangent of the second reaches 0: the model's pressure there,
