@@ -125,7 +125,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     fn integral(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Moments, ContactError> {
         let (scene, tolerance) = (self.scene, self.tolerance);
@@ -135,7 +135,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     fn parts(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError> {
         let (scene, tolerance) = (self.scene, self.tolerance.relative());
@@ -180,10 +180,10 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         let total = self.force.get_or_init(|| {
             HeightIntegral::new(law.density(), law, self.scene, self.tolerance.relative())
         });
-        total.guide(s).map_err(integral_failed(Quantity::Force, s.into()))
+        total.guide(s).map_err(integral_failed(Quantity::Force, &s.into()))
     }
 
-    fn settle(&mut self, base: Quantity, (s, at): (f64, At)) -> Result<bool, ContactError> {
+    fn settle(&mut self, base: Quantity, (s, at): (f64, &At)) -> Result<bool, ContactError> {
         let tolerance = self.tolerance;
         self.law(base)?.settle(s, tolerance).map_err(integral_failed(base, at))
     }

@@ -82,7 +82,7 @@ impl HeightIntegral {
     }
 
     /// I(s) alone, without the slope where that saves work.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match &self.over {
             HeightKind::Gaussian(heights) if !self.onset.is_nonzero() => heights.integral.value(s),
@@ -120,8 +120,12 @@ impl HeightIntegral {
     }
 
     /// I(s) and -dI/ds, from what is prepared for many s.
+    #[inline(always)]
     pub(crate) fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        self.answer(s, Extent { slope: true, many: true })
+        match &self.over {
+            HeightKind::Gaussian(heights) if !self.onset.is_nonzero() => heights.at(s),
+            _ => self.answer(s, Extent { slope: true, many: true }),
+        }
     }
 
     /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to
@@ -145,11 +149,12 @@ impl HeightIntegral {
         self.answer(s, Extent { slope, many: false })
     }
 
-    #[inline]
+    #[inline(never)]
     fn answer(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let seen = self.onset.shifted(s);
         let integrate = |extent: Extent| match &self.over {
-            HeightKind::Gaussian(heights) => heights.at(seen, extent),
+            HeightKind::Gaussian(heights) if extent.slope => heights.at(seen),
+            HeightKind::Gaussian(heights) => heights.integral.at(seen),
             HeightKind::Exponential(integral) => integral.at(seen, extent),
             HeightKind::Other(integral) => integral.at(seen, extent),
         };
@@ -178,7 +183,7 @@ const FINER_BELOW: f64 = 0.01;
 
 /// `found`, an integral at s with its slope; if that misses the tolerance, one that meets it, if
 /// there is one.
-#[inline]
+#[inline(always)]
 pub(crate) fn with_slope_within(
     found: Moments,
     density: impl FnOnce() -> Density,
@@ -188,9 +193,14 @@ pub(crate) fn with_slope_within(
     if s >= DEEP || found.slope_within(s, tolerance).is_ok() {
         return found;
     }
+    finer(&density(), (scale, s), tolerance).unwrap_or(found)
+}
+
+#[cold]
+fn finer(density: &Density, (scale, s): (f64, f64), tolerance: f64) -> Option<Moments> {
     let finer = FINER_BELOW * tolerance;
-    let made = Nearby::new(&density().finer(finer), scale, s, finer).map(|made| made.at(s));
-    made.ok().filter(|made| made.slope_within(s, tolerance).is_ok()).unwrap_or(found)
+    let made = Nearby::new(&density.finer(finer), scale, s, finer).ok()?.at(s);
+    made.slope_within(s, tolerance).is_ok().then_some(made)
 }
 
 /// The integral over Gaussian heights.
@@ -203,12 +213,9 @@ struct Gaussian {
 }
 
 impl Gaussian {
-    #[inline]
-    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
+    #[inline(always)]
+    fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(s)?;
-        if !extent.slope {
-            return Ok(found);
-        }
         let Self { density, scale, tolerance, .. } = self;
         Ok(with_slope_within(found, || density.clone(), (*scale, s), *tolerance))
     }

@@ -29,7 +29,7 @@ impl ShiftedGaussian {
     ///
     /// # Errors
     /// Those of [`crate::discretise`], and [`QuadratureError::OutOfRange`].
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Place::at(s);
         match self.rules.ready(place) {
@@ -42,7 +42,7 @@ impl ShiftedGaussian {
     ///
     /// # Errors
     /// Those of [`crate::discretise`].
-    #[inline]
+    #[inline(always)]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Place::at(s);
         match self.rules.ready(place) {

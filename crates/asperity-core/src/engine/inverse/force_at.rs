@@ -85,7 +85,7 @@ impl ForceAt<'_> {
     }
 
     pub(crate) fn variation(&self, s: f64) -> Result<Moments, ContactError> {
-        self.falls.variation.guide(s).map_err(integral_failed(Quantity::Force, s.into()))
+        self.falls.variation.guide(s).map_err(integral_failed(Quantity::Force, &s.into()))
     }
 
     pub(crate) fn sample(&self, s: f64) -> Result<Sample, ContactError> {
