@@ -227,7 +227,7 @@ pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
 /// The error of an integral for `quantity` at `at`.
 pub(crate) fn integral_failed(
     quantity: Quantity,
-    at: At,
+    at: &At,
 ) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral { quantity, at, source }
+    move |source| ContactError::Integral { quantity, at: *at, source }
 }

@@ -105,9 +105,11 @@ impl Described for Ghaednia {
     }
 
     fn validity(&self) -> Validity {
-        Validity::default().not_monotone().valid_for(
-            "w < R; two like bodies with a tangent modulus; fitted to finite elements with hardening",
-        )
+        Validity {
+            force_monotone: false,
+            valid_for: "w < R; two like bodies with a tangent modulus; fitted to finite elements with hardening",
+            ..Validity::default()
+        }
     }
 }
 

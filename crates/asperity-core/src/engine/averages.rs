@@ -30,7 +30,7 @@ pub(crate) trait Averages<'s> {
     fn integral(
         &mut self,
         base: Quantity,
-        place: (f64, At),
+        place: (f64, &At),
         slope: bool,
     ) -> Result<Moments, ContactError>;
 
@@ -39,7 +39,7 @@ pub(crate) trait Averages<'s> {
     fn settled(
         &mut self,
         base: Quantity,
-        place: (f64, At),
+        place: (f64, &At),
         slope: bool,
     ) -> Result<(Moments, f64), ContactError> {
         self.settle(base, place)?;
@@ -51,7 +51,7 @@ pub(crate) trait Averages<'s> {
     fn parts(
         &mut self,
         base: Quantity,
-        place: (f64, At),
+        place: (f64, &At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError>;
 
@@ -70,7 +70,7 @@ pub(crate) trait Averages<'s> {
 
     /// Makes the integrals for s if they were made too far from it for their bounds to hold;
     /// returns whether there were any.
-    fn settle(&mut self, _base: Quantity, _place: (f64, At)) -> Result<bool, ContactError> {
+    fn settle(&mut self, _base: Quantity, _place: (f64, &At)) -> Result<bool, ContactError> {
         Ok(false)
     }
 
@@ -82,20 +82,21 @@ pub(crate) trait Averages<'s> {
 }
 
 /// d/σ_z at a place; a load is inverted.
-#[inline]
-pub(crate) fn place<'s>(averages: &mut impl Averages<'s>, at: At) -> Result<Place, ContactError> {
+#[inline(always)]
+pub(crate) fn place<'s>(averages: &mut impl Averages<'s>, at: &At) -> Result<Place, ContactError> {
     match at {
         At::Separation(separation) => separation.place(averages.scene()),
-        At::Load(load) => place_of_load(averages, ("load", load), 1.0),
+        At::Load(load) => place_of_load(averages, ("load", *load), 1.0),
         At::Pressure(pressure) => {
             let area = averages.scene().nominal_area;
-            place_of_load(averages, ("pressure", pressure), area)
+            place_of_load(averages, ("pressure", *pressure), area)
         }
     }
 }
 
 /// The d/σ_z that carries a load of `value` times `area`: the largest, which is the first on
 /// approach, of a load above 0, and the smallest, which is stable, of a tension.
+#[inline(never)]
 pub(crate) fn place_of_load<'s>(
     averages: &mut impl Averages<'s>,
     (field, value): (&'static str, f64),
@@ -160,11 +161,11 @@ struct Force<'a, A>(&'a mut A);
 
 impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
     fn at(&mut self, s: f64) -> Result<Moments, ContactError> {
-        self.0.integral(Quantity::Force, (s, s.into()), true)
+        self.0.integral(Quantity::Force, (s, &s.into()), true)
     }
 
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
-        self.0.settle(Quantity::Force, (s, s.into()))
+        self.0.settle(Quantity::Force, (s, &s.into()))
     }
 }
 
@@ -172,7 +173,7 @@ impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
 pub(crate) fn shares<'s>(
     averages: &mut impl Averages<'s>,
     base: Quantity,
-    place: (f64, At),
+    place: (f64, &At),
 ) -> Result<Vec<Share>, ContactError> {
     averages.settle(base, place)?;
     let total = averages.integral(base, place, false)?;
@@ -194,7 +195,7 @@ pub(crate) fn shares<'s>(
 pub(crate) fn all_parts(
     parts: impl Iterator<Item = Result<Moments, QuadratureError>>,
     base: Quantity,
-    at: At,
+    at: &At,
 ) -> Result<Vec<Moments>, ContactError> {
     parts.collect::<Result<_, _>>().map_err(integral_failed(base, at))
 }

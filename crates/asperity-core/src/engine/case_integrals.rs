@@ -122,7 +122,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     fn integral(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Moments, ContactError> {
         let (scene, tolerance) = (self.scene, self.tolerance);
@@ -132,7 +132,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
     fn parts(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError> {
         let (scene, tolerance) = (self.scene, self.tolerance.relative());
@@ -161,7 +161,7 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         self.laws.falls(self.scene, self.tolerance)
     }
 
-    fn settle(&mut self, base: Quantity, (s, at): (f64, At)) -> Result<bool, ContactError> {
+    fn settle(&mut self, base: Quantity, (s, at): (f64, &At)) -> Result<bool, ContactError> {
         let tolerance = self.tolerance;
         self.law(base)?.settle(s, tolerance).map_err(integral_failed(base, at))
     }

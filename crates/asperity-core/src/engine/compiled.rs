@@ -57,12 +57,12 @@ impl Contact for Compiled {
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         (&self.0).check_requested(quantity)?;
-        Row::<_, 0>::new(&mut &self.0, &[], at)?.unchecked(quantity)
+        Row::<_, 0>::new(&mut &self.0, &[], &at)?.unchecked(quantity)
     }
 
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let mut averages = &self.0;
-        let mut row = Row::<_, 1>::new(&mut averages, &[Quantity::Tangent], at)?;
+        let mut row = Row::<_, 1>::new(&mut averages, &[Quantity::Tangent], &at)?;
         Ok((row.unchecked(Quantity::Force)?, row.unchecked(Quantity::Tangent)?))
     }
 
@@ -90,12 +90,12 @@ impl Contact for Compiled {
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
-        shares_at(&self.0.facts, &mut &self.0, quantity, at)
+        shares_at(&self.0.facts, &mut &self.0, quantity, &at)
     }
 
     fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         (&self.0).check_requested(quantity)?;
-        let place = place(&mut &self.0, at)?;
+        let place = place(&mut &self.0, &at)?;
         let none = || self.unsupported(&format!("a second derivative of the {quantity}"));
         if self.0.single_law(quantity) != Some(quantity) {
             return Err(none());
@@ -103,7 +103,7 @@ impl Contact for Compiled {
         let channel = self.0.channel(quantity)?;
         let curvature = channel.total.curvature(place.s).ok_or_else(none)?;
         let Curvature { value, size, ln_scale, error } =
-            curvature.map_err(integral_failed(quantity, at))?;
+            curvature.map_err(integral_failed(quantity, &at))?;
         let integral = size;
         let height_std = self.0.scene.surface.asperity_height_std;
         // Divided twice, so that no square of a small number underflows.

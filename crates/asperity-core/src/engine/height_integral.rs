@@ -82,7 +82,7 @@ impl HeightIntegral {
     }
 
     /// I(s), without the slope if that saves work.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         match &self.over {
             HeightKind::Gaussian(heights) if !self.onset.is_nonzero() => heights.integral.value(s),
@@ -120,8 +120,12 @@ impl HeightIntegral {
     }
 
     /// I(s) and -dI/ds, from what is prepared for many s.
+    #[inline(always)]
     pub(crate) fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
-        self.answer(s, Extent { slope: true, many: true })
+        match &self.over {
+            HeightKind::Gaussian(heights) if !self.onset.is_nonzero() => heights.at(s),
+            _ => self.answer(s, Extent { slope: true, many: true }),
+        }
     }
 
     /// I(s) to the tolerance, and -dI/ds with whatever error it has, as the bound is relative to
@@ -146,11 +150,12 @@ impl HeightIntegral {
         self.answer(s, Extent { slope, many: false })
     }
 
-    #[inline]
+    #[inline(never)]
     fn answer(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let seen = self.onset.shifted(s);
         let integrate = |extent: Extent| match &self.over {
-            HeightKind::Gaussian(heights) => heights.at(seen, extent),
+            HeightKind::Gaussian(heights) if extent.slope => heights.at(seen),
+            HeightKind::Gaussian(heights) => heights.integral.at(seen),
             HeightKind::Exponential(integral) => integral.at(seen, extent),
             HeightKind::Other(integral) => integral.at(seen, extent),
         };
@@ -181,7 +186,7 @@ const FINEST_LAW: f64 = 1e-13;
 
 /// `found`, an integral at s with its slope, or a finer integral if its slope misses the tolerance
 /// and the finer one meets it.
-#[inline]
+#[inline(always)]
 pub(crate) fn with_slope_within(
     found: Moments,
     density: impl Fn() -> Density,
@@ -191,19 +196,24 @@ pub(crate) fn with_slope_within(
     if s >= SLOPES_CANCEL || found.slope_within(s, tolerance).is_ok() {
         return found;
     }
+    finer(&density(), (scale, s), tolerance).unwrap_or(found)
+}
+
+#[cold]
+fn finer(density: &Density, (scale, s): (f64, f64), tolerance: f64) -> Option<Moments> {
     let finer = FINER_BELOW * tolerance;
-    let made = Nearby::new(&density().finer(finer), scale, s, finer).map(|made| made.at(s));
+    let made = Nearby::new(&density.finer(finer), scale, s, finer).map(|made| made.at(s));
     // Farther down, derivatives of the law are averaged instead: those of samples err by as much
     // more than the samples as s is deep.
     let derived = || {
         let weight = GAUSSIAN.as_ref().map_err(Clone::clone)?;
-        let (density, finer) = (density(), (0.1 * tolerance / (1.0 - s)).max(FINEST_LAW));
+        let finer = (0.1 * tolerance / (1.0 - s)).max(FINEST_LAW);
         let own = if density.knows_slope() { 0.0 } else { finer * (1.0 - s) };
         let made = Overlap::new(density.finer(finer), scale, tolerance).at(weight, s, true)?;
         Ok::<_, QuadratureError>(Moments { error: made.error + own, ..made })
     };
     let within = |made: &Moments| made.slope_within(s, tolerance).is_ok();
-    made.ok().filter(within).or_else(|| derived().ok().filter(within)).unwrap_or(found)
+    made.ok().filter(within).or_else(|| derived().ok().filter(within))
 }
 
 /// exp(-z²/2)/√(2π).
@@ -223,12 +233,9 @@ struct Gaussian {
 }
 
 impl Gaussian {
-    #[inline]
-    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
+    #[inline(always)]
+    fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(s)?;
-        if !extent.slope {
-            return Ok(found);
-        }
         let Self { density, scale, tolerance, .. } = self;
         Ok(with_slope_within(found, || density.clone(), (*scale, s), *tolerance))
     }

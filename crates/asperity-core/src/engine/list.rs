@@ -44,7 +44,7 @@ pub(crate) fn answer_alone(
     alone()?;
     let columns = |places: &[At]| {
         let rows = places.iter().map(|at| match alone() {
-            Ok(mut averages) => cells(&mut averages, &request.quantities, *at),
+            Ok(mut averages) => cells(&mut averages, &request.quantities, at),
             Err(error) => vec![Err(Box::new(error)); request.quantities.len()],
         });
         let mut columns = vec![Vec::with_capacity(places.len()); request.quantities.len()];
@@ -74,12 +74,12 @@ fn answer<'s, A: Averages<'s>>(
 ) -> Response {
     let value = |quantity, at| {
         let mut averages = averages().ok()?;
-        let mut row = Row::<_>::new(&mut averages, &[quantity], at).ok()?;
+        let mut row = Row::<_>::new(&mut averages, &[quantity], &at).ok()?;
         Some(row.unchecked(quantity).ok()?.value())
     };
     let signed = facts.laws.are_signed();
     let behind = |quantity, at| if signed { value(quantity, at) } else { None };
-    let shares = |quantity, at| shares_at(facts, &mut averages()?, quantity, at);
+    let shares = |quantity, at| shares_at(facts, &mut averages()?, quantity, &at);
     respond((&facts.model, scene, facts.laws.adhesive), request, cells, shares, behind)
 }
 
@@ -88,7 +88,7 @@ pub(crate) fn shares_at<'s>(
     facts: &Facts,
     averages: &mut impl Averages<'s>,
     quantity: Quantity,
-    at: At,
+    at: &At,
 ) -> Result<Vec<Share>, ContactError> {
     averages.check_requested(quantity)?;
     let mut laws = quantity.laws(facts.laws.own_stiffness);
@@ -110,7 +110,7 @@ fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<V
             continue;
         }
         for at in run {
-            let row = cells(&mut &*prepared, quantities, *at);
+            let row = cells(&mut &*prepared, quantities, at);
             columns.iter_mut().zip(row).for_each(|(column, cell)| column.push(cell));
         }
     }
@@ -133,7 +133,7 @@ fn together(
 ) -> Option<()> {
     let mut averages = prepared;
     let places: Vec<Place> =
-        run.iter().map(|at| place(&mut averages, *at).ok()).collect::<Option<_>>()?;
+        run.iter().map(|at| place(&mut averages, at).ok()).collect::<Option<_>>()?;
     let s: Vec<f64> = places.iter().map(|place| place.s).collect();
     let has_slope = quantities.iter().any(|quantity| quantity.is_slope())
         || places.iter().any(|place| place.rounding > 0.0);
@@ -151,7 +151,7 @@ fn together(
             let RunIntegrals { base, factor, .. } = *made;
             LawIntegral { base, moments: made.moments[k], factor, has_slope }
         });
-        let mut row = Row::<_>::with(&mut averages, (*place, *at), has_slope, known);
+        let mut row = Row::<_>::with(&mut averages, (*place, at), has_slope, known);
         for (column, quantity) in columns.iter_mut().zip(quantities) {
             column.push(row.quantity(*quantity).map_err(Box::new));
         }

@@ -90,7 +90,7 @@ pub struct Plan {
 /// The plan for a request; builds what its rows need.
 pub(crate) fn plan(prepared: &Prepared, request: &Request) -> Result<Plan, ContactError> {
     let mut averages = prepared;
-    let places = request.at.iter().map(|at| Ok(place(&mut averages, *at)?.s));
+    let places = request.at.iter().map(|at| Ok(place(&mut averages, at)?.s));
     let places: Vec<f64> = places.collect::<Result<_, ContactError>>()?;
     let steps = prepared.channels.iter().map(|channel| step(prepared, channel, &places));
     let rows = || places.iter().zip(&request.at);
@@ -113,7 +113,8 @@ fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, 
     let mut terms: Option<(usize, usize)> = None;
     let mut farthest: f64 = 0.0;
     for &s in places {
-        let failed = integral_failed(law, s.into());
+        let at = s.into();
+        let failed = integral_failed(law, &at);
         channel.total.value(s).map_err(&failed)?;
         if let Some(n) = channel.total.terms(s).map_err(&failed)? {
             let (least, most) = terms.unwrap_or((n, n));

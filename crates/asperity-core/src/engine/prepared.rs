@@ -66,8 +66,11 @@ impl Prepared {
     /// The integral of the law for `base`.
     #[inline]
     pub(crate) fn channel(&self, base: Quantity) -> Result<&Channel, ContactError> {
-        let found = self.channels.iter().find(|channel| channel.base == base);
-        found.ok_or(ContactError::NotRequested { quantity: base })
+        // An error is not made, and dropped, where there is none.
+        match self.channels.iter().find(|channel| channel.base == base) {
+            Some(channel) => Ok(channel),
+            None => Err(ContactError::NotRequested { quantity: base }),
+        }
     }
 
     /// The laws whose integrals a quantity needs.
@@ -107,7 +110,7 @@ impl<'p> Averages<'p> for &'p Prepared {
     fn integral(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Moments, ContactError> {
         let total = &self.channel(base)?.total;
@@ -115,11 +118,11 @@ impl<'p> Averages<'p> for &'p Prepared {
         found.map_err(integral_failed(base, at))
     }
 
-    #[inline]
+    #[inline(always)]
     fn settled(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<(Moments, f64), ContactError> {
         let Channel { total, units, .. } = self.channel(base)?;
@@ -132,7 +135,7 @@ impl<'p> Averages<'p> for &'p Prepared {
     fn parts(
         &mut self,
         base: Quantity,
-        (s, at): (f64, At),
+        (s, at): (f64, &At),
         slope: bool,
     ) -> Result<Vec<Moments>, ContactError> {
         let parts = self.channel(base)?.parts().iter();
@@ -151,7 +154,7 @@ impl<'p> Averages<'p> for &'p Prepared {
 
     fn guide(&self, _: &Falls, s: f64) -> Result<Moments, ContactError> {
         let found = self.channel(Quantity::Force)?.total.guide(s, true);
-        found.map_err(integral_failed(Quantity::Force, s.into()))
+        found.map_err(integral_failed(Quantity::Force, &s.into()))
     }
 
     #[inline]

@@ -25,7 +25,7 @@ pub(crate) struct Reading<'s> {
     pub(crate) tolerance: Tolerance,
     pub(crate) place: Place,
     /// In the caller's units, for errors.
-    pub(crate) at: At,
+    pub(crate) at: &'s At,
 }
 
 impl Reading<'_> {
@@ -44,31 +44,32 @@ impl Reading<'_> {
             Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => {
                 self.slope(quantity, of, integrals)
             }
-            Derivation::PerNominalArea(of) => Ok(self.nominal(self.total(of, integrals)?)),
-            Derivation::ContactRadii(_) => self.total(quantity, integrals),
-            Derivation::Ratio(above, below) => {
-                let above = self.value(above, integrals)?;
-                self.ratio(quantity, above, self.value(below, integrals)?)
-            }
-            Derivation::Logarithm(of) => self.logarithm(quantity, self.value(of, integrals)?),
+            Derivation::PerNominalArea(of) => self.total(of, self.scene.nominal_area, integrals),
+            Derivation::ContactRadii(_) => self.total(quantity, 1.0, integrals),
+            Derivation::Ratio(above, below) => self.ratio(quantity, (above, below), integrals),
+            Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
         }
     }
 
-    /// An integral, or a multiple of the sum of contact radii.
+    /// An integral, or a multiple of the sum of contact radii, over an area.
+    #[inline(never)]
     fn total(
         &self,
         quantity: Quantity,
+        area: f64,
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
-        let Some(factor) = quantity.radius_factor() else { return self.value(quantity, integrals) };
-        let factor = factor.on(&self.scene.interface, quantity)?;
-        let radii = self.value(quantity.origin(), integrals)?;
-        let [scaled, size] = [radii.scaled, radii.size].map(|x| x * factor);
-        Evaluation { scaled, size, ..radii }.held(radii.size, quantity)
+        let mut total = self.value(quantity.origin(), integrals)?;
+        if let Some(factor) = quantity.radius_factor() {
+            let factor = factor.on(&self.scene.interface, quantity)?;
+            let (scaled, size) = (total.scaled * factor, total.size * factor);
+            total = Evaluation { scaled, size, ..total }.held(total.size, quantity)?;
+        }
+        Ok(Evaluation { scaled: total.scaled / area, size: total.size / area, ..total })
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(
         &self,
         base: Quantity,
@@ -79,7 +80,7 @@ impl Reading<'_> {
         Evaluation::of_value(&moments, factor, self.place).held(moments.sizes[0], base)
     }
 
-    #[inline]
+    #[inline(always)]
     fn slope(
         &self,
         quantity: Quantity,
@@ -94,25 +95,27 @@ impl Reading<'_> {
             .held(moments.sizes[1], quantity)
     }
 
-    /// Per nominal area.
-    fn nominal(&self, mut evaluation: Evaluation) -> Evaluation {
-        evaluation.scaled /= self.scene.nominal_area;
-        evaluation.size /= self.scene.nominal_area;
-        evaluation
-    }
-
-    fn logarithm(&self, quantity: Quantity, of: Evaluation) -> Result<Evaluation, ContactError> {
+    #[inline(never)]
+    fn logarithm(
+        &self,
+        quantity: Quantity,
+        of: Quantity,
+        integrals: &mut impl Integrals,
+    ) -> Result<Evaluation, ContactError> {
+        let of = self.value(of, integrals)?;
         let ln = self.number(quantity, of.ln_value())?;
         Ok(Evaluation::absolute(ln, of.ln_error()))
     }
 
     /// The ratio of the scaled values, which exists where both values underflow.
+    #[inline(never)]
     fn ratio(
         &self,
         quantity: Quantity,
-        above: Evaluation,
-        below: Evaluation,
+        (above, below): (Quantity, Quantity),
+        integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
+        let (above, below) = (self.value(above, integrals)?, self.value(below, integrals)?);
         let ratio = above.scaled / below.scaled * (above.ln_scale - below.ln_scale).exp();
         let ratio = self.number(quantity, ratio)?;
         // One scale for both cancels, however its logarithm is rounded.
@@ -124,6 +127,7 @@ impl Reading<'_> {
         Ok(Evaluation::new(ratio, error))
     }
 
+    #[inline(never)]
     fn share(
         &self,
         quantity: Quantity,
@@ -144,7 +148,7 @@ impl Reading<'_> {
     fn number(&self, quantity: Quantity, value: f64) -> Result<f64, ContactError> {
         match value.is_finite() {
             true => Ok(value),
-            false => Err(ContactError::NoValue { quantity, at: self.at }),
+            false => Err(ContactError::NoValue { quantity, at: *self.at }),
         }
     }
 }

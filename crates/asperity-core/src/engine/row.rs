@@ -22,27 +22,27 @@ pub(crate) struct LawIntegral {
 }
 
 /// The quantities at one place, with memory for `MEMORY` integrals; a single value needs none.
-pub(crate) struct Row<'a, 's, A, const MEMORY: usize = LAWS> {
-    reading: Reading<'s>,
+pub(crate) struct Row<'a, A, const MEMORY: usize = LAWS> {
+    reading: Reading<'a>,
     integrals: AtPlace<'a, A, MEMORY>,
 }
 
 /// The integrals at one place.
 struct AtPlace<'a, A, const MEMORY: usize> {
     averages: &'a mut A,
-    place: (f64, At),
+    place: (f64, &'a At),
     /// Whether slopes are made with values.
     slopes: bool,
     made: [Option<LawIntegral>; MEMORY],
 }
 
-impl<'a, 's, A: Averages<'s>, const MEMORY: usize> Row<'a, 's, A, MEMORY> {
+impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> Row<'a, A, MEMORY> {
     /// The row for these quantities; a load is inverted.
     #[inline]
     pub(crate) fn new(
         averages: &'a mut A,
         quantities: &[Quantity],
-        at: At,
+        at: &'a At,
     ) -> Result<Self, ContactError> {
         let place = place(averages, at)?;
         let slopes = place.rounding > 0.0 || quantities.iter().any(|q| q.is_slope());
@@ -53,7 +53,7 @@ impl<'a, 's, A: Averages<'s>, const MEMORY: usize> Row<'a, 's, A, MEMORY> {
     #[inline]
     pub(crate) fn with(
         averages: &'a mut A,
-        (place, at): (Place, At),
+        (place, at): (Place, &'a At),
         slopes: bool,
         known: impl IntoIterator<Item = LawIntegral>,
     ) -> Self {
@@ -84,7 +84,7 @@ impl<'a, 's, A: Averages<'s>, const MEMORY: usize> Row<'a, 's, A, MEMORY> {
 pub(crate) fn cells<'s>(
     averages: &mut impl Averages<'s>,
     quantities: &[Quantity],
-    at: At,
+    at: &At,
 ) -> Vec<Cell> {
     let requested = quantities.iter().map(|q| averages.check_requested(*q)).collect::<Vec<_>>();
     let row = Row::<_, LAWS>::new(averages, quantities, at).map_err(Box::new);
@@ -108,7 +108,7 @@ impl<A, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
 
 impl<'s, A: Averages<'s>, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
     /// The integral and its factor, and whether it has a slope.
-    #[inline]
+    #[inline(always)]
     fn make(
         &mut self,
         base: Quantity,
@@ -127,7 +127,7 @@ impl<'s, A: Averages<'s>, const MEMORY: usize> AtPlace<'_, A, MEMORY> {
 }
 
 impl<'s, A: Averages<'s>, const MEMORY: usize> Integrals for AtPlace<'_, A, MEMORY> {
-    #[inline]
+    #[inline(always)]
     fn moments(&mut self, base: Quantity, slope: bool) -> Result<(Moments, f64), ContactError> {
         let serves = |made: &&LawIntegral| made.base == base && (made.has_slope || !slope);
         if let Some(made) = self.made.iter().flatten().find(serves) {

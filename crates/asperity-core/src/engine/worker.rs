@@ -39,7 +39,7 @@ impl<'s> Worker<'s> {
         };
         let quantities = &self.question.quantities;
         self.walk(model, cases, |integrals, at| {
-            let mut row = Row::<_>::new(integrals, quantities, at)?;
+            let mut row = Row::<_>::new(integrals, quantities, &at)?;
             quantities.iter().map(|quantity| row.quantity(*quantity)).collect()
         })
     }
@@ -49,7 +49,7 @@ impl<'s> Worker<'s> {
         let Some(model) = self.question.model.asperity_model() else {
             return cases.iter().map(|case| self.compiled_separation(case)).collect();
         };
-        self.walk(model, cases, |integrals, at| Ok(place(integrals, at)?.s))
+        self.walk(model, cases, |integrals, at| Ok(place(integrals, &at)?.s))
     }
 
     /// `answer` of every case, with its laws and those of its neighbours at hand.

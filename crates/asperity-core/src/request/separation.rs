@@ -128,6 +128,7 @@ impl Separation {
         }
     }
 
+    #[inline(never)]
     fn converted(self, scene: &Scene) -> Result<Place, ContactError> {
         let sigma = scene.surface.asperity_height_std;
         let s = self.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, scene)?.value;

@@ -66,6 +66,7 @@ impl Moments {
     ///
     /// # Errors
     /// [`QuadratureError::NotConverged`] where the slope misses it.
+    #[inline]
     pub fn slope_within(&self, s: f64, tolerance: f64) -> Result<(), QuadratureError> {
         let usual = self.slope.abs().max(self.value / (1.0 - s));
         let (asked, error) = (tolerance.max(FINEST), self.error * self.sizes[1]);

@@ -96,13 +96,13 @@ impl Patch {
     /// At a key and a ratio r both exponents are those in the middle plus x y + (r² - 1) y²/2, and
     /// x²/(2r²) below 0: x is the difference of keys, times r² below 0, and y is t, or the middle
     /// key plus t.
-    #[inline]
+    #[inline(always)]
     fn x(&self, Place { s, ratio, .. }: Place) -> f64 {
         if s < 0.0 { ratio * (s - ratio * self.centre) } else { s * ratio - self.centre }
     }
 
     /// The variables in [-1, 1], and the factor that was taken out.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn variables(&self, place: Place, tilt: Option<Tilt>) -> ((f64, f64), f64) {
         let x = self.x(place);
         let factor = tilt.map_or(1.0, |tilt| tilt.factor(x, place.ratio));

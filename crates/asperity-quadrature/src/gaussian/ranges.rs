@@ -73,7 +73,7 @@ impl Rules {
     }
 
     /// The rule for a place, if it has been built: all there is to do, nearly always.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn ready(&self, place: Place) -> Option<&Segment> {
         let built = self.segments.get(locate(place.key()))?.get()?;
         built.as_ref().ok().map(Box::as_ref)

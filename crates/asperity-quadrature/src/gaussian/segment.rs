@@ -136,7 +136,7 @@ impl Segment {
     }
 
     /// The value and its size.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, place: Place) -> (f64, f64) {
         let (at, factor) = self.patch.variables(place, self.tilt);
         let value = factor * self.power[0].at(at);
@@ -145,13 +145,14 @@ impl Segment {
     }
 
     /// The value and the integral of zᵏ, k = 1 or 2, each with its size.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn with_power(&self, place: Place, k: usize) -> [(f64, f64); 2] {
         let (at, factor) = self.patch.variables(place, self.tilt);
-        let [value, power] = [0, k].map(|k| factor * self.power[k].at(at));
-        let [size, of_power] = match &self.size {
-            Some(size) => [0, k].map(|k| factor * size[k].at(at)),
-            None => [value, power],
+        let of = |series: &Series| factor * series.at(at);
+        let (value, power) = (of(&self.power[0]), of(&self.power[k]));
+        let (size, of_power) = match &self.size {
+            Some(size) => (of(&size[0]), of(&size[k])),
+            None => (value, power),
         };
         let of_power = self.growth.map_or(of_power, |growth| growth[k - 1] * size);
         [(value, size.max(value.abs())), (power, of_power)]

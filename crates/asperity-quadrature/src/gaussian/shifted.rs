@@ -30,7 +30,7 @@ impl ShiftedGaussian {
     /// # Errors
     /// A refusal of the density, a sample that is not finite, or a missed tolerance;
     /// [`QuadratureError::OutOfRange`] for any other s.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Place::at(s);
         match self.rules.ready(place) {
@@ -43,7 +43,7 @@ impl ShiftedGaussian {
     ///
     /// # Errors
     /// Those of [`at`](Self::at).
-    #[inline]
+    #[inline(always)]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Place::at(s);
         match self.rules.ready(place) {

@@ -89,7 +89,7 @@ impl Falls {
 
     /// The integral of the force, with its slope also where that misses the tolerance.
     pub(crate) fn force(&self, s: f64) -> Result<Moments, ContactError> {
-        self.force.guide(s, true).map_err(integral_failed(Quantity::Force, s.into()))
+        self.force.guide(s, true).map_err(integral_failed(Quantity::Force, &s.into()))
     }
 
     /// Whether, from this separation on, no height reaches what falls.
@@ -154,7 +154,7 @@ impl ForceAt<'_> {
     pub(crate) fn variation(&self, s: f64) -> Result<Moments, ContactError> {
         let Falls { variation, turns, .. } = self.falls;
         let found = variation.guide(s, *turns <= BREAKS);
-        let found = found.map_err(integral_failed(Quantity::Force, s.into()))?;
+        let found = found.map_err(integral_failed(Quantity::Force, &s.into()))?;
         Ok(with_slope(found, &self.falls.rough[1], s))
     }
 
