@@ -3,8 +3,8 @@
 //! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
 //! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
 //! this crate adds curves cut at the frame and at gaps, dashes of several lengths, legend keys with
-//! dash and marker, areas between curves, lowered letters, captions that wrap, and several panels in
-//! one picture.
+//! dash and marker, areas between curves, lowered letters, captions that wrap, and several panels
+//! in one picture.
 //!
 //! ```
 //! use asperity_plot::{Axis, Curve, Figure, Panel, draw};
