@@ -327,10 +327,14 @@ impl Described for Endless {
 }
 
 impl AsperityModel for Endless {
-    fn law(&self, _: &Asperity, _: Quantity, _: Tolerance) -> Result<Option<Law>, ContactError> {
+    fn force(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
         let law = |x: f64| x * (1.0 + 0.9 * (8.0 * x).sin());
         let all = 0.0..f64::INFINITY;
-        Ok(Some(Law::in_units(1e-6, 1e-4).elastic(all, Formula::function(law))))
+        Ok(Law::in_units(1e-6, 1e-4).elastic(all, Formula::function(law)))
+    }
+
+    fn area(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
+        self.force(asperity, tolerance)
     }
 }
 

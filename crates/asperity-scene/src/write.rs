@@ -245,6 +245,7 @@ impl SceneFile {
             scan: _,
             follows_from: _,
             // Made on reading.
+            no_asperities: _,
             stated: _,
             warnings: _,
             read: _,

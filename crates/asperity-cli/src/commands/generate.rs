@@ -7,7 +7,7 @@ use asperity::bem::{HeightMap, RandomSurface};
 use asperity_topography::Topography;
 use clap::Args;
 
-use crate::input::numbers::{length, lengths, number, positive_number};
+use crate::input::numbers::{all, length, number, positive_number};
 use crate::output::{self, contact_map, print_message};
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
@@ -112,7 +112,7 @@ fn size(text: &str) -> Result<[usize; 2], String> {
 }
 
 fn pixel(text: &str) -> Result<[f64; 2], String> {
-    match lengths(text)?.0[..] {
+    match all(length)(text)?.0[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
         ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),

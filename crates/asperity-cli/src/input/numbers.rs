@@ -148,11 +148,6 @@ pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
     Numbers::read(text, positive_number)
 }
 
-/// Lengths above 0, in m or with their unit.
-pub fn lengths(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, length)
-}
-
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
     of_unit(text, "N").and_then(not_0)
@@ -288,10 +283,10 @@ mod tests {
         assert_eq!(load("5MPa").unwrap_err(), "5MPa is a pressure; use --pressure 5MPa");
         assert_eq!(pressure("5 kN").unwrap_err(), "5 kN is a load; use --load 5 kN");
         for range in ["1-50kN", "1..50kN", "1 - 50 kN"] {
-            let error = loads(range).unwrap_err();
+            let error = all(load)(range).unwrap_err();
             assert!(error.ends_with("a range is written A:B:N, for example 1kN:50kN:6"), "{error}");
         }
-        assert!(!loads("kN-1").unwrap_err().contains("range"));
+        assert!(!all(load)("kN-1").unwrap_err().contains("range"));
     }
 
     #[test]
