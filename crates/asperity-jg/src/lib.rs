@@ -307,8 +307,8 @@ mod tests {
             let mut interface = Interface::new(1e11, 0.3, 2.8 * strength);
             interface.yield_strength = Some(strength);
             let asperity = Asperity::new(&interface, 1e-4).unwrap();
-            let law = JacksonGreen::default().law(&asperity, Quantity::Force, Tolerance::default());
-            let form = &law.unwrap().unwrap().parts[1].form;
+            let law = JacksonGreen::default().force(&asperity, Tolerance::default()).unwrap();
+            let form = &law.parts[1].form;
             let mut found = [0.0];
             form.sample(&[x], &mut found).unwrap();
             let off = (found[0] - wanted).abs();
