@@ -20,6 +20,9 @@ const TOLERANCE: f64 = 2e-13;
 /// than √y, and its contribution is as small.
 const STILL: f64 = 1e-10;
 
+/// Parts that begin or end below this y are kinks for a table.
+const THIN: f64 = 1e-4;
+
 /// A model of one asperity, averaged over the curvatures of a population.
 #[derive(Debug)]
 pub(crate) struct Average<'m> {
@@ -82,9 +85,12 @@ impl Average<'_> {
             let form = part.form.clone();
             // Most of the contribution of larger interferences comes from those near this one.
             let deep = (part.range.start / scale).max(SQRT_2);
+            // A thin layer of interferences is nearly a kink at u = 0, about √y wide.
+            let is_thin = breaks.iter().any(|x| *x > 0.0 && *x < THIN * scale);
+            let kinks: &[f64] = if is_thin { &[BEGIN] } else { &[] };
             let integral = Integral { form, scale, breaks, power, deep };
             let table =
-                FunctionTable::new(Arc::new(move |x| integral.enveloped(x)), &[], TOLERANCE);
+                FunctionTable::new(Arc::new(move |x| integral.enveloped(x)), kinks, TOLERANCE);
             let form = Formula::sampled(Arc::new(Averaged { table, deep }));
             let (range, kinks) = (FIRST..f64::INFINITY, vec![BEGIN]);
             Part { range, kinks, form, ..part.clone() }

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use asperity_core::{
     AsperityModel, At, Citation, Contact, ContactError, ContactModel, Datum, Described, Diagnostic,
-    Evaluation, HeightDistribution, Part, Quantity, Request, Scene, Separation, SeparationUnit,
-    Share, Tolerance, Validity,
+    Evaluation, HeightDistribution, Part, QuadratureError, Quantity, Request, Scene, Separation,
+    SeparationUnit, Share, Tolerance, Validity,
 };
 
 use crate::average::Average;
@@ -73,7 +73,8 @@ fn on_scene(
     let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));
     let asked = Request::new(request.quantities.clone()).within(request.tolerance).at(loads);
     let averaged = average.compile(&population.scene(scene), &asked)?;
-    Ok(OnScene { averaged, scene: scene.clone(), population })
+    let tolerance = request.tolerance;
+    Ok(OnScene { averaged, scene: scene.clone(), population, tolerance })
 }
 
 impl Described for RandomAsperities {
@@ -136,6 +137,7 @@ struct OnScene {
     averaged: Box<dyn Contact>,
     scene: Scene,
     population: Population,
+    tolerance: Tolerance,
 }
 
 impl OnScene {
@@ -153,6 +155,24 @@ impl OnScene {
                 self.separation_at(load)?;
                 Ok(at)
             }
+        }
+    }
+
+    /// A refusal of the averaged law at the caller's place and tolerance: both of its own are
+    /// others.
+    fn at(&self, at: At) -> impl Fn(ContactError) -> ContactError {
+        let asked = self.tolerance.relative();
+        move |error| match error {
+            ContactError::Integral { quantity, source, .. } => {
+                let source = match source {
+                    QuadratureError::NotConverged { reached, evaluations, .. } => {
+                        QuadratureError::NotConverged { reached, asked, evaluations }
+                    }
+                    other => other,
+                };
+                ContactError::Integral { quantity, at, source }
+            }
+            other => other,
         }
     }
 
@@ -185,11 +205,11 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.averaged.evaluate_at(quantity, self.own(at)?)
+        self.averaged.evaluate_at(quantity, self.own(at)?).map_err(self.at(at))
     }
 
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
-        self.averaged.force_and_tangent_at(self.own(at)?)
+        self.averaged.force_and_tangent_at(self.own(at)?).map_err(self.at(at))
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
@@ -205,10 +225,10 @@ impl Contact for OnScene {
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
-        self.averaged.shares_at(quantity, self.own(at)?)
+        self.averaged.shares_at(quantity, self.own(at)?).map_err(self.at(at))
     }
 
     fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.averaged.second_derivative_at(quantity, self.own(at)?)
+        self.averaged.second_derivative_at(quantity, self.own(at)?).map_err(self.at(at))
     }
 }

@@ -254,3 +254,29 @@ fn plasticity_indices_of_hundreds_are_answered() {
         }
     }
 }
+
+/// As w_c vanishes, KE, ZMC and CEB are fully plastic: twice the area of GW, under the hardness.
+#[test]
+fn indices_of_thousands_tend_to_full_plasticity() {
+    let moments = ProfileMoments { m0: 1e-12, m2: 0.04, m4: 6.0 * 0.04 * 0.04 / 1e-12 };
+    let surface = Surface::from_moments(&moments).unwrap();
+    for hardness in [1e7, 1e6, 1e5] {
+        let scene = Scene::new(Interface::new(1e11, 0.3, hardness), surface, 1e-4);
+        assert!(scene.plasticity_index().unwrap() > 4000.0);
+        for x in [-3e-6, 0.0, 2e-6] {
+            let request = Request::new([Quantity::Force, Quantity::Area]).at([above(x)]);
+            let value = |id: &str, quantity| {
+                model(id).solve(&scene, &request).unwrap().values(quantity).unwrap()[0]
+            };
+            let elastic = value("gw", Quantity::Area);
+            for id in ["ke", "zmc", "ceb"] {
+                let area = value(id, Quantity::Area);
+                let pressure = value(id, Quantity::Force) / area;
+                assert!((area / elastic / 2.0 - 1.0).abs() < 1e-5, "{id} {hardness:e} {x}: {area}");
+                // CEB's plastic pressure is K H, with K of 0.454 + 0.41 ν.
+                let wanted = if id == "ceb" { 0.577 * hardness } else { hardness };
+                assert!((pressure / wanted - 1.0).abs() < 1e-5, "{id} {hardness:e}: {pressure}");
+            }
+        }
+    }
+}

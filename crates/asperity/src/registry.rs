@@ -12,9 +12,9 @@ use serde_json::{Map, Value};
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, At, AtReading, ChangEtsionBogy, Citation, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, Described, Diagnostic,
-    EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
-    JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
-    Validity, ZhaoMaiettaChang, nearest_name,
+    EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen,
+    JkrBranch, JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities,
+    Request, Scene, Validity, ZhaoMaiettaChang, nearest_name,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and

@@ -48,7 +48,9 @@ impl Models {
         let shown: Vec<usize> =
             if terminal { TERMINAL.to_vec() } else { (0..COLUMNS.len()).collect() };
         let mut table = Table::new(&shown.iter().map(|k| COLUMNS[*k]).collect::<Vec<_>>());
-        for model in [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat() {
+        for model in
+            [Model::all(), Model::whole_surface(), Model::adhesive(), Model::hardening()].concat()
+        {
             let (source, validity) = (model.citation(), model.validity());
             let (year, equations) = (source.year.to_string(), source.provenance.to_string());
             let notes: Vec<String> = model.notes().iter().map(ToString::to_string).collect();

@@ -52,11 +52,13 @@ impl HeightIntegral {
                 height_std: 1.0,
                 error: heights.sampled.heights().error(),
                 heights: heights.sampled.clone(),
+                tolerance,
             }),
             HeightDistribution::Other(heights) => HeightKind::Other(Other {
                 integral: OverlapIntegral::new(Overlap::new(density, interference_unit, tolerance)),
                 height_std,
                 heights: heights.clone(),
+                tolerance,
                 error: heights.heights().error(),
             }),
         };
@@ -339,15 +341,25 @@ pub(crate) struct Other {
     height_std: f64,
     heights: Arc<OtherHeights>,
     error: f64,
+    tolerance: f64,
 }
+
+/// Relative errors from here on leave no digit.
+const UNKNOWN: f64 = 0.1;
 
 impl Other {
     fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(&self.heights.weight()?, s * self.height_std, extent)?;
+        let error = found.error + self.error;
+        // The logarithm of a density that falls as steeply as exp(-z^30) has no digits far out.
+        if error >= UNKNOWN {
+            let (asked, evaluations) = (self.tolerance, 0);
+            return Err(QuadratureError::NotConverged { reached: error, asked, evaluations });
+        }
         Ok(Moments {
             slope: found.slope * self.height_std,
             sizes: [found.sizes[0], found.sizes[1] * self.height_std],
-            error: found.error + self.error,
+            error,
             ..found
         })
     }

@@ -110,13 +110,8 @@ impl PythonModel {
         } = *asperity;
         let optional =
             |value: Option<f64>| [f64::from(u8::from(value.is_some())), value.unwrap_or(0.0)];
-        let optional_numbers = [
-            equivalent_shear_modulus,
-            hardness,
-            yield_strength,
-            tangent_modulus,
-            work_of_adhesion,
-        ];
+        let optional_numbers =
+            [equivalent_shear_modulus, hardness, yield_strength, tangent_modulus, work_of_adhesion];
         let numbers = [equivalent_modulus, poissons_ratio, pressure_factor, radius]
             .into_iter()
             .chain(optional_numbers.into_iter().flat_map(optional))

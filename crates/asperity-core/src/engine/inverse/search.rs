@@ -39,7 +39,10 @@ impl ForceAt<'_> {
                 return Ok(found);
             }
         }
-        Err(unresolved(LOWEST, high.s))
+        match high.s <= LOWEST {
+            true => Ok(found),
+            false => Err(unresolved(LOWEST, high.s)),
+        }
     }
 
     /// The sample at a landmark, or where integrals end on the way down to it; whether it is the
@@ -51,7 +54,8 @@ impl ForceAt<'_> {
             }
             // The variation of a law that turns all the time cannot be integrated.
             Err(ContactError::Integral { .. }) => Err(unresolved(LOWEST, high.s)),
-            other => Ok((other?, landmark.s <= LOWEST)),
+            // Landmarks next to the lowest separation stand for it.
+            other => Ok((other?, landmark.s <= LOWEST * (1.0 - 1e-8))),
         }
     }
 
