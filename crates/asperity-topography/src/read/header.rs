@@ -91,7 +91,7 @@ impl Header {
                 }
             } else if is(PIXEL) {
                 header.pixel_size = pixel_size(value).ok_or_else(|| wrong("a length above 0"))?;
-            } else if key.contains("factor") || key.contains("faktor") || key.contains("facteur") {
+            } else if is_factor(&key) {
                 let required =
                     "the factor from the heights to a unit of length, as in (-> m)=1e-9,";
                 let (factor, unit) = factor(&key, value).ok_or_else(|| wrong(required))?;
@@ -148,6 +148,15 @@ impl Header {
             }),
         }
     }
+}
+
+/// Whether a key names a factor of the heights, and not, for example, a magnification factor.
+fn is_factor(key: &str) -> bool {
+    let has = |words: &[&str]| words.iter().any(|word| key.contains(word));
+    let of_heights = ["height", "conversion", "scale", "scaling", "data", "value", "umrechnung"];
+    let of_others = ["skal", "h\u{f6}he", "hoehe", "hauteur", "\u{e9}chelle"];
+    has(&["factor", "faktor", "facteur"])
+        && (has(&of_heights) || has(&of_others) || key.starts_with('z'))
 }
 
 /// The names over the columns, if the line has as many.
@@ -232,6 +241,7 @@ mod tests {
         assert!(rad.starts_with("line 2: \"data unit=rad\" was found, a unit of length"), "{rad}");
         let bare = message(format!("{head}height factor=2\n1 2 3 4\n"));
         assert!(bare.starts_with("line 3: \"height factor=2\" was found, the factor"), "{bare}");
+        assert!(header("magnification factor=50\n1 2 3 4\n").unwrap().factor.is_none());
         let none = message("pixel size=0 um\n1 2 3 4\n".to_owned());
         assert!(none.starts_with("line 1: \"pixel size=0 um\""), "{none}");
     }
