@@ -59,7 +59,7 @@ impl Laws {
     /// The law of the force.
     pub(crate) fn force(&self) -> Result<&Law, ContactError> {
         let law = self.law(Quantity::Force);
-        Ok(law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?)
+        Ok(law.ok_or(ContactError::NotRequested { quantity: Quantity::Force })?.as_ref())
     }
 
     /// Whether, from a separation on, the heights of a scene meet only a rising part of the law of

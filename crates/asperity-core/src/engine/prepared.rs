@@ -149,7 +149,7 @@ impl<'p> Averages<'p> for &'p Prepared {
     }
 
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError> {
-        Ok(self.channel(Quantity::Force)?.falls(&self.facts.laws)?)
+        self.channel(Quantity::Force)?.falls(&self.facts.laws)
     }
 
     fn guide(&self, _: &Falls, s: f64) -> Result<Moments, ContactError> {
