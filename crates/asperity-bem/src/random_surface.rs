@@ -18,8 +18,8 @@ use crate::{BemError, HeightMap, parallel};
 /// ```
 ///
 /// over one of every two opposite waves: j > 0, or j = 0 and i > 0. x runs along a row, y along a
-/// column, pixel (row a, column b) lies at (x, y) = (b, a) L/n. s makes the root mean square
-/// gradient what is asked for, (2π/L)² Σ k² v = g²: every surface has it exactly, and the same
+/// column, pixel (row a, column b) lies at (x, y) = (b, a) L/n. s scales the root mean
+/// square gradient, (2π/L)² Σ k² v = g²: every surface has it exactly, and the same
 /// moments whatever its seed.
 ///
 /// The phases come from the seed and the numbers of the wave alone, so the same surface is made
@@ -52,7 +52,7 @@ pub struct RandomSurface {
 }
 
 impl RandomSurface {
-    /// H, unless another is asked for.
+    /// The default of H.
     pub const HURST: f64 = 0.8;
 
     /// A surface whose waves are counted per side: `longest` (the fewest), where it rolls off, and
@@ -152,7 +152,7 @@ impl RandomSurface {
             || (),
             |(), (a, row)| {
                 let mut waves: Vec<Complex64> = (0..half).map(|j| columns[j * n + a]).collect();
-                // Real but for rounding, which is refused.
+                // Imaginary parts are rounding, which the transform refuses.
                 waves[0].im = 0.0;
                 // It fails only for wrong lengths and for these.
                 let _ = along.process(&mut waves, row);
