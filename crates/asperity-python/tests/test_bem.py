@@ -115,14 +115,14 @@ def test_steps_of_a_periodic_map_are_pressed() -> None:
         part = asperity.bem(saw, pixel_size=1 / 64, interface=elastic, pressure=5e6)
     assert part.boundary == "periodic-part"
     assert sum("edges" in str(warning.message) for warning in said) == 1
-    with warnings.catch_warnings(record=True) as said:
+    with warnings.catch_warnings(record=True) as declared:
         warnings.simplefilter("always")
         for boundary in get_args(asperity._bem.Boundary):
             found = asperity.bem(
                 saw, pixel_size=1 / 64, interface=elastic, pressure=5e6, boundary=boundary
             )
             assert found.boundary == boundary
-    assert not any("edges" in str(warning.message) for warning in said)
+    assert not any("edges" in str(warning.message) for warning in declared)
 
 
 def test_elastic_pressures_deflect_a_half_space() -> None:
