@@ -38,7 +38,7 @@ impl Continuation {
         Self::ALL.into_iter().find(|one| one.name() == name)
     }
 
-    /// That of a map of which nothing is declared: repeated, without steps if its edges do not
+    /// The default for a map not declared periodic: repetition, without steps if its edges do not
     /// [match](HeightMap::edges_meet).
     #[must_use]
     pub fn of(map: &HeightMap) -> Self {
@@ -67,7 +67,7 @@ impl fmt::Display for Continuation {
     }
 }
 
-/// A note that the periodic component is used although nobody asked for it; `step` is the
+/// A note that the periodic component is used by default; `step` is the
 /// [step at the edges](HeightMap::seam_step).
 pub(crate) fn taken_part(step: f64) -> Diagnostic {
     Diagnostic::note("periodic-part", "seam_step", step)

@@ -1,13 +1,13 @@
-//! Errors: the field, what was found and what was required.
+//! Errors: the field, the value found and the value required.
 
-/// Why a contact could not be solved.
+/// An error of a height map or of the solution of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BemError {
     /// There are more or fewer heights than pixels.
     #[error("heights: {found} numbers were found, {rows} x {columns} were required")]
     Count {
-        /// How many there are.
+        /// The number found.
         found: usize,
         /// Rows of the map.
         rows: usize,
@@ -19,9 +19,9 @@ pub enum BemError {
     Size {
         /// `rows` or `columns`.
         field: &'static str,
-        /// How many there are.
+        /// The number found.
         found: usize,
-        /// How many there should be.
+        /// The number required.
         required: &'static str,
     },
     /// A height is missing or infinite.
@@ -33,7 +33,7 @@ pub enum BemError {
         row: usize,
         /// Its column, from 0.
         column: usize,
-        /// What stands there.
+        /// The value found.
         found: f64,
     },
     /// An input is out of range.
@@ -41,9 +41,9 @@ pub enum BemError {
     OutOfRange {
         /// Name of the field.
         field: &'static str,
-        /// What it is.
+        /// The value found.
         found: f64,
-        /// What it should be.
+        /// The values accepted.
         required: &'static str,
     },
     /// The load exceeds that of a fully plastic contact.
@@ -51,7 +51,7 @@ pub enum BemError {
         "mean pressure is {pressure:e} Pa: less than the hardness, {hardness:e} Pa, was required"
     )]
     CannotBeCarried {
-        /// Mean pressure asked for \[Pa\].
+        /// Mean pressure required \[Pa\].
         pressure: f64,
         /// Hardness \[Pa\].
         hardness: f64,
@@ -61,7 +61,7 @@ pub enum BemError {
         "mean gap is {gap:e} m: less than the height of the highest point above the mean, {highest:e} m, was required (nothing touches)"
     )]
     NothingTouches {
-        /// Mean gap asked for \[m\].
+        /// Mean gap required \[m\].
         gap: f64,
         /// Height of the highest point above the mean plane \[m\].
         highest: f64,
@@ -71,11 +71,11 @@ pub enum BemError {
         "residual is {residual:e} after {iterations} iterations: at most {required:e} was required"
     )]
     NotConverged {
-        /// Residual that was reached.
+        /// Residual reached.
         residual: f64,
-        /// Iterations that were made.
+        /// Number of iterations.
         iterations: usize,
-        /// Residual that was asked for.
+        /// Residual required.
         required: f64,
     },
     /// Every pixel of a periodic map is in contact.
@@ -88,9 +88,9 @@ pub enum BemError {
         "mean gap {gap:e} m was not reached in {trials} trials: a larger one, or a load, was required"
     )]
     GapNotFound {
-        /// Mean gap asked for \[m\].
+        /// Mean gap required \[m\].
         gap: f64,
-        /// Loads that were tried.
+        /// Number of loads tried.
         trials: usize,
     },
     /// The caller's progress function requested a stop, at this load or an earlier one.

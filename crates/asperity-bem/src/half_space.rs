@@ -22,13 +22,13 @@ pub enum Boundary {
     Free,
 }
 
-/// What [`HalfSpace::apply`] does to a map.
+/// The operation of [`HalfSpace::apply`] on a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Filter {
     /// Pressures to deflections.
     Deflect,
-    /// The inverse of every wave's compliance: exact when everything is in contact, and what
-    /// makes the steps of the iteration nearly independent of the number of pixels.
+    /// The inverse of the compliance of every wave: exact in full contact, and otherwise a
+    /// preconditioner that makes iterations nearly independent of the number of pixels.
     Undo,
 }
 
@@ -80,7 +80,7 @@ impl HalfSpace {
         space
     }
 
-    /// Compliances of the waves of a periodic half-space, 2/(E |q|); the mean is left at zero.
+    /// Compliances of the waves of a periodic half-space, 2/(E |q|); the mean has none.
     fn waves(&self, [dy, dx]: [f64; 2], modulus: f64) -> Vec<f64> {
         let q_row = TAU / (self.padded_rows as f64 * dy);
         let q_column = TAU / (self.padded_columns as f64 * dx);
@@ -169,7 +169,7 @@ impl HalfSpace {
     }
 
     /// Squares of the amplitudes of `map`'s waves: `each` gets them with the frequencies of the
-    /// wave along rows and columns \[waves per pixel\]; what it returns is summed by columns.
+    /// wave along rows and columns \[waves per pixel\]; the results are summed by columns.
     pub(crate) fn spectrum<T: Send>(
         &mut self,
         map: &[f64],
@@ -255,7 +255,7 @@ impl HalfSpace {
                     }
                 }
                 for (spectrum, row) in spectra.chunks_mut(half).zip(rows.chunks_mut(self.columns)) {
-                    // Rounding leaves these a little beside the real axis, which is refused.
+                    // Rounding leaves small imaginary parts, which the transform refuses.
                     spectrum[0].im = 0.0;
                     if self.padded_columns.is_multiple_of(2) {
                         spectrum[half - 1].im = 0.0;

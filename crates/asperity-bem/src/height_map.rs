@@ -14,13 +14,13 @@ pub struct HeightMap {
 
 impl HeightMap {
     /// A map of `shape` = \[rows, columns\], row after row, in metres; `pixel` is the distance of
-    /// the rows and of the columns \[m\]. The mean is taken out.
+    /// the rows and of the columns \[m\]. The mean is removed.
     ///
     /// Any sizes from 2 on, odd ones and oblongs too; products of small primes are quickest.
     ///
     /// # Errors
-    /// [`BemError::Size`] below 2 rows or columns, [`BemError::Count`] when heights are missing or
-    /// left over, [`BemError::Height`] for a NaN or an infinite height, [`BemError::OutOfRange`]
+    /// [`BemError::Size`] below 2 rows or columns, [`BemError::Count`] when there are too few or too many
+    /// heights, [`BemError::Height`] for a NaN or an infinite height, [`BemError::OutOfRange`]
     /// for a pixel without a positive length.
     pub fn new(
         mut heights: Vec<f64>,
@@ -49,7 +49,7 @@ impl HeightMap {
                 found: heights[at],
             });
         }
-        // From the first one on, so that equal heights are exactly 0.
+        // Relative to the first one, so that equal heights are exactly 0.
         let first = heights[0];
         let mean: f64 = heights.iter().map(|height| (height - first) / found as f64).sum();
         for height in &mut heights {
@@ -114,7 +114,7 @@ impl HeightMap {
     }
 
     /// Every second pixel of every second row, on pixels twice as long: solved beside the whole
-    /// map it shows how far the answer still depends on the grid.
+    /// map it shows how much the answer depends on the grid.
     ///
     /// # Errors
     /// [`BemError::Size`] when a size is odd (its period would change) or below 4.

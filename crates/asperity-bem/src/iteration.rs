@@ -4,9 +4,9 @@
 //! walks along conjugate gradients among the pixels that may move; unlike theirs,
 //!
 //! - the gradient is multiplied by the inverse of the compliance of every wave (Vollebregt 2014
-//!   does so in a fixed contact \[recalled\]), which leaves 15 to 60 iterations on any grid;
-//! - what ends below 0 or above H is put back by the nearest admissible pressures with the same
-//!   sum, not by clipping and scaling: both bounds are treated alike, and nothing stalls;
+//!   does so in a fixed contact \[recalled\]), so that 15 to 60 iterations suffice on any grid;
+//! - pressures below 0 or above H are projected on the nearest admissible pressures with the same
+//!   sum, not clipped and scaled: both bounds are treated alike, and nothing stalls;
 //! - directions stay conjugate while the contact changes (the lesser of Polak & Ribière's and
 //!   Fletcher & Reeves' factors), so that nothing is restarted (as Bugnicourt and others 2018
 //!   \[recalled\]).
@@ -24,12 +24,12 @@ const LEAST_FREE: f64 = 0.01;
 /// Relative rise of the energy that is more than rounding.
 const RISE: f64 = 1e-10;
 
-/// What is to be solved.
+/// The problem: heights, bounds of the pressure, and load.
 #[derive(Clone, Copy)]
 pub(crate) struct Problem<'a> {
     /// Heights about their mean \[m\].
     pub(crate) heights: &'a [f64],
-    /// The greatest of them \[m\]. Gaps count from it: under light loads deflections are below the
+    /// The greatest of them \[m\]. Gaps are measured from it: under light loads deflections are below the
     /// rounding of the heights themselves.
     pub(crate) highest: f64,
     /// Largest pressure \[Pa\]: the hardness, or infinity.
@@ -51,10 +51,10 @@ impl Problem<'_> {
     }
 }
 
-/// How far an iteration has come.
+/// The state of an iteration.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing {
-    /// Where the rigid surface stands \[m\]: gap = distance - offset.
+    /// Position of the rigid surface \[m\]: gap = distance - offset.
     pub(crate) offset: f64,
     /// Upper bound of the energy that can still be gained, per load \[m\]: 0 at the solution.
     pub(crate) remainder: f64,
@@ -65,7 +65,7 @@ pub(crate) struct Standing {
     free: f64,
 }
 
-/// Pressures, their deflections, and what the iteration remembers: six maps.
+/// Pressures, their deflections, and directions and gradients of the last step: six maps.
 pub(crate) struct Iteration<'a> {
     problem: Problem<'a>,
     pressures: Vec<f64>,
@@ -115,7 +115,7 @@ impl<'a> Iteration<'a> {
         space.apply(Filter::Deflect, &mut self.deflections);
     }
 
-    /// Where the rigid surface stands, and how much is left to gain.
+    /// The position of the rigid surface, and the energy still to be gained.
     pub(crate) fn standing(&self) -> Standing {
         let problem = self.problem;
         let Problem { heights, cap, load, .. } = problem;
@@ -155,25 +155,25 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// The offset when every pixel of the contact flows: half-way between the flowing pixel that
+    /// The offset when every pixel of the contact is plastic: half-way between the plastic pixel that
     /// is pressed in least and the lowest of the others.
     fn offset_between_bounds(&self) -> f64 {
         let problem = self.problem;
         let maps = [&self.pressures, &self.deflections, problem.heights];
-        let fold = |[flowing, open]: [f64; 2], [pressure, deflection, height]: [f64; 3]| {
+        let fold = |[plastic, open]: [f64; 2], [pressure, deflection, height]: [f64; 3]| {
             let distance = problem.distance(deflection, height);
             if pressure > 0.0 {
-                [f64::max(flowing, distance), open]
+                [f64::max(plastic, distance), open]
             } else {
-                [flowing, f64::min(open, distance)]
+                [plastic, f64::min(open, distance)]
             }
         };
         let join = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-        let [flowing, open] = reduce(maps, [f64::NEG_INFINITY, f64::INFINITY], fold, join);
-        if open.is_finite() { 0.5 * (flowing + open) } else { flowing }
+        let [plastic, open] = reduce(maps, [f64::NEG_INFINITY, f64::INFINITY], fold, join);
+        if open.is_finite() { 0.5 * (plastic + open) } else { plastic }
     }
 
-    /// One step from where the iteration stands; false when no direction leads down any more.
+    /// One step; false when no direction lowers the energy.
     pub(crate) fn advance(
         &mut self,
         standing: Standing,

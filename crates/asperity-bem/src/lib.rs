@@ -1,5 +1,5 @@
 //! Boundary elements: the contact of a rigid rough surface, given pixel by pixel, with an elastic
-//! half-space that may flow at a hardness; no asperities, no statistics.
+//! half-space with or without a hardness; no asperities, no statistics.
 //!
 //! # Equations
 //! ```text
@@ -11,30 +11,29 @@
 //! π E K(x, y) = ∫∫ dx' dy'/√((x - x')² + (y - y')²)        free; the integral over a pixel in
 //!                                                          closed form
 //! ```
-//! p pressure, g gap, u deflection, h height (towards the half-space), c where the rigid surface
-//! stands, E equivalent modulus, q wave vector. Frictionless. Where p = H the gap is negative: it
+//! p pressure, g gap, u deflection, h height (towards the half-space), c position of the rigid
+//! surface, E equivalent modulus, q wave vector. Frictionless. Where p = H the gap is negative: it
 //! is the plastic depth.
 //!
-//! The solution is the least energy Σ p (u/2 - h); how it is found stands at the head of
-//! `iteration.rs`. 10 to 60 iterations of two to three transforms, on grids of any size.
+//! The solution has the least energy Σ p (u/2 - h); `iteration.rs` describes the method. 10 to 60 iterations of two to three transforms, on grids of any size.
 //!
 //! # Valid for
-//! Small slopes. Resolved maps: what is not resolved is reported by [`Solution::notes`];
+//! Small slopes. Resolved maps: [`Solution::notes`] reports waves and contacts of few pixels;
 //! [`HeightMap::half_grid`] shows how much depends on the grid. A periodic map whose edges do not
-//! match has steps there, real or not: [`Continuation`] lists what can be done.
+//! match has steps there, real or not: see [`Continuation`].
 //!
 //! The hardness limits the pressure, which models a material of constant mean pressure H and
 //! differs from elastic-plastic finite elements. A sphere starts to yield at Hertz' p_max = H.
 //!
-//! Maps that are held while a contact of n x m pixels is solved, in arrays of n x m `f64`: 9 when
-//! it is periodic, 13 when it is free, and 2 in every answer. 2048 x 2048 periodic pixels take
+//! Memory for a contact of n x m pixels, in arrays of n x m `f64`: 9 if it is periodic, 13 if it
+//! is free, and 2 in every answer. 2048 x 2048 periodic pixels take
 //! 300 MB.
 //!
 //! # Source
 //! Polonsky & Keer, Wear 231 (1999): conjugate gradients between bounds. \[recalled\] Stanley &
 //! Kato (1997): the periodic kernel \[recalled\]; as tamaas and ContactMechanics use it \[seen\].
 //! Love (1929): the free kernel. \[recalled\] Almqvist and others (2007): the hardness as a cap.
-//! \[recalled\] The projection onto both bounds and the load, and what follows from it: here.
+//! \[recalled\] The projection onto both bounds and the load: here.
 //! \[derived\] Elastic contact pixels are those of tamaas 2.9.0 and ContactMechanics 1.8.3 at every
 //! load of `tests/reference/bem_codes.csv` and of the study in `tests/reference/bem.csv`, with a
 //! hardness areas are within 0.3 % of ContactMechanics', and all are those of dense linear systems

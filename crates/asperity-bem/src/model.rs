@@ -13,13 +13,13 @@ use asperity_core::{
 use crate::continuation::taken_part;
 use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
-/// Relative error of what was iterated to the usual tolerance: of the contact of these pixels, not
-/// of the surface between them.
+/// Relative error at the usual tolerance: of the contact of these pixels, not of the surface between
+/// them.
 const ERROR: f64 = 1e-6;
-/// Loads nearer than this are the same but for rounding.
+/// Loads with a smaller relative difference are equal within rounding.
 const SAME: f64 = 1e-12;
 
-/// A scan to be pressed against what a scene is made of.
+/// A scan pressed against the bodies of a scene.
 ///
 /// The scan stands for the scene's whole nominal area: pressures are alike, loads and areas are
 /// scaled. Separations are mean gaps, from the mean plane of the scan.
@@ -36,7 +36,7 @@ impl Bem {
     /// The id of boundary elements in scene files and commands; they need a scan.
     pub const ID: &str = "bem";
 
-    /// Its names, and where the method comes from.
+    /// Names and source of the method.
     pub const SOURCE: Citation = SOURCE;
 
     /// `elastic` leaves the hardness of scenes out. Without a continuation the map is repeated, and
@@ -76,7 +76,7 @@ impl Bem {
         Ok(Self { map: self.map.half_grid()?, ..self.clone() })
     }
 
-    /// What caps the pressures of these bodies \[Pa\]; nothing where all is elastic.
+    /// The largest pressure of these bodies \[Pa\]; `None` if they are elastic.
     ///
     /// # Errors
     /// [`ContactError`] naming the field of the interface that is out of range or missing.
@@ -95,7 +95,6 @@ impl Bem {
         let elements = elements.map_err(refused)?.boundary(self.continuation.boundary());
         match hardness {
             Some(hardness) => elements.hardness(hardness).map_err(refused),
-            // What has no hardness is elastic.
             None => Ok(elements),
         }
     }
@@ -120,14 +119,14 @@ impl Described for Bem {
     }
 
     fn validity(&self) -> Validity {
-        let valid_for =
-            "the scan unchanged, at small slopes; the hardness is a cap of the pressure";
+        let valid_for = "scans with small slopes; the hardness limits the pressure";
         Validity { asperities: false, hertz_limit: None, valid_for, ..Validity::default() }
     }
 }
 
 impl ContactModel for Bem {
-    /// Solves the request's places, one from the other; others are solved when they are asked for.
+    /// Solves the places of the request, each from the one before; other places are solved when
+    /// they are evaluated.
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         asperity_core::positive("nominal_area", scene.nominal_area)?;
         let mut contact = OnScene {
@@ -154,7 +153,7 @@ impl ContactModel for Bem {
     }
 }
 
-/// What is kept of a contact.
+/// The numbers of a contact that are kept.
 #[derive(Debug, Clone, Copy)]
 struct Summary {
     pressure: f64,

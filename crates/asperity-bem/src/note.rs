@@ -12,16 +12,15 @@ use crate::{Boundary, HeightMap};
 const LEAST_WAVELENGTH: f64 = 8.0;
 /// Least number of pixels in contact.
 const LEAST_PIXELS: usize = 100;
-/// Least number of patches: below it one realisation differs from the next by ten per cent and
-/// more.
+/// Least number of patches: with fewer, realisations differ by ten per cent and more.
 const LEAST_PATCHES: usize = 30;
 /// Share of the mean square slope that waves below the shortest wavelength may hold.
 const SHORT_SHARE: f64 = 0.01;
 /// Classes of the frequency, from 0 to the diagonal of a pixel.
 const CLASSES: usize = 1024;
 
-/// Few pixels or patches that carry the load at this place: the area is a staircase, or one map
-/// does not represent its surface.
+/// Diagnostics of a contact at this place: few pixels, whose area is coarse, or few patches, so that
+/// one map does not represent its surface.
 pub(crate) fn of_contact(
     at: At,
     pixels: usize,
@@ -45,8 +44,8 @@ pub(crate) fn of_contact(
     few_pixels.into_iter().chain(few_patches)
 }
 
-/// A map with waves of a few pixels, or one whose edges do not match although nobody declared it
-/// periodic.
+/// Diagnostics of a map: waves of a few pixels, and edges that do not match where no boundary is
+/// declared.
 pub(crate) fn of_map(
     map: &HeightMap,
     boundary: Option<Boundary>,

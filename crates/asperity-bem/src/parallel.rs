@@ -11,7 +11,7 @@ const CHUNK: usize = 4096;
 /// Sums that run side by side in a chunk, so that an addition need not wait for the last one.
 const LANES: usize = 8;
 
-/// What `f` makes of each task, in their order; `scratch` is made once for every run of tasks.
+/// The results of `f` for each task, in order; `scratch` is made once for every run of tasks.
 #[cfg(feature = "rayon")]
 pub(crate) fn map<T: Send, S, R: Send>(
     tasks: impl Iterator<Item = T>,
@@ -21,7 +21,7 @@ pub(crate) fn map<T: Send, S, R: Send>(
     tasks.collect::<Vec<T>>().into_par_iter().map_init(scratch, f).collect()
 }
 
-/// What `f` makes of each task, in their order, with one `scratch`.
+/// The results of `f` for each task, in order, with one `scratch`.
 #[cfg(not(feature = "rayon"))]
 pub(crate) fn map<T, S, R>(
     tasks: impl Iterator<Item = T>,
@@ -52,7 +52,7 @@ pub(crate) fn sum<const N: usize, const K: usize>(
     reduce(maps, [0.0; K], |sum, numbers| add(sum, term(numbers)), add)
 }
 
-/// What `fold` makes of all pixels, beginning with `zero` in every lane; `join` puts the lanes
+/// The fold of all pixels, beginning with `zero` in every lane; `join` puts the lanes
 /// and chunks together.
 pub(crate) fn reduce<const N: usize, T: Copy + Send + Sync>(
     maps: [&[f64]; N],

@@ -35,7 +35,7 @@ pub(crate) fn patches(
     sizes
 }
 
-/// Root of a pixel; what was passed points half-way there afterwards.
+/// Root of a pixel; halves the paths on the way.
 fn root(parent: &mut [usize], mut at: usize) -> usize {
     while parent[at] != at {
         parent[at] = parent[parent[at]];

@@ -7,7 +7,7 @@ use asperity_fft::{Complex64, Fft};
 
 use crate::HeightMap;
 
-/// Edges meet where the step over the seam is less than so many steps between neighbours.
+/// Edges match where the step at the seam is less than this many steps between neighbours.
 pub(crate) const LARGEST_STEP: f64 = 3.0;
 
 impl HeightMap {
@@ -37,7 +37,7 @@ impl HeightMap {
     }
 
     /// The periodic component of the map: less the smoothest surface that has its steps at the
-    /// seam (Moisan 2011 \[recalled\]), so that what is inside keeps its shape.
+    /// seam (Moisan 2011 \[recalled\]), so that the inside keeps its shape.
     ///
     /// ```text
     /// v = the steps over the seam, on the pixels beside it
@@ -96,7 +96,7 @@ impl HeightMap {
     }
 }
 
-/// Transforms rows, then columns; what stood in row i, column j stands in row j, column i.
+/// Transforms rows, then columns, and transposes: row i, column j becomes row j, column i.
 fn transform(
     map: &mut Vec<Complex64>,
     [rows, columns]: [usize; 2],
@@ -153,7 +153,7 @@ mod tests {
         let part = part(&wide(), [100, 121]);
         let periodic = part.periodic_part();
         assert!(periodic.edges_meet(), "{}", periodic.seam_step());
-        // What was taken away is smooth: harmonic but at the edges.
+        // The difference is smooth: harmonic except at the edges.
         let taken: Vec<f64> =
             part.heights().iter().zip(periodic.heights()).map(|(a, b)| a - b).collect();
         for (i, j) in [(1, 1), (50, 60), (98, 119), (20, 100)] {
@@ -161,7 +161,7 @@ mod tests {
             let around = taken[at - 1] + taken[at + 1] + taken[at - 121] + taken[at + 121];
             assert!((around - 4.0 * taken[at]).abs() < 1e-10 * part.rms_height(), "{i} {j}");
         }
-        // Little goes from a map whose edges meet.
+        // A map whose edges match changes little.
         let (whole, less) = (wide(), wide().periodic_part());
         let taken = whole.heights().iter().zip(less.heights()).map(|(a, b)| (a - b).abs());
         assert!(taken.fold(0.0, f64::max) < 0.2 * whole.rms_height());

@@ -27,10 +27,10 @@ pub struct Solution {
     pub plastic_area: f64,
     /// Number of edges between a pixel in contact and one that is not.
     pub edges: usize,
-    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces. Where the material
-    /// flows the gap is less than 0 by the plastic depth.
+    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces. In plastic
+    /// pixels the gap is less than 0 by the plastic depth.
     pub mean_gap: f64,
-    /// Mean gap \[m\] with the flowing pixels counted as 0.
+    /// Mean gap \[m\] with plastic pixels counted as 0.
     pub mean_open_gap: f64,
     /// Number of pixels of every contact patch, largest first. Pixels touch over edges.
     pub patches: Vec<usize>,
@@ -43,7 +43,7 @@ pub struct Solution {
     /// energy that is missing. The scale s is Sq or, where that is less, F/(E Δ): about the
     /// deflection of one pixel of side Δ that carries all of the load F.
     pub residual: f64,
-    /// Iterations it took, all the trials for a mean gap included.
+    /// Number of iterations, including all trials for a mean gap.
     pub iterations: usize,
     /// Diagnostics of the resolution: `short-waves`, `seam`, `few-pixels`, `few-patches`.
     pub notes: Vec<Diagnostic>,
@@ -52,7 +52,7 @@ pub struct Solution {
 /// Share of a pixel that a counted contact is too large by for every edge.
 pub const EDGE_SHARE: f64 = (PI - 1.0 + LN_2) / 24.0;
 
-/// What the iteration leaves.
+/// The result of the iteration.
 pub(crate) struct Fields {
     pub(crate) pressures: Vec<f64>,
     pub(crate) gaps: Vec<f64>,

@@ -27,7 +27,7 @@ pub enum LoadCase {
     MeanGap(f64),
 }
 
-/// How far a list of contacts has come.
+/// The progress of a list of contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Progress {
@@ -41,7 +41,7 @@ pub struct Progress {
     pub residual: f64,
 }
 
-/// A rigid rough surface above an elastic half-space: what is solved, and how well.
+/// A rigid rough surface above an elastic half-space, with the settings of the solver.
 ///
 /// With the feature `rayon`, runs on the threads of its current pool; the digits do not depend on
 /// their number.
@@ -73,14 +73,15 @@ impl BoundaryElements {
         })
     }
 
-    /// What lies beyond the edges.
+    /// Declares the boundary; otherwise the map is periodic, with a warning where its edges do not
+    /// match.
     #[must_use]
     pub fn boundary(mut self, boundary: Boundary) -> Self {
         self.boundary = Some(boundary);
         self
     }
 
-    /// Lets the material flow where the pressure reaches `hardness` \[Pa\].
+    /// Limits the pressure to `hardness` \[Pa\].
     ///
     /// # Errors
     /// [`BemError::OutOfRange`] when it is not a positive number.
@@ -133,7 +134,7 @@ impl BoundaryElements {
     /// Solves one contact.
     ///
     /// # Errors
-    /// [`BemError::OutOfRange`] when what is given is not a positive number,
+    /// [`BemError::OutOfRange`] when the load or gap is not a positive number,
     /// [`BemError::CannotBeCarried`] above the hardness, [`BemError::NothingTouches`] above the
     /// highest point, [`BemError::NotConverged`] when the tolerance was not reached.
     pub fn solve(&self, given: LoadCase) -> Result<Solution, BemError> {
@@ -141,10 +142,10 @@ impl BoundaryElements {
         solutions.pop().unwrap_or(Err(BemError::Cancelled))
     }
 
-    /// Solves a list: every one starts at the pressures of the one before it, from the greatest
-    /// load down, and the answers are in the order of the list. `progress` is told about every
-    /// iteration and may stop the run: what is solved by then is kept, the rest is
-    /// [`BemError::Cancelled`]. One that fails leaves the others as they are.
+    /// Solves a list: each contact starts at the pressures of the one before it, from the greatest
+    /// load down, and the answers are in the order of the list. `progress` is called at every
+    /// iteration and may stop the run: solved contacts are kept, the others are
+    /// [`BemError::Cancelled`]. A failed contact does not change the others.
     pub fn solve_all(
         &self,
         given: &[LoadCase],
@@ -155,7 +156,7 @@ impl BoundaryElements {
         solutions
     }
 
-    /// As [`BoundaryElements::solve_all`], but every answer is handed over as soon as it is there,
+    /// As [`BoundaryElements::solve_all`], but every answer is passed on as soon as it is solved,
     /// with its place in the list: for lists whose maps would fill the memory, and for runs that
     /// may be killed.
     pub fn solve_each(
@@ -191,7 +192,7 @@ impl BoundaryElements {
     }
 }
 
-/// Told the iterations and the residual.
+/// Called with the number of iterations and the residual.
 type Watch<'a> = &'a mut dyn FnMut(usize, f64) -> ControlFlow<()>;
 
 /// A list being solved.
@@ -251,7 +252,7 @@ impl<'a> Run<'a> {
         };
         let cold = self.last.is_none();
         let start = match self.last.take() {
-            // Lighter loads follow: what is too much is taken off evenly.
+            // Lighter loads follow: the projection lowers all pressures evenly.
             Some((pressures, last)) if pressure <= last => pressures,
             Some((pressures, last)) => pressures.iter().map(|p| p * pressure / last).collect(),
             None => vec![pressure; heights.len()],

@@ -35,10 +35,11 @@ impl LoadedScene {
         Ok(scene)
     }
 
-    /// Reads the file for boundary elements, which need no asperities.
-    pub fn load_scan(path: &Path) -> Result<Self> {
+    /// Reads the file for boundary elements, which need no asperities, on a scan that is declared
+    /// periodic or as the file says.
+    pub fn load_scan(path: &Path, periodic: bool) -> Result<Self> {
         output::keep(path);
-        let file = asperity_scene::load_scan(path)?;
+        let file = asperity_scene::load_scan(path, periodic)?;
         let scene = Self { file, name: path.display().to_string() };
         scene.report_for(false);
         Ok(scene)

@@ -7,6 +7,7 @@ import signal
 import threading
 import warnings
 from pathlib import Path
+from typing import Any, get_args
 
 import asperity
 import numpy as np
@@ -77,6 +78,51 @@ def test_maps_agree_with_the_numbers(boundary: asperity._bem.Boundary, elastic: 
     assert (np.abs(found.gaps[(found.pressures > 0) & (found.pressures < 2e9)]) < 1e-5 * sq).all()
     assert found.plastic_fraction[1, 0] == 0 if elastic else found.plastic_fraction[1, 0] > 0
     assert found.patches.dtype == found.iterations.dtype == np.int64
+
+
+def test_heights_are_pressed_as_they_are() -> None:
+    given: dict[str, Any] = {"interface": STEEL, "pressure": [2e7, 2e8]}
+    one = asperity.bem(rough(), pixel_size=SIDE / 96, **given)
+    two = asperity.bem(scan(), **given)
+    np.testing.assert_allclose(one.area_fraction, two.area_fraction, rtol=1e-12)
+    np.testing.assert_allclose(one.load, two.load, rtol=1e-12)
+    assert one.boundary == two.boundary == "periodic"
+    # Rows of another distance, in another unit.
+    oblong = asperity.bem(rough().tolist(), pixel_size=(SIDE / 96, SIDE / 48), **given)
+    np.testing.assert_allclose(oblong.load, 2 * one.load, rtol=1e-12)
+    text = asperity.bem(rough(), pixel_size=f"{SIDE / 96 * 1e6!r} um", **given)
+    np.testing.assert_allclose(text.load, one.load, rtol=1e-12)
+
+
+def test_steps_of_a_periodic_map_are_pressed() -> None:
+    # tests/reference/bem_steps.csv, by ContactMechanics.
+    saw = 0.01 * np.tile(np.arange(64) / 64, (64, 1))
+    square = 0.01 * np.tile(np.arange(64) < 32, (64, 1))
+    elastic = asperity.Interface(1e9, 0.3)
+    for heights, largest in ((saw, 6.081443461167e07), (square, 3.106031532725e07)):
+        for shift in (0, 16, 45):
+            array = np.roll(heights, shift, axis=1)
+            surface = asperity.Topography(array, 1 / 64, "m", periodic=True)
+            ways = (
+                asperity.bem(array, pixel_size=1 / 64, boundary="periodic", interface=elastic, pressure=5e6),
+                asperity.bem(surface, interface=elastic, pressure=5e6),
+            )
+            for found in ways:
+                assert found.pressures is not None and found.boundary == "periodic"
+                assert found.area_fraction_pixels == 0.5
+                assert found.pressures.max() == pytest.approx(largest, rel=1e-6)
+    with pytest.warns(asperity.ContactWarning, match="edges of the scan do not match") as said:
+        part = asperity.bem(saw, pixel_size=1 / 64, interface=elastic, pressure=5e6)
+    assert part.boundary == "periodic-part"
+    assert sum("edges" in str(warning.message) for warning in said) == 1
+    with warnings.catch_warnings(record=True) as declared:
+        warnings.simplefilter("always")
+        for boundary in get_args(asperity._bem.Boundary):
+            found = asperity.bem(
+                saw, pixel_size=1 / 64, interface=elastic, pressure=5e6, boundary=boundary
+            )
+            assert found.boundary == boundary
+    assert not any("edges" in str(warning.message) for warning in declared)
 
 
 def test_elastic_pressures_deflect_a_half_space() -> None:
@@ -160,8 +206,14 @@ def test_impossible_arguments_are_refused(scene: asperity.Scene) -> None:
     steel = asperity.Body(210e9, 0.3, hardness=2e9)
     with pytest.raises(TypeError, match="^interface must be an Interface, not a Body"):
         asperity.bem(scan(), interface=steel, pressure=1e7)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="^surface must be a Topography or a Scene, not a list"):
-        asperity.bem([[0.0]], interface=steel, pressure=1e7)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="^surface has 0 dimensions: a Topography, a Scene or heights"):
+        asperity.bem("scan.x3p", interface=STEEL, pressure=1e7)
+    with pytest.raises(TypeError, match="^pixel_size is missing"):
+        asperity.bem([[0.0]], interface=STEEL, pressure=1e7)
+    with pytest.raises(TypeError, match="^pixel_size was given beside a Topography"):
+        asperity.bem(scan(), interface=STEEL, pressure=1e7, pixel_size=1e-6)
+    with pytest.raises(TypeError, match="^pixel_size must be a length or two"):
+        asperity.bem(rough(), interface=STEEL, pressure=1e7, pixel_size=(1, 2, 3))  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="interface was given beside a scene"):
         asperity.bem(scene, interface=STEEL, pressure=1e7)
     texts = asperity.bem(scan(), interface=STEEL, pressure="10 MPa", maps=False)
@@ -214,7 +266,7 @@ def test_unresolved_contacts_and_open_edges_are_warned_of(scene: asperity.Scene)
         asperity.bem(scene, pressure=[1e5, 2e5])
     assert seen[0].filename == __file__
     half = asperity.Topography(rough()[:40, :50], SIDE / 96, "m")
-    with pytest.warns(asperity.ContactWarning, match="the edges of the scan do not meet"):
+    with pytest.warns(asperity.ContactWarning, match="the edges of the scan do not match"):
         asperity.bem(half, interface=STEEL, pressure=1e8)
 
 

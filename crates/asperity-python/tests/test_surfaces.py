@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import asperity
@@ -148,3 +149,41 @@ def test_surfaces_of_surfalize() -> None:
         asperity.topography(surface, unit="nm")
     profile = theirs.Profile(HEIGHTS[0], 1.0)
     assert asperity.topography(profile).shape == (1, 192)
+
+
+def test_outliers_are_reported_first_and_replaced() -> None:
+    rng = np.random.default_rng(3)
+    waves = np.fft.fft2(rng.standard_normal((128, 128)))
+    q = np.hypot(*np.meshgrid(np.fft.fftfreq(128), np.fft.fftfreq(128)))
+    heights = np.fft.ifft2(waves * ((q < 0.1) & (q > 0.02))).real
+    clean = asperity.Topography(heights, 1e-6, "um")
+    spiked = heights.copy()
+    at = rng.integers(0, 128, (12, 2))
+    spiked[at[:, 0], at[:, 1]] += 15 * heights.std()
+    surface = asperity.Topography(spiked, 1e-6, "um")
+    found = surface.outliers()
+    assert sorted(map(tuple, at.tolist())) == sorted(found["points"]) and found["count"] == 12
+    assert found["m4_share"] > 0.5 and found["largest"] > 10e-6 * heights.std()
+    with pytest.warns(asperity.ContactWarning) as said:
+        statistics = surface.statistics()
+    assert str(said[0].message).startswith("12 points are far outside the neighbouring heights")
+    assert statistics["outliers"]["count"] == 12
+    despiked = surface.despiked()
+    assert despiked.despiked_points == 12 and despiked.outliers()["count"] == 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        radius = despiked.statistics()["asperity_radius"]
+        assert radius == pytest.approx(clean.statistics()["asperity_radius"], rel=0.05)
+
+
+def test_a_wave_has_statistics_without_asperities() -> None:
+    turn = 2 * np.pi * 4 * np.arange(64) / 64
+    wave = np.cos(turn + turn[:, None])
+    surface = asperity.Topography(wave, 1.0, "um", periodic=True)
+    with pytest.warns(asperity.ContactWarning, match="no asperities for asperity models"):
+        found = surface.statistics()
+    assert found["sq"] == pytest.approx(np.sqrt(0.5) * 1e-6) and found["asperity_radius"] is None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        with pytest.raises(ValueError, match="bandwidth|summits"):
+            surface.surface()

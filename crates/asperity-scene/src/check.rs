@@ -66,6 +66,10 @@ impl SceneFile {
             }
         });
         let of_interface = of_interface.filter(|found| !shown.contains(&&*found.field));
+        // Without asperities, these are numbers of a surface that stands in for them.
+        let stands_in =
+            |field: &str| self.no_asperities.is_some() && ASPERITY_FIELDS.contains(&field);
+        let of_interface = of_interface.filter(|found| !stands_in(&found.field));
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let found = of_interface.chain(of_bodies.clone()).chain(self.missing_hardness());
         // Consequences of findings about the bodies are not repeated.
@@ -203,7 +207,7 @@ impl SceneFile {
     fn scan_findings(&self, Measured { statistics, pixel_size }: &Measured) -> Vec<Diagnostic> {
         let mut found = vec![];
         // Outliers would be part of measured heights.
-        let clean = !statistics.outliers.matter();
+        let clean = !statistics.outliers.matter() && self.no_asperities.is_none();
         if clean && matches!(self.scene.heights, HeightDistribution::Gaussian) {
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
                 Diagnostic::warning("not-gaussian", field, value).usual(usual).advice(

@@ -71,7 +71,8 @@ pub(crate) fn measured(
     heights: &HeightsKey,
     asked: Asked,
 ) -> Result<SurfaceDescription, SceneError> {
-    let keys: MeasuredKeys = document.surface()?;
+    let mut keys: MeasuredKeys = document.surface()?;
+    keys.periodic |= asked == Asked::Scan { periodic: true };
     let measured_heights = matches!(heights, HeightsKey::Measured);
     let conflict = |one, other, needed| Err(document.conflict(one, other, needed));
     if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
@@ -152,7 +153,7 @@ pub(crate) fn measured(
     let (surface, no_asperities) = match statistics.surface() {
         Ok(surface) => (surface, None),
         // The surface is not used.
-        Err(reason) if asked == Asked::Scan => {
+        Err(reason) if asked != Asked::Asperities => {
             (alike(statistics).map_err(document.refused("surface"))?, Some(reason.to_string()))
         }
         Err(reason) => return Err(refused(reason)),

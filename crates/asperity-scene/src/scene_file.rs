@@ -74,12 +74,13 @@ pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
 
 /// [`load`] for [boundary elements](SceneFile::bem), which need no asperities: of a sphere, a wave
 /// or a step, for example. The surface of such a scene only has the rms height and slope of the
-/// scan, and [`SceneFile::model`] refuses models of asperities with the reason.
+/// scan, and [`SceneFile::model`] refuses models of asperities with the reason. With `periodic` the
+/// scan is declared periodic, whatever the file says.
 ///
 /// # Errors
 /// Those of [`load`], except that of a scan without asperities.
-pub fn load_scan(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
-    load_with(path.as_ref(), Asked::Scan)
+pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Scan { periodic })
 }
 
 /// What a scene file is read for.
@@ -87,8 +88,8 @@ pub fn load_scan(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
 pub(crate) enum Asked {
     /// Models of asperities, among others.
     Asperities,
-    /// Boundary elements.
-    Scan,
+    /// Boundary elements, on a scan that is declared periodic if the file or the caller says so.
+    Scan { periodic: bool },
 }
 
 fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {

@@ -113,6 +113,11 @@ impl Places {
 }
 
 impl Way {
+    /// Whether the scan is declared periodic.
+    fn periodic(&self) -> bool {
+        self.boundary == Some(Continuation::Periodic)
+    }
+
     /// The model of the scene's scan, with a note if its periodic component is used by default.
     pub fn bem(&self, scene: &LoadedScene) -> Result<Bem> {
         let bem = match scene.file.bem(self.boundary, self.elastic) {
@@ -126,7 +131,7 @@ impl Way {
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load_scan(&self.scene)?;
+        let scene = LoadedScene::load_scan(&self.scene, self.way.periodic())?;
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.way.bem(&scene)?;

@@ -28,7 +28,7 @@ pub fn scan(seed: f64) -> String {
     text
 }
 
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 15] = [
     "sq",
     "ssk",
     "sku",
@@ -42,6 +42,8 @@ const KEYS: [&str; 13] = [
     "beta",
     "beta_z",
     "missing_share",
+    "despiked",
+    "outliers",
 ];
 
 fn json(bench: &Bench, arguments: &str) -> serde_json::Value {
