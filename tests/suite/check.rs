@@ -274,8 +274,8 @@ fn depths_are_those_of_the_law() {
 }
 
 #[test]
-fn one_range_of_beta_is_usual_everywhere() {
-    let [least, most] = Surface::USUAL_ROUGHNESS;
+fn one_range_of_beta_z_is_usual_everywhere() {
+    let [least, most] = Surface::USUAL_ASPERITY_ROUGHNESS;
     let beta = |beta: f64| {
         let mut scene = machined().swap_remove(0).1;
         scene.surface.asperity_density = beta / (2e-4 * 1e-6);
