@@ -71,6 +71,7 @@ impl Described for Persson {
         Validity {
             asperities: false,
             hertz_limit: None,
+            holds_to: Some(1.0),
             valid_for: "elastic contact of surfaces with Gaussian slopes; gaps need a Hurst exponent or a scan",
             ..Validity::default()
         }

@@ -53,7 +53,7 @@ impl RandomAsperities {
             return Err(self.refused(&format!("adhesion changes with the radius; {EQUAL}")));
         }
         if model.validity().angles {
-            return Err(self.refused(&format!("its contacts are inclined; {EQUAL}")));
+            return Err(self.refused(&format!("contacts are inclined; {EQUAL}")));
         }
         if !matches!(scene.heights, HeightDistribution::Gaussian) {
             return Err(self.refused(&format!("heights must be Gaussian; {EQUAL}")));

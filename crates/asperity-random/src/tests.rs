@@ -88,6 +88,60 @@ fn every_reference_value_is_met_within_the_bound() {
     assert_eq!(count, 315);
 }
 
+/// Against the density of heights, mean and geometric mean curvatures itself (Nayak 1971), summed
+/// over midpoints: each asperity yields beyond its own w_c, which is proportional to its radius.
+#[test]
+fn shares_beyond_multiples_of_w_c_are_those_of_the_density() {
+    let (m0, m2, m4): (f64, f64, f64) = (1e-12, 1e-4, 5e4);
+    let surface = Surface::from_moments(&ProfileMoments { m0, m2, m4 }).unwrap();
+    let scene = Scene::new(Interface::new(116e9, 0.31, 1.5e9), surface, 3e-5);
+    let curvature = (m4 / 3.0).sqrt();
+    let unit = 1.5 * m2 / m4 * 2f64.sqrt() * curvature;
+    let rest = (m0 - unit * unit).sqrt();
+    let yields = (PI * (0.454 + 0.41 * 0.31) * 1.5e9 / (2.0 * 116e9)).powi(2) / curvature;
+    let multiples = [1.0, 4.0];
+    let direct = |height: f64| {
+        let middle = |k: usize, of: usize, from: f64, to: f64| {
+            from + (to - from) * (k as f64 + 0.5) / of as f64
+        };
+        let (mut all, mut beyond) = (0.0, [0.0; 2]);
+        for i in 0..160 {
+            let mean = middle(i, 160, 0.0, 8.0);
+            for j in 0..160 {
+                let k = middle(j, 160, 0.0, mean);
+                let density = mean * k.powi(3) * (0.5 * k * k - 0.75 * mean * mean).exp();
+                for l in 0..400 {
+                    let c = middle(l, 400, -7.0, 7.0);
+                    let w = rest * c + unit * mean / 2f64.sqrt() - height;
+                    if w > 0.0 {
+                        let force = density * (-0.5 * c * c).exp() * w.powf(1.5) / k.sqrt();
+                        all += force;
+                        for (share, multiple) in beyond.iter_mut().zip(multiples) {
+                            *share += if k * w > multiple * yields { force } else { 0.0 };
+                        }
+                    }
+                }
+            }
+        }
+        beyond.map(|share| share / all)
+    };
+    for height in [0.5e-6, 2e-6] {
+        let gw = RandomAsperities::new(GreenwoodWilliamson);
+        let found = gw.shares_beyond(&scene, above(height), &multiples).unwrap().unwrap();
+        let direct = direct(height);
+        for (found, direct) in found.iter().zip(direct) {
+            assert!((found - direct).abs() < 2e-3, "{height}: {found} {direct}");
+        }
+        assert!(found[0] > 0.1 && found[0] < 0.99 && found[1] < found[0], "{found:?}");
+    }
+    // KE's own elastic part ends at w_c.
+    let (ke, at) = (RandomAsperities::new(KogutEtsion), above(1e-6));
+    let found = ke.shares_beyond(&scene, at, &[1.0]).unwrap().unwrap()[0];
+    let request = Request::new([Quantity::Force]);
+    let parts = ke.compile(&scene, &request).unwrap().shares_at(Quantity::Force, at).unwrap();
+    assert!((1.0 - found - parts[0].share).abs() < 1e-10, "{found} {parts:?}");
+}
+
 #[test]
 fn limits_of_the_bandwidth_and_what_is_refused() {
     let gw = RandomAsperities::new(GreenwoodWilliamson);
@@ -132,12 +186,20 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     assert!((force - 1.0).abs() < 1e-9, "{force}");
     let refused =
         RandomAsperities::new(AminiTehrani::default()).compile(&usual, &asked).unwrap_err();
-    assert!(refused.to_string().contains("its contacts are inclined"), "{refused}");
+    assert!(
+        refused
+            .to_string()
+            .contains("contacts are inclined; set asperities = \"equal\" in [surface]"),
+        "{refused}"
+    );
     // Of one power, GW's averaged area could be turned into a radius, which would be wrong: for
     // Hertz 2 E times the sum of the radii is the tangent.
     for quantity in [Quantity::ContactRadiusSum, Quantity::UnloadingStiffness] {
         let refused = gw.compile(&usual, &Request::new([quantity])).unwrap_err().to_string();
-        assert!(refused.starts_with("GW random cannot give sums of contact radii"), "{refused}");
+        assert!(
+            refused.starts_with("GW random cannot give contact radii, which need"),
+            "{refused}"
+        );
     }
     let mut exponential = usual;
     exponential.heights = HeightDistribution::Exponential;

@@ -177,6 +177,7 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
     let units = UNITS.into_iter().find(|(known, ..)| *known == si);
     units.and_then(|units| read(text, units)).ok_or_else(|| {
         if let Some(same) = converted(text, si) {
+            let same = same.replace(' ', "");
             return format!("{text:?} is not a number in {si}: write {same}, which is the same");
         }
         let (_, example, names) = units.unwrap_or((si, "", &[]));
@@ -207,7 +208,7 @@ fn converted(given: &str, si: &str) -> Option<String> {
     let other = OTHERS.iter().filter(|(of, ..)| *of == si);
     other.into_iter().find_map(|(_, unit, factor, decimal)| {
         let value = scale(text.strip_suffix(unit)?, 0)?;
-        Some(format!("{}{decimal}", asperity::short(factor * value)))
+        Some(format!("{} {decimal}", asperity::short(factor * value)))
     })
 }
 

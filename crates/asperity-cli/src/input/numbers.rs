@@ -283,10 +283,10 @@ mod tests {
         assert_eq!(load("5MPa").unwrap_err(), "5MPa is a pressure; use --pressure 5MPa");
         assert_eq!(pressure("5 kN").unwrap_err(), "5 kN is a load; use --load 5 kN");
         for range in ["1-50kN", "1..50kN", "1 - 50 kN"] {
-            let error = all(load)(range).unwrap_err();
+            let error = Numbers::read(range, load).unwrap_err();
             assert!(error.ends_with("a range is written A:B:N, for example 1kN:50kN:6"), "{error}");
         }
-        assert!(!all(load)("kN-1").unwrap_err().contains("range"));
+        assert!(!Numbers::read("kN-1", load).unwrap_err().contains("range"));
     }
 
     #[test]

@@ -3,6 +3,21 @@
 use crate::bench::{Bench, cells, column, column_of, conducting, csv};
 
 #[test]
+fn the_list_of_models_is_what_is_printed() {
+    let bench = Bench::new();
+    let ids = |models: &str| {
+        let run = bench.run(&format!(
+            "conductance scene.toml --conductivity 50 --load 100 --model {models} --format csv"
+        ));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+        cells(&run.out, "model").join(" ")
+    };
+    assert_eq!(ids("CMY"), "cmy");
+    assert_eq!(ids("ke,gao,mikic"), "ke mikic");
+    assert_eq!(ids("ke"), "ke");
+}
+
+#[test]
 fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());

@@ -2,6 +2,17 @@
 
 use crate::bench::{Bench, NO_SHEAR, cells, column, csv};
 
+/// An error about an answer ends the program with code 1, after the answer.
+#[test]
+fn impossible_answers_give_code_1() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model ke --load 10MN --quantity area");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    assert!(run.messages.contains("error: KE: area_fraction is ") && run.out.contains("ke,"));
+    let run = bench.run("curve scene.toml --model ke --load 50kN --quantity area");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+}
+
 #[test]
 fn a_plan_lists_its_integrals() {
     let bench = Bench::new();
@@ -46,7 +57,8 @@ fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     let bench = Bench::new();
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
     let run = bench.run("recommend soft.toml");
-    assert_eq!(run.code, Some(0));
+    // The density is an error beside these heights.
+    assert_eq!(run.code, Some(1));
     let printed =
         "note: gw is the simplest valid model within 5 % of ke; models are listed from simplest";
     assert!(run.messages.contains(printed), "{}", run.messages);
@@ -233,7 +245,8 @@ fn recommendations_and_tables_have_warnings() {
     let bench = Bench::new();
     let arguments = |line: &str| {
         let run = bench.run(line);
-        assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
+        let invalid = run.messages.contains("error: ");
+        assert_eq!(run.code, Some(i32::from(invalid)), "{line}\n{}", run.messages);
         run.messages
     };
     let heavy = arguments("recommend scene.toml --load 3e5");

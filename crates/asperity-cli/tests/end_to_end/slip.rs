@@ -46,7 +46,7 @@ fn unit_errors_and_unsuitable_models_are_reported() {
     let heavy = arguments("unload scene.toml --model ke --load 2e6kN --retreat 0");
     assert!(heavy.contains("error: KE: area_fraction is 10000"), "{heavy}");
     let random = arguments("unload scene.toml --model ke-random --load 100");
-    assert!(random.contains("these need a model of equal, upright asperities"), "{random}");
+    assert!(random.contains("these need a model of asperities of one radius"), "{random}");
     let data = bench
         .data("slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 1um --points 3");
     let factor: f64 = cells(&data, "loss_factor")[2].parse().unwrap();

@@ -17,8 +17,8 @@ const TOLERANCE: f64 = 1e-6;
 const CROWDED: [f64; 2] = [0.1, 1.0];
 /// Number of contacts below which a single realisation differs much from the average.
 const FEW: f64 = 30.0;
-/// w/R (warning, error) beyond which an asperity is no spherical cap under small deformation.
-const FLATTENED: [f64; 2] = [0.3, 1.0];
+/// w/R beyond which an asperity is no spherical cap under small deformation.
+const FLATTENED: f64 = 0.3;
 /// Share of the contacts that carries less than one per cent of the load.
 const NEGLIGIBLE: f64 = 1e-6;
 /// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.
@@ -196,9 +196,12 @@ impl Check {
             check.add_number("mean_pressure", mean, "Pa", "load over real area");
             if let Ok((Some(hardness), ..)) = scene.interface.check() {
                 check.add_number("mean_pressure_over_hardness", mean / hardness, "", "p/H");
-                // Models with a limited range report yielding by interference.
-                if model.validity().holds_to.is_none() {
-                    check.extend(above_hardness(model, at, mean / hardness));
+                // Other models with a limited range report yielding by interference.
+                let Validity { asperities, holds_to, .. } = model.validity();
+                match holds_to {
+                    None => check.extend(above_hardness(model, at, mean / hardness)),
+                    Some(_) if asperities => {}
+                    Some(_) => check.extend(yields(model, at, share_above(hardness / mean))),
                 }
             }
         }
@@ -222,11 +225,9 @@ impl Check {
             "exceeded by the asperities that carry the top 1 % of the load",
         );
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
-        if w > FLATTENED[0] * r {
-            let severity = if w > FLATTENED[1] * r { Severity::Error } else { Severity::Warning };
+        if w > FLATTENED * r {
             let deep = Diagnostic::warning("deep", "interference_over_radius", w / r)
-                .severity(severity)
-                .usual([0.0, FLATTENED[0]])
+                .usual([0.0, FLATTENED])
                 .of_model(model.name())
                 .at(at)
                 .advice("the interference is too large for a spherical-asperity law");
@@ -257,7 +258,7 @@ impl Check {
 /// Whether a relevant share of the contacts is deeper than spherical caps allow, by counting.
 fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool {
     let surface = &contact.scene().surface;
-    let depth = FLATTENED[0] * surface.asperity_radius / surface.asperity_height_std;
+    let depth = FLATTENED * surface.asperity_radius / surface.asperity_height_std;
     let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
 }
@@ -285,6 +286,14 @@ fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
     (!(least..=most).contains(&tabor)).then_some(found)
 }
 
+/// The share of the load that an elastic theory of the whole surface puts on pressures above this
+/// multiple of the mean pressure: pressures of small contact areas follow Rayleigh's distribution
+/// (Persson 2001) \[derived\].
+fn share_above(multiple: f64) -> f64 {
+    let x = 0.5 * std::f64::consts::PI.sqrt() * multiple;
+    libm::erfc(x) + std::f64::consts::FRAC_2_SQRT_PI * x * (-x * x).exp()
+}
+
 /// A finding for a load on yielding asperities with an elastic model.
 fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
     let name = model.name();
@@ -294,13 +303,17 @@ fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
         ),
         false => format!("use {YIELDING}"),
     };
+    let carriers = match model.validity().asperities {
+        true => "yielding asperities",
+        false => "pressures above the hardness",
+    };
     let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
     let found = Diagnostic::warning("yields", "yielding_share", share)
         .severity(severity)
         .usual([0.0, YIELDS[0]])
         .of_model(name)
         .at(at)
-        .fact(format!("yielding asperities carry {} % of the force", short(100.0 * share)))
+        .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
         .advice(format!(
             "{name} ignores yielding and underestimates the area at this load; {remedy}"
         ));

@@ -193,7 +193,7 @@ impl Scene {
                 format!("use {JKR}, or {JKR_SEPARATION} as the surfaces part")
             }
             _ => format!(
-                "between {DMT} (below {LEAST_TABOR}) and {JKR} (above {MOST_TABOR}); use both as bounds"
+                "use {DMT} (for less than {LEAST_TABOR}) and {JKR} (for more than {MOST_TABOR}) as bounds"
             ),
         };
         let (theta, hides) = (short(theta), theta > Self::HIDES_ADHESION);

@@ -71,12 +71,11 @@ pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<()
     })
 }
 
-pub(crate) const INCLINED: &str =
-    "its contacts are inclined, and contact radii follow from the area only for upright asperities";
+pub(crate) const INCLINED: &str = "contacts are inclined";
 
 /// The error for contacts that are not circles, or whose area is an average.
 pub(crate) fn refused(model: &str, reason: &str) -> ContactError {
-    let what = format!("sums of contact radii for unloading and conductance: {reason}");
+    let what = format!("contact radii: {reason}");
     ContactError::Unsupported { model: model.into(), what }
 }
 

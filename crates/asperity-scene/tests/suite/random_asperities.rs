@@ -101,11 +101,11 @@ fn models_without_random_asperities_give_the_reason() {
     for model in &left_out {
         assert!(model.reason.to_string().contains("contacts are inclined"), "{model:?}");
     }
+    // Theories of the whole surface have no asperities.
     for id in ["persson", "persson-fudge"] {
         let model = file.model(id).unwrap();
-        let refused = model.compile(&file.scene, &Request::new([Quantity::Area])).unwrap_err();
-        let wanted = "over the asperities of a random surface: it has no law of one asperity";
-        assert!(refused.to_string().contains(wanted), "{refused}");
+        assert_eq!(model.id(), id);
+        assert!(model.compile(&file.scene, &Request::new([Quantity::Area])).is_ok());
     }
     let template = template().replace("asperities = \"equal\"", "asperities = \"random\"");
     let twice = template.replace("[options]", "[options]\nasperities = \"equal\"");

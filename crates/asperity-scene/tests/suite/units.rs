@@ -122,3 +122,72 @@ fn accepted_codes_are_silent_but_errors_are_not() {
     let modulus = || vec!["body[1].youngs_modulus".to_string()];
     assert_eq!(found(accept, "210"), (modulus(), modulus()));
 }
+
+/// The texts of the errors, warnings and notes of a scene with two bodies of steel.
+fn findings(body: &str, area: &str, surface: &str) -> Vec<String> {
+    let steel = "poissons_ratio = 0.3\nyield_strength = \"400 MPa\"\n";
+    let second = format!("[[body]]\nyoungs_modulus = \"210 GPa\"\n{steel}");
+    let scene =
+        format!("nominal_area = {area}\n[[body]]\n{body}\n{steel}{second}[surface]\n{surface}\n");
+    let file = match read(&scene) {
+        Ok(file) => file,
+        Err(error) => return vec![error.to_string()],
+    };
+    file.findings().iter().map(ToString::to_string).collect()
+}
+
+const STEEL: &str = "youngs_modulus = \"210 GPa\"";
+const GROUND: &str = "asperity_radius = \"50 um\"
+asperity_density = \"2000 1/mm2\"
+asperity_height_std = \"1 um\"";
+
+#[test]
+fn a_unit_that_was_given_is_never_reinterpreted() {
+    assert!(findings(STEEL, "1e-4", GROUND).is_empty());
+    let odd = findings("youngs_modulus = \"210 MPa\"", "1e-4", GROUND);
+    assert!(odd[0].ends_with("check the number and its unit"), "{odd:?}");
+    let odd = findings(STEEL, "1e-4", &GROUND.replace("50 um", "50 m"));
+    assert!(odd[0].ends_with("check the number and its unit"), "{odd:?}");
+    // Guideways are that large.
+    for area in ["\"0.05 m2\"", "\"2500 cm2\""] {
+        assert!(findings(STEEL, area, GROUND).is_empty(), "{area}");
+    }
+}
+
+#[test]
+fn a_likely_unit_is_within_the_usual_range_beside_it() {
+    let wanted = "body[1].youngs_modulus is 2.1e5 Pa (usual: 1.333e9 to 1.333e12): 2.1e5 looks like MPa; 2.1e5 MPa is 2.1e11 Pa";
+    assert_eq!(findings("youngs_modulus = 210000", "1e-4", GROUND), [wanted]);
+    let surface = "asperity_radius = 50\nasperity_density = 2000\nasperity_height_std = 1";
+    let wanted = "asperity_height_std is 1 m, asperity_radius 50 m: both look like um, and the density 2000 like 1/mm2; give m and 1/m2";
+    assert_eq!(findings(STEEL, "1e-4", surface), [wanted]);
+    let surface = "sq = \"1 um\"\nspd = 2000\nspc = 50";
+    let found = findings(STEEL, "1e-4", surface);
+    assert!(
+        found[0].contains(
+            "spd = 2000 looks like 1/mm2; 2000 1/mm2 is 2e9 in SI units; spc = 50 looks like 1/mm"
+        ),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn commas_brackets_and_other_units_are_explained() {
+    for (from, to, wanted) in [
+        ("0.3", "0,3", "write a decimal point, as in 0.3"),
+        (
+            "\"400 MPa\"",
+            "\"58 ksi\"",
+            "body[1].yield_strength is \"58 ksi\": \"399.9 MPa\", which is the same,",
+        ),
+    ] {
+        let body = format!("{STEEL}\npoissons_ratio = 0.3\nyield_strength = \"400 MPa\"");
+        let scene = format!(
+            "nominal_area = 1e-4\nrigid_counterface = true\n[[body]]\n{body}\n[surface]\n{GROUND}\n"
+        );
+        let found = message(&scene.replacen(from, to, 1));
+        assert!(found.contains(wanted), "{found}");
+        let found = message(&scene.replace("[[body]]", "[body]"));
+        assert!(found.contains("[[body]], a list (two of them"), "{found}");
+    }
+}

@@ -186,7 +186,8 @@ impl ContactTable {
     ///
     /// # Errors
     /// [`TableError::NoSuchTable`] for formats other than Abaqus and CalculiX;
-    /// [`ContactError::OutOfRange`] unless μ is above 0 and at most 10; those of [`Quantity::TangentialStiffness`].
+    /// [`ContactError::OutOfRange`] unless μ is above 0 and at most 10; those of
+    /// [`Quantity::TangentialStiffness`].
     pub fn friction_text(
         &self,
         (format, units): (TableFormat, UnitSystem),
