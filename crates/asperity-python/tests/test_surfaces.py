@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from pathlib import Path
 from typing import Any
 
 import asperity
@@ -187,3 +188,49 @@ def test_a_wave_has_statistics_without_asperities() -> None:
         warnings.simplefilter("ignore")
         with pytest.raises(ValueError, match="bandwidth|summits"):
             surface.surface()
+
+
+def test_random_surfaces_are_those_of_the_program_and_have_their_parameters() -> None:
+    surface = asperity.random_surface(
+        (96, 128),
+        (0.5e-6, 0.4e-6),
+        long=40e-6,
+        roll_off=20e-6,
+        short=2e-6,
+        hurst=0.7,
+        sq=0.3e-6,
+        skewness=-0.8,
+        anisotropy=2,
+        direction=30,
+        seed=7,
+    )
+    z = surface.heights
+    assert z.shape == surface.shape == (96, 128) and surface.periodic
+    assert z.std() == pytest.approx(0.3e-6, rel=1e-9)
+    assert (z**3).mean() / z.std() ** 3 == pytest.approx(-0.8, rel=2e-3)
+    # Slopes by Fourier: exact for whole waves.
+    kx = 2j * np.pi * np.fft.fftfreq(128, 0.5e-6)
+    ky = 2j * np.pi * np.fft.fftfreq(96, 0.4e-6)[:, None]
+    x, y = (np.fft.ifft2(k * np.fft.fft2(z)).real.ravel() for k in (kx, ky))
+    least, largest = np.linalg.eigvalsh(np.cov(x, y))
+    assert (largest / least) ** 0.5 == pytest.approx(2, rel=0.02)
+    report = surface.report()
+    assert report["slope_ratio"] == pytest.approx(2, rel=0.1)
+    assert report["filter"] == "mean removed; no S-filter; no L-filter"
+    with pytest.raises(TypeError, match="exactly one of sq and gradient"):
+        asperity.random_surface((8, 8), 1e-6, long=8e-6, short=4e-6)
+    with pytest.raises(ValueError, match="more than two pixels"):
+        asperity.random_surface((8, 8), 1e-6, long=8e-6, short=1e-6, sq=1e-9)
+
+
+def test_a_surface_is_drawn_and_written(tmp_path: Path) -> None:
+    surface = asperity.random_surface((64, 64), 1e-6, long=32e-6, short=4e-6, gradient=0.1, seed=3)
+    picture = surface.plot(title="made")
+    assert isinstance(picture, asperity.Picture) and picture._repr_svg_().startswith("<svg")
+    assert "(a) map" in picture and ">made<" in picture
+    picture.save(tmp_path / "surface.svg")
+    assert (tmp_path / "surface.svg").read_text(encoding="utf-8") == picture
+    surface.to_x3p(tmp_path / "s.x3p")
+    again = asperity.read(tmp_path / "s.x3p")
+    np.testing.assert_array_equal(again.heights, surface.heights)
+    assert again.pixel_size == surface.pixel_size

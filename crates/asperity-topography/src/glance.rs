@@ -27,7 +27,7 @@ pub struct Glance {
     pub slope_across_lay: Option<f64>,
     /// The wavelength above which half of Sq² lies \[m\].
     pub long_wavelength: Option<f64>,
-    /// How many of these wavelengths fit on the shorter side.
+    /// How many of these wavelengths fit on the shorter side: 10 or more are wanted.
     pub long_waves: Option<f64>,
     /// m₂ over that of every second point.
     pub m2_over_half: Option<f64>,
@@ -66,9 +66,6 @@ pub struct Glance {
     #[serde(skip)]
     pub power_law: Option<PowerLaw>,
 }
-
-/// The number of the longest waves that a scan should hold.
-pub const WANTED_WAVES: f64 = 10.0;
 
 impl Glance {
     /// The report of a surface that was levelled, filled and filtered, and of the raw scan it was

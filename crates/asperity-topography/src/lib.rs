@@ -30,7 +30,7 @@ pub use autocorrelation::Decay;
 pub use density::HeightDensity;
 pub use error::TopographyError;
 pub use estimator::Estimator;
-pub use glance::{Glance, WANTED_WAVES};
+pub use glance::Glance;
 pub use hills::Peaks;
 pub use level::Level;
 pub use moments::{ArealMoments, Moments};

@@ -20,9 +20,7 @@ The same options make the same heights in Rust and in Python (asperity.random_su
 
 Examples:
   asperity generate --long 20um --short 2um --size 128x128 --pixel 0.25um --sq 0.5um --output s.npy
-  asperity generate --hurst 0.7 --long 25um --roll-off 12um --short 1um --size 256x128 \\
-    --pixel 0.25um,0.2um --gradient 0.1 --skewness -1 --anisotropy 3 --direction 30 --seed 7 \\
-    --output ground.x3p
+  asperity generate --long 25um --short 1um --size 256x128 --pixel 0.25um,0.2um --gradient 0.1 --hurst 0.7 --skewness -1 --anisotropy 3 --direction 30 --seed 7 --output ground.x3p
   asperity surface ground.x3p --periodic"
 )]
 pub struct Generate {

@@ -1,6 +1,6 @@
 //! `surface`: scans become numbers, and scenes that run.
 
-use asperity_topography::{Estimator, Level, ReadOptions, read};
+use asperity_topography::{Estimator, Glance, Level, ReadOptions, read};
 
 use crate::bench::{Bench, cells, column};
 
@@ -119,7 +119,17 @@ fn the_numbers_agree_with_the_library() {
     let surface = read(&bench.path("scan.txt"), &options).unwrap();
     let found = surface.level(Level::Quadratic).unwrap().statistics(Estimator::Summits).unwrap();
     let printed: serde_json::Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(printed.as_object().unwrap().len(), KEYS.len());
+    let options = ReadOptions { unit: Some("um".parse().unwrap()), ..options };
+    let raw = read(&bench.path("scan.txt"), &options).unwrap();
+    let level = raw.clone().level(Level::Quadratic).unwrap();
+    let glance = Glance::new(&raw, Level::Quadratic, [None; 2], &level).unwrap();
+    let glance = serde_json::to_value(glance).unwrap();
+    for (key, value) in glance.as_object().unwrap() {
+        assert_eq!(&printed[key], value, "{key}");
+    }
+    let keys = printed.as_object().unwrap().len();
+    // Two more count outliers.
+    assert_eq!(keys, KEYS.len() + 2 + glance.as_object().unwrap().len());
     assert_eq!(printed["sq"].as_f64(), Some(found.sq));
     assert_eq!(printed["asperity_density"].as_f64(), found.asperity_density);
     assert_eq!(printed["beta_z"].as_f64(), found.beta_z);
@@ -349,4 +359,28 @@ fn scales_show_what_the_shortest_wave_changes() {
         assert_eq!(run.code, Some(2), "{arguments}");
         assert!(run.messages.contains(printed), "{arguments}: {}", run.messages);
     }
+}
+
+#[test]
+fn the_report_leads_with_what_decides_trust_and_is_drawn() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let line = "surface scan.txt --unit um --pixel-size 0.5 --filter 30um --plot report.svg";
+    let out = bench.data(&format!("{line} --format csv"));
+    let names: Vec<&str> = out.lines().filter_map(|row| row.split(',').next()).collect();
+    let place = |name: &str| names.iter().position(|found| *found == name).expect(name);
+    let trust =
+        ["missing_share", "outliers", "tilt_x", "slope_ratio", "long_waves", "m4_over_half"];
+    let later = ["ssk", "filter", "sq", "sa", "spc", "m0", "asperity_radius"];
+    let places: Vec<usize> = trust.into_iter().chain(later).map(place).collect();
+    assert!(places.is_sorted(), "{names:?}");
+    assert!(out.contains("plane removed; no S-filter; Gaussian L-filter of 3e-5 m"), "{out}");
+    let svg = bench.read("report.svg");
+    for word in ["(a) map", "(f) curvature against scale", "Gaussian of the same Sq", "scan.txt"] {
+        assert!(svg.contains(word), "{word}");
+    }
+    let same = "surface scan.txt --unit um --pixel-size 0.5 --plot a.svg --output a.svg";
+    assert_eq!(bench.run(same).code, Some(2));
+    let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 0.5 --plot two.svg");
+    assert!(two.code == Some(2) && two.messages.contains("--plot takes one FILE"));
 }

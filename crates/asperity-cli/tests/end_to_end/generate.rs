@@ -1,0 +1,67 @@
+//! `generate`: random surfaces as files.
+
+use asperity::bem::RandomSurface;
+use asperity_topography::{ReadOptions, read};
+
+use crate::bench::Bench;
+
+const LINE: &str = "generate --hurst 0.7 --long 40um --roll-off 20um --short 2um --size 128x96 \
+                    --pixel 0.5um,0.4um --sq 0.3um --anisotropy 2 --direction 30 --skewness -0.8 \
+                    --seed 7 --output";
+
+#[test]
+fn both_files_hold_the_heights_of_the_library() {
+    let bench = Bench::new();
+    let npy = bench.run(&format!("{LINE} s.npy"));
+    let note = "note: s.npy: heights in m; read it with --unit m --pixel-size 5e-7,4e-7 --periodic";
+    assert_eq!((npy.code, npy.messages.trim()), (Some(0), note));
+    assert_eq!(bench.run(&format!("{LINE} s.x3p")).code, Some(0));
+    let size = [128.0 * 0.5e-6, 96.0 * 0.4e-6];
+    let surface = RandomSurface::of_wavelengths([40e-6, 20e-6, 2e-6], size).unwrap();
+    let surface = surface.hurst(0.7).unwrap().rms_height(0.3e-6).unwrap().seed(7);
+    let surface = surface.lay(2.0, 30.0).unwrap().skewness(-0.8).unwrap();
+    let map = surface.map([96, 128]).unwrap();
+    let (unit, pixel_size) = (Some("m".parse().unwrap()), Some([0.5e-6, 0.4e-6]));
+    let options = ReadOptions { unit, pixel_size, ..ReadOptions::default() };
+    for (name, options) in [("s.npy", options), ("s.x3p", ReadOptions::default())] {
+        let found = read(&bench.path(name), &options).unwrap();
+        assert_eq!((found.rows(), found.columns()), (96, 128), "{name}");
+        assert!((found.pixel_size()[1] / 0.4e-6 - 1.0).abs() < 1e-12, "{name}");
+        let mean = found.mean();
+        let square = found.heights().iter().map(|z| (z - mean).powi(2)).sum::<f64>();
+        let sq = (square / 12288.0).sqrt();
+        assert!((sq / 0.3e-6 - 1.0).abs() < 1e-9, "{name} {sq:e}");
+        // Units of the command line are read to the last digit but one.
+        let far = found.heights().iter().zip(map.heights()).map(|(a, b)| (a - b).abs());
+        assert!(far.fold(0.0, f64::max) < 1e-12 * sq * 1e3, "{name}");
+    }
+    let report = bench.data("surface s.x3p --periodic --format json");
+    let report: serde_json::Value = serde_json::from_str(&report).unwrap();
+    let near = |key: &str, value: f64, within: f64| {
+        let found = report[key].as_f64().unwrap();
+        assert!((found - value).abs() < within, "{key} {found}");
+    };
+    near("ssk", -0.8, 0.002);
+    near("slope_ratio", 2.0, 0.15);
+    near("lay_direction", 30.0, 4.0);
+    near("hurst", 0.7, 0.1);
+}
+
+#[test]
+fn what_cannot_be_made_is_refused() {
+    let bench = Bench::new();
+    let refused = |change: [&str; 2], code: i32, text: &str| {
+        let line = format!("{LINE} s.npy").replace(change[0], change[1]);
+        let run = bench.run(&line);
+        assert_eq!(run.code, Some(code), "{line}\n{}", run.messages);
+        assert!(run.messages.contains(text), "{line}\n{}", run.messages);
+    };
+    refused(["--size 128x96", "--size 128"], 2, "NXxNY was required");
+    refused(["--size 128x96", "--size 99999x99999"], 2, "of at most");
+    refused(["--short 2um", "--short 0.9um"], 1, "more than two pixels for the shortest wave");
+    refused(["--short 2um", "--short 30um"], 1, "longest wave, roll-off and shortest wave in this");
+    refused(["--sq 0.3um", ""], 2, "--sq");
+    refused(["--anisotropy 2", "--anisotropy 0.5"], 1, "ratio of slopes is 0.5");
+    refused(["--skewness -0.8", "--skewness -7"], 1, "skewness is -7");
+    refused(["s.npy", "s.txt"], 2, "ends in .npy or .x3p");
+}
