@@ -188,6 +188,6 @@ fn commas_brackets_and_other_units_are_explained() {
         let found = message(&scene.replacen(from, to, 1));
         assert!(found.contains(wanted), "{found}");
         let found = message(&scene.replace("[[body]]", "[body]"));
-        assert!(found.contains("[[body]], a list (two of them"), "{found}");
+        assert!(found.contains("each written [[body]]"), "{found}");
     }
 }
