@@ -79,7 +79,9 @@ fn wrong(contact: &dyn Contact, load: f64) -> Option<String> {
     let wanted = scan(contact, load, top);
     let one = contact.separation_at(load);
     let all = match (contact.separations_at(load), &one) {
-        (Ok(all), Ok(one)) if all.last() == Some(one) => all,
+        (Ok(all), Ok(one)) if all.last() == Some(one) && load > 0.0 => all,
+        // Of a tension, the stable one.
+        (Ok(all), Ok(one)) if all.first() == Some(one) && load < 0.0 => all,
         (Err(_), Err(_)) if wanted.is_empty() => return None,
         (all, one) => return Some(format!("{one:?} but {all:?}; scan {wanted:?}")),
     };

@@ -92,8 +92,11 @@ impl<'s> Question<'s> {
                     }
                     _ => true,
                 };
-                if let Some(reason) = values().filter_map(Result::err).find(is_new) {
-                    count(&mut reasons, reason);
+                let mut failed = had.iter().zip(values()).filter_map(|(q, v)| Some((*q, v.err()?)));
+                if let Some((quantity, reason)) = failed.find(|(_, e)| is_new(e)) {
+                    // Other quantities of the row may have a value.
+                    let partly = values().any(|value| value.is_ok()).then_some(quantity);
+                    count(&mut reasons, (partly, &**reason));
                 }
                 let separation = contact.separation(at);
                 let length = |unit| {
@@ -113,7 +116,7 @@ impl<'s> Question<'s> {
         if self.request.at.iter().any(tension) && !adhesive {
             self.warnings.push(format!("{id} carries no tension; use dmt, jkr or jkr-separation"));
         }
-        self.warnings.extend(reasons.into_iter().map(|(count, reason)| {
+        self.warnings.extend(reasons.into_iter().map(|(count, (partly, reason))| {
             let hint = match reason {
                 ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
                     "; jkr-separation, which describes opening, may carry more"
@@ -122,7 +125,10 @@ impl<'s> Question<'s> {
             };
             match rows {
                 1 => format!("{id}: {reason}{hint}"),
-                _ => format!("{id}: no value in {count} of {rows} rows, first: {reason}{hint}"),
+                _ => {
+                    let what = partly.map_or("value".into(), |quantity| quantity.to_string());
+                    format!("{id}: no {what} in {count} of {rows} rows, first: {reason}{hint}")
+                }
             }
         }));
         Ok(())
@@ -214,11 +220,20 @@ impl<'s> Question<'s> {
     }
 }
 
+/// A quantity without a value in a row with other values, and the reason.
+type Lacking<E> = (Option<Quantity>, E);
+
 /// Counts the reasons for missing values, each kind once.
-fn count(kinds: &mut Vec<(usize, ContactError)>, reason: &ContactError) {
-    match kinds.iter_mut().find(|(_, known)| discriminant(known) == discriminant(reason)) {
+fn count(
+    kinds: &mut Vec<(usize, Lacking<ContactError>)>,
+    (partly, reason): Lacking<&ContactError>,
+) {
+    let same = |known: &Lacking<ContactError>| {
+        known.0 == partly && discriminant(&known.1) == discriminant(reason)
+    };
+    match kinds.iter_mut().find(|(_, known)| same(known)) {
         Some((count, _)) => *count += 1,
-        None => kinds.push((1, reason.clone())),
+        None => kinds.push((1, (partly, reason.clone()))),
     }
 }
 

@@ -31,7 +31,7 @@ impl Document<'_> {
         let needed = match needed {
             "f64" => format!("a number in SI units, without quotes ({meaning}),"),
             "a boolean" => "true or false".into(),
-            "a sequence" if path == "body" => format!("[[body]], a list ({meaning})"),
+            "a sequence" if path == "body" => format!("a list ({meaning}), each written [[body]],"),
             "a sequence" => format!("a list ({meaning})"),
             "path string" => format!("the path of a file, in quotes ({meaning}),"),
             other if other.starts_with("wanted ") => "a name in quotes".into(),

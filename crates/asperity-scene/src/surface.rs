@@ -24,33 +24,42 @@ const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
 
+/// The units, SI first, in which instruments report ISO 25178 parameters.
+const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
+    ("sq", [("m", 1.0), ("um", 1e-6), ("nm", 1e-9)]),
+    ("spd", [("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)]),
+    ("spc", [("1/m", 1.0), ("1/mm", 1e3), ("1/um", 1e6)]),
+];
+
 /// The units in which ISO 25178 parameters that were given without one describe a usual surface.
-fn likely_units(document: &Document<'_>, [sq, spd, spc]: [f64; 3]) -> Option<String> {
-    const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("um", 1e-6), ("nm", 1e-9)];
-    const DENSITIES: [(&str, f64); 3] = [("1/m2", 1.0), ("1/mm2", 1e6), ("1/um2", 1e12)];
-    const CURVATURES: [(&str, f64); 3] = [("1/m", 1.0), ("1/mm", 1e3), ("1/um", 1e6)];
-    let all = LENGTHS.iter().flat_map(|a| {
-        DENSITIES.iter().flat_map(move |b| CURVATURES.iter().map(move |c| [*a, *b, *c]))
-    });
-    let given = [("sq", sq), ("spd", spd), ("spc", spc)];
-    let stated = |key: &str| document.stated.contains(&format!("surface.{key}"));
+fn likely_units(document: &Document<'_>, given: [f64; 3]) -> Option<String> {
+    // Indices of units; one of them is tried for a number without a unit only.
+    let triples = (0..27).map(|k| [k % 3, k / 3 % 3, k / 9]);
+    let si = |[a, b, c]: &[usize; 3]| [*a, *b, *c].iter().filter(|k| **k == 0).count();
+    let converted = |units: &[usize; 3], k: usize| {
+        let (key, known) = ISO_UNITS.get(k)?;
+        let (index, value) = (*units.get(k)?, *given.get(k)?);
+        let (unit, factor) = known.get(index)?;
+        let stated = document.stated.contains(&format!("surface.{key}"));
+        (index == 0 || !stated).then_some((*key, value, *unit, value * factor))
+    };
     let [from, to] = Surface::USUAL_ASPERITY_ROUGHNESS;
-    let usual = |units: &[(&str, f64); 3]| {
-        let changed = given.iter().zip(units).all(|((key, _), unit)| unit.1 == 1.0 || !stated(key));
-        let surface = Surface::from_iso25178(sq * units[0].1, spd * units[1].1, spc * units[2].1);
-        changed
-            && surface.is_ok_and(|s| {
-                s.findings().is_empty() && (from..=to).contains(&s.roughness_parameter())
-            })
+    let usual = |units: &[usize; 3]| {
+        let number = |k| converted(units, k).map(|(.., meant)| meant);
+        let numbers = number(0).zip(number(1)).zip(number(2));
+        let surface = numbers.map(|((sq, spd), spc)| Surface::from_iso25178(sq, spd, spc));
+        surface.and_then(Result::ok).is_some_and(|surface| {
+            surface.findings().is_empty() && (from..=to).contains(&surface.roughness_parameter())
+        })
     };
-    let changes = |units: &[(&str, f64); 3]| units.iter().filter(|unit| unit.1 != 1.0).count();
-    let units = all.filter(usual).min_by_key(changes)?;
-    let changed = given.iter().zip(&units).filter(|(_, unit)| unit.1 != 1.0);
-    let hint = |((key, value), (unit, factor)): (&(&str, f64), &(&str, f64))| {
-        let [given, meant] = [*value, value * factor].map(asperity::short);
-        format!("{key} = {given} looks like {unit}; {given} {unit} is {meant} in SI units")
+    let units = triples.filter(usual).max_by_key(si)?;
+    let changed = (0..3).filter(|k| units.get(*k).is_some_and(|index| *index > 0));
+    let hint = |(key, value, unit, meant): (&str, f64, &str, f64)| {
+        let [value, meant] = [value, meant].map(asperity::short);
+        format!("{key} = {value} looks like {unit}; {value} {unit} is {meant} in SI units")
     };
-    Some(changed.map(hint).collect::<Vec<_>>().join("; "))
+    let hints: Vec<String> = changed.filter_map(|k| converted(&units, k)).map(hint).collect();
+    Some(hints.join("; "))
 }
 
 /// The numbers among the keys of `[surface]`.

@@ -70,6 +70,10 @@ impl Conductance {
         let mut scene = LoadedScene::load(&self.scene)?;
         let known = &mut scene.file.scene.interface.thermal_conductivity;
         *known = self.conductivity.or(*known);
+        if known.is_none() {
+            let how = "set it in both [[body]], or use --conductivity";
+            bail!("{}: thermal_conductivity is missing: {how}", scene.name);
+        }
         let (contact, roughness) = (&scene.file.scene, scene.file.gap_roughness());
         let flat = |list: &Option<Numbers>| list.iter().flat_map(|l| l.0.clone()).collect();
         let (loads, pressures): (Vec<f64>, Vec<f64>) = (flat(&self.load), flat(&self.pressure));

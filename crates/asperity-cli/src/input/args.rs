@@ -63,9 +63,9 @@ pub struct Closed {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Model by id, as listed by `asperity models`
+    /// Model by id, as listed by `asperity models` [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = one_model_id)]
-    model: String,
+    model: Option<String>,
     #[command(flatten)]
     place: Place,
 }
@@ -89,7 +89,7 @@ impl Closed {
     /// The scene and the model.
     pub fn open(&self) -> Result<(LoadedScene, NamedModel)> {
         let scene = LoadedScene::load(&self.scene)?;
-        let model = scene.model(&self.model)?;
+        let model = scene.reference(self.model.as_deref())?;
         Ok((scene, model))
     }
 

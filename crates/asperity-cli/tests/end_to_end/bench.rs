@@ -93,7 +93,7 @@ impl Bench {
     }
 
     pub fn scene(&self, name: &str) -> SceneFile {
-        asperity_scene::load(&self.path(name)).unwrap()
+        asperity_scene::load(self.path(name)).unwrap()
     }
 }
 

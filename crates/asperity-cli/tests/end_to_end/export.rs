@@ -220,7 +220,7 @@ fn conductance_and_friction_agree_with_the_model() {
     for (arguments, printed) in [
         (
             "--as calculix --conductance clearance",
-            "format is calculix: one with conductance against",
+            "calculix has no conductance against clearance; use abaqus",
         ),
         // Before any table is made: no table meets this error.
         (

@@ -104,7 +104,7 @@ impl Surface {
             ))
             .advice("check the numbers and their units")
             .likely_unit(format!(
-                "both look like {name}, and the density {} like {inverse}; give m and 1/m2",
+                "all lengths look like {name}, and the density {} like {inverse}; give m and 1/m2",
                 short(self.asperity_density)
             ));
         Some(found)

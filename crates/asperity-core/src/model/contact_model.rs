@@ -36,8 +36,8 @@ pub trait ContactModel: Described {
     }
 
     /// The shares of the force at a place that asperities with interferences beyond these multiples
-    /// of w_c carry, for a model of asperities of different radii, each with its own w_c; `None` for
-    /// others.
+    /// of w_c carry, for a model of asperities of different radii, each with its own w_c; `None`
+    /// for others.
     ///
     /// # Errors
     /// [`ContactError::Missing`] without a hardness, and those of [`compile`](Self::compile) and of

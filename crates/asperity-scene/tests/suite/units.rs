@@ -159,7 +159,7 @@ fn a_likely_unit_is_within_the_usual_range_beside_it() {
     let wanted = "body[1].youngs_modulus is 2.1e5 Pa (usual: 1.333e9 to 1.333e12): 2.1e5 looks like MPa; 2.1e5 MPa is 2.1e11 Pa";
     assert_eq!(findings("youngs_modulus = 210000", "1e-4", GROUND), [wanted]);
     let surface = "asperity_radius = 50\nasperity_density = 2000\nasperity_height_std = 1";
-    let wanted = "asperity_height_std is 1 m, asperity_radius 50 m: both look like um, and the density 2000 like 1/mm2; give m and 1/m2";
+    let wanted = "asperity_height_std is 1 m, asperity_radius 50 m: all lengths look like um, and the density 2000 like 1/mm2; give m and 1/m2";
     assert_eq!(findings(STEEL, "1e-4", surface), [wanted]);
     let surface = "sq = \"1 um\"\nspd = 2000\nspc = 50";
     let found = findings(STEEL, "1e-4", surface);
@@ -188,6 +188,6 @@ fn commas_brackets_and_other_units_are_explained() {
         let found = message(&scene.replacen(from, to, 1));
         assert!(found.contains(wanted), "{found}");
         let found = message(&scene.replace("[[body]]", "[body]"));
-        assert!(found.contains("[[body]], a list (two of them"), "{found}");
+        assert!(found.contains("each written [[body]]"), "{found}");
     }
 }
