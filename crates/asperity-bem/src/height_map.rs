@@ -19,9 +19,9 @@ impl HeightMap {
     /// Any sizes from 2 on, odd ones and oblongs too; products of small primes are quickest.
     ///
     /// # Errors
-    /// [`BemError::Size`] below 2 rows or columns, [`BemError::Count`] when there are too few or too many
-    /// heights, [`BemError::Height`] for a NaN or an infinite height, [`BemError::OutOfRange`]
-    /// for a pixel without a positive length.
+    /// [`BemError::Size`] below 2 rows or columns, [`BemError::Count`] when there are too few or
+    /// too many heights, [`BemError::Height`] for a NaN or an infinite height,
+    /// [`BemError::OutOfRange`] for a pixel without a positive length.
     pub fn new(
         mut heights: Vec<f64>,
         shape: [usize; 2],

@@ -29,8 +29,8 @@ const RISE: f64 = 1e-10;
 pub(crate) struct Problem<'a> {
     /// Heights about their mean \[m\].
     pub(crate) heights: &'a [f64],
-    /// The greatest of them \[m\]. Gaps are measured from it: under light loads deflections are below the
-    /// rounding of the heights themselves.
+    /// The greatest of them \[m\]. Gaps are measured from it: under light loads deflections are
+    /// below the rounding of the heights themselves.
     pub(crate) highest: f64,
     /// Largest pressure \[Pa\]: the hardness, or infinity.
     pub(crate) cap: f64,
@@ -155,8 +155,8 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// The offset when every pixel of the contact is plastic: half-way between the plastic pixel that
-    /// is pressed in least and the lowest of the others.
+    /// The offset when every pixel of the contact is plastic: half-way between the plastic pixel
+    /// that is pressed in least and the lowest of the others.
     fn offset_between_bounds(&self) -> f64 {
         let problem = self.problem;
         let maps = [&self.pressures, &self.deflections, problem.heights];

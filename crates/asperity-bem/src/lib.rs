@@ -15,7 +15,8 @@
 //! surface, E equivalent modulus, q wave vector. Frictionless. Where p = H the gap is negative: it
 //! is the plastic depth.
 //!
-//! The solution has the least energy Σ p (u/2 - h); `iteration.rs` describes the method. 10 to 60 iterations of two to three transforms, on grids of any size.
+//! The solution has the least energy Σ p (u/2 - h); `iteration.rs` describes the method. 10 to 60
+//! iterations of two to three transforms, on grids of any size.
 //!
 //! # Valid for
 //! Small slopes. Resolved maps: [`Solution::notes`] reports waves and contacts of few pixels;

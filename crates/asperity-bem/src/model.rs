@@ -13,8 +13,8 @@ use asperity_core::{
 use crate::continuation::taken_part;
 use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
-/// Relative error at the usual tolerance: of the contact of these pixels, not of the surface between
-/// them.
+/// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
+/// between them.
 const ERROR: f64 = 1e-6;
 /// Loads with a smaller relative difference are equal within rounding.
 const SAME: f64 = 1e-12;

@@ -19,8 +19,8 @@ const SHORT_SHARE: f64 = 0.01;
 /// Classes of the frequency, from 0 to the diagonal of a pixel.
 const CLASSES: usize = 1024;
 
-/// Diagnostics of a contact at this place: few pixels, whose area is coarse, or few patches, so that
-/// one map does not represent its surface.
+/// Diagnostics of a contact at this place: few pixels, whose area is coarse, or few patches, so
+/// that one map does not represent its surface.
 pub(crate) fn of_contact(
     at: At,
     pixels: usize,

@@ -1,5 +1,5 @@
-//! What a solved contact does next: its stiffness while the pixels stay in contact (the slope at the
-//! start of unloading, which small vibrations and ultrasound measure), and the surface that it
+//! What a solved contact does next: its stiffness while the pixels stay in contact (the slope at
+//! the start of unloading, which small vibrations and ultrasound measure), and the surface that it
 //! unloads with.
 
 use crate::half_space::{Filter, HalfSpace};
@@ -31,12 +31,12 @@ impl BoundaryElements {
     /// elastically and follow an even approach, K p = 1 on them.
     ///
     /// For elastic contacts it is the slope of load over mean gap. For yielded ones it is the slope
-    /// at the start of unloading, which exceeds that of loading. By Barber's analogy the constriction
-    /// conductance of the same contacts is k_s/E times the stiffness. \[derived\]
+    /// at the start of unloading, which exceeds that of loading. By Barber's analogy the
+    /// constriction conductance of the same contacts is k_s/E times the stiffness. \[derived\]
     ///
     /// # Errors
-    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`] where
-    /// every pixel of a periodic map touches, [`BemError::NotConverged`].
+    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
+    /// where every pixel of a periodic map touches, [`BemError::NotConverged`].
     pub fn fixed_contact(&self, solution: &Solution) -> Result<FixedContact, BemError> {
         let [rows, columns] = self.map().shape();
         let found = solution.pressures.len();
@@ -48,9 +48,9 @@ impl BoundaryElements {
         inside(|| even_approach(&contact, &mut space))
     }
 
-    /// The same contact with the surface that `solution` leaves: its plastic depths are taken off the
-    /// heights. The load of `solution` gives the same pressures again; smaller loads, or larger mean
-    /// gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
+    /// The same contact with the surface that `solution` leaves: its plastic depths are taken off
+    /// the heights. The load of `solution` gives the same pressures again; smaller loads, or larger
+    /// mean gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
     ///
     /// Mean gaps count from the mean plane of the new heights, from where that of `solution` is its
     /// [`mean_open_gap`](Solution::mean_open_gap): the retreat is the difference to it. \[derived\]

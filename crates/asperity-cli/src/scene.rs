@@ -4,7 +4,9 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use asperity::bem::Bem;
-use asperity::{At, ContactError, ContactModel, Diagnostics, Model, Quantity, Request, Severity};
+use asperity::{
+    At, ContactError, ContactModel, Diagnostic, Diagnostics, Model, Quantity, Request, Severity,
+};
 use asperity_scene::{LeftOut, SceneFile};
 
 use crate::output::{self, once, print_message, report};
@@ -41,7 +43,11 @@ impl LoadedScene {
         output::keep(path);
         let file = asperity_scene::load_scan(path, periodic)?;
         let scene = Self { file, name: path.display().to_string() };
-        scene.report_for(false);
+        // The asperities of a scan follow from it and are not used.
+        let used = |found: &Diagnostic| !found.field.starts_with("asperity_");
+        let found = scene.file.warnings.iter().cloned().chain(scene.file.findings()).filter(used);
+        let found = found.collect::<Diagnostics>().for_asperities(false);
+        report(&found.at_least(Severity::Warning));
         Ok(scene)
     }
 

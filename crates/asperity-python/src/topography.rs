@@ -244,8 +244,9 @@ impl Topography {
 
     /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface
     /// --format json``: form removed, lay and ratio of slopes, long waves on the shorter side, moments
-    /// over those at half the resolution, Sa to Spc, and the power law of the radial spectrum. After
-    /// levelling and, with cut-offs [m], Gaussian filters (``smooth`` short, ``cutoff`` long).
+    /// over those at half the resolution, Sa to Spc, and the power law of the radial spectrum.
+    /// After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short, ``cutoff``
+    /// long).
     #[pyo3(signature = (level=None, smooth=None, cutoff=None))]
     fn report<'py>(
         &self,
@@ -259,8 +260,8 @@ impl Topography {
         object(py, &found.map_err(value_error)?.1)
     }
 
-    /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density of
-    /// its heights, spectra, slope and curvature against scale; see ``report``.
+    /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density
+    /// of its heights, spectra, slope and curvature against scale; see ``report``.
     #[pyo3(signature = (level=None, smooth=None, cutoff=None, title=""))]
     fn plot<'py>(
         &self,

@@ -8,11 +8,13 @@ use crate::document::Document;
 /// The codes of all warnings and notes about scans, scenes and answers.
 const CODES: &str = "\
     above-hardness adhesion anisotropic area-above-nominal atomic below-a-pixel beyond-fit \
-    cancelled crowded curvature-follows-sampling deep energy-gain estimators-disagree \
-    few-asperities few-contacts few-patches few-pixels filled fit-misses heights-integral heights-std \
-    hurst-exponent level negative negative-angle-density no-contact no-hardness \
-    no-second-estimator not-gaussian not-monotone open-seam roughness-parameter seam short-waves slope \
-    sticks summits-follow-sampling tabor undeclared-kink underflow unit unusual-size yields";
+    cancelled channel crowded curvature-follows-sampling deep despiked energy-gain \
+    estimators-disagree few-asperities few-contacts few-patches few-pixels filled fit-misses \
+    heights-integral heights-std hurst-exponent inverted level mask negative \
+    negative-angle-density no-asperities no-contact no-hardness no-second-estimator not-gaussian \
+    not-monotone open-seam outliers periodic-part resampled roughness-parameter seam short-waves \
+    slope sticks summits-follow-sampling tabor undeclared-kink underflow unit unusual-size \
+    yields";
 
 /// Refuses a code that no warning and no note has.
 pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), SceneError> {

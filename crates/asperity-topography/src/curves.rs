@@ -114,8 +114,8 @@ impl Topography {
         all
     }
 
-    /// Heights \[m\] for a map of at most `most` points on a side, row by row, and their number in a
-    /// row: means of squares of points, NaN where none is measured.
+    /// Heights \[m\] for a map of at most `most` points on a side, row by row, and their number in
+    /// a row: means of squares of points, NaN where none is measured.
     #[must_use]
     pub fn coarse(&self, most: usize) -> (Vec<f64>, usize) {
         let block = |n: usize| n.div_ceil(most.max(1));

@@ -1,5 +1,5 @@
-//! The stiffness at fixed contact and the path of unloading, against closed forms and differences of
-//! solutions.
+//! The stiffness at fixed contact and the path of unloading, against closed forms and differences
+//! of solutions.
 
 use std::f64::consts::PI;
 

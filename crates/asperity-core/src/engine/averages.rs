@@ -62,8 +62,8 @@ pub(crate) trait Averages<'s> {
     /// separation.
     fn falls(&self) -> Result<Option<Arc<Falls>>, ContactError>;
 
-    /// The force's integral and slope at s where its law falls, to guide a search: with a slope also
-    /// where its bound exceeds the tolerance.
+    /// The force's integral and slope at s where its law falls, to guide a search: with a slope
+    /// also where its bound exceeds the tolerance.
     fn guide(&self, falls: &Falls, s: f64) -> Result<Moments, ContactError> {
         falls.force(s)
     }

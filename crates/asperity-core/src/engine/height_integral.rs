@@ -344,15 +344,12 @@ pub(crate) struct Other {
     tolerance: f64,
 }
 
-/// Relative errors from here on leave no digit.
-const UNKNOWN: f64 = 0.1;
-
 impl Other {
     fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
         let found = self.integral.at(&self.heights.weight()?, s * self.height_std, extent)?;
         let error = found.error + self.error;
-        // The logarithm of a density that falls as steeply as exp(-z^30) has no digits far out.
-        if error >= UNKNOWN {
+        // Far out, the logarithm of a density that falls as steeply as exp(-z^30) has no digits.
+        if error.is_infinite() {
             let (asked, evaluations) = (self.tolerance, 0);
             return Err(QuadratureError::NotConverged { reached: error, asked, evaluations });
         }

@@ -40,8 +40,8 @@ pub(crate) struct Variation {
     pub(crate) falls: Option<f64>,
     /// Beyond this, it turns more often than can be followed.
     pub(crate) resolved: f64,
-    /// The farthest place at which it was looked at, and its value, unless its formula shows that it
-    /// rises for ever.
+    /// The farthest place at which it was looked at, and its value, unless its formula shows that
+    /// it rises for ever.
     last: Option<(f64, f64)>,
 }
 
