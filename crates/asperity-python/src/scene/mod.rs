@@ -18,6 +18,7 @@ use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
 use crate::convert::objects::object;
 use crate::records::{Asperity, Body, Interface, Record, Surface, instance, shown};
+use crate::topography::found;
 use heights::Heights;
 pub(crate) use heights::OptionValue;
 use inputs::{inputs, inputs_in_si, with_numbers};
@@ -112,6 +113,7 @@ impl SceneFile {
     /// Reads a scene file and the files it names.
     #[staticmethod]
     fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        found(&path)?;
         Self::read(py, py.detach(|| asperity_scene::load(&path)))
     }
 
