@@ -163,7 +163,7 @@ def test_impossible_arguments_are_refused(scene: asperity.Scene) -> None:
     steel = asperity.Body(210e9, 0.3, hardness=2e9)
     with pytest.raises(TypeError, match="^interface must be an Interface, not a Body"):
         asperity.bem(scan(), interface=steel, pressure=1e7)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="^surface must be a Topography or a Scene, not a list"):
+    with pytest.raises(TypeError, match="^pixel_size is missing: heights in an array need it, in m"):
         asperity.bem([[0.0]], interface=steel, pressure=1e7)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="interface was given beside a scene"):
         asperity.bem(scene, interface=STEEL, pressure=1e7)
