@@ -56,8 +56,6 @@ mod _asperity {
     #[pymodule_export]
     use crate::records::{Asperity, Body, Interface, Surface};
     #[pymodule_export]
-    use crate::scene::inputs::inputs_in_si;
-    #[pymodule_export]
     use crate::scene::{SceneFile, template};
     #[pymodule_export]
     use crate::topography::Topography;

@@ -1,9 +1,10 @@
 //! `Topography`: a measured surface, from heights in memory or from a file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, Statistics, TopographyError};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
+use pyo3::exceptions::{PyFileNotFoundError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -27,10 +28,23 @@ use crate::records::Surface;
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
 
-#[derive(FromPyObject)]
 pub(crate) enum Spacing {
     Same(f64),
     Two(f64, f64),
+}
+
+impl<'py> FromPyObject<'_, 'py> for Spacing {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let two = || given.extract::<(f64, f64)>().map(|(dx, dy)| Self::Two(dx, dy));
+        given.extract().map(Self::Same).or_else(|_| two()).map_err(|_| {
+            let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
+            PyTypeError::new_err(format!(
+                "{shown} is no distance of points: a number, or two, in the unit of the heights was required"
+            ))
+        })
+    }
 }
 
 impl Spacing {
@@ -50,6 +64,17 @@ fn unreadable(error: TopographyError) -> PyErr {
             UnsupportedFormat::new_err(message)
         }
         _ => value_error(message),
+    }
+}
+
+/// `FileNotFoundError` for a path without a file.
+pub(crate) fn found(path: &Path) -> PyResult<()> {
+    match path.try_exists() {
+        Ok(false) => {
+            let shown = path.display();
+            Err(PyFileNotFoundError::new_err(format!("{shown}: no such file")))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -93,6 +118,7 @@ impl Topography {
     ) -> PyResult<Self> {
         let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(Spacing::both));
         let options = ReadOptions { unit, pixel_size, max_missing, channel };
+        found(&path)?;
         let read = py.detach(|| asperity_topography::read(&path, &options));
         Ok(Self(read.map_err(unreadable)?))
     }

@@ -163,6 +163,9 @@ def test_models_are_compared_with_it(scene: asperity.Scene) -> None:
     assert rows[2]["area_fraction"] == pytest.approx(area)
     assert rows[2]["area_deviation"] == pytest.approx(area / found.area_fraction[0] - 1)
     alone = asperity.truth(scene, load=20.0, models=["ke"])
+    head, *lines = str(alone).splitlines()
+    assert head.split()[:3] == ["load", "pressure", "model"]
+    assert lines[0].split()[0] == "20" and lines[-1] == alone.nearest
     assert [row["area_fraction"] for row in alone] == [rows[k]["area_fraction"] for k in (0, 2)]
     everything = {row["model"] for row in asperity.truth(scene, pressure=2e7)}
     assert everything > {"bem", "ke-random", "persson-fudge", *scene.models()}

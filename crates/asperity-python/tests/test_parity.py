@@ -31,6 +31,8 @@ def test_a_scan_is_read_levelled_filtered_and_smoothed(tmp_path: Path) -> None:
     assert scan.pixel_size == pytest.approx((2e-6, 2e-6)) and not scan.periodic
     one_by_one = scan.level("plane").filter(6e-5).statistics(level="none")
     at_once = scan.statistics(level="plane", cutoff=6e-5)
+    # approx does not compare nested dicts.
+    assert one_by_one.pop("outliers") == at_once.pop("outliers")
     assert one_by_one == pytest.approx(at_once)
     smooth = scan.smooth(1e-5)
     assert isinstance(smooth, asperity.Topography)

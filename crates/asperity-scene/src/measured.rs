@@ -14,7 +14,7 @@ use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::scan::open_seam;
 use crate::scene_file::Asked;
-use crate::{Measured, Place, SceneError};
+use crate::{Measured, Place, Roughness, SceneError};
 
 /// The bandwidth α of the surface that stands in where a scan has no asperities.
 const BANDWIDTH: f64 = 3.0;
@@ -63,6 +63,8 @@ pub(crate) struct SurfaceDescription {
     pub(crate) no_asperities: Option<String>,
     /// The keys from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
+    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    pub(crate) roughness: Option<Roughness>,
 }
 
 /// The surface of one measured file, or of two files in contact.
@@ -173,7 +175,16 @@ pub(crate) fn measured(
     });
     let (heights, measured) = (heights.transpose()?, Some(measured));
     let follows_from = &[];
-    Ok(SurfaceDescription { surface, measured, heights, notes, scan, no_asperities, follows_from })
+    Ok(SurfaceDescription {
+        surface,
+        measured,
+        heights,
+        notes,
+        scan,
+        no_asperities,
+        follows_from,
+        roughness: None,
+    })
 }
 
 /// A Gaussian surface with the rms height and slope of a scan without asperities.

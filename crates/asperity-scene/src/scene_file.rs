@@ -4,9 +4,9 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Body, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, HeightDistribution,
-    Interface, Model, Quantity, Request, Scene, Separation, SeparationUnit, Surface,
-    TabulatedHeights, WeibullHeights,
+    Body, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, HeightDistribution, Model,
+    Quantity, Request, Scene, Separation, SeparationUnit, Surface, TabulatedHeights,
+    WeibullHeights,
 };
 use asperity_bem::Bem;
 use asperity_topography::Topography;
@@ -19,7 +19,7 @@ use crate::interface::{InterfaceKeys, interface};
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
-use crate::{Asperities, Measured, ModelOptions, Place, SceneError, accept};
+use crate::{Asperities, Measured, ModelOptions, Place, Roughness, SceneError, accept};
 
 /// A scene with the options of its models, as a scene file describes it.
 #[derive(Debug, Clone)]
@@ -47,6 +47,8 @@ pub struct SceneFile {
     pub(crate) no_asperities: Option<String>,
     /// The keys of `[surface]` from which the asperities follow, if they are not given directly.
     pub(crate) follows_from: &'static [&'static str],
+    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    pub roughness: Option<Roughness>,
     /// The keys that were given with a unit.
     pub(crate) stated: Vec<String>,
     /// The file as read, for writing it again.
@@ -243,6 +245,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         scan,
         no_asperities: described.no_asperities,
         follows_from: described.follows_from,
+        roughness: described.roughness,
         stated: document.stated.clone(),
         read: Some(Arc::new(read)),
         spectrum: Arc::default(),
@@ -282,6 +285,7 @@ impl From<Scene> for SceneFile {
             scan: None,
             no_asperities: None,
             follows_from: &[],
+            roughness: None,
             stated: vec![],
             read: None,
             spectrum: Arc::default(),
@@ -387,39 +391,5 @@ impl SceneFile {
         let scene = Scene::new(self.scene.interface, surface, self.scene.nominal_area);
         let (options, separation_from) = (self.options, self.separation_from);
         Self { options, separation_from, scan: Some(Arc::new(scan)), ..Self::from(scene) }
-    }
-
-    /// The scene with other numbers and the same options, heights and plane of separations: a table
-    /// of heights stays in metres, and the mean plane follows the surface.
-    ///
-    /// # Errors
-    /// [`ContactError`] naming the field that is out of range.
-    pub fn with_numbers(
-        &self,
-        interface: Interface,
-        surface: Surface,
-        nominal_area: f64,
-    ) -> Result<Self, ContactError> {
-        let mut scene = Scene::new(interface, surface, nominal_area);
-        scene.asperity()?;
-        scene.heights = self.scene.heights.clone();
-        // A measurement is valid for its own surface only.
-        let measured = self.scene.mean_plane_offset.filter(|_| surface == self.scene.surface);
-        scene.mean_plane_offset = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
-        let bodies = if interface == self.scene.interface { self.bodies.clone() } else { vec![] };
-        let measured = self.measured.clone().filter(|_| surface == self.scene.surface);
-        let scan = self.scan.clone().filter(|_| surface == self.scene.surface);
-        let follows_from: &[&str] =
-            if surface == self.scene.surface { self.follows_from } else { &[] };
-        Ok(Self {
-            scene,
-            bodies,
-            measured,
-            follows_from,
-            stated: vec![],
-            warnings: Diagnostics::default(),
-            scan,
-            ..self.clone()
-        })
     }
 }

@@ -1,14 +1,14 @@
 //! `[surface]`: the asperities, in exactly one of five ways.
 
-use asperity::{Interface, ProfileMoments, Surface};
+use asperity::{Interface, Surface};
 use serde::Deserialize;
 
-use crate::SceneError;
 use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::measured::{SurfaceDescription, measured};
 use crate::scene_file::Asked;
 use crate::template::measured_keys;
+use crate::{Roughness, SceneError};
 
 /// The five ways; `asperity_height_std` belongs to two of them.
 const WAYS: [&[&str]; 5] = [
@@ -124,42 +124,49 @@ pub(crate) fn surface(
     };
     let std = || needed(STD, keys.asperity_height_std.or(measured_std));
     let refused = document.refused("surface");
-    let surface = match way {
+    let roughness = match way {
         0 => {
             let radius = needed("asperity_radius", keys.asperity_radius)?;
             let density = needed("asperity_density", keys.asperity_density)?;
-            match keys.surface_height_std {
-                Some(std) => Surface::from_surface_std(radius, density, std).map_err(&refused)?,
-                None => Surface::new(radius, density, std()?),
-            }
-        }
-        1 => {
-            let index = needed("plasticity_index", keys.plasticity_index)?;
-            let parameter = needed("roughness_parameter", keys.roughness_parameter)?;
-            Surface::from_plasticity_index(index, parameter, std()?, interface).map_err(&refused)?
+            let of_surface = |std| Roughness::SurfaceStd([radius, density, std]);
+            keys.surface_height_std.map(of_surface)
         }
         2 => {
             let m0 = needed("m0", keys.m0)?;
-            let (m2, m4) = (needed("m2", keys.m2)?, needed("m4", keys.m4)?);
-            Surface::from_moments(&ProfileMoments { m0, m2, m4 }).map_err(&refused)?
+            Some(Roughness::Moments([m0, needed("m2", keys.m2)?, needed("m4", keys.m4)?]))
         }
         3 => {
-            let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
-            let spc = needed("spc", keys.spc)?;
-            let surface = Surface::from_iso25178(sq, spd, spc);
-            if surface.is_err()
-                && let Some(units) = likely_units(document, [sq, spd, spc])
+            let sq = needed("sq", keys.sq)?;
+            Some(Roughness::Iso25178([sq, needed("spd", keys.spd)?, needed("spc", keys.spc)?]))
+        }
+        _ => None,
+    };
+    let surface = match (roughness, way) {
+        (Some(roughness), _) => {
+            let surface = roughness.surface();
+            if let (Err(_), Roughness::Iso25178(numbers)) = (&surface, roughness)
+                && let Some(units) = likely_units(document, numbers)
             {
                 return Err(SceneError::Measured { at: document.place("surface"), reason: units });
             }
             surface.map_err(&refused)?
         }
+        (None, 0) => {
+            let radius = needed("asperity_radius", keys.asperity_radius)?;
+            let density = needed("asperity_density", keys.asperity_density)?;
+            Surface::new(radius, density, std()?)
+        }
+        (None, 1) => {
+            let index = needed("plasticity_index", keys.plasticity_index)?;
+            let parameter = needed("roughness_parameter", keys.roughness_parameter)?;
+            Surface::from_plasticity_index(index, parameter, std()?, interface).map_err(&refused)?
+        }
         _ => return measured(document, heights, asked),
     };
     surface.check().map_err(&refused)?;
-    let follows_from = match way {
-        0 if has(&&SURFACE_STD) => &["asperity_radius", "asperity_density", SURFACE_STD],
-        0 => &[][..],
+    let follows_from = match (&roughness, way) {
+        (Some(roughness), _) => roughness.keys(),
+        (None, 0) => &[][..],
         _ => WAYS[way],
     };
     Ok(SurfaceDescription {
@@ -170,5 +177,6 @@ pub(crate) fn surface(
         scan: None,
         no_asperities: None,
         follows_from,
+        roughness,
     })
 }

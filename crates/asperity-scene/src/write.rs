@@ -244,6 +244,7 @@ impl SceneFile {
             measured: _,
             scan: _,
             follows_from: _,
+            roughness: _,
             // Made on reading.
             no_asperities: _,
             stated: _,

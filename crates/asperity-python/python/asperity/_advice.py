@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Rows, place, quantity_names
+from asperity._arguments import LOADS, Rows, one_scene, place, quantity_names
 from asperity._asperity import Engine, Scene
 from asperity._check import Check
 from asperity._model import Model
@@ -97,7 +97,7 @@ def plan(
         elastic-plastic 2: sum of powers
         plastic: sum of powers
     """
-    rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+    rows = Rows(one_scene(scene, "plan"), *place(separation, load, pressure, separation_unit))
     text, found = _asperity.plan(_model(model), rows, quantity_names(quantities), rtol)
     steps = (
         PlanStep(
@@ -115,7 +115,7 @@ def plan(
 def recommend(
     scene: Scene,
     separation: npt.ArrayLike | None = None,
-    quantities: str | Sequence[str] = ("force", "area"),
+    quantities: str | Sequence[str] | None = None,
     reference: str | Model | None = None,
     within: float = 0.05,
     rtol: float = 1e-10,
@@ -128,7 +128,8 @@ def recommend(
     """Deviations of models from a reference, the simplest model within a relative deviation, and the
     deviations from boundary elements on surfaces like this one.
 
-    The default reference is ke, or gw without a hardness; ``within`` is a share, 0.05 for 5 %;
+    By default area and, at separations, force are compared; at a load the force is the same. The
+    default reference is ke, or gw without a hardness; ``within`` is a share, 0.05 for 5 %;
     ``models`` are the ids to compare, by default all.
 
     >>> import asperity
@@ -138,7 +139,10 @@ def recommend(
     >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
     'gw'
     """
-    rows = Rows(scene, *place(separation, load, pressure, separation_unit))
+    axis, numbers = place(separation, load, pressure, separation_unit)
+    rows = Rows(one_scene(scene, "recommend"), axis, numbers)
+    if quantities is None:
+        quantities = ("area",) if axis in LOADS else ("force", "area")
     against = _model(reference or scene._usual_reference())
     ids = None if models is None else list(models)
     text, simplest, evidence, places, found = _asperity.recommend(

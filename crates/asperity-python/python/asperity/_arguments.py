@@ -62,6 +62,43 @@ def place(
     return found[0]
 
 
+def one_number(name: str, given: Any) -> float:
+    """One number; TypeError for an array or a text, with the name of the argument."""
+    if np.ndim(given) == 0 and not isinstance(given, str):
+        try:
+            return float(given)
+        except (TypeError, ValueError):
+            pass
+    raise TypeError(f"{name} is {_short(given)}: one number was required")
+
+
+def two_numbers(name: str, given: Any) -> tuple[float, float]:
+    """The two numbers of a range; TypeError for others."""
+    if np.shape(given) != (2,):
+        raise TypeError(f"{name} is {_short(given)}: two numbers, (first, last), were required")
+    first, last = given
+    return one_number(name, first), one_number(name, last)
+
+
+def one_scene(scene: Any, use: str) -> Scene:
+    """One scene; TypeError for many scenes, or for another object."""
+    if isinstance(scene, Scene):
+        return scene
+    if isinstance(scene, Scenes | list | tuple | np.ndarray):
+        advice = "scene.replace(...) gives one scene with other numbers, scenes[k] one of many"
+        raise TypeError(f"{use} takes one scene, not many: {advice}")
+    raise TypeError(f"scene is {_short(scene)}: a Scene was required")
+
+
+def _short(given: Any) -> str:
+    """The text of an object; its type, if the text is long."""
+    text = repr(given)
+    if len(text) <= 60 and "\n" not in text:
+        return text
+    shape = np.shape(given) if isinstance(given, np.ndarray | list | tuple) else ()
+    return f"a {type(given).__name__}" + (f" of shape {shape}" if shape else "")
+
+
 def checked_errors(errors: str) -> str:
     """The treatment of rows that fail: "raise" or "mask"."""
     if errors not in ERRORS:
@@ -106,10 +143,20 @@ class Rows:
                 if not isinstance(scene, Scene):
                     raise TypeError(f"scene {k} is {scene!r}: a Scene was required")
         #: Shape of every answer.
-        self.shape: tuple[int, ...] = np.broadcast_shapes(self._scenes_shape, self.given.shape)
+        self.shape: tuple[int, ...] = self._broadcast(name)
         self._kept: npt.NDArray[np.bool_] | None = None
         if np.ma.isMaskedArray(numbers):
             self._kept = ~np.broadcast_to(np.ma.getmaskarray(numbers), self.shape).ravel()
+
+    def _broadcast(self, name: str) -> tuple[int, ...]:
+        scenes, numbers = self._scenes_shape, self.given.shape
+        try:
+            return np.broadcast_shapes(scenes, numbers)
+        except ValueError:
+            raise ValueError(
+                f"scenes have the shape {scenes} and {name} {numbers}: shapes that broadcast were "
+                "required, for example scenes.reshape(-1, 1)"
+            ) from None
 
     @property
     def one(self) -> Scene | None:

@@ -59,6 +59,7 @@ class BemContacts:
 class TruthRow(TypedDict):
     """One model at one pressure, compared with boundary elements."""
 
+    load: float
     pressure: float
     model: str
     area_fraction: float | None
@@ -80,6 +81,21 @@ class TruthRows(list[TruthRow]):
     boundary: str = "periodic"
     #: The reasons of pressures without rows with ``errors="mask"``, by place.
     failures: Mapping[int, str] = MappingProxyType({})
+
+    def __str__(self) -> str:
+        """A table of the rows, and the nearest models."""
+        heads = list(TruthRow.__annotations__)
+        table = [heads, *([_cell(value) for value in row.values()] for row in self)]
+        widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+        cells = (zip(line, widths, strict=True) for line in table)
+        lines = ["  ".join(f"{cell:<{width}}" for cell, width in line).rstrip() for line in cells]
+        return "\n".join([*lines, *([self.nearest] if self.nearest else [])])
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return ""
+    return value if isinstance(value, str) else f"{value:.4g}"
 
 
 def bem(
@@ -221,6 +237,7 @@ def truth(
     )
     rows = TruthRows(
         TruthRow(
+            load=at * scene.nominal_area,
             pressure=at,
             model=model,
             area_fraction=state[0],

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from difflib import get_close_matches
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -92,16 +95,21 @@ class Curve:
 
     def __getitem__(self, quantity: str) -> Floats:
         name = quantity.replace("_", "-")
+        if name == self._rows.axis and name not in self._columns:
+            return self._rows.given
         if name not in self._columns:
             asked = ", ".join(self._columns)
+            known = _asperity.quantities()
+            if name not in known:
+                near = get_close_matches(name, known, 1)
+                hint = f" (the nearest is {near[0]})" if near else ""
+                raise KeyError(f"{name} is not a quantity{hint}: the requested ones are {asked}")
             raise KeyError(f"{name} was not requested: add it to the quantities ({asked})")
         return self._columns[name]
 
     def __getattr__(self, name: str) -> Floats:
         if name.startswith("_"):
             raise AttributeError(name)
-        if name == self._rows.axis and name not in self._columns:
-            return self._rows.given
         try:
             return self[name]
         except KeyError as error:
@@ -203,9 +211,9 @@ class Curve:
         ax.set_ylabel(labels[heads[name.replace("_", "-")]])
         return ax
 
-    def to_csv(self) -> str:
+    def to_csv(self, path: str | PathLike[str] | None = None) -> str:
         """The text of a table with a row for each value and units in its head: every digit, blank for
-        missing values.
+        missing values; also written to ``path``, if given.
 
         >>> import asperity
         >>> scene = asperity.Scene.parse(asperity.template())
@@ -217,7 +225,10 @@ class Curve:
         table = self._table()
         cells = ([("" if math.isnan(v) else repr(v)) for v in c.tolist()] for c in table.values())
         lines = [",".join(table), *map(",".join, zip(*cells, strict=True))]
-        return "\n".join(lines) + "\n"
+        text = "\n".join(lines) + "\n"
+        if path is not None:
+            Path(path).write_text(text, encoding="utf-8", newline="\n")
+        return text
 
     def to_dataframe(self) -> pd.DataFrame:
         """A table with a row for each value, units in its head; needs pandas.

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
 
 import numpy as np
 
 from asperity import _asperity
 from asperity._advice import _model
-from asperity._arguments import place
+from asperity._arguments import LOADS, one_scene, place, two_numbers
 from asperity._asperity import Scene
 from asperity._model import Model
 from asperity._scene import Floats
@@ -16,7 +18,7 @@ from asperity._scene import Floats
 
 @dataclass(frozen=True)
 class ContactTable:
-    """Pressure over clearance at nodes; ``print`` it, or write ``text`` to a file."""
+    """Pressure over clearance at nodes; ``print`` it, or ``save`` its text."""
 
     #: Clearances from the scene's plane [m], ascending.
     clearance: Floats
@@ -29,6 +31,10 @@ class ContactTable:
     tangent_error: float
     #: The input text of the finite-element code.
     text: str = field(repr=False)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes ``text`` to a file."""
+        Path(path).write_text(self.text, encoding="utf-8", newline="\n")
 
     def __str__(self) -> str:
         return self.text
@@ -69,11 +75,14 @@ def export(
     >>> table.text.splitlines()[-2:]
     ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
     """
-    axis, (first, last) = place(separation, load, pressure, separation_unit)
+    if isinstance(model, Scene):
+        raise TypeError("model is a Scene: export takes the model first, then the scene")
+    scene = one_scene(scene, "export")
+    axis, ends_given = place(separation, load, pressure, separation_unit)
+    ends = axis, *two_numbers(axis if axis in LOADS else "separation", ends_given)
     if nodes is None and max_error is None:
         raise TypeError("nodes or max_error was required")
     count = 2 if nodes is None else nodes
-    ends = axis, float(first), float(last)
     spacing, form = (count, max_error, rtol), (format, units)
     beside = conductance, None if friction is None else float(friction)
     found = _asperity.contact_table(_model(model), scene, ends, spacing, form, beside)

@@ -11,10 +11,13 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import (
+    LOADS,
     Rows,
     SceneLike,
     checked_errors,
     checked_unit,
+    one_number,
+    one_scene,
     place,
     quantity_names,
 )
@@ -26,6 +29,7 @@ from asperity._asperity import (
     Scene,
     Unloading,
     floats,
+    in_si,
 )
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
@@ -192,7 +196,7 @@ class Model(Engine):
         >>> f"{force:.2f} N, {tangent:.3e} N/m"
         '216.94 N, 5.988e+08 N/m'
         """
-        names = quantity_names(quantities)
+        scene, names = one_scene(scene, "compile"), quantity_names(quantities)
         return Contact(self, scene, names, rtol, checked_unit(separation_unit))
 
     def unloading(
@@ -242,8 +246,9 @@ class Model(Engine):
         >>> f"contact ends at a retreat of {joint.last_contact():.1e} m"
         'contact ends at a retreat of 7.9e-07 m'
         """
+        scene = one_scene(scene, "unloading")
         axis, number = place(closest, load, pressure, separation_unit, "closest")
-        where = axis, float(number)
+        where = axis, one_number("closest" if axis not in LOADS else axis, number)
         joint = Unloading(self, scene, where, law, rtol, checked_unit(separation_unit))
         for message in _asperity.findings(self, Rows(scene, *where)):
             warnings.warn(message, ContactWarning, stacklevel=2)
@@ -265,19 +270,21 @@ class Model(Engine):
         >>> f"{force:.3f} N at {separation:.3f} asperity_height_std"
         '-0.956 N at 0.408 asperity_height_std'
         """
+        scene = one_scene(scene, "pull_off")
         return _asperity.pull_off(self, scene, rtol, checked_unit(separation_unit))
 
     def joint_table(
         self,
         scene: Scene,
-        deepest: float,
-        open: float,
+        deepest: float | str,
+        open: float | str,
         law: str = "hertz",
         tolerance: float = 1e-6,
         separation_unit: str = "asperity_height_std",
     ) -> JointTable:
         """Loading, unloading and reloading for codes that step in time: a table of closest approaches
-        from ``deepest`` to ``open``; beyond ``open`` loading is elastic.
+        from ``deepest`` to ``open`` (in metres also texts with a unit, as "8 um"); beyond ``open``
+        loading is elastic.
 
         The error of an unloading force is at most ``tolerance`` times the force at the closest
         approach.
@@ -294,8 +301,15 @@ class Model(Engine):
         >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
         array([216.94, 137.  , 216.94])
         """
-        ends = float(deepest), float(open)
-        return JointTable(self, scene, ends, law, tolerance, checked_unit(separation_unit))
+        scene, unit = one_scene(scene, "joint_table"), checked_unit(separation_unit)
+        given = in_si([deepest, open], "m")
+        if given[:] != [deepest, open] and unit != "m":
+            raise ValueError(
+                f"deepest is {deepest!r} and open {open!r}, but separation_unit is {unit!r}: lengths "
+                'with a unit need separation_unit="m"'
+            )
+        ends = one_number("deepest", given[0]), one_number("open", given[1])
+        return JointTable(self, scene, ends, law, tolerance, unit)
 
     def law(
         self, scene: Scene, quantity: str, interference: npt.ArrayLike, rtol: float = 1e-10

@@ -8,7 +8,6 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from asperity import _asperity
 from asperity._asperity import Scene, floats
 
 Floats: TypeAlias = npt.NDArray[np.float64]
@@ -33,7 +32,7 @@ class Scenes:
     """
 
     def __init__(self, base: Scene, columns: Mapping[str, npt.ArrayLike]) -> None:
-        given = _asperity.inputs_in_si(dict(columns))
+        given = base._inputs_in_si(dict(columns))
         arrays = np.broadcast_arrays(*(floats(values, name) for name, values in given.items()))
         self._base = base
         self._columns = {

@@ -38,9 +38,16 @@ impl Rows<'_> {
     pub(crate) fn view(&self) -> PyResult<View<'_>> {
         let slices = self.columns.values().map(|column| Ok(column.as_slice()?));
         let slices = slices.collect::<PyResult<Vec<_>>>()?;
+        let columns = match self.files.first() {
+            Some(file) => {
+                let inputs = inputs(&file.get().0, self.columns.keys())?;
+                inputs.into_iter().zip(slices).collect()
+            }
+            None => vec![],
+        };
         Ok(View {
             files: self.files.iter().map(|file| file.get().0.clone()).collect(),
-            columns: inputs(self.columns.keys())?.into_iter().zip(slices).collect(),
+            columns,
             index: self.index.as_slice()?,
             axis: self.axis,
             numbers: self.numbers.as_slice()?,

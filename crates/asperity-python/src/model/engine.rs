@@ -121,6 +121,14 @@ impl Engine {
         }
     }
 
+    /// The model's id and its own options: options of other models may differ between scenes.
+    fn variant(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
+        let (model, all) = (self.with(options, None)?, self.options(options)?);
+        let own = model.options();
+        let unknown = own.is_none().then_some(all);
+        Ok((options.asperities, model.id().to_string(), own, unknown))
+    }
+
     /// The model on a scene; options of the model replace those of the scene.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         self.with(file.options, Some(file))
@@ -138,7 +146,7 @@ impl Engine {
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
         for (k, file) in files.iter().enumerate() {
-            if file.options != first && self.options(file.options)? != self.options(first)? {
+            if file.options != first && self.variant(file.options)? != self.variant(first)? {
                 return Err(value_error(format!(
                     "scene {k} has other options than scene 0: give the options to asperity.model"
                 )));

@@ -91,7 +91,7 @@ impl PythonModel {
         asperity: &asperity::Asperity,
         quantity: Quantity,
     ) -> PyResult<Law> {
-        let arguments = (Asperity(*asperity), quantity.to_string());
+        let arguments = (Asperity(*asperity, ()), quantity.to_string());
         let (function, kinks, regimes): (Py<PyAny>, Vec<f64>, Vec<String>) =
             self.laws.bind(py).call1(arguments)?.extract()?;
         let unit = asperity.critical_interference().unwrap_or(asperity.radius);

@@ -4,7 +4,7 @@ use asperity::ContactError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Arg, Field, Record, Setter, instance, record, shown};
+use super::{Arg, Field, Origin, Record, Setter, instance, record, shown};
 use crate::convert::error::{refused, warn};
 
 record! {
@@ -40,7 +40,7 @@ record! {
     Body (
         youngs_modulus, poissons_ratio, hardness=None, yield_strength=None,
         thermal_conductivity=None, electrical_resistivity=None, tangent_modulus=None
-    ) from asperity::Body::elastic(0.0, 0.0), |one| asperity::Interface::against_rigid(one).map(drop);
+    ) from asperity::Body::elastic(0.0, 0.0), |one| asperity::Interface::against_rigid(one).map(drop), by ();
     /// Young's modulus [Pa].
     youngs_modulus: f64,
     /// Poisson's ratio.
@@ -99,7 +99,7 @@ record! {
         equivalent_modulus, poissons_ratio, hardness=None, yield_strength=None,
         equivalent_shear_modulus=None, pressure_factor=None, thermal_conductivity=None,
         electrical_resistivity=None, work_of_adhesion=None, tangent_modulus=None
-    ) from asperity::Interface::elastic(0.0, 0.0), |one| one.check().map(drop);
+    ) from asperity::Interface::elastic(0.0, 0.0), |one| one.check().map(drop), by Vec<asperity::Body>;
     /// Equivalent modulus E [Pa].
     equivalent_modulus: f64,
     /// Poisson's ratio of the softer body.
@@ -140,6 +140,19 @@ record! {
             let found = asperity::Interface::against_rigid(&one);
             Self::of(body.py(), &[("body", one)], found, work_of_adhesion)
         }
+
+        /// The interface of pickled bodies.
+        #[staticmethod]
+        fn _of_bodies(
+            bodies: Vec<Bound<'_, Body>>,
+            work_of_adhesion: Option<f64>,
+            pressure_factor: Option<f64>,
+        ) -> PyResult<Self> {
+            let bodies: Vec<asperity::Body> = bodies.iter().map(|body| body.get().0).collect();
+            let mut found = asperity_scene::interface_of(&bodies).map_err(refused)?;
+            (found.work_of_adhesion, found.pressure_factor) = (work_of_adhesion, pressure_factor);
+            Ok(Self(Self::checked(found)?.0, bodies))
+        }
     }
 }
 
@@ -159,6 +172,22 @@ impl Interface {
             }
         }
         found.work_of_adhesion = Field::read("Interface", "work_of_adhesion", work_of_adhesion)?;
-        Self::checked(found)
+        let bodies = bodies.iter().map(|(_, body)| *body).collect();
+        Ok(Self(Self::checked(found)?.0, bodies))
+    }
+}
+
+impl Origin<Interface> for Vec<asperity::Body> {
+    fn call<'py>(
+        &self,
+        record: &Bound<'py, Interface>,
+    ) -> PyResult<Option<(Bound<'py, PyAny>, Bound<'py, PyTuple>)>> {
+        if self.is_empty() {
+            return Ok(None);
+        }
+        let bodies: Vec<Body> = self.iter().map(|body| Body(*body, ())).collect();
+        let asperity::Interface { work_of_adhesion, pressure_factor, .. } = record.get().0;
+        let arguments = (bodies, work_of_adhesion, pressure_factor).into_pyobject(record.py())?;
+        Ok(Some((record.get_type().getattr("_of_bodies")?, arguments)))
     }
 }

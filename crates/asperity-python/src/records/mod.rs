@@ -7,7 +7,7 @@ use pyo3::PyClass;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 
 use crate::convert::numbers::{no_number, number};
 pub(crate) use bodies::{Body, Interface};
@@ -37,18 +37,18 @@ impl Field for Option<f64> {
 pub(crate) type Setter<T> = fn(&mut T, f64);
 
 /// A frozen class around a struct of the library: its doc, its signature in Python, a struct to
-/// fill and its check, its fields with their docs, and its other methods.
+/// fill and its check, the type of its origin, its fields with their docs, and its other methods.
 macro_rules! record {
     (
         $(#[$about:meta])*
-        $name:ident $signature:tt from $empty:expr, $check:expr;
+        $name:ident $signature:tt from $empty:expr, $check:expr, by $origin:ty;
         $($(#[$meaning:meta])* $field:ident: $type:ty,)+
         { $($methods:tt)* }
     ) => {
         $(#[$about])*
         #[pyclass(frozen, module = "asperity")]
-        #[derive(Clone, Copy, PartialEq)]
-        pub(crate) struct $name(pub(crate) asperity::$name);
+        #[derive(Clone)]
+        pub(crate) struct $name(pub(crate) asperity::$name, pub(crate) $origin);
 
         #[pymethods]
         impl $name {
@@ -82,7 +82,7 @@ macro_rules! record {
             }
 
             fn __eq__(&self, other: &Self) -> bool {
-                self == other
+                self.0 == other.0
             }
 
             fn __hash__(&self, py: Python<'_>) -> PyResult<isize> {
@@ -96,6 +96,9 @@ macro_rules! record {
             fn __reduce__<'py>(
                 slf: &Bound<'py, Self>,
             ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+                if let Some(call) = slf.get().1.call(slf)? {
+                    return Ok(call);
+                }
                 let values = PyTuple::new(slf.py(), slf.get().fields(slf.py())?.values())?;
                 Ok((slf.get_type().into_any(), values))
             }
@@ -109,7 +112,7 @@ macro_rules! record {
             fn checked(found: asperity::$name) -> PyResult<Self> {
                 let check: fn(&asperity::$name) -> Result<(), ContactError> = $check;
                 check(&found).map_err(refused)?;
-                Ok(Self(found))
+                Ok(Self(found, Default::default()))
             }
 
             fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -122,6 +125,19 @@ macro_rules! record {
 }
 
 use record;
+
+/// The numbers from which a record follows, if it was not given by its fields.
+trait Origin<T: PyClass> {
+    /// The call that makes the record from them, for pickling.
+    fn call<'py>(
+        &self,
+        _record: &Bound<'py, T>,
+    ) -> PyResult<Option<(Bound<'py, PyAny>, Bound<'py, PyTuple>)>> {
+        Ok(None)
+    }
+}
+
+impl<T: PyClass> Origin<T> for () {}
 
 /// A class around a struct of the library.
 pub(crate) trait Record: Sized {

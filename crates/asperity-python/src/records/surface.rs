@@ -1,10 +1,11 @@
 //! `Surface` and `Asperity`.
 
-use asperity::{ContactError, ProfileMoments};
+use asperity::ContactError;
+use asperity_scene::Roughness;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Arg, Field, Interface, Record, Setter, instance, record, shown};
+use super::{Arg, Field, Interface, Origin, Record, Setter, instance, record, shown};
 use crate::convert::error::refused;
 use crate::convert::numbers::numbers;
 
@@ -32,7 +33,7 @@ record! {
     /// >>> asperity.Surface("0.2 mm", "200 1/mm2", "1 um") == surface
     /// True
     Surface (asperity_radius, asperity_density, asperity_height_std)
-        from asperity::Surface::new(0.0, 0.0, 0.0), asperity::Surface::check;
+        from asperity::Surface::new(0.0, 0.0, 0.0), asperity::Surface::check, by Option<Roughness>;
     /// Radius of the asperities [m].
     asperity_radius: f64,
     /// Asperities per area [1/m^2].
@@ -61,7 +62,7 @@ record! {
         #[staticmethod]
         fn from_moments(m0: &Arg<'_>, m2: &Arg<'_>, m4: &Arg<'_>) -> PyResult<Self> {
             let [m0, m2, m4] = numbers("Surface", [("m0", m0), ("m2", m2), ("m4", m4)])?;
-            Self::of(asperity::Surface::from_moments(&ProfileMoments { m0, m2, m4 }))
+            Self::following(Roughness::Moments([m0, m2, m4]))
         }
 
         /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
@@ -75,7 +76,7 @@ record! {
         #[staticmethod]
         fn from_iso25178(sq: &Arg<'_>, spd: &Arg<'_>, spc: &Arg<'_>) -> PyResult<Self> {
             let [sq, spd, spc] = numbers("Surface", [("sq", sq), ("spd", spd), ("spc", spc)])?;
-            Self::of(asperity::Surface::from_iso25178(sq, spd, spc))
+            Self::following(Roughness::Iso25178([sq, spd, spc]))
         }
 
         /// From radius [m], density [1/m^2] and the standard deviation of the surface heights [m].
@@ -88,7 +89,7 @@ record! {
                 ("asperity_density", asperity_density),
                 ("surface_height_std", surface_height_std),
             ])?;
-            Self::of(asperity::Surface::from_surface_std(radius, density, std))
+            Self::following(Roughness::SurfaceStd([radius, density, std]))
         }
 
         /// Density times radius times height_std.
@@ -110,6 +111,26 @@ impl Surface {
     pub(crate) fn of(made: Result<asperity::Surface, ContactError>) -> PyResult<Self> {
         Self::checked(made.map_err(refused)?)
     }
+
+    fn following(roughness: Roughness) -> PyResult<Self> {
+        Ok(Self(roughness.surface().map_err(refused)?, Some(roughness)))
+    }
+}
+
+impl Origin<Surface> for Option<Roughness> {
+    fn call<'py>(
+        &self,
+        record: &Bound<'py, Surface>,
+    ) -> PyResult<Option<(Bound<'py, PyAny>, Bound<'py, PyTuple>)>> {
+        let Some(roughness) = self else { return Ok(None) };
+        let name = match roughness {
+            Roughness::Moments(_) => "from_moments",
+            Roughness::Iso25178(_) => "from_iso25178",
+            _ => "from_surface_std",
+        };
+        let numbers = PyTuple::new(record.py(), roughness.numbers())?;
+        Ok(Some((record.get_type().getattr(name)?, numbers)))
+    }
 }
 
 record! {
@@ -129,7 +150,7 @@ record! {
         pressure_factor: 0.0,
         work_of_adhesion: None,
         radius: 0.0,
-    }, |_| Ok(());
+    }, |_| Ok(()), by ();
     /// Equivalent modulus E [Pa].
     equivalent_modulus: f64,
     /// Equivalent shear modulus G [Pa], if given.

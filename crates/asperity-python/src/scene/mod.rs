@@ -11,16 +11,17 @@ use asperity::{Datum, SeparationUnit};
 use asperity_scene::ModelOptions;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 use serde_json::Value;
 
 use crate::convert::error::{refused, value_error, warn};
 use crate::convert::numbers::number;
 use crate::convert::objects::object;
-use crate::records::{Asperity, Interface, Record, Surface, instance, shown};
+use crate::records::{Asperity, Body, Interface, Record, Surface, instance, shown};
+use crate::topography::found;
 use heights::Heights;
 pub(crate) use heights::OptionValue;
-use inputs::{inputs, with_numbers};
+use inputs::{inputs, inputs_in_si, with_numbers};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -80,14 +81,16 @@ impl SceneFile {
         mean_plane_offset: Option<&Bound<'_, PyAny>>,
         options: Option<BTreeMap<String, OptionValue>>,
     ) -> PyResult<Self> {
-        let interface = instance::<Interface>("interface", interface)?.get().0;
-        let surface = instance::<Surface>("surface", surface)?.get().0;
+        let Interface(interface, bodies) =
+            instance::<Interface>("interface", interface)?.get().clone();
+        let Surface(surface, roughness) = instance::<Surface>("surface", surface)?.get().clone();
         let scene = asperity::Scene::new(
             interface,
             surface,
             number("Scene", "nominal_area", nominal_area)?,
         );
         let mut file = asperity_scene::SceneFile::from(scene);
+        (file.bodies, file.roughness) = (bodies, roughness);
         if let Some(heights) = heights {
             Heights::of(heights)?.put(&mut file)?;
         }
@@ -110,6 +113,7 @@ impl SceneFile {
     /// Reads a scene file and the files it names.
     #[staticmethod]
     fn from_toml(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        found(&path)?;
         Self::read(py, py.detach(|| asperity_scene::load(&path)))
     }
 
@@ -123,13 +127,13 @@ impl SceneFile {
     /// The two bodies.
     #[getter]
     fn interface(&self) -> Interface {
-        Interface(self.0.scene.interface)
+        Interface(self.0.scene.interface, self.0.bodies.clone())
     }
 
     /// The equivalent rough surface.
     #[getter]
     fn surface(&self) -> Surface {
-        Surface(self.0.scene.surface)
+        Surface(self.0.scene.surface, self.0.roughness)
     }
 
     /// The apparent area of contact [m^2].
@@ -169,15 +173,21 @@ impl SceneFile {
     }
 
     /// A copy with other numbers, by the names of a scene file: equivalent_modulus,
-    /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, pressure_factor,
-    /// thermal_conductivity, electrical_resistivity, work_of_adhesion, asperity_radius,
-    /// asperity_density, asperity_height_std, nominal_area; or plasticity_index and
-    /// roughness_parameter in the place of radius and density.
+    /// equivalent_shear_modulus, poissons_ratio, hardness, yield_strength, tangent_modulus,
+    /// pressure_factor, thermal_conductivity, electrical_resistivity, work_of_adhesion,
+    /// asperity_radius, asperity_density, asperity_height_std, nominal_area; or plasticity_index
+    /// and roughness_parameter in the place of radius and density.
+    ///
+    /// Of a scene with bodies also body1_youngs_modulus, body2_hardness and so on, and
+    /// youngs_modulus of both, if it is the same; of a surface from moments m0, m2 and m4, from ISO
+    /// 25178 sq, spd and spc, from the standard deviation of the surface heights
+    /// surface_height_std. The interface and the surface are made from them again.
     #[pyo3(signature = (**numbers))]
     fn replace(&self, numbers: Option<BTreeMap<String, Bound<'_, PyAny>>>) -> PyResult<Self> {
         let numbers = numbers.unwrap_or_default();
         let values = numbers.iter().map(|(name, given)| number("Scene", name, given));
-        let values = inputs(numbers.keys())?.into_iter().zip(values.collect::<PyResult<Vec<_>>>()?);
+        let inputs = inputs(&self.0, numbers.keys())?;
+        let values = inputs.into_iter().zip(values.collect::<PyResult<Vec<_>>>()?);
         Ok(Self(Arc::new(with_numbers(&self.0, values).map_err(refused)?)))
     }
 
@@ -195,7 +205,7 @@ impl SceneFile {
     /// One asperity of the surface with every input resolved.
     #[getter]
     fn asperity(&self) -> PyResult<Asperity> {
-        self.0.scene.asperity().map(Asperity).map_err(refused)
+        self.0.scene.asperity().map(|one| Asperity(one, ())).map_err(refused)
     }
 
     /// The number of asperities: density times nominal area.
@@ -257,12 +267,27 @@ impl SceneFile {
         check.call1((slf, model, separation, load, pressure, separation_unit))
     }
 
-    /// The arguments of this scene, with dicts of numbers for the interface and the surface.
+    /// The arguments of this scene, with dicts of numbers for the interface and the surface, and
+    /// for the numbers from which these follow.
     fn _fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let fields = self.arguments(py)?;
         fields.set_item("interface", self.interface().fields(py)?)?;
         fields.set_item("surface", self.surface().fields(py)?)?;
+        let bodies = self.0.bodies.iter().map(|body| Body(*body, ()).fields(py));
+        let bodies = bodies.collect::<PyResult<Vec<_>>>()?;
+        if !bodies.is_empty() {
+            fields.set_item("bodies", bodies)?;
+        }
+        if let Some(roughness) = self.0.roughness {
+            let numbers: Vec<_> = roughness.keys().iter().zip(roughness.numbers()).collect();
+            fields.set_item("roughness", numbers.into_py_dict(py)?)?;
+        }
         Ok(fields)
+    }
+
+    /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
+    fn _inputs_in_si<'py>(&self, given: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
+        inputs_in_si(&self.0, given)
     }
 
     /// The id of the default reference of comparisons.

@@ -32,6 +32,8 @@ class Design:
     part_size: int
 
     def __post_init__(self) -> None:
+        if self.kind == "lhs":
+            object.__setattr__(self, "kind", "latin-hypercube")
         if self.kind not in DESIGNS:
             raise ValueError(f"design is {self.kind!r}: one of {', '.join(DESIGNS)} was required")
         if self.kind != "latin-hypercube" and self.points > 2**BITS:

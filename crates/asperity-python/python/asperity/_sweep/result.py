@@ -71,8 +71,14 @@ class SweepResult:
         #: The number of rows, with failed ones.
         self.rows: int = identity["rows"]
 
+    def _name(self, column: str) -> str:
+        """The name of a column; a quantity also with underscores, as an attribute of a curve."""
+        dashed = column.replace("_", "-")
+        return dashed if column not in self.inputs and dashed in self.quantities else column
+
     def parts(self, *columns: str) -> Iterator[Part]:
         """The parts in order, one in memory at a time, with all columns or the named ones."""
+        columns = tuple(map(self._name, columns))
         for name in columns:
             self._check_column(name)
         wanted = columns or (*self.inputs, *self.quantities)
@@ -91,7 +97,7 @@ class SweepResult:
 
     def __getitem__(self, column: str) -> Floats:
         """A whole column, of an input that varies or a quantity; masked for failed rows."""
-        values, masks = [], []
+        values, masks, column = [], [], self._name(column)
         for part in self.parts(column):
             mask = np.zeros(len(part), dtype=bool)
             mask[list(part.errors)] = column in self.quantities
@@ -110,6 +116,7 @@ class SweepResult:
                 yield part.first_row + place, reason
 
     def _answers(self, quantity: str) -> Callable[[], Iterator[Floats]]:
+        quantity = self._name(quantity)
         if quantity not in self.quantities:
             names = ", ".join(self.quantities)
             raise KeyError(f"{quantity} was not requested: add it to the quantities ({names})")

@@ -56,7 +56,7 @@ def sweep(
         power of two and D inputs that vary.
     seed : int
         The seed of the draws: the same digits on any number of cores and workers.
-    design : "sobol", "latin-hypercube", "saltelli" or "saltelli-pairs"
+    design : "sobol", "latin-hypercube" ("lhs"), "saltelli" or "saltelli-pairs"
         Scrambled Sobol points; Latin hypercubes, one for each part; or Saltelli's scheme for
         ``SweepResult.sensitivity``, with "-pairs" also for pairs of inputs.
     rtol : float

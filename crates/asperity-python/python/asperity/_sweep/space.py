@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity._arguments import LOADS, Rows, place
-from asperity._asperity import Scene, inputs_in_si
+from asperity._asperity import Scene
 from asperity._scene import Floats
 
 
@@ -48,9 +48,8 @@ class Space:
         One of the three: a separation in the ``separation_unit`` of the sweep, a load [N], or a mean
         pressure on the nominal area [Pa].
     **inputs : distribution, (low, high) or float
-        By the names of ``Scene.replace``, in SI units; or ``plasticity_index`` and
-        ``roughness_parameter`` in the place of ``asperity_radius`` and ``asperity_density``
-        (if one of the two is missing, that of the scene applies).
+        By the names of ``Scene.replace``, in SI units; of ``plasticity_index`` and
+        ``roughness_parameter`` a missing one is that of the scene.
 
     A distribution is a frozen one of ``scipy.stats``, or anything with a ``ppf``; (low, high) is
     uniform. Numbers may be texts with a unit, as "2 kN". Inputs are independent of each other.
@@ -74,7 +73,7 @@ class Space:
     ) -> None:
         if not isinstance(scene, Scene):
             raise TypeError(f"scene is {scene!r}: a Scene was required")
-        numbers: dict[str, Input] = inputs_in_si(inputs)
+        numbers: dict[str, Input] = scene._inputs_in_si(inputs)
         axis, where = place(separation, load, pressure, "asperity_height_std")
         #: The scene of the other numbers.
         self.scene = scene

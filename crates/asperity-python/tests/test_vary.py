@@ -1,0 +1,139 @@
+"""Scenes varied by the numbers that gave them: bodies, moments, parameters of ISO 25178."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from typing import Any
+
+import asperity
+import numpy as np
+import pytest
+
+STEEL = asperity.Body(210e9, 0.3, hardness=2e9)
+ALUMINIUM = asperity.Body(70e9, 0.33, hardness=1e9)
+PAIR = asperity.Interface.between(STEEL, ALUMINIUM, work_of_adhesion=0.05)
+
+FILE = """
+nominal_area = "2500 mm2"
+[[body]]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+yield_strength = "400 MPa"
+[[body]]
+youngs_modulus = "210 GPa"
+poissons_ratio = 0.3
+yield_strength = "400 MPa"
+[surface]
+m0 = "0.5 um2"
+m2 = 0.02
+m4 = 6e9
+"""
+
+WAYS: list[tuple[Any, dict[str, float]]] = [
+    (asperity.Surface.from_moments, {"m0": 1e-12, "m2": 1e-4, "m4": 5e4}),
+    (asperity.Surface.from_iso25178, {"sq": 1.1e-6, "spd": 2e8, "spc": 5e3}),
+    (
+        asperity.Surface.from_surface_std,
+        {"asperity_radius": 2e-4, "asperity_density": 2e8, "surface_height_std": 1.1e-6},
+    ),
+]
+
+
+@pytest.mark.parametrize(("make", "numbers"), WAYS)
+def test_the_surface_is_made_again_from_its_own_numbers(
+    make: Any, numbers: dict[str, float]
+) -> None:
+    scene = asperity.Scene(PAIR, make(**numbers), 1e-4)
+    for name, value in numbers.items():
+        wanted = make(**{**numbers, name: 1.1 * value})
+        varied = scene.vary(**{name: [value, 1.1 * value]})
+        assert varied[0].surface == scene.surface
+        assert varied[1].surface == wanted != scene.surface
+        for again in (varied[1], pickle.loads(pickle.dumps(varied[1])), copy.deepcopy(varied[1])):
+            assert again.replace(**{name: value}).surface == scene.surface
+        direct = asperity.model("gw").solve(asperity.Scene(PAIR, wanted, 1e-4), 1.0).force
+        assert abs(asperity.model("gw").solve(varied, 1.0).force[1] / direct - 1.0) < 1e-9
+
+
+def test_the_interface_is_made_again_from_its_bodies() -> None:
+    scene = asperity.Scene(PAIR, asperity.Surface(2e-4, 2e8, 1e-6), 1e-4)
+    softer = asperity.Body(100e9, 0.3, hardness=2e9)
+    wanted = asperity.Interface.between(softer, ALUMINIUM, work_of_adhesion=0.05)
+    varied = scene.vary(body1_youngs_modulus=["210 GPa", "100 GPa"])
+    assert [varied[k].interface for k in range(2)] == [PAIR, wanted]
+    # The work of adhesion belongs to the pair, not to a body.
+    both = scene.replace(work_of_adhesion=0.1, body2_hardness=3e9)
+    harder = ALUMINIUM.replace(hardness=3e9)
+    assert both.interface == asperity.Interface.between(STEEL, harder, work_of_adhesion=0.1)
+    kept = pickle.loads(pickle.dumps(scene.replace(work_of_adhesion=0.1)))
+    assert kept.replace(body2_hardness=3e9).interface == both.interface
+    rigid = asperity.Interface.against_rigid(STEEL)
+    scene = asperity.Scene(rigid, asperity.Surface(2e-4, 2e8, 1e-6), 1e-4)
+    half = asperity.Interface.against_rigid(STEEL.replace(youngs_modulus=105e9))
+    assert scene.replace(youngs_modulus="105 GPa").interface == half
+
+
+def test_a_scene_file_varies_by_its_keys() -> None:
+    scene = asperity.Scene.parse(FILE)
+    moduli = [210e9, 70e9]
+    varied = scene.vary(youngs_modulus=moduli, m0=[0.5e-12, 0.6e-12])
+    found = asperity.model("ke").solve(varied, load=1000.0, quantities="tangent").tangent
+    texts = [FILE, FILE.replace("210 GPa", "70 GPa").replace("0.5 um2", "0.6 um2")]
+    for value, text in zip(found, texts, strict=True):
+        alone = asperity.model("ke").solve(
+            asperity.Scene.parse(text), load=1000.0, quantities="tangent"
+        )
+        assert abs(value / alone.tangent - 1.0) < 1e-9
+    asperity.Scene.parse(varied[1].to_toml())
+
+
+def test_a_sweep_draws_the_numbers_that_gave_the_scene() -> None:
+    scene = asperity.Scene.parse(FILE)
+    space = asperity.Space(
+        scene, load=1000.0, m2=(0.015, 0.025), youngs_modulus=("190 GPa", "210 GPa")
+    )
+    result = asperity.sweep(space, "ke", "tangent", n=8)
+    for k in range(8):
+        numbers = {name: float(result[name][k]) for name in space.names}
+        alone = asperity.model("ke").solve(
+            scene.replace(**numbers), load=1000.0, quantities="tangent"
+        )
+        assert abs(result["tangent"][k] / alone.tangent - 1.0) < 1e-9
+    other = asperity.Space(scene.replace(m4=7e9), load=1000.0, m2=(0.015, 0.025))
+    assert "roughness" in other.identity() and "bodies" in other.identity()
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"sq": 1e-6}, "sq is not an input of this scene: one of .*; sq, spd and spc need a surface"),
+        (
+            {"youngs_modulus": 1e11},
+            "youngs_modulus is 2.1e11 Pa of body 1 and 7e10 Pa of body 2: give body1_youngs_modulus or",
+        ),
+        (
+            {"hardness": 1e9, "body1_hardness": 1e9},
+            "hardness is given beside body1_hardness, which determines it: leave hardness out",
+        ),
+        (
+            {"m0": 1e-12, "asperity_radius": 1e-4},
+            "asperity_radius is given beside m0, which determines it: leave asperity_radius out",
+        ),
+        ({"m0": -1.0}, "m0 is -1"),
+        ({"body1_youngs_modulus": -1.0}, "youngs_modulus is -1"),
+    ],
+)
+def test_numbers_that_do_not_fit_the_scene_are_refused(
+    given: dict[str, float], message: str
+) -> None:
+    scene = asperity.Scene(PAIR, asperity.Surface.from_moments(1e-12, 1e-4, 5e4), 1e-4)
+    with pytest.raises(ValueError, match=message):
+        scene.replace(**given)
+
+
+def test_a_scene_without_bodies_says_that_youngs_modulus_needs_them() -> None:
+    interface = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+    scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), 1e-4)
+    with pytest.raises(ValueError, match="needs a scene that is given by its bodies$"):
+        scene.vary(youngs_modulus=np.array([1e11, 2e11]))
