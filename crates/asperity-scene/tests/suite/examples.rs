@@ -6,7 +6,7 @@ use asperity::{Quantity, Request, linspace, recommend};
 use asperity_scene::{SceneFile, load};
 
 fn example(name: &str) -> SceneFile {
-    load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name)).unwrap()
+    load(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name)).unwrap()
 }
 
 fn simplest(file: &SceneFile) -> String {

@@ -15,7 +15,7 @@ fn a_table_of_heights_beside_the_scene_is_read_in_metres() {
             "[surface]\nasperity_radius = 3.59e-4\nasperity_density = 1.11e8\nheights = {{ file = \"pdf.csv\" }}\n{lines}"
         );
         std::fs::write(directory.join("scene.toml"), text("", INTERFACE, &surface)).unwrap();
-        load(&directory.join("scene.toml"))
+        load(directory.join("scene.toml"))
     };
     let std = 2e-6 / 6f64.sqrt();
     let own = read("").unwrap();
@@ -74,7 +74,7 @@ fn invalid_tables_of_heights_are_refused_with_the_line() {
         ),
     ] {
         std::fs::write(directory.join("pdf.csv"), table).unwrap();
-        let message = load(&directory.join("scene.toml")).unwrap_err().to_string();
+        let message = load(directory.join("scene.toml")).unwrap_err().to_string();
         assert!(message.contains(wanted), "{message}\nlacks: {wanted}");
         assert!(!message.contains('\n'), "{message}");
     }
