@@ -269,10 +269,10 @@ impl Topography {
     }
 
     /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface
-    /// --format json``: form removed, lay and ratio of slopes, long waves on the shorter side, moments
-    /// over those at half the resolution, Sa to Spc, and the power law of the radial spectrum.
-    /// After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short, ``cutoff``
-    /// long).
+    /// --format json``: form removed, lay and ratio of slopes, long waves on the shorter side,
+    /// moments over those at half the resolution, Sa to Spc, and the power law of the radial
+    /// spectrum. After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short,
+    /// ``cutoff`` long).
     #[pyo3(signature = (level=None, smooth=None, cutoff=None))]
     fn report<'py>(
         &self,

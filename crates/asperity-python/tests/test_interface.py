@@ -186,7 +186,8 @@ def test_bad_input_is_a_value_error_with_the_message_of_the_library(scene: asper
     assert refusal(scene.vary, hardnes=[1.0]).startswith("hardnes is not an input")
     many = scene.vary(hardness=[1e9, 2e9, -3.0, -4.0])
     assert refusal(ke.solve, many, 1.0).startswith("scene 2: hardness is -3.0: ")
-    assert refusal(asperity.Scene.from_toml, "no such file.toml").startswith("no such file.toml: ")
+    with pytest.raises(FileNotFoundError, match=r"^no such file\.toml: "):
+        asperity.Scene.from_toml("no such file.toml")
     assert refusal(asperity.Scene.parse, "nominal_aera = 1").startswith("line 1: nominal_aera ")
     bodies = scene.interface, scene.surface, 1.0
     assert "2 heights and 1 densities" in refusal(asperity.Scene, *bodies, ([0.0, 1.0], [1.0]))
@@ -205,7 +206,7 @@ def test_arguments_of_another_type_are_type_errors(scene: asperity.Scene) -> Non
             ke.solve(*arguments)  # type: ignore[arg-type]
     with pytest.raises(TypeError):
         asperity.model(Laws, at_reading="printed")
-    with pytest.raises(ValueError, match="shape mismatch"):
+    with pytest.raises(ValueError, match=r"^scenes have the shape \(2,\) and separation \(3,\)"):
         ke.solve([scene, scene], [1.0, 2.0, 3.0])
     curve = ke.solve(scene, 1.0)
     with pytest.raises(AttributeError, match="area was not requested"):
@@ -371,7 +372,8 @@ def test_all_ids_make_models() -> None:
 
 def test_persson_has_gaps_with_a_hurst_exponent(scene: asperity.Scene) -> None:
     fudge = asperity.model("persson-fudge", hurst_exponent=0.8)
-    curve = fudge.solve(scene, load=[1.0, 10.0, 100.0], quantities=["area", "tangent"])
+    with pytest.warns(asperity.ContactWarning, match="Persson fudge ignores yielding"):
+        curve = fudge.solve(scene, load=[1.0, 10.0, 100.0], quantities=["area", "tangent"])
     gaps = fudge.separation_at(scene, load=[1.0, 10.0, 100.0], separation_unit="m")
     assert np.all(np.diff(gaps) < 0) and np.all(np.diff(curve.tangent) > 0)
     back = fudge.solve(scene, gaps, separation_unit="m")
