@@ -89,17 +89,20 @@ impl Joint {
         strips: &mut Vec<Strip>,
     ) -> Result<(), ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
-        let places: Vec<f64> = chebyshev_roots(TERMS)
-            .map(|v| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma)
-            .collect();
+        let place = |v: f64| (0.5 * (from + to) + 0.5 * (to - from) * v) / sigma;
+        let places: Vec<f64> = chebyshev_roots(TERMS).map(place).collect();
+        let between = between_roots();
+        let checked: Vec<f64> = between.iter().map(|v| place(*v)).collect();
         // Small remaining forces need only the tolerance of the table.
         let rough = self.with_tolerance_at_least(Tolerance::new(ERROR_SHARE * tolerance)?);
-        let at = |u: f64| match self.retreated(UnloadingQuantity::Force, u, &places) {
-            Err(ContactError::Integral { .. }) => {
-                rough.retreated(UnloadingQuantity::Force, u, &places)
-            }
-            found => found,
-        };
+        let at_places =
+            |u: f64, places: &[f64]| match self.retreated(UnloadingQuantity::Force, u, places) {
+                Err(ContactError::Integral { .. }) => {
+                    rough.retreated(UnloadingQuantity::Force, u, places)
+                }
+                found => found,
+            };
+        let at = |u: f64| at_places(u, &places);
         // Forces below this share at every c are negligible.
         let nothing = |forces: &[f64; TERMS], start: &[f64; TERMS]| {
             forces.iter().zip(start).all(|(force, start)| *force <= 0.2 * tolerance * start)
@@ -132,8 +135,30 @@ impl Joint {
             for (column, v) in samples.iter_mut().zip(chebyshev_roots(TERMS)) {
                 *column = values(at(low + 0.5 * (high - low) * (1.0 + v))?);
             }
-            let terms = transformed(&samples);
-            let [by_closest, by_retreat] = tails(&terms);
+            let is_positive = samples.iter().flatten().all(|force| *force >= 0.0);
+            let least = if is_positive { 0.0 } else { f64::NEG_INFINITY };
+            let cell = Cell { from: low, to: high, terms: transformed(&samples), least };
+            let [mut by_closest, mut by_retreat] = tails(&cell.terms);
+            if by_closest <= aim && by_retreat <= aim {
+                // A kink between the nodes need not show in the last terms.
+                let mut off: f64 = 0.0;
+                for v in between.into_iter().step_by(2) {
+                    let u = low + 0.5 * (high - low) * (1.0 + v);
+                    // Next to the end of bounded heights there may be too little to compare with.
+                    let found = match at_places(u, &checked) {
+                        Err(ContactError::Integral { .. }) => continue,
+                        found => found?,
+                    };
+                    for (c, found) in between.iter().zip(found) {
+                        off = off.max((cell.at(*c, u).0 - found.value()).abs());
+                    }
+                }
+                if off > aim {
+                    let worse =
+                        if by_closest > by_retreat { &mut by_closest } else { &mut by_retreat };
+                    *worse = off;
+                }
+            }
             // Relative to the smallest force at a closest approach.
             let too_deep = |tail: f64| {
                 let (asked, reached) = (tolerance, tolerance * tail / aim);
@@ -157,9 +182,7 @@ impl Joint {
                 let middle = 0.5 * (low + high);
                 pending.extend([(middle, high, halved + 1), (low, middle, halved + 1)]);
             } else {
-                let is_positive = samples.iter().flatten().all(|force| *force >= 0.0);
-                let least = if is_positive { 0.0 } else { f64::NEG_INFINITY };
-                cells.push(Cell { from: low, to: high, terms, least });
+                cells.push(cell);
             }
         }
         strips.push(Strip { from, scale: 2.0 / (to - from), cells });
@@ -171,6 +194,11 @@ fn values(found: Vec<asperity_core::Evaluation>) -> [f64; TERMS] {
     let mut values = [0.0; TERMS];
     values.iter_mut().zip(found).for_each(|(value, found)| *value = found.value());
     values
+}
+
+/// Places between the Chebyshev roots, and both ends, where polynomials err most.
+fn between_roots() -> [f64; TERMS + 1] {
+    std::array::from_fn(|k| (std::f64::consts::PI * k as f64 / TERMS as f64).cos())
 }
 
 /// Coefficients `terms[c][u]` from samples at the nodes, `samples[u][c]`.

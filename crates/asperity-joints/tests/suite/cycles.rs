@@ -211,18 +211,22 @@ fn forces_of_a_table_are_at_least_0() {
 
 #[test]
 fn tables_equal_unloading_within_their_tolerance() {
-    let cases: [(&dyn ContactModel, f64, UnloadingLaw); 4] = [
-        (&KogutEtsion, 2.0, UnloadingLaw::Hertz),
-        (&KogutEtsion, 8.0, UnloadingLaw::Etsion),
-        (&ChangEtsionBogy, 1.5, UnloadingLaw::Brake),
-        (&GreenwoodWilliamson, 1.0, UnloadingLaw::Hertz),
+    let jg = JacksonGreen::default();
+    // Jumps of CEB and JG are kinks of the table, which hide between its nodes.
+    let cases: [(&dyn ContactModel, f64, UnloadingLaw, u32); 6] = [
+        (&KogutEtsion, 2.0, UnloadingLaw::Hertz, 150),
+        (&KogutEtsion, 8.0, UnloadingLaw::Etsion, 150),
+        (&ChangEtsionBogy, 1.5, UnloadingLaw::Brake, 400),
+        (&ChangEtsionBogy, 4.0, UnloadingLaw::Brake, 400),
+        (&jg, 2.0, UnloadingLaw::Hertz, 400),
+        (&GreenwoodWilliamson, 1.0, UnloadingLaw::Hertz, 150),
     ];
-    for (model, index, law) in cases {
+    for (model, index, law, count) in cases {
         let joint = Joint::new(model, &with_index(index), law, Tolerance::default()).unwrap();
         let tolerance = 1e-6;
         let table = joint.table((-1.5 * SIGMA, 5.0 * SIGMA), tolerance).unwrap();
         let (mut force_worst, mut slope_worst) = (0.0_f64, 0.0_f64);
-        for k in 0..150 {
+        for k in 0..count {
             // Spread evenly over both, never on a node.
             let [a, b] = [0.618_033_988, 0.754_877_666].map(|g| (f64::from(k) * g).fract());
             let (closest, retreat) = ((-1.5 + 6.5 * a) * SIGMA, 2.5 * b * b * SIGMA);
