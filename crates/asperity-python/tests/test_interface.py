@@ -370,6 +370,7 @@ def test_all_ids_make_models() -> None:
     assert all(asperity.model(one.upper()).id == one for one in ids)
 
 
+@pytest.mark.filterwarnings("ignore::asperity.ContactWarning")
 def test_persson_has_gaps_with_a_hurst_exponent(scene: asperity.Scene) -> None:
     fudge = asperity.model("persson-fudge", hurst_exponent=0.8)
     with pytest.warns(asperity.ContactWarning, match="Persson fudge ignores yielding"):
