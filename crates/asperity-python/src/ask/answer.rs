@@ -1,5 +1,6 @@
 //! Evaluation of rows: on all cores, in order, and interruptible by Ctrl-C.
 
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -127,8 +128,12 @@ impl Question<'_> {
         let mut answer = Answer::default();
         answer.columns.resize_with(quantities, || Vec::with_capacity(len));
         let mut take = |found: TaskValues| {
-            for row in found.values.chunks_exact(quantities) {
-                answer.columns.iter_mut().zip(row).for_each(|(column, v)| column.push(*v));
+            if let [column] = &mut answer.columns[..] {
+                column.extend_from_slice(&found.values);
+            } else {
+                for row in found.values.chunks_exact(quantities) {
+                    answer.columns.iter_mut().zip(row).for_each(|(column, v)| column.push(*v));
+                }
             }
             answer.warnings.extend(found.warnings);
             answer.failures.extend(found.failures.into_iter().map(|(row, e)| (row, raise(e))));
@@ -212,7 +217,10 @@ impl Question<'_> {
             }
             _ => None,
         };
-        let places: Vec<f64> = range.map(place).collect::<Option<_>>()?;
+        let places = match self.rows.sigmas(range.clone()) {
+            Some(places) => Cow::Borrowed(places),
+            None => Cow::Owned(range.map(place).collect::<Option<Vec<f64>>>()?),
+        };
         let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
         let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
         let filled = contact.fill(quantities, &places, &mut out).ok()?;
@@ -225,8 +233,14 @@ impl Question<'_> {
             column.iter().all(|value| *value > 0.0 && *value <= most)
         };
         let usual = quantities.iter().zip(&columns).all(usual);
+        if !usual || filled.cancels() {
+            return None;
+        }
+        if let [_] = quantities {
+            return columns.pop();
+        }
         let rows = (0..places.len()).flat_map(|row| columns.iter().map(move |column| column[row]));
-        (usual && !filled.cancels()).then(|| rows.collect())
+        Some(rows.collect())
     }
 
     /// The values of a response to rows from `first` on.

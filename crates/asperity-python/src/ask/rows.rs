@@ -1,9 +1,10 @@
 //! Scenes and numbers, broadcast: row k is a number on a scene.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Diagnostics, Severity};
+use asperity::{At, Case, ContactError, Datum, Diagnostics, SeparationUnit, Severity};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -129,6 +130,14 @@ impl<'r> View<'r> {
         self.file(row).separation_from
     }
 
+    /// The numbers of rows of one scene file that are multiples of σ_z from the mean of the asperity
+    /// heights already.
+    pub(crate) fn sigmas(&self, rows: Range<usize>) -> Option<&[f64]> {
+        let sigmas = self.axis == Axis::Separation(SeparationUnit::Sigma);
+        let one = self.files.len() == 1 && self.files[0].separation_from == Datum::AsperityMean;
+        if sigmas && one { self.numbers.get(rows) } else { None }
+    }
+
     pub(crate) fn at(&self, row: usize) -> At {
         self.axis.at(self.numbers[row], self.datum(row))
     }
@@ -147,10 +156,9 @@ impl<'r> View<'r> {
 
     /// A warning if the separation of largest magnitude has probably another unit.
     pub(crate) fn mistaken_unit(&self) -> Option<String> {
-        let by_magnitude =
-            |a: &usize, b: &usize| self.numbers[*a].abs().total_cmp(&self.numbers[*b].abs());
-        let row =
-            (0..self.len()).filter(|row| self.numbers[*row].is_finite()).max_by(by_magnitude)?;
+        let magnitude = |x: &f64| if x.is_finite() { x.abs() } else { 0.0 };
+        let largest = self.numbers.iter().map(magnitude).fold(0.0, f64::max);
+        let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest.to_bits())?;
         self.axis.mistaken_unit(
             "separation",
             self.numbers[row],
