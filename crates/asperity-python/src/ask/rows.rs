@@ -130,8 +130,8 @@ impl<'r> View<'r> {
         self.file(row).separation_from
     }
 
-    /// The numbers of rows of one scene file that are multiples of σ_z from the mean of the asperity
-    /// heights already.
+    /// The numbers of these rows, if they are multiples of σ_z from the mean of the asperity
+    /// heights.
     pub(crate) fn sigmas(&self, rows: Range<usize>) -> Option<&[f64]> {
         let sigmas = self.axis == Axis::Separation(SeparationUnit::Sigma);
         let one = self.files.len() == 1 && self.files[0].separation_from == Datum::AsperityMean;
