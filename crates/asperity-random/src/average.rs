@@ -10,9 +10,11 @@ use asperity_core::{
 };
 use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
 
-use crate::contact::EQUAL;
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
+
+/// What to do where a random surface is refused.
+pub(crate) const EQUAL: &str = "set asperities = \"equal\" in [surface]";
 
 /// Tolerance of the tables relative to the envelope of the law; rounding errors are just below.
 const TOLERANCE: f64 = 2e-13;

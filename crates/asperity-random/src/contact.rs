@@ -8,15 +8,13 @@ use asperity_core::{
     SeparationUnit, Share, Tolerance, Validity,
 };
 
-use crate::average::Average;
+use crate::average::{Average, EQUAL};
 use crate::population::Population;
 
 /// The largest separation from the surface's mean plane, in √m₀.
 pub const FARTHEST: f64 = 6.0;
 /// The ending of the ids.
 pub const SUFFIX: &str = "-random";
-/// What to do where a random surface is refused.
-pub(crate) const EQUAL: &str = "set asperities = \"equal\" in [surface]";
 /// Relative rounding error of the ends of parts.
 const ROUNDING: f64 = 1e-12;
 

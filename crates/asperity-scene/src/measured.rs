@@ -13,8 +13,16 @@ use serde::Deserialize;
 use crate::document::Document;
 use crate::heights::HeightsKey;
 use crate::scan::open_seam;
-use crate::scene_file::Asked;
 use crate::{Measured, Place, Roughness, SceneError};
+
+/// What a scene file is read for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asked {
+    /// Models of asperities, among others.
+    Asperities,
+    /// Boundary elements, on a scan that is declared periodic if the file or the caller says so.
+    Scan { periodic: bool },
+}
 
 /// The bandwidth α of the surface that stands in where a scan has no asperities.
 const BANDWIDTH: f64 = 3.0;

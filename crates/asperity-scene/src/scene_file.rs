@@ -16,6 +16,7 @@ use serde::de::IgnoredAny;
 use crate::document::{Document, read_text};
 use crate::heights::{HeightKeys, HeightsKey, compare_std};
 use crate::interface::{InterfaceKeys, interface};
+use crate::measured::Asked;
 use crate::scan::{ScanSpectrum, height_map};
 use crate::surface::surface;
 use crate::write::Read;
@@ -83,15 +84,6 @@ pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
 /// Those of [`load`], except that of a scan without asperities.
 pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, SceneError> {
     load_with(path.as_ref(), Asked::Scan { periodic })
-}
-
-/// What a scene file is read for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Asked {
-    /// Models of asperities, among others.
-    Asperities,
-    /// Boundary elements, on a scan that is declared periodic if the file or the caller says so.
-    Scan { periodic: bool },
 }
 
 fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {

@@ -5,8 +5,7 @@ use serde::Deserialize;
 
 use crate::document::Document;
 use crate::heights::HeightsKey;
-use crate::measured::{SurfaceDescription, measured};
-use crate::scene_file::Asked;
+use crate::measured::{Asked, SurfaceDescription, measured};
 use crate::template::measured_keys;
 use crate::{Roughness, SceneError};
 

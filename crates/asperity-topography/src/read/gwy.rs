@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use asperity_core::Diagnostic;
 
+use super::refusal::gwy as refuse;
 use super::scan::{PixelSize, Scan, points, select};
 use super::units;
 use crate::error::excerpt;
@@ -246,9 +247,4 @@ impl<'a> Bytes<'a> {
             _ => return None,
         })
     }
-}
-
-fn refuse(field: &'static str, found: impl AsRef<str>, required: &str) -> TopographyError {
-    let (found, required) = (excerpt(found.as_ref()), required.to_owned());
-    TopographyError::Field { format: "gwy", field, found, required }
 }

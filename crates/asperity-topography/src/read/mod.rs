@@ -9,6 +9,7 @@ mod npy;
 mod options;
 mod points;
 mod profile;
+mod refusal;
 mod sample;
 mod scan;
 mod sdf;

@@ -7,6 +7,7 @@ use std::io::Cursor;
 
 use zip::ZipArchive;
 
+use super::refusal::npy as refuse;
 use super::sample::{Kind, Sample};
 use super::scan::{Scan, points};
 use crate::TopographyError;
@@ -23,7 +24,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         [n] => (1, n),
         [rows, columns] => (rows, columns),
         _ => {
-            return Err(refuse("shape", &format!("{:?}", header.shape), "(n,) or (rows, columns)"));
+            return Err(refuse("shape", format!("{:?}", header.shape), "(n,) or (rows, columns)"));
         }
     };
     let n = points(columns, rows)?;
@@ -31,7 +32,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let needed = n * header.sample.size();
     if data.len() != needed {
         let required = format!("{needed}, by the shape and the type");
-        return Err(refuse("data", &format!("{} bytes", data.len()), &required));
+        return Err(refuse("data", format!("{} bytes", data.len()), &required));
     }
     let mut heights = Vec::with_capacity(n);
     header.sample.decode(data, &mut heights);
@@ -60,7 +61,7 @@ pub(super) fn archive(bytes: &[u8]) -> TopographyError {
 
 /// Header text and data.
 fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
-    let short = || refuse("header", &format!("{} bytes", bytes.len()), "a whole header");
+    let short = || refuse("header", format!("{} bytes", bytes.len()), "a whole header");
     if !bytes.starts_with(MAGIC) {
         return Err(refuse("file", "something else", "a file that begins with \\x93NUMPY"));
     }
@@ -76,12 +77,12 @@ fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
             (u32::from_le_bytes(*length) as usize, rest)
         }
         [major, minor] => {
-            return Err(refuse("version", &format!("{major}.{minor}"), "1.0, 2.0 or 3.0"));
+            return Err(refuse("version", format!("{major}.{minor}"), "1.0, 2.0 or 3.0"));
         }
     };
     if length > MAX_HEADER {
         let required = format!("at most {MAX_HEADER} bytes");
-        return Err(refuse("header", &format!("{length} bytes"), &required));
+        return Err(refuse("header", format!("{length} bytes"), &required));
     }
     let (header, data) = rest.split_at_checked(length).ok_or_else(short)?;
     let text = std::str::from_utf8(header)
@@ -100,7 +101,7 @@ impl Header {
     fn parse(text: &str) -> Result<Self, TopographyError> {
         let wrong = || {
             let required = "{'descr': .., 'fortran_order': .., 'shape': ..} of plain numbers";
-            refuse("header", &format!("{:?}", text.trim_end()), required)
+            refuse("header", format!("{:?}", text.trim_end()), required)
         };
         let inner = text.trim().strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
         let mut rest = inner.ok_or_else(wrong)?.trim();
@@ -166,9 +167,4 @@ fn sample(descr: &str) -> Result<Sample, TopographyError> {
         _ => return Err(wrong()),
     };
     Ok(Sample { kind, big_endian })
-}
-
-fn refuse(field: &'static str, found: &str, required: &str) -> TopographyError {
-    let (found, required) = (excerpt(found), required.to_owned());
-    TopographyError::Field { format: "npy", field, found, required }
 }

@@ -2,10 +2,10 @@
 //!
 //! The layout follows the readers of Gwyddion, surfalize and sdfio, not the standard.
 
+use super::refusal::sdf as refuse;
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, points};
 use super::sdf_ascii;
-use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) fn is_sdf(bytes: &[u8]) -> bool {
@@ -157,9 +157,4 @@ fn binary(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
     sample.decode(data, &mut heights);
     header.mark(&mut heights)?;
     Ok((heights, header))
-}
-
-pub(super) fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
-    let (found, required) = (excerpt(&found.to_string()), required.to_owned());
-    TopographyError::Field { format: "sdf", field, found, required }
 }

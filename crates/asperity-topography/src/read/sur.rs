@@ -7,11 +7,11 @@ use std::borrow::Cow;
 
 use asperity_core::Diagnostic;
 
+use super::refusal::sur as refuse;
 use super::sample::{Kind, Sample};
 use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points, select};
 use super::table::decode;
 use super::{sur_data, units};
-use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
@@ -202,9 +202,4 @@ impl Header<'_> {
         let symbol = if name == "\u{e6}m" { "um" } else { &name };
         units::unit(symbol).ok_or_else(|| refuse(field, format!("{name:?}"), "a unit of length"))
     }
-}
-
-pub(super) fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
-    let (found, required) = (excerpt(&found.to_string()), required.to_owned());
-    TopographyError::Field { format: "sur", field, found, required }
 }

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use flate2::read::ZlibDecoder;
 
-use super::sur::refuse;
+use super::refusal::sur as refuse;
 use crate::TopographyError;
 
 /// The highest ratio of deflate: 258 bytes in two bits.

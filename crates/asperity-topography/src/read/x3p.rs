@@ -7,10 +7,10 @@ use std::io::{Cursor, Read};
 use zip::ZipArchive;
 
 use super::points::grid;
+use super::refusal::x3p as refuse;
 use super::scan::{PixelSize, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 use super::{npy, profile};
-use crate::error::excerpt;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
@@ -157,9 +157,4 @@ fn unpack(
         Ok(_) => Err(refuse("DataLink", entry_error(&"more"), &required)),
         Err(error) => Err(refuse("DataLink", entry_error(&error), "an entry that can be unpacked")),
     }
-}
-
-pub(super) fn refuse(field: &'static str, found: impl ToString, required: &str) -> TopographyError {
-    let (found, required) = (excerpt(&found.to_string()), required.to_owned());
-    TopographyError::Field { format: "x3p", field, found, required }
 }

@@ -2,8 +2,8 @@
 
 use roxmltree::{Document, Node, ParsingOptions};
 
+use super::refusal::x3p as refuse;
 use super::sample::{Kind, Sample};
-use super::x3p::refuse;
 use crate::TopographyError;
 
 /// The largest number of elements, texts and comments.
