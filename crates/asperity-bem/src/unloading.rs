@@ -75,8 +75,8 @@ fn even_approach(contact: &[f64], space: &mut HalfSpace) -> Result<FixedContact,
     let mut remainder = contact.to_vec();
     let mut direction = vec![0.0; contact.len()];
     let mut response = vec![0.0; contact.len()];
-    let (mut residual, mut product) = (1.0, f64::INFINITY);
-    for iterations in 0..=MOST_ITERATIONS {
+    let (mut residual, mut product, mut iterations) = (1.0, f64::INFINITY, 0);
+    while iterations <= MOST_ITERATIONS {
         if residual <= TOLERANCE {
             let [total] = sum([&pressures], |[pressure]| [pressure]);
             let stiffness = total / pixels;
@@ -110,10 +110,10 @@ fn even_approach(contact: &[f64], space: &mut HalfSpace) -> Result<FixedContact,
                 [left.powi(2)]
             });
         residual = (squares / touching).sqrt();
+        iterations += 1;
     }
     if touching >= pixels {
         return Err(BemError::FullContact);
     }
-    let iterations = MOST_ITERATIONS;
     Err(BemError::NotConverged { residual, iterations, required: TOLERANCE })
 }

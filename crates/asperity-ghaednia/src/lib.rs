@@ -76,7 +76,7 @@ impl Fit {
         1.0 + (0.5 * self.b * (x / ELASTIC_END).ln()).exp_m1() * exponent.exp()
     }
 
-    /// F/F_y = x^1.5 e^(-3.3 E_t/E_b) of the plastic law, and the rest of the elastic one.
+    /// F/F_y: the plastic law with the share e^(-3.3 E_t/E_b), and the elastic one with the rest.
     fn force(&self, x: f64) -> f64 {
         let (ln_x, elastic) = (x.ln(), x * x.sqrt());
         // a/(2R), with a_e/R = strain √x.
