@@ -75,6 +75,7 @@ mod energy_gain;
 mod joint;
 mod path;
 mod remaining;
+mod retreat_model;
 mod root;
 mod slip;
 mod strips;
