@@ -3,6 +3,7 @@
 
 mod cycles;
 mod energy;
+mod forces;
 mod references;
 mod refusals;
 mod scenes;
