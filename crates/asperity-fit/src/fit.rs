@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use asperity_core::{ContactModel, short};
+use nalgebra::DVector;
 
 use crate::combinations::undetermined;
 use crate::forward::Forward;
@@ -13,7 +14,7 @@ use crate::search::{Found, search};
 use crate::spread::Spread;
 use crate::{Data, Estimate, FitError, Fitted, Parameter, Residual};
 
-/// Residuals below this, relative, are errors of the values: they rank no model.
+/// Residuals below this, relative, are errors of the values: they read 0 and rank no model.
 const ACCURACY: f64 = 1e-12;
 /// A coordinate this near a bound, relative to the range, is at the bound.
 const AT_BOUND: f64 = 1e-6;
@@ -112,7 +113,8 @@ impl<'f> Fit<'f> {
             .map_err(|reason| FitError::NoStart { model: model.id().into(), reason })?;
         let forward = &forward;
         let problem = Problem { model, forward, data, parameters, scene, watch: &watch };
-        let found = search(&problem, self.more_starts)?;
+        let mut found = search(&problem, self.more_starts)?;
+        found.best = near_the_start(&problem, found.best)?;
         let mut fitted = self.describe(&problem, &found)?;
         fitted.evaluations = watch.state.borrow().evaluations;
         Ok(fitted)
@@ -189,8 +191,8 @@ impl<'f> Fit<'f> {
             Some(ratio).filter(|ratio| !one.measured.is_difference() && ratio.is_finite())
         };
         let ratios: Vec<f64> = self.data.iter().zip(values).filter_map(logarithm).collect();
-        let mean = squares(&ratios) / ratios.len() as f64;
-        (!ratios.is_empty()).then(|| mean.sqrt())
+        let rms = (squares(&ratios) / ratios.len() as f64).sqrt();
+        (!ratios.is_empty()).then_some(if rms < ACCURACY { 0.0 } else { rms })
     }
 
     /// The Bayesian information criterion, for normal residuals of known or unknown deviation.
@@ -254,5 +256,30 @@ impl<'f> Fit<'f> {
         };
         notes.extend(others.iter().map(other));
         notes
+    }
+}
+
+/// The minimum with the least change of combinations that the data do not fix: what the search
+/// makes of these is chance.
+fn near_the_start(problem: &Problem<'_>, best: Minimum) -> Result<Minimum, FitError> {
+    let Some(spread) = Spread::new(problem, &best)? else { return Ok(best) };
+    let free = spread.free_directions();
+    if free.ncols() == 0 {
+        return Ok(best);
+    }
+    let parameters = problem.parameters.iter();
+    let change = parameters.zip(&best.coordinates).map(|(p, x)| x - p.coordinate(p.start));
+    let change = DVector::from_iterator(best.coordinates.len(), change);
+    let idle = &free * (free.transpose() * change);
+    let moved: Vec<f64> = best.coordinates.iter().zip(&idle).map(|(x, idle)| x - idle).collect();
+    let inside = |(parameter, x): (&Parameter, &f64)| {
+        let [low, high] = parameter.range();
+        (low..=high).contains(x)
+    };
+    let squares = squares(&problem.residuals(&moved)?);
+    let same = squares <= best.squares * (1.0 + 1e-6) + 1e-20 * problem.data.len() as f64;
+    match same && problem.parameters.iter().zip(&moved).all(inside) {
+        true => Ok(Minimum { coordinates: moved, squares, ..best }),
+        false => Ok(best),
     }
 }

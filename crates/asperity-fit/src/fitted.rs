@@ -10,8 +10,8 @@ pub struct Fitted {
     pub model: String,
     /// Whether the search ended at a minimum.
     pub converged: bool,
-    /// Root mean square of ln(fitted/measured), a relative error; `None` if no value has a
-    /// logarithm.
+    /// Root mean square of ln(fitted/measured), a relative error, 0 below 1e-12; `None` if no
+    /// value has a logarithm.
     pub rms: Option<f64>,
     /// Sum of squares over the degrees of freedom, with standard deviations: about 1 where model
     /// and standard deviations are right. `None` without them or without freedom.

@@ -79,7 +79,8 @@ impl Parameter {
             let reason = format!("the lower bound is {}: at least 0 was required", short(low));
             return Err(FitError::Parameter { parameter: found.name, reason });
         }
-        if !found.is_log() && !(scale > 0.0 && scale.is_finite()) {
+        let has_scale = scale > 0.0 && scale.is_finite();
+        if !(found.is_log() || has_scale) {
             let reason = format!("its scale is {scale:?}: a finite number above 0 was required");
             return Err(FitError::Parameter { parameter: found.name, reason });
         }

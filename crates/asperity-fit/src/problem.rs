@@ -30,9 +30,12 @@ pub(crate) struct Problem<'f> {
     pub(crate) watch: &'f Watch<'f>,
 }
 
+/// A caller that sees the progress of a fit, and may end it.
+pub type Observer<'f> = dyn FnMut(&Progress) -> ControlFlow<()> + 'f;
+
 /// The caller's view of a long fit.
 pub(crate) struct Watch<'f> {
-    pub(crate) progress: RefCell<&'f mut dyn FnMut(&Progress) -> ControlFlow<()>>,
+    pub(crate) progress: RefCell<&'f mut Observer<'f>>,
     pub(crate) state: RefCell<Progress>,
 }
 

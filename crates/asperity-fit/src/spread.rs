@@ -8,6 +8,8 @@ use crate::problem::{Minimum, Problem};
 
 /// Singular values below this share of the largest are 0 within the errors of the derivatives.
 const RANK: f64 = 1e-7;
+/// Derivatives beyond this are differences to missing values.
+const NO_SLOPE: f64 = 1e12;
 /// The coverage of an interval.
 const COVERAGE: f64 = 0.95;
 /// The relative deviation from a parabola beyond which the profile is followed.
@@ -39,7 +41,7 @@ impl Spread {
         let all: Vec<usize> = (0..count).collect();
         let jacobian = problem.jacobian(&minimum.coordinates, &all)?;
         // Missing values stand as huge residuals.
-        if jacobian.iter().any(|slope| !(slope.abs() < 1e9)) {
+        if !jacobian.iter().all(|slope| slope.abs() < NO_SLOPE) {
             return Ok(None);
         }
         let found = SVD::try_new(jacobian, false, true, f64::EPSILON, 10_000);

@@ -103,6 +103,12 @@ def test_loops_enclose_the_loss_and_end_in_full_sliding(scene: asperity.Scene) -
     amplitude = slip.shift_at(0.9)
     assert slip.force(amplitude) == pytest.approx(0.9 * 30.0, rel=1e-8)
     assert slip.shift_at() > amplitude and slip.force(1e-5) == pytest.approx(30.0, rel=1e-9)
+    assert slip.limit == pytest.approx(30.0, rel=1e-9)
+    forces = np.array([1e-3, 1.0, 29.0])
+    assert np.abs(slip.force(slip.amplitude_at(forces)) / forces - 1).max() < 1e-12
+    assert slip.amplitude_at("1 N") == slip.amplitude_at(forces)[1]
+    with pytest.raises(ValueError, match="tangential_force is 31.0: less than friction times"):
+        slip.amplitude_at(31.0)
 
     def width(x: float) -> float:
         forth = slip.loop_force(x, amplitude, forth=True)

@@ -17,9 +17,9 @@ NOTEBOOKS = sorted((HERE.parents[1] / "examples").glob("*.ipynb"))
 FIGURES = HERE.parents[3] / "figures"
 
 
-def test_there_are_five() -> None:
+def test_there_are_six() -> None:
     names = ["bolted-joint-vibration", "paper-figure", "scan-to-stiffness"]
-    names += ["wheel-rail-uncertainty", "which-model"]
+    names += ["ultrasonic-roughness", "wheel-rail-uncertainty", "which-model"]
     assert [path.stem for path in NOTEBOOKS] == names
 
 

@@ -49,8 +49,7 @@ pub fn svg(
     }
     let mut curves = vec![Curve::points(0, DATA, DATA)];
     if data.has_std() {
-        let mut bars = Curve::new(9, SPREAD, "± standard deviation");
-        bars.marked = None;
+        let bars = Curve::new(0, SPREAD, "± standard deviation");
         curves.push(bars);
     }
     let model = |(fitted, k): (&Fitted, usize)| Curve::new(k, &fitted.model, &fitted.model);

@@ -26,6 +26,13 @@ fn stiffness_against_load_fixes_one_group_of_gw() {
     let group = density * radius.sqrt() / (TRUTH[1] * TRUTH[0].sqrt());
     assert!((group - 1.0).abs() < 1e-8, "{group}");
     assert!(fitted.parameters.iter().all(|p| p.lower.is_none() && p.upper.is_none()));
+    // Of the values that fit, those nearest to the start: 1.7 times the truth, less the part that
+    // the data do not allow, which is shared by the exponents 1/2 and 1.
+    let excess = 1.7f64.ln() * 1.5 / 1.25;
+    for (found, exponent) in [(radius / TRUTH[0], 0.5), (density / TRUTH[1], 1.0)] {
+        let wanted = 1.7 * (-excess * exponent).exp();
+        assert!((found / wanted - 1.0).abs() < 1e-5, "{found} {wanted}");
+    }
 }
 
 #[test]

@@ -432,9 +432,14 @@ class PartialSlip:
     def loss_factor(self, amplitude: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
     def loss_factor(self, amplitude: npt.ArrayLike) -> _Floats: ...
+    @overload
+    def amplitude_at(self, force: float | str) -> float: ...  # type: ignore[overload-overlap]
+    @overload
+    def amplitude_at(self, force: npt.ArrayLike) -> _Floats: ...
     def shift_at(self, share: _Float = 0.99) -> float: ...
     unloading: Final[Unloading]
     friction: Final[float]
+    limit: Final[float]
 
 def answer(
     engine: Engine,

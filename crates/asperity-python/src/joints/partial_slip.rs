@@ -36,7 +36,7 @@ impl PartialSlip {
 
     /// Tangential force [N] at shifts of the first loading.
     fn force<'py>(&self, shift: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.over(shift, "shift", |slip, u| Ok(slip.force(u)?.value()))
+        self.over(shift, ("shift", "m"), |slip, u| Ok(slip.force(u)?.value()))
     }
 
     /// Tangential force [N] at shifts in a steady cycle: on the branch from +amplitude back, or,
@@ -50,18 +50,30 @@ impl PartialSlip {
     ) -> PyResult<Bound<'py, PyAny>> {
         let amplitude: f64 =
             texts_in_si(amplitude, "m")?.as_ref().unwrap_or(amplitude).extract()?;
-        self.over(shift, "shift", |slip, u| slip.loop_force(u, amplitude, forth))
+        self.over(shift, ("shift", "m"), |slip, u| slip.loop_force(u, amplitude, forth))
     }
 
     /// Energy [J] dissipated per cycle between -amplitude and +amplitude.
     fn loss<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.over(amplitude, "amplitude", |slip, u| Ok(slip.loss(u)?.value()))
+        self.over(amplitude, ("amplitude", "m"), |slip, u| Ok(slip.loss(u)?.value()))
     }
 
     /// Loss factor of a cycle between -amplitude and +amplitude: the dissipated energy over pi
     /// times force times amplitude; 4/pi in full sliding.
     fn loss_factor<'py>(&self, amplitude: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        self.over(amplitude, "amplitude", joints::PartialSlip::loss_factor)
+        self.over(amplitude, ("amplitude", "m"), joints::PartialSlip::loss_factor)
+    }
+
+    /// Amplitude of shift [m] of cycles with these amplitudes of the tangential force [N], which are
+    /// below ``limit``.
+    fn amplitude_at<'py>(&self, force: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        self.over(force, ("tangential_force", "N"), joints::PartialSlip::amplitude_at)
+    }
+
+    /// The tangential force [N] at which the joint slides: friction times the normal force.
+    #[getter]
+    fn limit(&self, py: Python<'_>) -> PyResult<f64> {
+        py.detach(|| self.slip.limit()).map_err(|error| self.raise(py, error))
     }
 
     /// Shift [m] at which the tangential force reaches ``share`` of its limit, friction times the
@@ -92,11 +104,11 @@ impl PartialSlip {
     fn over<'py>(
         &self,
         numbers: &Bound<'py, PyAny>,
-        name: &str,
+        (name, unit): (&str, &str),
         one: impl Fn(&joints::PartialSlip, f64) -> Result<f64, ContactError> + Sync,
     ) -> PyResult<Bound<'py, PyAny>> {
         let one = |u: f64| one(&self.slip, u);
-        let read = texts_in_si(numbers, "m")?;
+        let read = texts_in_si(numbers, unit)?;
         let numbers = read.as_ref().unwrap_or(numbers);
         over(numbers, name, |_| None, one, |error| self.raise(numbers.py(), error))
     }
