@@ -77,7 +77,7 @@ impl SceneFile {
         free: &[Free],
         data: &Data,
     ) -> Result<Vec<Parameter>, SceneError> {
-        free.iter().map(|free| Ok(self.free_parameter(free, data)?)).collect()
+        free.iter().map(|free| self.free_parameter(free, data)).collect()
     }
 
     fn free_parameter(&self, free: &Free, data: &Data) -> Result<Parameter, SceneError> {
