@@ -5,12 +5,13 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{At, Case, ContactError, Datum, Diagnostics, SeparationUnit, Severity};
+use asperity_scene::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
 use crate::convert::axis::Axis;
 use crate::scene::SceneFile;
-use crate::scene::inputs::{Input, inputs, with_numbers};
+use crate::scene::inputs::inputs;
 
 /// The `Rows` of the package.
 #[derive(FromPyObject)]
@@ -28,7 +29,7 @@ pub(crate) struct Rows<'py> {
 /// The same for threads without the interpreter.
 pub(crate) struct View<'r> {
     pub(crate) files: Vec<Arc<asperity_scene::SceneFile>>,
-    columns: Vec<(Input, &'r [f64])>,
+    columns: Vec<(SceneInput, &'r [f64])>,
     /// Empty if all rows are on the first scene.
     index: &'r [i64],
     axis: Axis,
@@ -91,7 +92,7 @@ impl<'r> View<'r> {
             return self.files[scene].findings();
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[scene]));
-        with_numbers(&self.files[0], numbers).map_or(Diagnostics::default(), |file| file.findings())
+        self.files[0].with_inputs(numbers).map_or(Diagnostics::default(), |file| file.findings())
     }
 
     /// Warnings and errors that the first scene does not list as accepted, one for each cause.
@@ -147,7 +148,7 @@ impl<'r> View<'r> {
             return Ok(self.file(row).scene.clone());
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[self.place(row)]));
-        Ok(with_numbers(self.file(row), numbers)?.scene)
+        Ok(self.file(row).with_inputs(numbers)?.scene)
     }
 
     pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
