@@ -7,7 +7,8 @@ use asperity_core::{
     Quantity, Request, Scene, Separation, SeparationUnit, Tolerance,
 };
 
-use crate::asperity_laws::{AsperityLaws, RetreatModel, UnloadingQuantity};
+use crate::asperity_laws::{AsperityLaws, UnloadingQuantity};
+use crate::retreat_model::RetreatModel;
 use crate::{Unloading, UnloadingLaw};
 
 /// Bound on the error of the first remaining interference, in units of the last place: δ takes some

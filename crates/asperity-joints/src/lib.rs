@@ -77,6 +77,7 @@ mod path;
 #[cfg(test)]
 mod published;
 mod remaining;
+mod retreat_model;
 mod root;
 mod slip;
 mod strips;

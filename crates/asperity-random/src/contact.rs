@@ -60,19 +60,16 @@ impl RandomAsperities {
     }
 }
 
-/// The contact of an averaged law.
-fn on_scene(
+/// An averaged law on its own scene.
+fn compiled(
     average: &Average<'_>,
     scene: &Scene,
     request: &Request,
-) -> Result<OnScene, ContactError> {
-    let population = average.population;
+) -> Result<Box<dyn Contact>, ContactError> {
     // Loads need no change; each separation is shifted.
     let loads = request.at.iter().copied().filter(|at| !matches!(at, At::Separation(_)));
     let asked = Request::new(request.quantities.clone()).within(request.tolerance).at(loads);
-    let averaged = average.compile(&population.scene(scene), &asked)?;
-    let tolerance = request.tolerance;
-    Ok(OnScene { averaged, scene: scene.clone(), population, tolerance })
+    average.compile(&average.population.scene(scene), &asked)
 }
 
 impl Described for RandomAsperities {
@@ -101,31 +98,9 @@ impl ContactModel for RandomAsperities {
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         let (model, population) = self.accepted(scene)?;
         let average = Average { model, name: &self.name, population, cuts: &[] };
-        Ok(Box::new(on_scene(&average, scene, request)?))
-    }
-
-    fn shares_beyond(
-        &self,
-        scene: &Scene,
-        at: At,
-        multiples: &[f64],
-    ) -> Result<Option<Vec<f64>>, ContactError> {
-        let (model, population) = self.accepted(scene)?;
-        // w_c is proportional to the radius, and each law of an asperity a function of w over it.
-        let asperity = population.scene(scene).asperity()?;
-        let critical = asperity.critical_interference()?;
-        let cuts: Vec<f64> = multiples.iter().map(|multiple| multiple * critical).collect();
-        let average = Average { model, name: &self.name, population, cuts: &cuts };
-        let request = Request::new([Quantity::Force]).within(Tolerance::default()).at([at]);
-        let shares = on_scene(&average, scene, &request)?.shares_at(Quantity::Force, at)?;
-        let law = average.cut(model.force(&asperity, Tolerance::default())?);
-        let from = |part: &Part| (part.range.start + law.onset) * law.interference_unit;
-        let beyond = |cut: &f64| {
-            let parts = law.parts.iter().zip(&shares);
-            let beyond = parts.filter(|(part, _)| from(part) >= cut * (1.0 - ROUNDING));
-            beyond.map(|(_, share)| share.share).sum()
-        };
-        Ok(Some(cuts.iter().map(beyond).collect()))
+        let averaged = compiled(&average, scene, request)?;
+        let (model, tolerance) = (self.clone(), request.tolerance);
+        Ok(Box::new(OnScene { averaged, model, scene: scene.clone(), population, tolerance }))
     }
 }
 
@@ -133,6 +108,7 @@ impl ContactModel for RandomAsperities {
 #[derive(Debug)]
 struct OnScene {
     averaged: Box<dyn Contact>,
+    model: RandomAsperities,
     scene: Scene,
     population: Population,
     tolerance: Tolerance,
@@ -224,6 +200,26 @@ impl Contact for OnScene {
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
         self.averaged.shares_at(quantity, self.own(at)?).map_err(self.at(at))
+    }
+
+    fn shares_beyond(&self, at: At, multiples: &[f64]) -> Result<Option<Vec<f64>>, ContactError> {
+        let (model, population) = self.model.accepted(&self.scene)?;
+        // w_c is proportional to the radius, and each law of an asperity a function of w over it.
+        let asperity = population.scene(&self.scene).asperity()?;
+        let critical = asperity.critical_interference()?;
+        let cuts: Vec<f64> = multiples.iter().map(|multiple| multiple * critical).collect();
+        let average = Average { model, name: &self.model.name, population, cuts: &cuts };
+        let request = Request::new([Quantity::Force]).at([at]);
+        let averaged = compiled(&average, &self.scene, &request)?;
+        let shares = averaged.shares_at(Quantity::Force, self.own(at)?).map_err(self.at(at))?;
+        let law = average.cut(model.force(&asperity, Tolerance::default())?);
+        let from = |part: &Part| (part.range.start + law.onset) * law.interference_unit;
+        let beyond = |cut: &f64| {
+            let parts = law.parts.iter().zip(&shares);
+            let beyond = parts.filter(|(part, _)| from(part) >= cut * (1.0 - ROUNDING));
+            beyond.map(|(_, share)| share.share).sum()
+        };
+        Ok(Some(cuts.iter().map(beyond).collect()))
     }
 
     fn second_derivative_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

@@ -125,9 +125,10 @@ fn shares_beyond_multiples_of_w_c_are_those_of_the_density() {
         }
         beyond.map(|share| share / all)
     };
+    let request = Request::new([Quantity::Force]);
     for height in [0.5e-6, 2e-6] {
-        let gw = RandomAsperities::new(GreenwoodWilliamson);
-        let found = gw.shares_beyond(&scene, above(height), &multiples).unwrap().unwrap();
+        let gw = RandomAsperities::new(GreenwoodWilliamson).compile(&scene, &request).unwrap();
+        let found = gw.shares_beyond(above(height), &multiples).unwrap().unwrap();
         let direct = direct(height);
         for (found, direct) in found.iter().zip(direct) {
             assert!((found - direct).abs() < 2e-3, "{height}: {found} {direct}");
@@ -135,10 +136,10 @@ fn shares_beyond_multiples_of_w_c_are_those_of_the_density() {
         assert!(found[0] > 0.1 && found[0] < 0.99 && found[1] < found[0], "{found:?}");
     }
     // KE's own elastic part ends at w_c.
-    let (ke, at) = (RandomAsperities::new(KogutEtsion), above(1e-6));
-    let found = ke.shares_beyond(&scene, at, &[1.0]).unwrap().unwrap()[0];
-    let request = Request::new([Quantity::Force]);
-    let parts = ke.compile(&scene, &request).unwrap().shares_at(Quantity::Force, at).unwrap();
+    let ke = RandomAsperities::new(KogutEtsion).compile(&scene, &request).unwrap();
+    let at = above(1e-6);
+    let found = ke.shares_beyond(at, &[1.0]).unwrap().unwrap()[0];
+    let parts = ke.shares_at(Quantity::Force, at).unwrap();
     assert!((1.0 - found - parts[0].share).abs() < 1e-10, "{found} {parts:?}");
 }
 

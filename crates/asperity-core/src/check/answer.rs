@@ -1,36 +1,26 @@
 //! Plausibility of an answer: interferences, number of contacts, and the range of validity of the
 //! model.
 
+use super::findings::{
+    CROWDED, FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
+};
 use super::interferences::Interferences;
 use super::{Check, Scene};
 use crate::diagnostic::short;
-use crate::recommended::{DMT, FULL_CONTACT, JKR, WHOLE_SURFACE, YIELDING};
+use crate::recommended::FULL_CONTACT;
 use crate::{
-    At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, KnownDefect, Quantity,
-    Regime, Request, Separation, SeparationUnit, Severity, Tolerance, Validity,
+    At, Contact, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, Quantity, Regime,
+    Request, Separation, SeparationUnit, Tolerance, Validity,
 };
 
 /// Tolerance of the numbers in diagnostics.
 const TOLERANCE: f64 = 1e-6;
-/// Area fractions above which asperities interact (warning), and above which they would overlap
-/// (error).
-const CROWDED: [f64; 2] = [0.1, 1.0];
-/// Number of contacts below which a single realisation differs much from the average.
-const FEW: f64 = 30.0;
 /// w/R beyond which an asperity is no spherical cap under small deformation.
 const FLATTENED: f64 = 0.3;
 /// Share of the contacts that carries less than one per cent of the load.
 const NEGLIGIBLE: f64 = 1e-6;
-/// Largest plausible p/H; plastic contacts of JG and AF, whose p/H rises with w, are below.
-const PLASTIC: f64 = 1.5;
-/// Share of the force on yielding asperities (note, warning), which an elastic law ignores.
-const YIELDS: [f64; 2] = [0.02, 0.1];
 /// Meaning of that share.
 const YIELDING_SHARE: &str = "of the load, by asperities with w > w_c";
-/// Share of the force in the range of a known defect of the law.
-const MISSED: f64 = 0.2;
-/// Share of the force beyond the fitted range of a law.
-const BEYOND: f64 = 0.02;
 
 impl Check {
     /// Derived numbers and findings of a scene ([`Scene::check`]) and of a model's answer at a
@@ -129,7 +119,7 @@ impl Check {
             check.of_depths(model, scene, at, (&deep, plastic));
         }
         if whole || yields {
-            check.of_different_radii(model, scene, at, place);
+            check.of_different_radii(model, &*contact, at, place);
         }
         Ok(check)
     }
@@ -139,7 +129,7 @@ impl Check {
     fn of_different_radii(
         &mut self,
         model: &dyn ContactModel,
-        scene: &Scene,
+        contact: &dyn Contact,
         at: At,
         place: Separation,
     ) {
@@ -147,7 +137,7 @@ impl Check {
         let defect = known_defect.map(|defect| [defect.from, defect.to]);
         let mut multiples = vec![1.0];
         multiples.extend(defect.iter().flatten());
-        let Ok(Some(beyond)) = model.shares_beyond(scene, place.into(), &multiples) else { return };
+        let Ok(Some(beyond)) = contact.shares_beyond(place.into(), &multiples) else { return };
         let [yielding, missing @ ..] = &beyond[..] else { return };
         self.add_number("yielding_share", *yielding, "", YIELDING_SHARE);
         if holds_to.is_some_and(|multiple| multiple <= 1.0) {
@@ -261,134 +251,6 @@ fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool 
     let depth = FLATTENED * surface.asperity_radius / surface.asperity_height_std;
     let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
     deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
-}
-
-const HIDDEN: f64 = Scene::HIDES_ADHESION;
-
-/// A warning if the model ignores the scene's adhesion or is outside its range of adhesion.
-fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Diagnostic> {
-    let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
-    let Some([least, most]) = model.validity().tabor else {
-        let found = Diagnostic::warning("sticks", "adhesion_parameter", theta)
-            .usual([HIDDEN, f64::INFINITY])
-            .of_model(model.name())
-            .advice(format!(
-                "this model ignores work_of_adhesion, which matters here; use {DMT} or {JKR}"
-            ));
-        return Some(found);
-    };
-    let tabor = scene.asperity().ok()?.tabor_parameter()?;
-    let other = if tabor > most { JKR } else { DMT };
-    let found = Diagnostic::warning("tabor", "tabor_parameter", tabor)
-        .usual([least, most])
-        .of_model(model.name())
-        .advice(format!("outside the range of this model; use {other}"));
-    (!(least..=most).contains(&tabor)).then_some(found)
-}
-
-/// The share of the load that an elastic theory of the whole surface puts on pressures above this
-/// multiple of the mean pressure: pressures of small contact areas follow Rayleigh's distribution
-/// (Persson 2001) \[derived\].
-fn share_above(multiple: f64) -> f64 {
-    let x = 0.5 * std::f64::consts::PI.sqrt() * multiple;
-    libm::erfc(x) + std::f64::consts::FRAC_2_SQRT_PI * x * (-x * x).exp()
-}
-
-/// A finding for a load on yielding asperities with an elastic model.
-fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Diagnostic> {
-    let name = model.name();
-    let remedy = match model.validity().adhesive {
-        true => format!(
-            "no model has both yielding and adhesion; use {YIELDING} if adhesion_parameter is above {HIDDEN}"
-        ),
-        false => format!("use {YIELDING}"),
-    };
-    let carriers = match model.validity().asperities {
-        true => "yielding asperities",
-        false => "pressures above the hardness",
-    };
-    let severity = if share > YIELDS[1] { Severity::Warning } else { Severity::Note };
-    let found = Diagnostic::warning("yields", "yielding_share", share)
-        .severity(severity)
-        .usual([0.0, YIELDS[0]])
-        .of_model(name)
-        .at(at)
-        .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
-        .advice(format!(
-            "{name} ignores yielding and underestimates the area at this load; {remedy}"
-        ));
-    (share > YIELDS[0]).then_some(found)
-}
-
-/// A finding for a load in the range of a known defect of the law.
-fn missed(
-    model: &dyn ContactModel,
-    at: At,
-    share: f64,
-    defect: &KnownDefect,
-) -> Option<Diagnostic> {
-    let KnownDefect { from, to, summary } = defect;
-    let percent = short(100.0 * share);
-    let found = Diagnostic::warning("fit-misses", "missed_share", share)
-        .usual([0.0, MISSED])
-        .of_model(model.name())
-        .at(at)
-        .fact(format!(
-            "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
-        ))
-        .advice(format!("{} {summary}", model.name()));
-    (share > MISSED).then_some(found)
-}
-
-/// A finding for a load beyond the fitted range of a law; `x` is the largest relevant w/w_c.
-fn beyond_fit(
-    model: &dyn ContactModel,
-    at: At,
-    (share, x): (f64, f64),
-    holds_to: f64,
-    plastic: bool,
-) -> Option<Diagnostic> {
-    let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
-    let (name, limit, percent) = (model.name(), short(holds_to), short(100.0 * share));
-    let found = Diagnostic::note("beyond-fit", "interference_over_critical", x)
-        .usual([0.0, holds_to])
-        .of_model(name)
-        .at(at)
-        .fact(format!(
-            "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
-        ))
-        .advice(format!("beyond this interference {name} {continued}"));
-    (share > BEYOND).then_some(found)
-}
-
-fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option<Diagnostic> {
-    let severity = match fraction {
-        f if f > CROWDED[1] => Severity::Error,
-        f if f > CROWDED[0] => Severity::Warning,
-        _ => return None,
-    };
-    let found = Diagnostic::warning("crowded", "area_fraction", fraction).severity(severity);
-    let advice = format!(
-        "contacts merge, and models of independent asperities do not hold; use {WHOLE_SURFACE}"
-    );
-    Some(found.usual([0.0, CROWDED[0]]).of_model(model.name()).at(at).advice(advice))
-}
-
-/// A warning for a mean pressure that exceeds any hardness.
-fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Diagnostic> {
-    let found = Diagnostic::warning("above-hardness", "mean_pressure_over_hardness", ratio)
-        .usual([0.0, PLASTIC])
-        .of_model(model.name())
-        .at(at)
-        .advice(format!("the contacts would yield, and the real area is larger; use {YIELDING}"));
-    (ratio > PLASTIC).then_some(found)
-}
-
-fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Diagnostic {
-    let advice =
-        "with so few contacts, the scatter between samples exceeds the differences between models";
-    let found = Diagnostic::warning("few-contacts", "contacts", contacts);
-    found.usual([FEW, f64::INFINITY]).of_model(model.name()).at(at).advice(advice)
 }
 
 /// The smallest separation, and the smallest and largest loads and pressures.

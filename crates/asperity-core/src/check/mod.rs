@@ -2,6 +2,7 @@
 //! materials, surfaces and models.
 
 mod answer;
+mod findings;
 mod interferences;
 mod materials;
 mod roughness;

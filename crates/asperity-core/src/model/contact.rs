@@ -109,6 +109,18 @@ pub trait Contact: fmt::Debug + Send + Sync {
         Err(self.unsupported("shares of regimes"))
     }
 
+    /// The shares of the force at a place that asperities with interferences beyond these multiples
+    /// of w_c carry, for a model of asperities of different radii, each with its own w_c; `None`
+    /// for others.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] without a hardness, and those of
+    /// [`evaluate_at`](Self::evaluate_at).
+    fn shares_beyond(&self, at: At, multiples: &[f64]) -> Result<Option<Vec<f64>>, ContactError> {
+        let _ = (at, multiples);
+        Ok(None)
+    }
+
     /// d²Q/dd² \[unit of Q over m²\] of a quantity that has a law of its own, jumps and kinks
     /// included: the derivative of the tangent is -d²F/dd².
     ///

@@ -6,8 +6,8 @@ use crate::engine::compiled::Compiled;
 use crate::engine::list::{answer_alone, answer_prepared, is_short};
 use crate::engine::prepared::{Facts, Prepared};
 use crate::{
-    Asperity, AsperityModel, At, Contact, ContactError, Described, Law, Quantity, Request,
-    Response, Scene, Tolerance,
+    Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
+    Scene, Tolerance,
 };
 
 /// A model of rough surfaces in contact.
@@ -33,23 +33,6 @@ pub trait ContactModel: Described {
     /// stands in that row of the response.
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
         Ok(self.compile(scene, request)?.respond(request))
-    }
-
-    /// The shares of the force at a place that asperities with interferences beyond these multiples
-    /// of w_c carry, for a model of asperities of different radii, each with its own w_c; `None`
-    /// for others.
-    ///
-    /// # Errors
-    /// [`ContactError::Missing`] without a hardness, and those of [`compile`](Self::compile) and of
-    /// the place.
-    fn shares_beyond(
-        &self,
-        scene: &Scene,
-        at: At,
-        multiples: &[f64],
-    ) -> Result<Option<Vec<f64>>, ContactError> {
-        let _ = (scene, at, multiples);
-        Ok(None)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The scene: interface, surface, nominal area and heights.
 
 pub(crate) mod asperity;
+pub(crate) mod body;
 pub(crate) mod interface;
 pub(crate) mod surface;
 

@@ -1,16 +1,19 @@
 //! The only place that lists all models.
 
+mod options;
+
 use std::fmt;
 use std::ops::Deref;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use serde::de::{DeserializeOwned, Error as _};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use options::{Configurable, Random};
 
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, At, AtReading, ChangEtsionBogy, Citation, Contact,
+    AbdoFarhang, AminiTehrani, AsperityModel, AtReading, ChangEtsionBogy, Citation, Contact,
     ContactError, ContactModel, DerjaguinMullerToporov, Described, Diagnostic,
     EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen,
     JkrBranch, JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities,
@@ -40,60 +43,6 @@ pub struct Model {
     known: Option<Arc<dyn Configurable>>,
     /// The model of equal asperities, for one of random ones.
     equal: Option<Arc<Model>>,
-}
-
-/// A model with options that can be written and read.
-trait Configurable: fmt::Debug + Send + Sync {
-    /// All options, with their values.
-    fn options(&self) -> Value;
-    /// The same model with these options in place of its own.
-    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error>;
-}
-
-impl<M: ContactModel + Serialize + DeserializeOwned + 'static> Configurable for M {
-    fn options(&self) -> Value {
-        // A unit struct has none.
-        match serde_json::to_value(self) {
-            Ok(Value::Object(options)) => Value::Object(options),
-            _ => Value::Object(Map::new()),
-        }
-    }
-
-    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error> {
-        if options.is_empty() && serde_json::to_value(self)?.is_null() {
-            return Ok(Model::known(serde_json::from_value::<M>(Value::Null)?));
-        }
-        let Value::Object(mut all) = self.options() else {
-            return Err(serde_json::Error::custom("the options are not a map"));
-        };
-        for (name, value) in options {
-            if !all.contains_key(name) {
-                let known: Vec<&str> = all.keys().map(String::as_str).collect();
-                return Err(unknown_option(self.id(), name, &known));
-            }
-            all.insert(name.clone(), value.clone());
-        }
-        Ok(Model::known(serde_json::from_value::<M>(Value::Object(all))?))
-    }
-}
-
-/// Options of the laws on a random surface.
-#[derive(Debug)]
-struct Random(Arc<Model>);
-
-impl Configurable for Random {
-    fn options(&self) -> Value {
-        self.0.options().unwrap_or_default()
-    }
-
-    fn with(&self, options: &Map<String, Value>) -> Result<Model, serde_json::Error> {
-        self.0.with_options(options).map(|model| model.random()).map_err(serde_json::Error::custom)
-    }
-}
-
-fn unknown_option(id: &str, name: &str, known: &[&str]) -> serde_json::Error {
-    let listed = if known.is_empty() { "it has none".into() } else { known.join(", ") };
-    serde_json::Error::custom(format!("{id} has no option {name:?}: {listed}"))
 }
 
 impl Model {
@@ -197,25 +146,6 @@ impl Model {
         let equal = [Self::all(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
         [equal.concat(), Self::all_random()].concat()
     }
-
-    /// All options with their values; `None` for a model of your own.
-    #[must_use]
-    pub fn options(&self) -> Option<Value> {
-        self.known.as_ref().map(|known| known.options())
-    }
-
-    /// The same model with these options in place of its own.
-    ///
-    /// # Errors
-    /// [`ContactError::Option`] naming the option that the model does not have, or its value.
-    pub fn with_options(&self, options: &Map<String, Value>) -> Result<Self, ContactError> {
-        let refused = |reason: String| ContactError::Option { model: self.id().into(), reason };
-        match &self.known {
-            Some(known) => known.with(options).map_err(|error| refused(error.to_string())),
-            None if options.is_empty() => Ok(self.clone()),
-            None => Err(refused("its options are not known".into())),
-        }
-    }
 }
 
 impl Described for Model {
@@ -252,15 +182,6 @@ impl ContactModel for Model {
     fn solve(&self, scene: &Scene, request: &Request) -> Result<crate::Response, ContactError> {
         self.model.solve(scene, request)
     }
-
-    fn shares_beyond(
-        &self,
-        scene: &Scene,
-        at: At,
-        multiples: &[f64],
-    ) -> Result<Option<Vec<f64>>, ContactError> {
-        self.model.shares_beyond(scene, at, multiples)
-    }
 }
 
 /// So that the methods are there without the trait.
@@ -296,36 +217,6 @@ impl FromStr for Model {
     }
 }
 
-/// `{"id": .., "options": {..}}`.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Written {
-    id: String,
-    #[serde(default)]
-    options: Map<String, Value>,
-}
-
-impl Serialize for Model {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.options() {
-            Some(Value::Object(options)) => {
-                Written { id: self.id().into(), options }.serialize(serializer)
-            }
-            _ => {
-                Err(serde::ser::Error::custom(format!("{}: its options are not known", self.id())))
-            }
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Model {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Written { id, options } = Written::deserialize(deserializer)?;
-        let model = id.parse::<Self>().and_then(|model| model.with_options(&options));
-        model.map_err(D::Error::custom)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -341,23 +232,6 @@ mod tests {
         unique.sort();
         unique.dedup();
         assert_eq!(unique.len(), ids.len());
-    }
-
-    #[test]
-    fn every_model_goes_to_its_id_and_options_and_back() {
-        for model in Model::named() {
-            let text = serde_json::to_string(&model).unwrap();
-            let back: Model = serde_json::from_str(&text).unwrap();
-            assert_eq!((back.id(), back.options()), (model.id(), model.options()), "{text}");
-            assert_eq!(format!("{back:?}"), format!("{model:?}"));
-        }
-        let refused = |text: &str| serde_json::from_str::<Model>(text).unwrap_err().to_string();
-        let message = refused(r#"{"id": "gao", "options": {"sitck": "clamped"}}"#);
-        assert!(message.contains("gao has no option \"sitck\"") && message.contains("stick"));
-        let message = refused(r#"{"id": "gao", "options": {"stick": "loose"}}"#);
-        assert!(message.contains("loose") && message.contains("clamped"), "{message}");
-        let message = refused(r#"{"id": "ke", "options": {"stick": "clamped"}}"#);
-        assert!(message.contains("ke has no option \"stick\": it has none"), "{message}");
     }
 
     #[test]
