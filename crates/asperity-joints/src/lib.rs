@@ -74,6 +74,8 @@ mod contact_range;
 mod energy_gain;
 mod joint;
 mod path;
+#[cfg(test)]
+mod published;
 mod remaining;
 mod retreat_model;
 mod root;

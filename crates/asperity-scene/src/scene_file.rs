@@ -317,14 +317,16 @@ impl SceneFile {
         }
     }
 
-    /// All models of asperities that the scene allows, with its options, and those with adhesion if
-    /// it has a work of adhesion; and the others, each with the reason.
+    /// All models of asperities that the scene allows, with its options, those with adhesion if it
+    /// has a work of adhesion and those with hardening if it has a tangent modulus; and the others,
+    /// each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         let (mut allowed, mut left_out) = (vec![], vec![]);
-        let adhesive = self.adhesive_models().into_iter();
-        let adhesive = adhesive.map(|model| self.options.on_surface(model));
-        for model in self.options.models().into_iter().chain(adhesive) {
+        let hardening = self.scene.interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
+        let more = self.adhesive_models().into_iter().chain(hardening);
+        let more = more.map(|model| self.options.on_surface(model));
+        for model in self.options.models().into_iter().chain(more) {
             match self.refusal(&model) {
                 None => allowed.push(model),
                 // Not every model has an id on random asperities.
