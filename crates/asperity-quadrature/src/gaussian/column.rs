@@ -28,8 +28,8 @@ pub struct ColumnAccuracy {
     /// Bound on the relative error of each number: that of the integral, with the rounding of the
     /// sum s + shift, of the scale exp(-s²/2) and of the product with the factor.
     pub error: f64,
-    /// The largest ratio of an integral of the absolute value to the integral itself; 1 where
-    /// nothing cancels.
+    /// Bound on the ratio of an integral of the absolute value to the integral itself, at most
+    /// half more than the largest; 1 where nothing cancels.
     pub condition: f64,
     /// Whether all numbers and their scales are normal numbers; the bound holds only then.
     pub normal: bool,
