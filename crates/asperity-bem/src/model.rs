@@ -141,7 +141,7 @@ impl ContactModel for Bem {
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
         let solutions = all.iter().filter_map(|solution| solution.as_ref().ok());
         let notes: Diagnostics = solutions.flat_map(|solution| solution.notes.clone()).collect();
-        contact.notes = notes.into_vec();
+        contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
         let all = given.into_iter().zip(all);
         let all = all.map(|(given, solution)| (given, contact.summary(solution))).collect();
         contact.keep(all);
@@ -156,7 +156,7 @@ struct OnScene {
     scene: Scene,
     quantities: Vec<Quantity>,
     solved: Mutex<Vec<Solved>>,
-    /// Of the places that were solved first.
+    /// Of the scan, and of the places that were solved first.
     notes: Vec<Diagnostic>,
 }
 

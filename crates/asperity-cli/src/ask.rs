@@ -5,11 +5,11 @@ use std::mem::discriminant;
 use anyhow::{Context, Result, bail};
 use asperity::{
     At, Contact, ContactError, ContactModel, Diagnostics, Evaluation, Model, Quantity, Request,
-    Separation, SeparationUnit,
+    Separation, SeparationUnit, Severity,
 };
 
 use crate::output::table::{Cell, Table};
-use crate::output::{once, print_message, progress};
+use crate::output::{once, print_message, progress, report};
 use crate::scene::{LoadedScene, NamedModel};
 
 /// Rows evaluated at a time, which bounds the memory.
@@ -74,6 +74,11 @@ impl<'s> Question<'s> {
         let adhesive = model.validity().adhesive;
         let compiled = self.compile(id, model);
         let (contact, had) = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
+        if !model.validity().asperities {
+            // How the scan is continued, for example.
+            let notes = contact.notes().iter().filter(|note| note.severity == Severity::Note);
+            report(&self.scene.file.accepted(notes.cloned().collect()));
+        }
         let model = Cell::from(id.as_str());
         let loads = self.head().head.len() - 3;
         let (mut rows, mut reasons) = (0, vec![]);

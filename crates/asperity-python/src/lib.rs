@@ -7,7 +7,7 @@
 //! convert → records → scene → ask, joints, contact_table, check
 //!                     model ↗
 //! scene, topography → bem
-//! topography ↔ glance
+//! topography → glance, reading
 //! ```
 
 mod ask;
@@ -20,6 +20,8 @@ mod glance;
 mod joints;
 mod model;
 mod picture;
+mod random_surface;
+mod reading;
 mod records;
 mod scene;
 mod topography;
@@ -46,13 +48,13 @@ mod _asperity {
     #[pymodule_export]
     use crate::convert::numbers::{floats, in_si};
     #[pymodule_export]
-    use crate::glance::random_surface;
-    #[pymodule_export]
     use crate::joints::{JointTable, PartialSlip, Unloading};
     #[pymodule_export]
     use crate::model::engine::{Engine, model_ids, quantities};
     #[pymodule_export]
     use crate::picture::svg;
+    #[pymodule_export]
+    use crate::random_surface::random_surface;
     #[pymodule_export]
     use crate::records::{Asperity, Body, Interface, Surface};
     #[pymodule_export]

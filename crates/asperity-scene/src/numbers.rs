@@ -49,6 +49,20 @@ impl Roughness {
         }
     }
 
+    /// The spectral moments of profiles of an isotropic Gaussian surface with these numbers.
+    ///
+    /// # Errors
+    /// Those of [`surface`](Self::surface).
+    pub fn moments(&self) -> Result<ProfileMoments, ContactError> {
+        let surface = self.surface()?;
+        Ok(match *self {
+            Self::Moments([m0, m2, m4]) => ProfileMoments { m0, m2, m4 },
+            Self::SurfaceStd([.., std]) | Self::Iso25178([std, ..]) => {
+                ProfileMoments { m0: std * std, ..surface.moments() }
+            }
+        })
+    }
+
     /// The surface with these asperities.
     ///
     /// # Errors

@@ -120,7 +120,7 @@ impl Places {
 
 impl Way {
     /// Whether the scan is declared periodic.
-    fn periodic(&self) -> bool {
+    pub fn periodic(&self) -> bool {
         self.boundary == Some(Continuation::Periodic)
     }
 

@@ -66,7 +66,7 @@ struct Loads {
 
 impl TruthCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene)?;
+        let scene = LoadedScene::load_any(&self.scene, self.way.periodic())?;
         let bem = self.way.bem(&scene)?;
         let models = scene.models_beside_bem(&self.models, &[])?;
         let area = scene.file.scene.nominal_area;

@@ -60,7 +60,8 @@ __all__ = [
 
 _Floats: TypeAlias = npt.NDArray[np.float64]
 _Float: TypeAlias = SupportsFloat | SupportsIndex
-_Spacing: TypeAlias = _Float | tuple[_Float, _Float]
+_Distance: TypeAlias = _Float | str
+_Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 # Fields by name.
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
@@ -150,6 +151,7 @@ class Surface:
     def from_surface_std(
         asperity_radius: _Number, asperity_density: _Number, surface_height_std: _Number
     ) -> Surface: ...
+    def against(self, other: Surface) -> Surface: ...
     asperity_radius: Final[float]
     asperity_density: Final[float]
     asperity_height_std: Final[float]
@@ -282,6 +284,7 @@ class Topography:
     def surface(
         self, level: str | None = None, estimator: str = "moments", cutoff: _Float | None = None
     ) -> Surface: ...
+    def facing(self, other: Topography, mirrored: bool = False) -> Topography: ...
     def against(self, other: Topography) -> Surface: ...
     def level(self, form: str | None = None) -> Topography: ...
     def fill(self) -> Topography: ...
@@ -476,7 +479,12 @@ def bem(
     boundary: str | None,
     maps_and_mask: tuple[bool, bool],
 ) -> tuple[
-    dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str], str
+    dict[str, _Floats],
+    tuple[_Floats, _Floats] | None,
+    tuple[int, int],
+    dict[int, str],
+    str,
+    float,
 ]: ...
 def truth(
     scene: Scene,

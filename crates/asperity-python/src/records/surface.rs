@@ -1,6 +1,6 @@
 //! `Surface` and `Asperity`.
 
-use asperity::ContactError;
+use asperity::{ContactError, ProfileMoments};
 use asperity_scene::Roughness;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -92,6 +92,20 @@ record! {
             Self::following(Roughness::SurfaceStd([radius, density, std]))
         }
 
+        /// The surface whose gap to a flat is that between this surface and an independent one:
+        /// moments of profiles add. They are those given to ``from_moments``, or those of an
+        /// isotropic Gaussian surface with these asperities (and this Sq).
+        ///
+        /// >>> import asperity
+        /// >>> one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
+        /// >>> two = asperity.Surface.from_iso25178("0.4 um", "300 1/mm2", "4 1/mm")
+        /// >>> round(one.against(two).asperity_height_std, 9)
+        /// 1.015e-06
+        fn against(&self, other: &Bound<'_, Self>) -> PyResult<Self> {
+            let sum = self.moments()?.plus(&other.get().moments()?);
+            Self::following(Roughness::Moments([sum.m0, sum.m2, sum.m4]))
+        }
+
         /// Density times radius times height_std.
         #[getter]
         fn roughness_parameter(&self) -> f64 {
@@ -110,6 +124,10 @@ record! {
 impl Surface {
     pub(crate) fn of(made: Result<asperity::Surface, ContactError>) -> PyResult<Self> {
         Self::checked(made.map_err(refused)?)
+    }
+
+    fn moments(&self) -> PyResult<ProfileMoments> {
+        self.1.map_or(Ok(self.0.moments()), |roughness| roughness.moments().map_err(refused))
     }
 
     fn following(roughness: Roughness) -> PyResult<Self> {

@@ -159,7 +159,7 @@ pub(crate) mod tests {
     fn slopes_far_below_are_refused_where_rounding_takes_their_digits() {
         let [fine, coarse] = [1e-10, 1e-4].map(|t| ShiftedGaussian::new(power(1.5), 1.0, t));
         let error = fine.at(-1e6).unwrap().slope_within(-1e6, 1e-10).unwrap_err();
-        assert!(error.to_string().ends_with("1.0e-10 was asked"), "{error}");
+        assert!(error.to_string().contains("1.0e-10 was asked"), "{error}");
         assert!(fine.value(-1e6).unwrap().error < 1e-7);
         // ∫ t^1.5 φ(s + t) dt is |s|^1.5 (1 + 3/(8 s²) + ..) there.
         for s in [-100.0, -500.0f64] {
