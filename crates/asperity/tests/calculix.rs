@@ -146,7 +146,7 @@ fn a_block_on_a_block_carries_the_force_of_the_model_at_that_clearance() {
         println!("{} MPa: off by {:e}", -force / 100.0, -force / wanted - 1.0);
     }
     assert_eq!(force.len(), STEPS.len());
-    assert!(-force[0] > 10.0 && -force[4] > 1500.0, "{force:?}");
+    assert!(-force[0] > 10.0 && -force[4] > 700.0, "{force:?}");
     assert!(worst < table.pressure_error + PRINTED, "{worst} {}", table.pressure_error);
 }
 

@@ -82,7 +82,7 @@ pub fn figure(_: &str) -> Result<Figure> {
     let mut panels = vec![];
     for y in [
         Axis::new(H, "conductance h (W/(m² K))").log(),
-        Axis::new("over_cmy", "conductance over that of CMY"),
+        Axis::new("over_cmy", "conductance over that of CMY").range(0.0, 1.4),
     ] {
         for (joint, _) in JOINTS {
             let mut panel = Panel::new(pressure_axis(), y.clone());

@@ -234,8 +234,8 @@ fn picture(table: &Table) -> Result<String> {
     let curves: Vec<Curve> = ids.iter().zip(0..).filter_map(curve).collect();
     let (contacts, total) = (CONDUCTANCE.column(), column("total"));
     let columns = [
-        (&*contacts, "contacts: conductance h (W/(m² K))"),
-        (&*total, "contacts and gas: conductance h (W/(m² K))"),
+        (&*contacts, "h of the contacts (W/(m² K))"),
+        (&*total, "h of contacts and gas (W/(m² K))"),
     ];
     // Lines run from left to right for any order of the rows.
     let mut sorted = table.clone();

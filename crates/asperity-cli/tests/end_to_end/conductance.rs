@@ -117,7 +117,7 @@ fn sigma_and_slope_of_the_correlations_may_be_given_and_curves_are_drawn() {
     let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
     assert!((found[20].unwrap() / wanted - 1.0).abs() < 1e-12, "{found:?} {wanted}");
     let picture = std::fs::read_to_string(bench.path("h.svg")).unwrap();
-    for label in ["ke", "cmy", "mikic", "contacts and gas: conductance"] {
+    for label in ["ke", "cmy", "mikic", "h of contacts and gas"] {
         assert!(picture.contains(label), "{label}");
     }
     for wrong in ["--sigma 1um", "--sigma 1um --mean-slope -1"] {
