@@ -22,6 +22,8 @@ const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
+/// The alternative to the radius, with `SURFACE_STD` and the density.
+const MEAN_SLOPE: &str = "mean_slope";
 
 /// The units, SI first, in which instruments report ISO 25178 parameters.
 const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
@@ -69,6 +71,7 @@ struct NumberKeys {
     asperity_density: Option<f64>,
     asperity_height_std: Option<f64>,
     surface_height_std: Option<f64>,
+    mean_slope: Option<f64>,
     plasticity_index: Option<f64>,
     roughness_parameter: Option<f64>,
     m0: Option<f64>,
@@ -182,6 +185,9 @@ fn numbers(
     if has(&&SURFACE_STD) && way > 0 {
         return conflict(SURFACE_STD, key, "asperity_radius and asperity_density with it");
     }
+    if has(&&MEAN_SLOPE) && (way > 0 || key == "asperity_radius") {
+        return conflict(MEAN_SLOPE, key, "asperity_density and surface_height_std with it");
+    }
     if has(&&SURFACE_STD) && has(&&STD) {
         return conflict(SURFACE_STD, STD, "one of the two, which determines the other,");
     }
@@ -199,6 +205,13 @@ fn numbers(
     let std = || needed(STD, keys.asperity_height_std.or(measured_std));
     let refused = document.refused(section);
     let roughness = match way {
+        0 if has(&&MEAN_SLOPE) => {
+            let together = format!("{SURFACE_STD}, {MEAN_SLOPE}, asperity_density go together");
+            let missing = |key: &str| document.missing(&at(key), together);
+            let std = keys.surface_height_std.ok_or_else(|| missing(SURFACE_STD))?;
+            let numbers = keys.mean_slope.zip(keys.asperity_density);
+            numbers.map(|(slope, density)| Roughness::MeanSlope([std, slope, density]))
+        }
         0 => {
             let radius = needed("asperity_radius", keys.asperity_radius)?;
             let density = needed("asperity_density", keys.asperity_density)?;

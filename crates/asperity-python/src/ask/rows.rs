@@ -152,11 +152,22 @@ impl<'r> View<'r> {
     }
 
     pub(crate) fn scene(&self, row: usize) -> Result<Scene, ContactError> {
+        Ok(match self.columns.is_empty() {
+            true => self.file(row).scene.clone(),
+            false => self.file_of(row)?.into_owned().scene,
+        })
+    }
+
+    /// The scene of a row with what it was made from.
+    pub(crate) fn file_of(
+        &self,
+        row: usize,
+    ) -> Result<Cow<'_, asperity_scene::SceneFile>, ContactError> {
         if self.columns.is_empty() {
-            return Ok(self.file(row).scene.clone());
+            return Ok(Cow::Borrowed(self.file(row)));
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[self.place(row)]));
-        Ok(self.file(row).with_inputs(numbers)?.scene)
+        self.file(row).with_inputs(numbers).map(Cow::Owned)
     }
 
     pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {

@@ -106,6 +106,26 @@ record! {
             Self::following(Roughness::Moments([sum.m0, sum.m2, sum.m4]))
         }
 
+        /// From the standard deviation of the surface heights [m] and the mean absolute slope of
+        /// profiles of an isotropic Gaussian surface, which correlations of conductance use, and the
+        /// density of the summits [1/m^2].
+        ///
+        /// >>> import asperity
+        /// >>> surface = asperity.Surface.from_mean_slope("1 um", 0.1, "4000 1/mm2")
+        /// >>> round(surface.asperity_radius, 9)
+        /// 1.4679e-05
+        #[staticmethod]
+        fn from_mean_slope(
+            surface_height_std: &Arg<'_>, mean_slope: &Arg<'_>, asperity_density: &Arg<'_>,
+        ) -> PyResult<Self> {
+            let [std, slope, density] = numbers("Surface", [
+                ("surface_height_std", surface_height_std),
+                ("mean_slope", mean_slope),
+                ("asperity_density", asperity_density),
+            ])?;
+            Self::following(Roughness::MeanSlope([std, slope, density]))
+        }
+
         /// Density times radius times height_std.
         #[getter]
         fn roughness_parameter(&self) -> f64 {
@@ -144,6 +164,7 @@ impl Origin<Surface> for Option<Roughness> {
         let name = match roughness {
             Roughness::Moments(_) => "from_moments",
             Roughness::Iso25178(_) => "from_iso25178",
+            Roughness::MeanSlope(_) => "from_mean_slope",
             _ => "from_surface_std",
         };
         let numbers = PyTuple::new(record.py(), roughness.numbers())?;
