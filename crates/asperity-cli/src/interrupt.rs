@@ -20,14 +20,17 @@ pub fn requested() -> bool {
 
 /// Ends the program after an interrupted list, whose results so far are written.
 pub fn end(done: usize, all: usize) -> ! {
-    print_message("error", &format!("interrupted: {done} of {all} loads are solved"));
+    end_with(&format!("{done} of {all} loads are solved"))
+}
+
+/// Ends the program after any other interrupted list; `state` says what is done.
+pub fn end_with(state: &str) -> ! {
+    print_message("error", &format!("interrupted: {state}"));
     process::exit(ENDED)
 }
 
-/// A callback that reports progress and stops on Ctrl-C.
-pub fn watch(
-    mut report: impl FnMut(&Progress),
-) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
+/// Makes Ctrl-C a request to stop; pressed twice, it ends the program.
+pub fn listen() -> Result<()> {
     let handler = || {
         if REQUESTED.swap(true, Ordering::Relaxed) {
             process::exit(ENDED);
@@ -35,9 +38,16 @@ pub fn watch(
     };
     match ctrlc::set_handler(handler) {
         // The handler is already set by an earlier list.
-        Ok(()) | Err(ctrlc::Error::MultipleHandlers) => {}
-        Err(error) => return Err(error).context("Ctrl-C cannot be watched"),
+        Ok(()) | Err(ctrlc::Error::MultipleHandlers) => Ok(()),
+        Err(error) => Err(error).context("Ctrl-C cannot be watched"),
     }
+}
+
+/// A callback that reports progress and stops on Ctrl-C.
+pub fn watch(
+    mut report: impl FnMut(&Progress),
+) -> Result<impl FnMut(&Progress) -> ControlFlow<()>> {
+    listen()?;
     Ok(move |progress: &Progress| {
         report(progress);
         if requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

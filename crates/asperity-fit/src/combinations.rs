@@ -43,7 +43,12 @@ pub(crate) fn undetermined(parameters: &[Parameter], directions: &DMatrix<f64>) 
     let products: Vec<String> = rows.iter().map(product).collect();
     let products: Vec<&str> = products.iter().map(String::as_str).collect();
     let verb = if products.len() == 1 { "is" } else { "are" };
-    found.push(format!("only {} {verb} determined", list(&products)));
+    // Others may be determined by themselves.
+    let among = match of.len() < parameters.len() {
+        true => format!("of {}, ", list(&names)),
+        false => String::new(),
+    };
+    found.push(format!("{among}only {} {verb} determined", list(&products)));
     found
 }
 
@@ -101,7 +106,11 @@ mod tests {
     fn combinations_are_named_with_their_exponents() {
         let three = parameters(&["density", "radius", "std"]);
         let one = DMatrix::from_column_slice(3, 1, &[-0.4472136, 0.8944272, 1e-9]);
-        assert_eq!(undetermined(&three, &one), ["only density x radius^0.5 is determined"]);
+        let wanted = ["of density and radius, only density x radius^0.5 is determined"];
+        assert_eq!(undetermined(&three, &one), wanted);
+        let both = parameters(&["density", "radius"]);
+        let found = undetermined(&both, &one.rows(0, 2).into_owned());
+        assert_eq!(found, ["only density x radius^0.5 is determined"]);
         let shift = DMatrix::from_column_slice(3, 1, &[0.0, 0.0, 1.0]);
         let found = undetermined(&three, &shift);
         assert_eq!(found, ["std is not determined: it does not change the data"]);

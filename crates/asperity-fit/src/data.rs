@@ -1,5 +1,6 @@
 //! Measured values: loads or separations, and quantities there, with standard deviations if known.
 
+use std::mem::discriminant;
 use std::ops::Deref;
 
 use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
@@ -17,6 +18,19 @@ pub enum Measured {
     Quantity(Quantity),
     /// The reading of a separation \[m\] under a load.
     Separation,
+}
+
+impl Observation {
+    /// The column of the place (`load_N`, `pressure_Pa` or `separation_m`), and its number.
+    #[must_use]
+    pub fn place(&self) -> (&'static str, f64) {
+        let column = match self.at {
+            At::Load(_) => LOAD,
+            At::Pressure(_) => PRESSURE,
+            _ => SEPARATION,
+        };
+        (column, number(self.at))
+    }
 }
 
 impl Measured {
@@ -165,9 +179,52 @@ impl Data {
         self.observations.iter().any(|one| one.std.is_some())
     }
 
+    /// The same quantities at `count` places in equal ratios (of separations in equal steps) from
+    /// the smallest to the largest, with values of 1: for curves between the data.
+    #[must_use]
+    pub fn between(&self, count: usize) -> Self {
+        let mut curves: Vec<(Observation, f64, f64)> = vec![];
+        for one in &self.observations {
+            let x = number(one.at);
+            let same = |other: &Observation| {
+                other.measured == one.measured && discriminant(&other.at) == discriminant(&one.at)
+            };
+            match curves.iter_mut().find(|(other, ..)| same(other)) {
+                Some((_, low, high)) => (*low, *high) = (low.min(x), high.max(x)),
+                None => curves.push((*one, x, x)),
+            }
+        }
+        let curve = |(one, low, high): &(Observation, f64, f64)| -> Vec<Observation> {
+            let (one, low, high) = (*one, *low, *high);
+            let place = move |k: usize| {
+                let share = k as f64 / count.saturating_sub(1).max(1) as f64;
+                let at = match one.at {
+                    At::Load(_) => At::Load(low * (high / low).powf(share)),
+                    At::Pressure(_) => At::Pressure(low * (high / low).powf(share)),
+                    At::Separation(reading) => {
+                        let value = low + (high - low) * share;
+                        Separation { value, ..reading }.into()
+                    }
+                    other => other,
+                };
+                Observation { row: k + 1, at, value: 1.0, std: None, ..one }
+            };
+            (0..count).map(place).collect()
+        };
+        Self { observations: curves.iter().flat_map(curve).collect(), from: self.from }
+    }
+
     /// The plane of the separations.
     pub(crate) fn datum(&self) -> Datum {
         self.from
+    }
+}
+
+/// The number of a place.
+fn number(at: At) -> f64 {
+    match at {
+        At::Load(x) | At::Pressure(x) | At::Separation(Separation { value: x, .. }) => x,
+        _ => f64::NAN,
     }
 }
 

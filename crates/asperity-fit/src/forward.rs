@@ -33,6 +33,21 @@ impl Rig {
     }
 }
 
+/// The values of a model on a scene, read by a rig where data were measured, in their order; each
+/// with the reason where there is none.
+#[must_use]
+pub fn predict(
+    model: &dyn ContactModel,
+    scene: &Scene,
+    rig: Rig,
+    data: &Data,
+) -> Vec<Result<f64, ContactError>> {
+    match Forward::new(model, data) {
+        Ok(forward) => forward.predict(scene, rig),
+        Err(error) => vec![Err(error); data.len()],
+    }
+}
+
 /// A predicted value, or the reason why there is none.
 pub(crate) type Predicted = Result<f64, ContactError>;
 

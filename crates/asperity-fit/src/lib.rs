@@ -17,7 +17,7 @@ pub use data::{Data, DataColumn, Measured, Observation};
 pub use error::FitError;
 pub use fit::{Fit, Progress};
 pub use fitted::{Estimate, Fitted, Residual};
-pub use forward::Rig;
+pub use forward::{Rig, predict};
 pub use parameter::{Parameter, Role, USUAL_FACTOR};
 pub use problem::MakeScene;
 pub use ranking::{Ranking, rank};

@@ -1,16 +1,14 @@
 //! Data that no value of the parameters reaches, and the reason.
 
-use asperity_core::{Quantity, Scene, short};
+use asperity_core::{ContactModel, Quantity, Scene, Tolerance, short};
 
 use crate::problem::{Minimum, Problem};
 use crate::{Data, Measured, Observation};
 
-/// Laws with a hardness of their own (JG) exceed the hardness of the scene by up to 1.4 %.
+/// Averages of laws reach the hardness within this share.
 const MARGIN: f64 = 0.02;
 /// A value that is farther away than this, relative, is not reached.
 const REACHED: f64 = 1e-6;
-/// The key of the hardness.
-const HARDNESS: &str = "hardness";
 
 /// A sentence for each measured value that is out of reach.
 pub(crate) fn unreachable(
@@ -42,38 +40,52 @@ fn is_reached(one: &Observation, fitted: f64) -> bool {
     (fitted - one.value).abs() <= REACHED * scale
 }
 
-/// The largest hardness that a scene may have, for a model that yields; with whether it is free.
+/// The largest hardness within the bounds, for a model whose contacts carry at most the hardness.
 fn largest_hardness(problem: &Problem<'_>, scene: &Scene) -> Option<f64> {
-    if problem.model.validity().holds_to == Some(1.0) || problem.model.validity().adhesive {
+    let own = |key: &str| problem.parameters.iter().find(|parameter| parameter.name.ends_with(key));
+    let hardness = scene.asperity().ok()?.hardness?;
+    if own("yield_strength").is_some() || !is_limited(problem.model, scene, hardness) {
         return None;
     }
-    let free = problem.parameters.iter().find(|parameter| parameter.name.ends_with(HARDNESS));
-    let yields = problem.parameters.iter().any(|p| p.name.ends_with("yield_strength"));
-    if yields {
-        return None;
-    }
-    match free {
-        Some(parameter) => Some(parameter.bounds[1]),
-        None => scene.asperity().ok()?.hardness,
-    }
+    Some(own("hardness").map_or(hardness, |parameter| parameter.bounds[1]))
 }
 
-/// The reason why an area is too small for its load: contacts carry at most the hardness.
+/// Whether the mean pressure of an asperity stays below the hardness, which elastic laws exceed.
+fn is_limited(model: &dyn ContactModel, scene: &Scene, hardness: f64) -> bool {
+    let law = |quantity| {
+        let asperity = scene.asperity().ok()?;
+        model.law(&asperity, quantity, Tolerance::default()).ok().zip(Some(asperity))
+    };
+    let Some(((force, asperity), (area, _))) = law(Quantity::Force).zip(law(Quantity::Area)) else {
+        return false;
+    };
+    let Ok(critical) = asperity.critical_interference() else { return false };
+    (0..=20).all(|k| {
+        let interference = critical * 10f64.powf(0.25 * f64::from(k));
+        let values = force.value(interference).ok().zip(area.value(interference).ok());
+        values.is_some_and(|(force, area)| force <= (1.0 + MARGIN) * hardness * area)
+    })
+}
+
+/// The reason why an area is too small for its load, where contacts carry at most the hardness.
 fn below_hardness(one: &Observation, scene: &Scene, hardness: f64) -> Option<String> {
     let pressure = one.at.pressure(scene)?;
     let Measured::Quantity(quantity) = one.measured else { return None };
-    let area = scene.nominal_area;
-    let (needed, bound) = match quantity {
-        Quantity::AreaFraction => {
-            (pressure / one.value, format!("at least p/H = {}", short(pressure / hardness)))
-        }
-        Quantity::Area => {
-            let least = pressure * area / hardness;
-            (pressure * area / one.value, format!("at least F/H = {} m2", short(least)))
-        }
-        Quantity::MeanPressure => (one.value, format!("at most {} Pa", short(hardness))),
+    let load = pressure * scene.nominal_area;
+    let (mean_pressure, bound): (fn(f64, f64) -> f64, _) = match quantity {
+        Quantity::AreaFraction => (
+            |carried, value| carried / value,
+            format!("at least p/H = {}", short(pressure / hardness)),
+        ),
+        Quantity::Area => (
+            |carried, value| carried / value,
+            format!("at least F/H = {} m2", short(load / hardness)),
+        ),
+        Quantity::MeanPressure => (|_, value| value, format!("at most {} Pa", short(hardness))),
         _ => return None,
     };
+    let carried = if quantity == Quantity::Area { load } else { pressure };
+    let needed = mean_pressure(carried, one.value);
     (needed > (1.0 + MARGIN) * hardness).then(|| {
         format!(
             "{} cannot be reached: contacts carry at most the hardness, so it is {bound}; the hardness would have to be at least {} Pa",
@@ -99,9 +111,8 @@ fn nearest(problem: &Problem<'_>, minimum: &Minimum, one: &Observation, fitted: 
     };
     let at: Vec<String> = at.map(each).collect();
     format!(
-        "{} cannot be reached within the bounds by {}: the nearest is {} at {}",
+        "{} cannot be reached within the bounds: the nearest is {} at {}",
         described(one),
-        problem.model.id(),
         value(one, fitted),
         at.join(", ")
     )

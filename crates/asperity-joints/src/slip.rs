@@ -136,6 +136,31 @@ impl PartialSlip {
         found.ok_or(ContactError::OutOfRange { field: "share", value: share, required })
     }
 
+    /// The force μ F \[N\] at which the joint slides.
+    ///
+    /// # Errors
+    /// Those of [`Unloading::force`].
+    pub fn limit(&self) -> Result<f64, ContactError> {
+        Ok(self.friction * self.normal.force(0.0)?.value())
+    }
+
+    /// The amplitude of shift \[m\] of a cycle with this amplitude of the tangential force \[N\]:
+    /// the inverse of [`force`](Self::force).
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] unless the force is above 0 and below the
+    /// [`limit`](Self::limit), beyond which the joint slides; those of
+    /// [`shift_at`](Self::shift_at).
+    pub fn amplitude_at(&self, force: f64) -> Result<f64, ContactError> {
+        let (field, force) = ("tangential_force", positive("tangential_force", force)?);
+        let limit = self.limit()?;
+        if force >= limit {
+            let required = "less than friction times the normal force, at which the joint slides,";
+            return Err(ContactError::OutOfRange { field, value: force, required });
+        }
+        self.shift_at(force / limit)
+    }
+
     fn scaled(
         &self,
         factor: f64,

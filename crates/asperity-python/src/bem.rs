@@ -279,7 +279,7 @@ pub(crate) fn truth(
 
 /// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
 /// them; a signal sets the flag that stops `work`.
-fn run_interruptible<T: Send>(
+pub(crate) fn run_interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> T + Send,
 ) -> PyResult<T> {
@@ -314,6 +314,6 @@ fn run_interruptible<T: Send>(
 }
 
 /// Continues until the flag is set.
-fn continue_unless(stop: &AtomicBool) -> ControlFlow<()> {
+pub(crate) fn continue_unless(stop: &AtomicBool) -> ControlFlow<()> {
     if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

@@ -6,7 +6,7 @@
 //! ```text
 //! convert → records → scene → ask, joints, contact_table, check
 //!                     model ↗
-//! scene, topography → bem
+//! scene, topography → bem → fit
 //! topography → glance, reading
 //! ```
 
@@ -16,6 +16,7 @@ mod check;
 mod conductance;
 mod contact_table;
 mod convert;
+mod fit;
 mod glance;
 mod joints;
 mod model;
@@ -47,6 +48,8 @@ mod _asperity {
     use crate::convert::error::{ContactWarning, NotConverged, UnsupportedFormat};
     #[pymodule_export]
     use crate::convert::numbers::{floats, in_si};
+    #[pymodule_export]
+    use crate::fit::fit;
     #[pymodule_export]
     use crate::joints::{JointTable, PartialSlip, Unloading};
     #[pymodule_export]

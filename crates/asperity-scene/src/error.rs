@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use asperity::fit::FitError;
 use asperity::{ContactError, nearest_hint};
 
 /// A place in a scene file or in a file that it names.
@@ -142,6 +143,9 @@ pub enum SceneError {
         /// Those of the bodies \[Pa\].
         moduli: [f64; 2],
     },
+    /// Data or free parameters of a fit are refused, or it was interrupted.
+    #[error(transparent)]
+    Fit(#[from] FitError),
     /// The library refuses the scene.
     #[error("{at}: {source}")]
     Contact {

@@ -271,7 +271,6 @@ impl Input {
 mod tests {
     use std::path::Path;
 
-    use super::*;
     use crate::{parse, template};
 
     #[test]

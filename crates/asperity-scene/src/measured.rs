@@ -197,7 +197,10 @@ pub(crate) fn measured(
     };
     let sum = |one: Measured, two: Measured| {
         let both = Statistics::combined(&one.statistics, &two.statistics).map_err(refused)?;
-        Ok((Measured { statistics: both, pixel_size: one.pixel_size.max(two.pixel_size) }, None))
+        Ok::<_, SceneError>((
+            Measured { statistics: both, pixel_size: one.pixel_size.max(two.pixel_size) },
+            None,
+        ))
     };
     let (measured, scan) = match (second, alignment, other) {
         (Some(second), Some(alignment), _) => {

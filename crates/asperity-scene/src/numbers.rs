@@ -65,9 +65,7 @@ impl Roughness {
             Self::Moments([m0, m2, m4]) => ProfileMoments { m0, m2, m4 },
             Self::SurfaceStd([.., std])
             | Self::MeanSlope([std, ..])
-            | Self::Iso25178([std, ..]) => {
-                ProfileMoments { m0: std * std, ..surface.moments() }
-            }
+            | Self::Iso25178([std, ..]) => ProfileMoments { m0: std * std, ..surface.moments() },
         })
     }
 

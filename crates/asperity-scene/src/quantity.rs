@@ -13,7 +13,7 @@ type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// The SI unit as in the template, an example, and the units with their powers of ten. Spaces, dots
 /// between units, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-const UNITS: [Units; 9] = [
+const UNITS: [Units; 10] = [
     (
         "Pa",
         "210 GPa",
@@ -23,6 +23,11 @@ const UNITS: [Units; 9] = [
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
     ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
     ("J/m^2", "50 mJ/m2", &[("J/m2", 0), ("mJ/m2", -3), ("N/m", 0), ("mN/m", -3)]),
+    (
+        "m/N",
+        "2 nm/N",
+        &[("mm/kN", -6), ("um/kN", -9), ("mm/N", -3), ("um/N", -6), ("nm/N", -9), ("m/N", 0)],
+    ),
     ("1/m", "2 1/mm", &[("1/m", 0), ("1/cm", 2), ("1/mm", 3), ("1/um", 6)]),
     (
         "1/m^2",
@@ -160,7 +165,7 @@ pub fn unit_of(key: &str) -> Option<&'static str> {
     units_of("", key).map(|(si, ..)| si)
 }
 
-/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, 1/m, 1/m^2, W/(m K) or ohm m), plain or with
+/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, m/N, 1/m, 1/m^2, W/(m K) or ohm m), plain or with
 /// another unit of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
 ///
 /// ```

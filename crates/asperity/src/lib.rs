@@ -19,6 +19,7 @@ pub use asperity_bem as bem;
 pub use asperity_ceb::ChangEtsionBogy;
 pub use asperity_core::*;
 pub use asperity_etsion::EtsionKligermanKadin;
+pub use asperity_fit as fit;
 pub use asperity_gao::{
     AngleDensity, Displacement, ForceComponent, Gao, LateralOptions, ObliqueContact, Stick,
     angle_average, angle_average_of_powers,

@@ -7,6 +7,7 @@ mod compare;
 mod conductance;
 mod curve;
 mod export;
+mod fit;
 mod generate;
 mod glance;
 mod history;
@@ -18,6 +19,7 @@ mod pull_off;
 mod recommend;
 mod scales;
 mod slip;
+mod slip_forces;
 mod solve;
 mod surface;
 mod truth;
@@ -37,6 +39,7 @@ pub enum Command {
     Curve(curve::Curve),
     Compare(compare::Compare),
     Recommend(recommend::Recommend),
+    Fit(fit::FitCommand),
     Plan(plan::Plan),
     Unload(unload::Unload),
     Slip(slip::Slip),
@@ -60,6 +63,7 @@ impl Command {
             Self::Curve(command) => command.run(),
             Self::Compare(command) => command.run(),
             Self::Recommend(command) => command.run(),
+            Self::Fit(command) => command.run(),
             Self::Plan(command) => command.run(),
             Self::Unload(command) => command.run(),
             Self::Slip(command) => command.run(),

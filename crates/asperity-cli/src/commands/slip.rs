@@ -7,8 +7,9 @@ use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
+use super::slip_forces::amplitude_at;
 use crate::input::args::{Closed, DrawnArgs, tolerance};
-use crate::input::numbers::{friction, length};
+use crate::input::numbers::{Numbers, all, friction, length, load};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::print_message;
@@ -35,6 +36,9 @@ and a cycle of the amplitude, with columns model, load_N, pressure_Pa,
 separation_over_sigma, force_N at the amplitude, secant_stiffness_N_per_m (that over the
 amplitude), loss_J, loss_factor, sliding_m (the shift of gross slip). Rows without a result
 are blank; the reason is printed.
+With --tangential-force the amplitude is that of the force: one force at one preload gives
+the loop, several of either one row for each, with columns tangential_force_N, amplitude_m,
+secant_stiffness_N_per_m, loss_J and loss_factor; beyond mu F the joint slides.
 Partial slip of every asperity (Cattaneo, Mindlin), which answers as elastically as in
 unloading by --law: exact for gw; for models that yield, at constant normal load on each.
 Needs equivalent_shear_modulus, or the bodies. Models of equal, upright asperities only.
@@ -43,7 +47,8 @@ Examples:
   asperity slip scene.toml --model gw --friction 0.2 --pressure 5e6 --amplitude 1e-7
   asperity slip scene.toml --model ke --friction 0.3 --closest 2 --amplitude 1e-6 --points 11 --format table
   asperity slip scene.toml --model ke --friction 0.3 --load 100:1e4:20:log --amplitude 100nm
-  asperity slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 2e-7 --output loop.csv --plot loop.svg"
+  asperity slip scene.toml --model ke --friction 0.3 --load 100 --amplitude 2e-7 --output loop.csv --plot loop.svg
+  asperity slip scene.toml --model ke --friction 0.3 --load 100N,1kN --tangential-force 1N:25N:20:log"
 )]
 pub struct Slip {
     #[command(flatten)]
@@ -54,9 +59,8 @@ pub struct Slip {
     /// Coefficient of friction, for example 0.2 or 20%
     #[arg(long, value_name = "MU", value_parser = friction)]
     friction: f64,
-    /// Largest shift, in m, or with a unit, for example 100nm
-    #[arg(long, value_name = "M", value_parser = length)]
-    amplitude: f64,
+    #[command(flatten)]
+    cycle: Cycle,
     /// Number of shifts from -amplitude to +amplitude
     #[arg(long, value_name = "N", default_value = "101")]
     #[arg(value_parser = RangedU64ValueParser::<usize>::new().range(2..=100_000))]
@@ -65,7 +69,20 @@ pub struct Slip {
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
     #[command(flatten)]
-    output: DrawnArgs,
+    pub(super) output: DrawnArgs,
+}
+
+/// The amplitude of a cycle: a shift, or tangential forces.
+#[derive(Debug, Args)]
+#[group(id = "cycle", required = true, multiple = false)]
+struct Cycle {
+    /// Largest shift, in m, or with a unit, for example 100nm
+    #[arg(long, value_name = "M", value_parser = length)]
+    amplitude: Option<f64>,
+    /// Amplitudes of the tangential force instead of the shift: in N, or with a unit, for example
+    /// 10N:500N:20:log
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
+    tangential_force: Option<Numbers>,
 }
 
 impl Slip {
@@ -73,16 +90,31 @@ impl Slip {
         self.output.check("slip");
         let (scene, named) = self.closed.open()?;
         let context = || format!("{}: {}", scene.name, named.0);
-        match &self.closed.places(&scene, &named)[..] {
-            [one] => {
+        let places = self.closed.places(&scene, &named);
+        let forces = self.cycle.tangential_force.as_ref().map_or(&[][..], |list| &list.0);
+        match (&places[..], forces, self.cycle.amplitude) {
+            ([one], [] | [_], amplitude) => {
                 let joint = self.joint(&scene, &named.1, *one).with_context(context)?;
-                self.loops(&named.0, &joint).with_context(context)
+                let amplitude = match (amplitude, forces.first()) {
+                    (Some(amplitude), _) => amplitude,
+                    (None, force) => {
+                        let force = force.copied().unwrap_or_default();
+                        amplitude_at(&joint.1, force).with_context(context)?
+                    }
+                };
+                self.loops(&named.0, &joint, amplitude).with_context(context)
             }
-            several => self.preloads(&scene, &named, several).with_context(context),
+            (several, [], amplitude) => {
+                let amplitude = amplitude.unwrap_or_default();
+                self.preloads(&scene, &named, several, amplitude).with_context(context)
+            }
+            (places, forces, _) => {
+                self.forces(&scene, &named, places, forces).with_context(context)
+            }
         }
     }
 
-    fn joint(
+    pub(super) fn joint(
         &self,
         scene: &LoadedScene,
         model: &Model,
@@ -94,10 +126,15 @@ impl Slip {
     }
 
     /// The first shift and a steady cycle at one preload.
-    fn loops(&self, id: &str, (joint, slip): &(Unloading, PartialSlip)) -> Result<()> {
+    fn loops(
+        &self,
+        id: &str,
+        (joint, slip): &(Unloading, PartialSlip),
+        amplitude: f64,
+    ) -> Result<()> {
         // First, so that the error for a huge amplitude names the amplitude.
-        let loss = rounded(slip.loss(self.amplitude)?.value());
-        let factor = rounded(slip.loss_factor(self.amplitude)?);
+        let loss = rounded(slip.loss(amplitude)?.value());
+        let factor = rounded(slip.loss_factor(amplitude)?);
         let mut table = Table::new(&[
             "model",
             "shift_m",
@@ -107,11 +144,11 @@ impl Slip {
             "loss_J",
             "loss_factor",
         ]);
-        for shift in linspace(-self.amplitude, self.amplitude, self.points) {
+        for shift in linspace(-amplitude, amplitude, self.points) {
             let first = |of: &dyn Fn() -> Result<f64, ContactError>| -> Result<_, ContactError> {
                 if shift < 0.0 { Ok(None) } else { of().map(Some) }
             };
-            let [back, forth] = [false, true].map(|f| slip.loop_force(shift, self.amplitude, f));
+            let [back, forth] = [false, true].map(|f| slip.loop_force(shift, amplitude, f));
             let factor = || if shift > 0.0 { slip.loss_factor(shift) } else { Ok(0.0) };
             let numbers = [
                 Some(shift),
@@ -130,7 +167,7 @@ impl Slip {
             &format!("{id}: a cycle of this amplitude dissipates {loss} J (loss factor {factor})"),
         );
         let sliding = slip.shift_at(SLIDING)?;
-        self.check_amplitude(sliding);
+        check_amplitude(amplitude, sliding);
         let limit = self.friction * joint.force(0.0)?.value();
         let (percent, sliding, limit) = (100.0 * SLIDING, rounded(sliding), rounded(limit));
         let text = format!(
@@ -141,14 +178,20 @@ impl Slip {
     }
 
     /// A cycle of the amplitude at each of several preloads; the row of one that fails is blank.
-    fn preloads(&self, scene: &LoadedScene, named: &NamedModel, places: &[At]) -> Result<()> {
+    fn preloads(
+        &self,
+        scene: &LoadedScene,
+        named: &NamedModel,
+        places: &[At],
+        amplitude: f64,
+    ) -> Result<()> {
         let (id, model) = (&*named.0, &named.1);
         let head = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         let cycle = ["force_N", "secant_stiffness_N_per_m", "loss_J", "loss_factor", "sliding_m"];
         let mut table = Table::new(&[&head[..], &cycle[..]].concat());
         let (mut farthest, mut left_out) = (0.0_f64, vec![]);
         for place in places {
-            let numbers = match self.cycle(scene, model, *place) {
+            let numbers = match self.cycle(scene, model, *place, amplitude) {
                 Ok(numbers) => {
                     farthest = farthest.max(numbers[7]);
                     numbers.map(Some)
@@ -171,7 +214,7 @@ impl Slip {
                 &format!("{}: {id}: the row of a preload is blank: {error}", scene.name),
             );
         }
-        self.check_amplitude(farthest);
+        check_amplitude(amplitude, farthest);
         self.output.write(&table, || {
             let loads: Vec<f64> = table.rows.iter().filter_map(|row| row[1].number()).collect();
             let mut x = Axis::new("load_N", "load (N)");
@@ -181,7 +224,7 @@ impl Slip {
                 ("loss_J", "energy dissipated per cycle (J)"),
                 ("loss_factor", "loss factor"),
             ];
-            let what = format!("{id}, cycles of ±{:e} m", self.amplitude);
+            let what = format!("{id}, cycles of ±{amplitude:e} m");
             let mut curve = Curve::new(0, id, &what);
             curve.every_point = table.rows.len() <= plot::MARKED;
             // Lines run from left to right for any order of the rows.
@@ -198,40 +241,41 @@ impl Slip {
         scene: &LoadedScene,
         model: &Model,
         place: At,
+        amplitude: f64,
     ) -> Result<[f64; 8], ContactError> {
         let (contact, from) = (&scene.file.scene, scene.file.separation_from);
         let (joint, slip) = self.joint(scene, model, place)?;
         let load = joint.force(0.0)?.value();
         let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
-        let (force, loss) = (slip.force(self.amplitude)?, slip.loss(self.amplitude)?);
+        let (force, loss) = (slip.force(amplitude)?, slip.loss(amplitude)?);
         Ok([
             load,
             load / contact.nominal_area,
             separation.value,
             force.value(),
-            force.value() / self.amplitude,
+            force.value() / amplitude,
             loss.value(),
-            slip.loss_factor(self.amplitude)?,
+            slip.loss_factor(amplitude)?,
             slip.shift_at(SLIDING)?,
         ])
     }
+}
 
-    /// Warns of an amplitude far beyond the shift of gross slip.
-    fn check_amplitude(&self, sliding: f64) {
-        if self.amplitude > FAR * sliding {
-            let (amplitude, times) = (self.amplitude, rounded((self.amplitude / sliding).round()));
-            print_message(
-                "warning",
-                &format!(
-                    "amplitude is {amplitude:e} m, {times} times the shift of gross slip; write lengths with their unit, for example 100nm"
-                ),
-            );
-        }
+/// Warns of an amplitude far beyond the shift of gross slip.
+fn check_amplitude(amplitude: f64, sliding: f64) {
+    if amplitude > FAR * sliding {
+        let times = rounded((amplitude / sliding).round());
+        print_message(
+            "warning",
+            &format!(
+                "amplitude is {amplitude:e} m, {times} times the shift of gross slip; write lengths with their unit, for example 100nm"
+            ),
+        );
     }
 }
 
 /// The given preload in its columns, with blank results.
-fn blank_cycle(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
+pub(super) fn blank_cycle(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
     let (contact, from) = (&scene.file.scene, scene.file.separation_from);
     let mut numbers = [None; 8];
     match place {

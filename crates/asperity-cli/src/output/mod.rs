@@ -1,6 +1,7 @@
 //! Standard output, or a file that is complete or absent; messages on standard error.
 
 pub mod contact_map;
+pub mod fit_plot;
 pub mod number;
 pub mod plot;
 pub mod table;

@@ -111,7 +111,7 @@ fn is_even(values: &[f64]) -> bool {
 }
 
 /// The label of an axis, with the unit of the numbers.
-fn label(quantity: Quantity) -> String {
+pub fn label(quantity: Quantity) -> String {
     let name = quantity.label();
     match quantity.unit().trim_start_matches("ln ").replace("m2", "m²") {
         none if none.is_empty() => name.into(),

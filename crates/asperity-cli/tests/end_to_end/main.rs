@@ -8,6 +8,7 @@ mod conductance;
 mod curve;
 mod export;
 mod files;
+mod fit;
 mod generate;
 mod help;
 mod joints;

@@ -99,3 +99,42 @@ fn slip_at_several_preloads_is_one_row_each_as_each_alone() {
         run.messages
     );
 }
+
+#[test]
+fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slides() {
+    let bench = Bench::new();
+    let arguments = "slip scene.toml --model ke --friction 0.3 --format csv";
+    let forces = "--tangential-force 1N:100N:3:log";
+    let run = bench.run(&format!("{arguments} --load 100,1000 {forces}"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert_eq!(column(&run.out, "tangential_force_N"), [1.0, 10.0, 100.0, 1.0, 10.0, 100.0]);
+    let slides = "a tangential force of 100 N is not below mu F = 30 N: the joint slides";
+    assert!(run.messages.contains(slides), "{}", run.messages);
+    let amplitudes = column_of(&run.out, "amplitude_m");
+    assert!(amplitudes[2].is_none() && column_of(&run.out, "loss_J")[2].is_none());
+    let joint = joint(&bench, "ke", At::Load(1000.0), UnloadingLaw::Hertz);
+    let slip = PartialSlip::new(&joint, 0.3).unwrap();
+    let amplitude = amplitudes[4].unwrap();
+    assert!((slip.force(amplitude).unwrap().value() / 10.0 - 1.0).abs() < 1e-11);
+    let loss = slip.loss(amplitude).unwrap().value();
+    assert!((column_of(&run.out, "loss_J")[4].unwrap() / loss - 1.0).abs() < 1e-11);
+    let stiffness = column_of(&run.out, "secant_stiffness_N_per_m")[4].unwrap();
+    assert!((stiffness * amplitude / 10.0 - 1.0).abs() < 1e-14);
+    // One force at one preload gives the loop.
+    let one = bench.data(&format!("{arguments} --load 1kN --tangential-force 10 --points 3"));
+    let back = column(&one, "back_N");
+    assert!((back[2] / 10.0 - 1.0).abs() < 1e-11 && (back[0] / -10.0 - 1.0).abs() < 1e-11);
+    let shifts = column(&one, "shift_m");
+    assert!((shifts[2] / amplitude - 1.0).abs() < 1e-12);
+    let plot = format!("{arguments} --load 100,1000 {forces} --output a.csv --plot a.svg");
+    assert_eq!(bench.run(&plot).code, Some(0));
+    assert!(bench.read("a.svg").contains("preload 1000 N"));
+    for (wrong, code) in [
+        ("--load 100 --tangential-force 30.001", 1),
+        ("--load 100", 2),
+        ("--load 100 --tangential-force 1 --amplitude 1nm", 2),
+        ("--load 100 --tangential-force -1", 2),
+    ] {
+        assert_eq!(bench.run(&format!("{arguments} {wrong}")).code, Some(code), "{wrong}");
+    }
+}

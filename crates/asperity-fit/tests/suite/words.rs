@@ -52,6 +52,9 @@ fn an_area_below_load_over_hardness_is_refused_with_the_hardness_it_needs() {
     let found = inverse(0.001, &KogutEtsion, &[2]);
     let wanted = "an area fraction of 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
     assert_eq!(found.unreachable, [wanted]);
+    // Those of JG as well, within 2 %.
+    let found = inverse(0.001, &JacksonGreen::default(), &[2]);
+    assert_eq!(found.unreachable, [wanted]);
     // The bound of a free hardness counts.
     let found = inverse(0.002, &KogutEtsion, &[3]);
     assert!(found.unreachable.is_empty(), "{found:?}");
@@ -60,7 +63,7 @@ fn an_area_below_load_over_hardness_is_refused_with_the_hardness_it_needs() {
     // GW has no hardness: the nearest value is at a bound.
     let found = inverse(0.9, &GreenwoodWilliamson, &[2]);
     assert!(
-        found.unreachable[0].starts_with("an area fraction of 0.9 at a pressure of 5e6 Pa cannot be reached within the bounds by gw: the nearest is ")
+        found.unreachable[0].starts_with("an area fraction of 0.9 at a pressure of 5e6 Pa cannot be reached within the bounds: the nearest is ")
             && found.unreachable[0].contains(" at asperity_height_std = "),
         "{found:?}"
     );

@@ -4,6 +4,7 @@
 mod cycles;
 mod element;
 mod energy;
+mod forces;
 mod references;
 mod refusals;
 mod scenes;

@@ -43,6 +43,7 @@ from asperity._check import Check, Finding
 from asperity._conductance import Correlated, correlated_conductance, gap_conductance
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
+from asperity._fit import Estimate, Fit, Fits, fit
 from asperity._laws import AsperityLaws
 from asperity._model import Model, model, models
 from asperity._scene import Scenes
@@ -62,7 +63,10 @@ __all__ = [
     "ContactWarning",
     "Correlated",
     "Curve",
+    "Estimate",
     "Finding",
+    "Fit",
+    "Fits",
     "Interface",
     "JointTable",
     "Model",
@@ -86,6 +90,7 @@ __all__ = [
     "bem",
     "correlated_conductance",
     "export",
+    "fit",
     "gap_conductance",
     "model",
     "models",

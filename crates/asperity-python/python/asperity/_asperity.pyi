@@ -42,6 +42,7 @@ __all__ = [
     "contact_table",
     "correlated",
     "findings",
+    "fit",
     "floats",
     "gap_conductance",
     "in_si",
@@ -505,6 +506,12 @@ def truth(
 ) -> tuple[
     list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str], str
 ]: ...
+def fit(
+    scene: Scene,
+    data: str | Sequence[tuple[str, Sequence[float | None]]],
+    free: Sequence[str | tuple[str, tuple[float, float] | None]],
+    engines: Sequence[Engine],
+) -> dict[str, Any]: ...
 def floats(values: npt.ArrayLike, name: str) -> _Floats: ...
 def quantities(names: Iterable[str] = ...) -> dict[str, str]: ...
 def model_ids() -> list[str]: ...

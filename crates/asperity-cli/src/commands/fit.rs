@@ -1,0 +1,289 @@
+//! `asperity fit`: numbers of a scene from measurements.
+
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
+use asperity::Quantity;
+use asperity::bem::Bem;
+use asperity::fit::{Data, DataColumn, FitError, Fitted, Progress, Ranking, rank};
+use asperity_scene::{Free, SceneError, read_measurements};
+use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::error::ErrorKind;
+use clap::{ArgGroup, Args};
+
+use crate::input::args::{OutputArgs, model_id, svg_file};
+use crate::input::numbers::{load, of_unit, pressure};
+use crate::input::usage_error;
+use crate::interrupt;
+use crate::output::table::{Cell, Format, Table};
+use crate::output::{self, fit_plot, print_message, progress};
+use crate::scene::{LoadedScene, NamedModel};
+
+/// Fit numbers of the scene to measurements, with intervals, and rank models
+#[derive(Debug, Args)]
+#[command(
+    group(ArgGroup::new("source").required(true)),
+    group(ArgGroup::new("place")),
+    after_help = "DATA is a csv with the columns of `asperity curve`: load_N, pressure_Pa or
+separation_m, and any of area_m2, area_fraction, tangent_N_per_m,
+unloading_stiffness_N_per_m (ultrasound, modal tests), thermal_conductance_W_per_K and so
+on, each with <column>_std if known. Cells may be empty. Without standard deviations the
+residuals are ln(fitted/measured). A separation beside a load is compared by the load at
+that separation, unless it has a standard deviation.
+
+Free parameters are numbers of the scene by their keys (hardness, asperity_height_std,
+body1_youngs_modulus, plasticity_index), and what a rig adds: separation_offset (linear,
+reading minus separation) and series_compliance (of the rig, in m/N: a stiffness K reads
+1/(1/K + c), a separation d reads d + offset - c F). Parameters start at the values of
+the scene; default bounds are a factor 30 either way.
+
+Columns: model, parameter, value, lower and upper (the 95 % interval; blank where the data
+do not fix that end within the bounds), unit, rms (relative) and bic. Models are ranked by
+BIC, lowest first. json also has correlation, condition, undetermined combinations,
+residuals and unreachable data.
+With --target instead of DATA, the scene in which a quantity has a value at one load.
+Default model: ke (gw without a hardness).
+
+Examples:
+  asperity curve scene.toml --model ke --pressure 1e5:1e7:8:log --quantity area,unloading-stiffness --output data.csv
+  asperity fit scene.toml data.csv --free asperity_height_std=0.1um:5um,hardness --model ke,jg
+  asperity fit scene.toml data.csv --free asperity_height_std,series_compliance --plot fit.svg
+  asperity fit scene.toml --free asperity_height_std --target area_fraction=2% --pressure 5MPa"
+)]
+pub struct FitCommand {
+    /// Scene file; `asperity init` writes an example
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Measurements, a csv
+    #[arg(value_name = "DATA", group = "source")]
+    data: Option<PathBuf>,
+    /// Free parameters, each with bounds if these are given
+    #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',', required = true)]
+    free: Vec<Free>,
+    /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
+    models: Vec<String>,
+    /// The value wanted of a quantity, instead of DATA, for example area_fraction=2%
+    #[arg(long, value_name = "Q=V", value_delimiter = ',', value_parser = target)]
+    #[arg(group = "source", requires = "place")]
+    target: Vec<(String, f64)>,
+    /// Load of the target, in N, or with a unit, for example 2kN
+    #[arg(long, value_name = "P", value_parser = load, group = "place", conflicts_with = "data")]
+    load: Option<f64>,
+    /// Load of the target as a pressure on the nominal area, in Pa, or with a unit
+    #[arg(long, value_name = "P", value_parser = pressure, group = "place", conflicts_with = "data")]
+    pressure: Option<f64>,
+    /// Separation of the target, with its unit, for example 2um
+    #[arg(long, value_name = "D", value_parser = metres, group = "place", conflicts_with = "data")]
+    separation: Option<f64>,
+    #[command(flatten)]
+    output: OutputArgs,
+    /// Also plot data and fitted models, one panel for each quantity
+    #[arg(long, value_name = "FILE.svg", value_parser = PathBufValueParser::new().try_map(svg_file))]
+    plot: Option<PathBuf>,
+}
+
+impl FitCommand {
+    pub fn run(self) -> Result<()> {
+        self.check_plot();
+        let scene = LoadedScene::load(&self.scene)?;
+        let data = self.data(&scene)?;
+        if self.models.iter().any(|id| id == Bem::ID) {
+            bail!("bem: boundary elements are not fitted; `asperity models` lists other models");
+        }
+        let models: Vec<NamedModel> = match &self.models[..] {
+            [] => vec![scene.reference(None)?],
+            ids => {
+                output::once(ids).iter().map(|id| scene.model(id)).collect::<Result<Vec<_>>>()?
+            }
+        };
+        let (fitted, interrupted) = self.fit(&scene, &data, &models)?;
+        let done = fitted.len();
+        let ranking = rank(fitted);
+        if done > 0 {
+            self.write(&scene, &data, &models, &ranking)?;
+        }
+        if interrupted {
+            interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
+        }
+        Ok(())
+    }
+
+    /// The fitted models, and whether Ctrl-C ended the list.
+    fn fit(
+        &self,
+        scene: &LoadedScene,
+        data: &Data,
+        models: &[NamedModel],
+    ) -> Result<(Vec<Fitted>, bool)> {
+        interrupt::listen()?;
+        let mut fitted = vec![];
+        for (id, model) in models {
+            let bar = progress(id);
+            let mut watch = |state: &Progress| {
+                let (starts, evaluations) = (state.starts.max(1), state.evaluations);
+                bar.set_message(format!("{id}: start {starts}, {evaluations} evaluations"));
+                match interrupt::requested() {
+                    true => ControlFlow::Break(()),
+                    false => ControlFlow::Continue(()),
+                }
+            };
+            match scene.file.fit(model, data, &self.free, &mut watch) {
+                Ok(mut found) => {
+                    // The name in the result, where options of the scene give the model another.
+                    found.model.clone_from(id);
+                    fitted.push(found);
+                }
+                Err(SceneError::Fit(FitError::Interrupted)) => return Ok((fitted, true)),
+                Err(error @ SceneError::Fit(FitError::NoStart { .. })) if models.len() > 1 => {
+                    print_message("warning", &format!("left out: {error}"));
+                }
+                Err(error) => return Err(error).context(scene.name.clone()),
+            }
+        }
+        if fitted.is_empty() {
+            bail!("{}: no model has values for the data", scene.name);
+        }
+        Ok((fitted, false))
+    }
+
+    fn write(
+        &self,
+        scene: &LoadedScene,
+        data: &Data,
+        models: &[NamedModel],
+        ranking: &Ranking,
+    ) -> Result<()> {
+        self.print_notes(scene, ranking);
+        if let Some(file) = &self.plot {
+            let svg = fit_plot::svg(&scene.file, data, models, ranking)?;
+            output::write_text(Some(file), &svg)?;
+        }
+        match self.output.format {
+            Format::Json => {
+                self.output.write_text(&(serde_json::to_string_pretty(ranking)? + "\n"))
+            }
+            _ => self.output.write(&table(ranking)),
+        }
+    }
+
+    fn print_notes(&self, scene: &LoadedScene, ranking: &Ranking) {
+        let usual = ranking.models.first().map(|one| scene.file.notes_on_bounds(&self.free, one));
+        usual.iter().flatten().for_each(|note| print_message("note", note));
+        for one in &ranking.models {
+            let say = |kind: &str, texts: &[String]| {
+                texts
+                    .iter()
+                    .for_each(|text| print_message(kind, &format!("{}: {text}", one.model)));
+            };
+            if !one.converged {
+                let text = "the search did not converge: the values are the best that it found";
+                say("warning", &[text.into()]);
+            }
+            say("warning", &one.unreachable);
+            say("warning", &one.undetermined);
+            say("note", &one.notes);
+        }
+        if ranking.models.iter().any(|one| one.bic.is_some()) {
+            print_message("note", &ranking.summary);
+        }
+    }
+
+    fn data(&self, scene: &LoadedScene) -> Result<Data> {
+        let from = scene.file.separation_from;
+        if let Some(path) = &self.data {
+            output::keep(path);
+            let columns = read_measurements(path)?;
+            return Data::from_columns(&columns, from).with_context(|| path.display().to_string());
+        }
+        let places = [
+            ("load_N", self.load),
+            ("pressure_Pa", self.pressure),
+            ("separation_m", self.separation),
+        ];
+        let places =
+            places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
+        let columns = places.chain(self.target.iter().cloned());
+        let columns: Vec<DataColumn> =
+            columns.map(|(name, value)| (name, vec![Some(value)])).collect();
+        Data::from_columns(&columns, from).context("--target")
+    }
+
+    /// Ends the program where plot and data have the same destination.
+    fn check_plot(&self) {
+        let files = [self.plot.as_deref(), self.output.output.as_deref()];
+        let both = self.plot.is_some() && files.map(output::is_standard) == [true; 2];
+        if both || matches!(files, [Some(plot), Some(data)] if output::is_same(plot, data)) {
+            let text = "--plot and the result have the same destination; name two files";
+            usage_error("fit", ErrorKind::ArgumentConflict, text);
+        }
+    }
+}
+
+/// One row for each model and parameter.
+fn table(ranking: &Ranking) -> Table {
+    let head = ["model", "parameter", "value", "lower", "upper", "unit", "rms", "bic"];
+    let mut table = Table::new(&head);
+    for one in &ranking.models {
+        for found in &one.parameters {
+            let number = Cell::Number;
+            table.rows.push(vec![
+                one.model.as_str().into(),
+                found.name.as_str().into(),
+                number(Some(found.value)),
+                number(found.lower),
+                number(found.upper),
+                found.unit.as_str().into(),
+                number(one.rms),
+                number(one.bic),
+            ]);
+        }
+    }
+    table
+}
+
+/// A wanted value: the column of the quantity, and the value in its unit.
+fn target(text: &str) -> Result<(String, f64), String> {
+    let example = "write <quantity>=<value>, for example area_fraction=2%";
+    let (name, value) = text.split_once('=').ok_or(example)?;
+    let names = Quantity::ALL.into_iter().find(|quantity| quantity.column() == name.trim());
+    let quantity = names.map_or_else(|| name.parse::<Quantity>(), Ok);
+    let quantity = quantity.map_err(|error| error.to_string())?;
+    let number = match (value.trim().strip_suffix('%'), quantity.unit()) {
+        (Some(percent), "") => of_unit(percent, "").map(|percent| percent / 100.0),
+        (_, "m2") => of_unit(value, "m^2"),
+        (_, unit) => of_unit(value, unit),
+    };
+    Ok((quantity.column(), number?))
+}
+
+/// A separation with its unit: a plain number would mean multiples of sigma elsewhere.
+fn metres(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(_) => Err(format!("{text} has no unit; give the separation in metres, for example 2um")),
+        Err(_) => of_unit(text, "m"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn targets_have_names_and_units_of_quantities() {
+        let found = [
+            ("area_fraction=2%", "area_fraction", 0.02),
+            ("area=1 mm2", "area_m2", 1e-6),
+            ("unloading-stiffness=2e9", "unloading_stiffness_N_per_m", 2e9),
+            ("mean_pressure_Pa=1GPa", "mean_pressure_Pa", 1e9),
+        ];
+        for (text, name, value) in found {
+            assert_eq!(target(text), Ok((name.to_string(), value)), "{text}");
+        }
+        for bad in ["area", "aera=1e-6", "area=big", "area=1 N", "area_fraction=%", "area=nan"] {
+            assert!(target(bad).is_err(), "{bad}");
+        }
+        assert!(metres("2").is_err() && metres("2um").is_ok());
+    }
+}

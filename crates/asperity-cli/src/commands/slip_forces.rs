@@ -1,0 +1,124 @@
+//! Cycles between amplitudes of the tangential force.
+
+use anyhow::{Result, anyhow, bail};
+use asperity::joints::{PartialSlip, Unloading};
+use asperity::{At, SeparationUnit};
+use asperity_plot::{Axis, Curve, Scale};
+
+use super::slip::{Slip, blank_cycle};
+use crate::output::number::rounded;
+use crate::output::plot;
+use crate::output::print_message;
+use crate::output::table::{Cell, Table};
+use crate::scene::{LoadedScene, NamedModel};
+
+impl Slip {
+    /// A cycle of each amplitude of the tangential force at each preload; what slides is blank.
+    pub(super) fn forces(
+        &self,
+        scene: &LoadedScene,
+        (id, model): &NamedModel,
+        places: &[At],
+        forces: &[f64],
+    ) -> Result<()> {
+        let head = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
+        let cycle = ["tangential_force_N", "amplitude_m", "secant_stiffness_N_per_m"];
+        let mut table = Table::new(&[&head[..], &cycle[..], &["loss_J", "loss_factor"]].concat());
+        let (mut reasons, mut answered) = (vec![], false);
+        for place in places {
+            let joint = self.joint(scene, model, *place);
+            let mut refused = vec![];
+            for force in forces {
+                let found = joint.as_ref().map_err(|error| anyhow!(error.clone()));
+                let found = found.and_then(|(joint, slip)| under(scene, joint, slip, *force));
+                let numbers = found.map(|numbers| numbers.map(Some)).unwrap_or_else(|error| {
+                    refused.push(error.to_string());
+                    let [load, pressure, separation, ..] = blank_cycle(scene, *place);
+                    [load, pressure, separation, Some(*force), None, None, None, None]
+                });
+                answered |= numbers[4].is_some();
+                let mut row = vec![Cell::from(id.as_str())];
+                row.extend(numbers.map(Cell::Number));
+                table.rows.push(row);
+            }
+            let count = refused.len();
+            reasons.extend(refused.into_iter().take(1).map(|first| match count {
+                1 => first,
+                _ => format!("{count} of {} forces have no cycle, first: {first}", forces.len()),
+            }));
+        }
+        if let (false, Some(first)) = (answered, reasons.first()) {
+            bail!("{first}");
+        }
+        for reason in reasons {
+            print_message("warning", &format!("{}: {id}: {reason}", scene.name));
+        }
+        self.output.write(&table, || forces_picture(&table))
+    }
+}
+
+/// Load, pressure, separation and the results of a cycle of this tangential force.
+fn under(
+    scene: &LoadedScene,
+    joint: &Unloading,
+    slip: &PartialSlip,
+    force: f64,
+) -> Result<[f64; 8]> {
+    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+    let load = joint.force(0.0)?.value();
+    let separation = joint.closest().measured_in(SeparationUnit::Sigma, from, contact)?;
+    let amplitude = amplitude_at(slip, force)?;
+    Ok([
+        load,
+        load / contact.nominal_area,
+        separation.value,
+        force,
+        amplitude,
+        force / amplitude,
+        slip.loss(amplitude)?.value(),
+        slip.loss_factor(amplitude)?,
+    ])
+}
+
+/// The amplitude of shift under an amplitude of the tangential force.
+pub(super) fn amplitude_at(slip: &PartialSlip, force: f64) -> Result<f64> {
+    let limit = slip.limit()?;
+    if force >= limit {
+        let [force, limit] = [force, limit].map(rounded);
+        bail!("a tangential force of {force} N is not below mu F = {limit} N: the joint slides");
+    }
+    Ok(slip.amplitude_at(force)?)
+}
+
+/// The plot of cycles against their amplitudes of force, a curve for each preload.
+fn forces_picture(table: &Table) -> Result<String> {
+    let mut long = table.clone();
+    long.head[0] = "preload".into();
+    let preload = |row: &[Cell]| row[1].number().map_or("none".into(), |load| rounded(load) + " N");
+    let mut preloads: Vec<String> = vec![];
+    for row in &mut long.rows {
+        let name = preload(row);
+        row[0] = name.as_str().into();
+        if !preloads.contains(&name) {
+            preloads.push(name);
+        }
+    }
+    let forces: Vec<f64> = long.rows.iter().filter_map(|row| row[4].number()).collect();
+    let mut x = Axis::new("tangential_force_N", "amplitude of the tangential force (N)");
+    x.scale = Scale::fitting(&forces);
+    let columns = [
+        ("secant_stiffness_N_per_m", "secant stiffness (N/m)"),
+        ("loss_J", "energy dissipated per cycle (J)"),
+        ("loss_factor", "loss factor"),
+    ];
+    let curve = |(name, k): (&String, usize)| {
+        let mut curve = Curve::new(k, name, &format!("preload {name}"));
+        curve.every_point = forces.len() <= plot::MARKED * preloads.len();
+        curve
+    };
+    let curves: Vec<Curve> = preloads.iter().zip(0..).map(curve).collect();
+    // Lines run from left to right for any order of the forces.
+    let force = |row: &Vec<Cell>| row[4].number().unwrap_or(f64::NAN);
+    long.rows.sort_by(|a, b| force(a).total_cmp(&force(b)));
+    plot::against(&long, &x, &columns, &curves)
+}

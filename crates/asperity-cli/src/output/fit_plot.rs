@@ -1,0 +1,133 @@
+//! Data and fitted models as a picture.
+
+use std::fmt::Write;
+
+use anyhow::Result;
+use asperity::fit::{Data, Fitted, Measured, Observation, Ranking};
+use asperity::short;
+use asperity_plot::{Axis, Curve, Figure, Panel, Scale, draw};
+use asperity_scene::SceneFile;
+
+use crate::output::plot::label;
+use crate::scene::NamedModel;
+
+/// Points of a model's curve.
+const POINTS: usize = 101;
+/// The names of the data and of their standard deviations among the curves.
+const DATA: &str = "measured";
+const SPREAD: &str = "standard deviation";
+
+/// A panel for each measured quantity against each kind of place.
+pub fn svg(
+    file: &SceneFile,
+    data: &Data,
+    models: &[NamedModel],
+    ranking: &Ranking,
+) -> Result<String> {
+    let between = data.between(POINTS);
+    let mut csv = String::from("panel,curve,x,y\n");
+    let mut row = |one: &Observation, curve: &str, x: f64, y: Option<f64>| {
+        let y = y.map_or(String::new(), |y| format!("{y:e}"));
+        let _ = writeln!(csv, "{},{curve},{x:e},{y}", name(one));
+    };
+    for one in data.iter() {
+        let x = one.place().1;
+        row(one, DATA, x, Some(one.value));
+        if let Some(std) = one.std {
+            row(one, SPREAD, x, Some(one.value - std));
+            row(one, SPREAD, x, Some(one.value + std));
+            // The end of a bar.
+            row(one, SPREAD, x, None);
+        }
+    }
+    for fitted in &ranking.models {
+        let Some((id, model)) = models.iter().find(|(id, _)| *id == fitted.model) else { continue };
+        let values = file.fitted_values(model, fitted, &between)?;
+        for (one, value) in between.iter().zip(values) {
+            row(one, id, one.place().1, value);
+        }
+    }
+    let mut curves = vec![Curve::points(0, DATA, DATA)];
+    if data.has_std() {
+        let mut bars = Curve::new(9, SPREAD, "± standard deviation");
+        bars.marked = None;
+        curves.push(bars);
+    }
+    let model = |(fitted, k): (&Fitted, usize)| Curve::new(k, &fitted.model, &fitted.model);
+    curves.extend(ranking.models.iter().zip(1..).map(model));
+    let mut panels: Vec<Panel> = vec![];
+    for one in data.iter() {
+        let known = |panel: &Panel| panel.only.as_ref().is_some_and(|only| only.1 == name(one));
+        if panels.iter().any(known) {
+            continue;
+        }
+        let same = || data.iter().filter(|other| name(other) == name(one));
+        let xs: Vec<f64> = same().map(|one| one.place().1).collect();
+        let ys: Vec<f64> = same().map(|one| one.value).collect();
+        let (x_label, millionths) = match one.place().0 {
+            "load_N" => ("load (N)", false),
+            "pressure_Pa" => ("pressure (Pa)", false),
+            _ => ("reading of the separation (µm)", true),
+        };
+        let (y_label, in_um) = match one.measured {
+            Measured::Quantity(quantity) => (label(quantity), false),
+            _ => ("reading of the separation (µm)".into(), true),
+        };
+        let axis = |column: &str, label: &str, in_um: bool, values: &[f64]| {
+            let mut axis = Axis::new(column, label);
+            if in_um {
+                return axis.times(1e6);
+            }
+            axis.scale = Scale::fitting(values);
+            if axis.scale == Scale::Log {
+                let [low, high] = ends(values);
+                axis.range = Some((low / 1.1, high * 1.1));
+            }
+            axis
+        };
+        let x = axis("x", x_label, millionths, &xs);
+        let mut y = axis("y", &y_label, in_um, &ys);
+        // Residuals are logarithms: over a logarithmic axis they show on another.
+        if x.scale == Scale::Log && ends(&ys)[0] > 0.0 {
+            y.scale = Scale::Log;
+        }
+        // Models may leave the range of the data.
+        y.range = None;
+        let mut panel = Panel::new(x, y);
+        panel.only = Some(("panel".into(), name(one)));
+        panel.curves.clone_from(&curves);
+        panels.push(panel);
+    }
+    let captions: Vec<String> = ranking.models.iter().map(caption).collect();
+    let captions: Vec<&str> = captions.iter().map(String::as_str).collect();
+    Ok(draw(&Figure::new("", &captions, panels), &csv)?)
+}
+
+fn ends(values: &[f64]) -> [f64; 2] {
+    let join = |[low, high]: [f64; 2], value: &f64| [low.min(*value), high.max(*value)];
+    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], join)
+}
+
+/// The name of an observation's panel.
+fn name(one: &Observation) -> String {
+    format!("{} at {}", one.measured.column(), one.place().0)
+}
+
+/// A model with its parameters.
+fn caption(fitted: &Fitted) -> String {
+    let mut text = format!("{}: ", fitted.model);
+    for (k, found) in fitted.parameters.iter().enumerate() {
+        let gap = if k == 0 { "" } else { ", " };
+        let unit = if found.unit.is_empty() { String::new() } else { format!(" {}", found.unit) };
+        // An underscore would lower the next letter.
+        let name = found.name.replace('_', " ");
+        let _ = write!(text, "{gap}{name} {}{unit}", short(found.value));
+        if let (Some(lower), Some(upper)) = (found.lower, found.upper) {
+            let _ = write!(text, " ({} to {})", short(lower), short(upper));
+        }
+    }
+    if let Some(rms) = fitted.rms {
+        let _ = write!(text, "; rms {} %", short(100.0 * rms));
+    }
+    text + "."
+}

@@ -1,0 +1,238 @@
+//! Numbers of a scene from measurements.
+
+use serde_json::Value;
+
+use crate::bench::{Bench, cells, column, column_of};
+
+/// Areas and stiffnesses of KE on the scene with other numbers, as `curve` writes them.
+fn measured(bench: &Bench, change: (&str, &str), quantities: &str) -> String {
+    let scene = asperity_scene::template().replace(change.0, change.1);
+    bench.write("truth.toml", &scene);
+    bench.data(&format!(
+        "curve truth.toml --model ke --pressure 1e5:3e7:8:log --quantity {quantities} --tolerance 1e-13"
+    ))
+}
+
+const STD: (&str, &str) = ("asperity_height_std = 1e-6", "asperity_height_std = 1.7e-6");
+
+#[test]
+fn a_curve_of_the_program_returns_its_scene() {
+    let bench = Bench::new();
+    let data = measured(&bench, STD, "area,unloading-stiffness");
+    bench.write("data.csv", &data);
+    let arguments =
+        "fit scene.toml data.csv --free asperity_height_std=0.1um:10um,hardness --model gw,ke";
+    let run = bench.run(&format!("{arguments} --format csv"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert_eq!(cells(&run.out, "model"), ["ke", "ke", "gw", "gw"]);
+    assert_eq!(cells(&run.out, "unit")[..2], ["m", "Pa"]);
+    for (found, truth) in column(&run.out, "value").iter().zip([1.7e-6, 2e9]) {
+        assert!((found / truth - 1.0).abs() < 1e-8, "{}", run.out);
+    }
+    let usual = "note: hardness is varied from 6.667e7 to 6e10 Pa, a factor 30 either way";
+    assert!(run.messages.contains(usual), "{}", run.messages);
+    assert!(!run.messages.contains("asperity_height_std is varied"), "{}", run.messages);
+    assert!(run.messages.contains("note: ke fits best by BIC, clearly before"), "{}", run.messages);
+    let hard = "warning: gw: hardness is not determined: it does not change the data";
+    assert!(run.messages.contains(hard), "{}", run.messages);
+    let found: Value =
+        serde_json::from_str(&bench.data(&format!("{arguments} --format json"))).unwrap();
+    let ke = &found["models"][0];
+    assert_eq!((ke["model"].as_str(), ke["converged"].as_bool()), (Some("ke"), Some(true)));
+    assert!(ke["rms"].as_f64().unwrap() < 1e-9 && ke["condition"].as_f64().unwrap() >= 1.0);
+    // The separations of the table are compared by the pressures there.
+    assert_eq!(ke["residuals"].as_array().unwrap().len(), 24);
+    assert_eq!(ke["correlation"][0][0].as_f64(), Some(1.0));
+    assert!(ke["parameters"][1]["lower"].as_f64() < ke["parameters"][1]["upper"].as_f64());
+    assert_eq!(ke["undetermined"].as_array().unwrap().len(), 0);
+    assert_eq!(found["models"][1]["condition"], Value::Null);
+}
+
+#[test]
+fn one_target_answers_the_inverse_question_or_says_why_not() {
+    let bench = Bench::new();
+    let ask = |value: &str| {
+        let target = format!("--target area_fraction={value} --pressure 5MPa --format csv");
+        bench.run(&format!("fit scene.toml --free asperity_height_std {target}"))
+    };
+    let run = ask("0.4%");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let height_std = column(&run.out, "value")[0];
+    assert_eq!(column_of(&run.out, "lower"), [None]);
+    let scene = asperity_scene::template();
+    let new = format!("asperity_height_std = {height_std:e}");
+    bench.write("smooth.toml", &scene.replace("asperity_height_std = 1e-6", &new));
+    let check = "curve smooth.toml --model ke --pressure 5MPa --quantity area-fraction";
+    let found = column(&bench.data(check), "area_fraction")[0];
+    assert!((found / 0.004 - 1.0).abs() < 1e-8, "{found}");
+    let run = ask("0.1%");
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let why = "warning: ke: an area fraction of 0.001 at a pressure of 5e6 Pa cannot be reached: contacts carry at most the hardness, so it is at least p/H = 0.0025; the hardness would have to be at least 5e9 Pa";
+    assert!(run.messages.contains(why), "{}", run.messages);
+}
+
+#[test]
+fn a_rig_is_fitted_and_the_picture_has_data_and_models() {
+    let bench = Bench::new();
+    let data = measured(&bench, STD, "unloading-stiffness");
+    let (pressures, clean) =
+        (column(&data, "pressure_Pa"), column(&data, "unloading_stiffness_N_per_m"));
+    let mut rows =
+        String::from("pressure_Pa,unloading_stiffness_N_per_m,unloading_stiffness_N_per_m_std\n");
+    for (pressure, stiffness) in pressures.iter().zip(&clean) {
+        let softer = 1.0 / (1.0 / stiffness + 2e-11);
+        rows += &format!("{pressure:e},{softer:e},{:e}\n", 0.02 * softer);
+    }
+    bench.write("data.csv", &rows);
+    let run = bench.run(
+        "fit scene.toml data.csv --free asperity_height_std,series_compliance=1pm/N:1um/N --plot fit.svg",
+    );
+    assert_eq!(run.code, Some(2), "a unit that is not known: {}", run.messages);
+    let run = bench.run(
+        "fit scene.toml data.csv --free asperity_height_std,series_compliance --plot fit.svg --format csv",
+    );
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let found = column(&run.out, "value");
+    assert!((found[0] / 1.7e-6 - 1.0).abs() < 1e-7, "{found:?}");
+    assert!((found[1] / 2e-11 - 1.0).abs() < 1e-7, "{found:?}");
+    let svg = bench.read("fit.svg");
+    for text in ["measured", "standard deviation", "pressure (Pa)", "unloading stiffness (N/m)"] {
+        assert!(svg.contains(text), "{text}");
+    }
+}
+
+const AREAS: &str = "load_N,area_m2\n10,5e-9\n100,5e-8\n";
+
+#[test]
+fn bad_data_are_refused_with_their_row_and_column() {
+    let bench = Bench::new();
+    for (text, wanted) in [
+        (
+            "load_N,aera_m2\n1,1\n",
+            "column \"aera_m2\" is not known (the nearest is \"area_m2\"): the columns are load_N,",
+        ),
+        ("load,area_m2\n1,1\n", "column \"load\" is not known (the nearest is \"load_N\")"),
+        (
+            "area_m2\n1e-9\n",
+            "the data have no load or separation: a column load_N, pressure_Pa or separation_m was",
+        ),
+        ("load_N\n1\n", "the data have no measured quantity: a column of a quantity"),
+        ("load_N,area_m2\n1,\n", "the data have no measured quantity"),
+        ("load_N,area_m2\n-1,1e-9\n", "row 1: load_N is -1.0: a load above 0 was required"),
+        (
+            "load_N,area_m2\n1,1e-9\n2,0\n",
+            "row 2: area_m2 is 0.0: a number above 0, or its standard deviation, was required",
+        ),
+        (
+            "load_N,area_m2,area_m2_std\n1,1e-9,0\n",
+            "row 1: area_m2_std is 0.0: a number above 0 was required",
+        ),
+        (
+            "load_N,area_m2,area_m2_std\n1,1e-9,1e-10\n2,2e-9,\n",
+            "area_m2: row 2 has no standard deviation, but area_m2 has one",
+        ),
+        (
+            "load_N,area_m2,tangent_N_per_m_std\n1,1e-9,1\n",
+            "tangent_N_per_m_std: the column of its values is missing",
+        ),
+        ("load_N,area_m2,area_m2\n1,1e-9,1e-9\n", "area_m2: the column is given twice"),
+        (
+            "load_N,area_m2\n1,big\n",
+            "data.csv:2: area_m2 is \"big\": a number, or nothing was required",
+        ),
+        ("1,1e-9\n2,2e-9\n", "data.csv:1: the header is \"1,1e-9\": a header, for example"),
+        ("load_N,area_m2\n1\n", "data.csv:2: CSV: 1 cells under a header of 2 columns"),
+        ("load_N,area_m2\n1,nan\n", "row 1: area_m2 is NaN: a finite number was required"),
+        ("load_N,area_m2\ninf,1\n", "row 1: load_N is inf: a finite number was required"),
+        (
+            "load_N,area_m2\n,1\n",
+            "row 1: area_m2 is 1.0: a load or a separation beside it was required",
+        ),
+        (
+            "load_N,force_N\n1,1\n",
+            "row 1: force_N is 1.0: either the load or this quantity was required",
+        ),
+        (
+            "model,load_N,area_m2\nke,1,1e-9\ngw,1,1e-9\n",
+            "model is \"ke and gw\": the rows of one model",
+        ),
+        ("", "data.csv:1: the header is \"\": a header, for example load_N"),
+    ] {
+        bench.write("data.csv", text);
+        let run = bench.run("fit scene.toml data.csv --free hardness");
+        assert_eq!(run.code, Some(1), "{text}: {}", run.messages);
+        assert!(run.messages.contains(wanted), "{text}: {}", run.messages);
+        assert!(run.out.is_empty(), "{}", run.out);
+    }
+}
+
+#[test]
+fn bad_parameters_are_refused_by_name() {
+    let bench = Bench::new();
+    bench.write("data.csv", AREAS);
+    for (free, wanted) in [
+        ("hardnes", "hardnes is not an input of this scene (the nearest is \"hardness\"): one of "),
+        ("hardness,hardness", "hardness: it is given twice"),
+        (
+            "hardness=4GPa:1GPa",
+            "hardness: the bounds are 4e9 and 1e9: two finite numbers, the smaller first,",
+        ),
+        (
+            "thermal_conductivity",
+            "thermal_conductivity: the scene gives no value above 0 to start from: give bounds,",
+        ),
+        (
+            "separation_offset",
+            "separation_offset: the data have no column that depends on it: separation_m was",
+        ),
+        (
+            "series_compliance",
+            "series_compliance: the data have no column that depends on it: separation_m or",
+        ),
+        (
+            "plasticity_index,asperity_radius",
+            "asperity_radius is given beside plasticity_index, which",
+        ),
+        (
+            "asperity_radius,asperity_density,asperity_height_std",
+            "2 measured values for 3 free parameters: at least",
+        ),
+        ("hardness --model bem", "bem: boundary elements are not fitted"),
+        ("m0", "m0, m2 and m4 need a surface that is given by them"),
+    ] {
+        let run = bench.run(&format!("fit scene.toml data.csv --free {free}"));
+        assert_eq!(run.code, Some(1), "{free}: {}", run.messages);
+        assert!(run.messages.contains(wanted), "{free}: {}", run.messages);
+    }
+    let run = bench.run("fit scene.toml none.csv --free hardness");
+    assert!(run.code == Some(1) && run.messages.contains("none.csv: the data cannot be read"));
+    for usage in [
+        "data.csv",
+        "data.csv --free hardness=1N:2N",
+        "data.csv --free hardness=1GPa",
+        "data.csv --free =1:2",
+        "--free hardness",
+        "--free hardness --target area=1e-9",
+        "--free hardness --target aera=1e-9 --load 1",
+        "--free hardness --target area=1e-9 --separation 2",
+        "data.csv --free hardness --target area=1e-9 --load 1",
+        "data.csv --free hardness --load 1",
+        "data.csv --free hardness --plot fit.png",
+        "data.csv --free hardness --plot a.svg --output a.svg",
+    ] {
+        let run = bench.run(&format!("fit scene.toml {usage}"));
+        assert_eq!(run.code, Some(2), "{usage}: {}", run.messages);
+    }
+}
+
+#[test]
+fn a_model_without_the_quantity_is_left_out_among_others() {
+    let bench = Bench::new();
+    bench.write("data.csv", "load_N,unloading_stiffness_N_per_m\n10,5e7\n100,5e8\n");
+    let fit = "fit scene.toml data.csv --free asperity_height_std --format csv --model";
+    let run = bench.run(&format!("{fit} gao,ke"));
+    assert_eq!((run.code, cells(&run.out, "model")), (Some(0), vec!["ke"]), "{}", run.messages);
+    assert!(run.messages.contains("warning: left out: gao has no value for the data"));
+    let run = bench.run(&format!("{fit} gao"));
+    assert!(run.code == Some(1) && run.messages.contains("gao has no value for the data at any"));
+}

@@ -1,0 +1,227 @@
+"""Numbers of a scene from measurements."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from asperity import _asperity
+from asperity._arguments import one_scene
+from asperity._asperity import ContactWarning, Engine, Scene, floats
+from asperity._model import Model
+from asperity._scene import Floats
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted parameter."""
+
+    #: The value of the least squares.
+    value: float
+    #: Lower end of the 95 % interval; None if the data do not fix it within the bounds.
+    lower: float | None
+    #: Upper end of the 95 % interval.
+    upper: float | None
+    #: The SI unit; empty for pure numbers.
+    unit: str
+    #: The bounds within which it was varied.
+    bounds: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A model fitted to measurements."""
+
+    #: The model's id.
+    model: str
+    #: Whether the search ended at a minimum.
+    converged: bool
+    #: Root mean square of ln(fitted/measured); None if no value has a logarithm.
+    rms: float | None
+    #: Sum of squares over the degrees of freedom, with standard deviations.
+    reduced_chi_squared: float | None
+    #: Bayesian information criterion: lower is better, on the same data.
+    bic: float | None
+    #: The free parameters by name.
+    parameters: dict[str, Estimate]
+    #: Correlation of the parameters, in their order; NaN for those that the data do not fix.
+    correlation: Floats
+    #: Condition number of the residuals' derivatives; None if a combination has no effect.
+    condition: float | None
+    #: Combinations that the data do not fix, in words.
+    undetermined: tuple[str, ...]
+    #: Measured values that cannot be reached, with the reasons.
+    unreachable: tuple[str, ...]
+    #: Remarks on bounds, and other values that fit as well.
+    notes: tuple[str, ...]
+    #: Row and column of the data, and the measured value, the fitted one and the residual of each.
+    residuals: tuple[dict[str, Any], ...]
+    #: The scene with the fitted numbers.
+    scene: Scene
+
+    def __getitem__(self, name: str) -> float:
+        """The value of a parameter."""
+        return self.parameters[name].value
+
+
+@dataclass(frozen=True)
+class Fits:
+    """Models fitted to the same measurements, that of the lowest BIC first."""
+
+    #: The fitted models.
+    models: tuple[Fit, ...]
+    #: What their order says, and what it does not.
+    summary: str
+
+    @property
+    def best(self) -> Fit:
+        """The model of the lowest BIC."""
+        return self.models[0]
+
+    def __getitem__(self, model: str) -> Fit:
+        for fit in self.models:
+            if fit.model == model:
+                return fit
+        known = ", ".join(fit.model for fit in self.models)
+        raise KeyError(f"{model} was not fitted: one of {known} was required")
+
+    def __iter__(self) -> Iterator[Fit]:
+        return iter(self.models)
+
+    def __len__(self) -> int:
+        return len(self.models)
+
+    def __repr__(self) -> str:
+        shown = []
+        for fit in self.models:
+            values = (f"{name}={found.value:.4g}" for name, found in fit.parameters.items())
+            rms = "" if fit.rms is None else f" (rms {fit.rms:.2g})"
+            shown.append(f"{fit.model}: {', '.join(values)}{rms}")
+        return f"<asperity.Fits {'; '.join(shown)}>"
+
+
+def fit(
+    scene: Scene,
+    data: str | os.PathLike[str] | Mapping[str, npt.ArrayLike],
+    free: str | Sequence[str] | Mapping[str, tuple[float, float] | tuple[str, str] | None],
+    model: str | Model | Sequence[str | Model] | None = None,
+) -> Fits:
+    """Numbers of a scene from measurements, with 95 % intervals, by one model or several.
+
+    Parameters
+    ----------
+    scene : Scene
+        The scene of the other numbers; its values are the start of the search.
+    data : path, or mapping of columns
+        A csv, or columns as of a DataFrame: ``load_N``, ``pressure_Pa`` or ``separation_m``, and any
+        quantities by their columns (``area_m2``, ``unloading_stiffness_N_per_m``), each with
+        ``<column>_std`` if known. Missing values are NaN. Without standard deviations the residuals
+        are ln(fitted/measured).
+    free : str, sequence of str, or mapping of bounds
+        The free parameters: names of ``Scene.replace``, ``separation_offset`` and
+        ``series_compliance``; bounds are numbers or texts with a unit, by default a factor 30 either
+        way.
+    model : str, Model or a sequence of these, optional
+        By default ke, or gw without a hardness.
+
+    A ``ContactWarning`` names data that cannot be reached, combinations of parameters that the data
+    do not determine, and searches that did not converge.
+
+    >>> import asperity
+    >>> scene = asperity.Scene.parse(asperity.template())
+    >>> ultrasonic = {"pressure_Pa": [1e5, 1e6, 1e7], "unloading_stiffness_N_per_m": [1.3e8, 1.2e9, 1.1e10]}
+    >>> found = asperity.fit(scene, ultrasonic, {"asperity_height_std": ("0.1 um", "10 um")})
+    >>> found.best.converged
+    True
+
+    One value and one parameter answer the inverse question:
+
+    >>> wanted = {"pressure_Pa": 5e6, "area_fraction": 0.004}
+    >>> smooth = asperity.fit(scene, wanted, "asperity_height_std").best.scene
+    >>> curve = asperity.model("ke").solve(smooth, pressure=5e6, quantities="area_fraction")
+    >>> round(float(curve.area_fraction), 9)
+    0.004
+    """
+    scene = one_scene(scene, "fit")
+    chosen = [scene._usual_reference()] if model is None else model
+    chosen = [chosen] if isinstance(chosen, str | Model) else list(chosen)
+    engines = [one if isinstance(one, Engine) else Engine(one, {}) for one in chosen]
+    if not engines:
+        raise ValueError("model is empty: at least one model was required")
+    found = _asperity.fit(scene, _columns(data), _free(free), engines)
+    fits = tuple(_fit(one, scene) for one in found["models"])
+    for one in fits:
+        said = [*one.unreachable, *one.undetermined]
+        if not one.converged:
+            said.append("the search did not converge: the values are the best that it found")
+        for text in said:
+            warnings.warn(f"{one.model}: {text}", ContactWarning, stacklevel=2)
+    return Fits(fits, found["summary"])
+
+
+def _columns(data: Any) -> str | list[tuple[str, list[float | None]]]:
+    if isinstance(data, str | os.PathLike):
+        return os.fspath(data)
+    columns = []
+    for name in data:
+        values = np.atleast_1d(np.asarray(floats(data[name], str(name))))
+        if values.ndim > 1:
+            raise ValueError(f"{name} has {values.ndim} dimensions: a column was required")
+        columns.append((str(name), [None if np.isnan(one) else float(one) for one in values]))
+    return columns
+
+
+def _free(free: Any) -> list[str | tuple[str, tuple[float, float] | None]]:
+    if isinstance(free, str):
+        return [free]
+    if not isinstance(free, Mapping):
+        return list(free)
+    found: list[str | tuple[str, tuple[float, float] | None]] = []
+    for name, bounds in free.items():
+        if bounds is None:
+            found.append((name, None))
+            continue
+        try:
+            low, high = bounds
+        except (TypeError, ValueError):
+            raise ValueError(f"{name} is {bounds!r}: (low, high) or None was required") from None
+        texts = [isinstance(one, str) for one in (low, high)]
+        if all(texts):
+            found.append(f"{name}={low}:{high}")
+        elif any(texts):
+            raise ValueError(f"{name} is {bounds!r}: two numbers or two texts were required")
+        else:
+            found.append((name, (float(low), float(high))))
+    return found
+
+
+def _fit(found: dict[str, Any], scene: Scene) -> Fit:
+    parameters = {
+        one["name"]: Estimate(
+            one["value"], one["lower"], one["upper"], one["unit"], tuple(one["bounds"])
+        )
+        for one in found["parameters"]
+    }
+    rig = ("separation_offset", "series_compliance")
+    numbers = {name: one.value for name, one in parameters.items() if name not in rig}
+    return Fit(
+        model=found["model"],
+        converged=found["converged"],
+        rms=found["rms"],
+        reduced_chi_squared=found["reduced_chi_squared"],
+        bic=found["bic"],
+        parameters=parameters,
+        correlation=np.array(found["correlation"], dtype=np.float64),
+        condition=found["condition"],
+        undetermined=tuple(found["undetermined"]),
+        unreachable=tuple(found["unreachable"]),
+        notes=tuple(found["notes"]),
+        residuals=tuple(found["residuals"]),
+        scene=scene.replace(**numbers),
+    )

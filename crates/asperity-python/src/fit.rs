@@ -1,0 +1,68 @@
+//! Fits of scenes to measurements.
+
+use std::path::PathBuf;
+
+use asperity::fit::{Data, DataColumn, FitError, Fitted, rank};
+use asperity_scene::{Free, SceneError, read_measurements};
+use pyo3::prelude::*;
+
+use crate::bem::{continue_unless, run_interruptible};
+use crate::convert::error::{value_error, warn};
+use crate::convert::objects::object;
+use crate::model::engine::Engine;
+use crate::scene::SceneFile;
+
+/// Columns of measurements, or the name of their file.
+#[derive(FromPyObject)]
+pub(crate) enum Measurements {
+    Columns(Vec<DataColumn>),
+    File(PathBuf),
+}
+
+/// A free parameter: its name, with its bounds as a text or as numbers.
+#[derive(FromPyObject)]
+pub(crate) enum FreeBounds {
+    Text(String),
+    Numbers(String, Option<[f64; 2]>),
+}
+
+/// Models fitted to data, that of the lowest BIC first, as dicts.
+#[pyfunction]
+pub(crate) fn fit<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    data: Measurements,
+    free: Vec<FreeBounds>,
+    engines: Vec<Py<Engine>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let file = &*scene.0;
+    let columns = match data {
+        Measurements::Columns(columns) => columns,
+        Measurements::File(path) => read_measurements(path).map_err(value_error)?,
+    };
+    let data = Data::from_columns(&columns, file.separation_from).map_err(value_error)?;
+    let free = free.into_iter().map(|free| match free {
+        FreeBounds::Text(text) => text.parse().map_err(value_error),
+        FreeBounds::Numbers(name, bounds) => Ok(Free { name, bounds }),
+    });
+    let free: Vec<Free> = free.collect::<PyResult<_>>()?;
+    let mut fitted: Vec<Fitted> = vec![];
+    for engine in &engines {
+        let (engine, alone) = (engine.get(), engines.len() == 1);
+        let model = engine.on(file)?;
+        let found = run_interruptible(py, |stop| {
+            file.fit(&model, &data, &free, &mut |_| continue_unless(stop))
+        })?;
+        match found {
+            Ok(found) => fitted.push(found),
+            Err(SceneError::Fit(FitError::NoStart { reason, .. })) if engine.is_written() => {
+                return Err(engine.raise(py, reason));
+            }
+            Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
+                warn(py, format!("left out: {error}"), 1)?;
+            }
+            Err(error) => return Err(value_error(error)),
+        }
+    }
+    object(py, &rank(fitted))
+}

@@ -1,0 +1,108 @@
+"""Fits of scenes to measurements."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import asperity
+import numpy as np
+import pytest
+
+SCENE = asperity.Scene.parse(asperity.template())
+PRESSURES = np.geomspace(1e5, 3e7, 8)
+QUANTITIES = ["area", "unloading-stiffness"]
+
+
+def made(model: str = "ke", **numbers: float) -> dict[str, np.ndarray]:
+    curve = asperity.model(model).solve(
+        SCENE.replace(**numbers), pressure=PRESSURES, quantities=QUANTITIES
+    )
+    return {
+        "pressure_Pa": PRESSURES,
+        "area_m2": curve.area,
+        "unloading_stiffness_N_per_m": curve.unloading_stiffness,
+    }
+
+
+def test_the_numbers_of_a_scene_come_back() -> None:
+    truth = {"asperity_height_std": 1.7e-6, "hardness": 1.3e9}
+    found = asperity.fit(SCENE, made(**truth), list(truth), ["gw", "ke"])
+    assert [fit.model for fit in found] == ["ke", "gw"]
+    assert found.summary.startswith("ke fits best by BIC, clearly before the others")
+    best = found.best
+    for name, value in truth.items():
+        assert abs(best[name] / value - 1) < 1e-8, name
+        estimate = best.parameters[name]
+        assert estimate.bounds[0] < estimate.value < estimate.bounds[1]
+    assert best.scene.surface.asperity_height_std == best["asperity_height_std"]
+    assert best.converged and best.rms is not None and best.rms < 1e-9
+    assert best.correlation.shape == (2, 2) and len(best.residuals) == 16
+    assert found["gw"].rms is not None and found["gw"].rms > 1e-3
+    with pytest.raises(KeyError, match="jg was not fitted: one of ke, gw was required"):
+        found["jg"]
+
+
+def test_a_file_and_a_table_give_the_same(tmp_path: Path) -> None:
+    columns = made(asperity_height_std=0.6e-6)
+    columns["area_m2"][3] = np.nan
+    path = tmp_path / "data.csv"
+    rows = zip(*columns.values(), strict=True)
+    lines = [",".join("" if np.isnan(x) else repr(float(x)) for x in row) for row in rows]
+    path.write_text("\n".join([",".join(columns), *lines]))
+    bounds = {"asperity_height_std": ("0.1 um", "10 um")}
+    ours = asperity.fit(SCENE, columns, bounds)
+    assert ours == asperity.fit(SCENE, path, bounds)
+    assert ours == asperity.fit(SCENE, columns, {"asperity_height_std": (1e-7, 1e-5)})
+    assert abs(ours.best["asperity_height_std"] / 0.6e-6 - 1) < 1e-8
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_is_unreachable_or_undetermined_is_a_warning() -> None:
+    with pytest.warns(asperity.ContactWarning, match="ke: an area fraction of 0.001 at a pressure"):
+        asperity.fit(SCENE, {"pressure_Pa": 5e6, "area_fraction": 0.001}, "asperity_height_std")
+    data = {name: values for name, values in made("gw").items() if name != "area_m2"}
+    free = ["asperity_radius", "asperity_density"]
+    with pytest.warns(asperity.ContactWarning, match="gw: only asperity_density x asperity_radius"):
+        found = asperity.fit(SCENE, data, free, "gw").best
+    assert found.condition is None and np.isnan(found.correlation[0, 1])
+
+
+def test_a_model_written_in_python_is_fitted() -> None:
+    class Hertz:
+        def __init__(self, asperity: asperity.Asperity) -> None:
+            self.asperity = asperity
+
+        def force(self, w: np.ndarray) -> np.ndarray:
+            e, r = self.asperity.equivalent_modulus, self.asperity.radius
+            return np.asarray(4 / 3 * e * r**0.5 * w**1.5)
+
+        def area(self, w: np.ndarray) -> np.ndarray:
+            return np.asarray(np.pi * self.asperity.radius * w)
+
+    data = {name: values for name, values in made("gw", asperity_height_std=2e-6).items()}
+    del data["unloading_stiffness_N_per_m"]
+    found = asperity.fit(SCENE, data, "asperity_height_std", asperity.model(Hertz)).best
+    assert abs(found["asperity_height_std"] / 2e-6 - 1) < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("data", "free", "message"),
+    [
+        ({"load": [1.0]}, "hardness", 'column "load" is not known .the nearest is "load_N".'),
+        ({"load_N": [1.0]}, "hardness", "the data have no measured quantity"),
+        ({"area_m2": [1.0]}, "hardness", "the data have no load or separation"),
+        ({"load_N": [-1.0], "area_m2": [1e-9]}, "hardness", "row 1: load_N is -1.0: a load above 0"),
+        ({"load_N": [1.0], "area_m2": [1e-9, 2e-9]}, "hardness", "load_N: 1 values: 2, as in other"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, "hardnes", "hardnes is not an input .* .the nearest"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, [], "free parameters: at least one was required"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": 1e9}, "hardness is 1000000000.0: .low"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": ("1", 2.0)}, "two numbers or two texts"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": (2e9, 1e9)}, "the smaller first"),
+        ({"load_N": [1.0], "area_m2": [1e-9]}, {"hardness": ("1 N", "2 N")}, "is not a number in Pa"),
+        ({"load_N": [1.0], "area_m2": [[1e-9]]}, "hardness", "area_m2 has 2 dimensions"),
+        ("none.csv", "hardness", "none.csv: the data cannot be read"),
+    ],
+)
+def test_bad_data_and_parameters_are_refused(data: object, free: object, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        asperity.fit(SCENE, data, free)  # type: ignore[arg-type]

@@ -1,0 +1,241 @@
+//! Fits of a scene: free parameters by the keys of scene files.
+
+use std::ops::ControlFlow;
+
+use asperity::fit::{
+    Data, Fit, FitError, Fitted, Measured, Observation, Parameter, Progress, Rig, Role,
+    USUAL_FACTOR, predict,
+};
+use asperity::{At, Model, Quantity, Separation, short};
+
+use crate::{Place, SceneError, SceneFile, key_of_input, quantity, unit_of};
+
+/// A free parameter: an input of a scene by its name, `separation_offset` or `series_compliance`,
+/// with its bounds in SI units if they are given.
+///
+/// ```
+/// use asperity_scene::Free;
+///
+/// let free: Free = "asperity_height_std=0.1um:5um".parse()?;
+/// assert_eq!(free.bounds, Some([1e-7, 5e-6]));
+/// assert_eq!("hardness".parse::<Free>()?.bounds, None);
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Free {
+    /// The name.
+    pub name: String,
+    /// The smallest and the largest value.
+    pub bounds: Option<[f64; 2]>,
+}
+
+impl std::str::FromStr for Free {
+    type Err = String;
+
+    /// Reads `name` or `name=low:high`, with or without units.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, bounds) = text.split_once('=').map_or((text, None), |(a, b)| (a, Some(b)));
+        let name = name.trim();
+        if name.is_empty() {
+            let example = "write name or name=low:high, for example hardness=1GPa:4GPa";
+            return Err(format!("a free parameter has no name: {example}"));
+        }
+        let unit = unit_of_free(name);
+        let number = |text: &str| match unit {
+            Some(unit) => quantity(text, unit),
+            None => text.trim().parse().map_err(|_| format!("{text:?} is not a number")),
+        };
+        let bounds = bounds.map(|bounds| match bounds.split_once(':') {
+            Some((low, high)) => Ok([number(low)?, number(high)?]),
+            None => Err(format!("{bounds:?} are no bounds: write {name}=low:high")),
+        });
+        let bounds = bounds.transpose().map_err(|error| format!("{name}: {error}"))?;
+        Ok(Self { name: name.into(), bounds })
+    }
+}
+
+/// The SI unit of a free parameter; `None` for pure numbers.
+#[must_use]
+pub fn unit_of_free(name: &str) -> Option<&'static str> {
+    match Role::of(name) {
+        Role::SeparationOffset => Some("m"),
+        Role::SeriesCompliance => Some("m/N"),
+        _ => unit_of(key_of_input(name)),
+    }
+}
+
+impl SceneFile {
+    /// The free parameters, which start from the values of this scene. By default their bounds are
+    /// a factor 30 either way, those of `separation_offset` 30 asperity_height_std beyond the
+    /// readings.
+    ///
+    /// # Errors
+    /// Those of [`inputs`](Self::inputs), and [`SceneError::Fit`] for bounds that are out of order,
+    /// a number without a value or bounds, and a parameter of the rig that the data do not contain.
+    pub fn free_parameters(
+        &self,
+        free: &[Free],
+        data: &Data,
+    ) -> Result<Vec<Parameter>, SceneError> {
+        free.iter().map(|free| Ok(self.free_parameter(free, data)?)).collect()
+    }
+
+    fn free_parameter(&self, free: &Free, data: &Data) -> Result<Parameter, SceneError> {
+        let std = self.scene.surface.asperity_height_std;
+        let (start, usual, scale) = match Role::of(&free.name) {
+            Role::SeparationOffset => {
+                let [low, high] =
+                    readings(data).ok_or_else(|| without_effect(&free.name, "separation_m"))?;
+                let beyond = USUAL_FACTOR * std;
+                // Contacts carry most loads at separations of about twice the deviation.
+                let start = 0.5 * (low + high) - 2.0 * std;
+                (Some(start), Some([low - beyond, high + beyond]), std)
+            }
+            Role::SeriesCompliance => {
+                let usual = usual_compliance(data).ok_or_else(|| {
+                    without_effect(&free.name, "separation_m or a normal stiffness")
+                })?;
+                (Some(usual), Some([usual / USUAL_FACTOR, usual * USUAL_FACTOR]), usual)
+            }
+            _ => {
+                let input = self.inputs([free.name.as_str()])?;
+                let value = input.first().and_then(|input| self.value_of(*input));
+                let usual = value.filter(|value| *value > 0.0);
+                let usual = usual.map(|value| [value / USUAL_FACTOR, value * USUAL_FACTOR]);
+                let (usual, scale) = match key_of_input(&free.name) {
+                    "poissons_ratio" => (usual.map(|[low, high]| [low, high.min(0.5)]), 1.0),
+                    "skewness" => (Some([-1.0, 2.0]), 1.0),
+                    _ => (usual, std),
+                };
+                (value, usual, scale)
+            }
+        };
+        let unit = unit_of_free(&free.name).unwrap_or_default();
+        let Some([low, high]) = free.bounds.or(usual) else {
+            return Err(SceneError::Fit(FitError::Parameter {
+                parameter: free.name.clone(),
+                reason: format!(
+                    "the scene gives no value above 0 to start from: give bounds, {}=low:high",
+                    free.name
+                ),
+            }));
+        };
+        let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
+        let start = start.unwrap_or(middle);
+        Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
+    }
+
+    /// A model fitted to data from this scene; `progress` is called before every evaluation and may
+    /// end the fit.
+    ///
+    /// # Errors
+    /// Those of [`free_parameters`](Self::free_parameters) and [`inputs`](Self::inputs);
+    /// [`SceneError::Fit`] for data that the model does not have, and where `progress` ended it.
+    pub fn fit(
+        &self,
+        model: &Model,
+        data: &Data,
+        free: &[Free],
+        progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Result<Fitted, SceneError> {
+        let parameters = self.free_parameters(free, data)?;
+        let of_scene = parameters.iter().filter(|one| one.role == Role::Scene);
+        let inputs = self.inputs(of_scene.map(|one| one.name.as_str()))?;
+        let scene = |values: &[f64]| {
+            let numbers = inputs.iter().copied().zip(values.iter().copied());
+            Ok(self.with_inputs(numbers)?.scene)
+        };
+        Ok(Fit::new(data, parameters, &scene)?.run_with(&**model, progress)?)
+    }
+
+    /// The values of a fitted model where data were measured, in their order; none where the model
+    /// has no value.
+    ///
+    /// # Errors
+    /// Those of [`inputs`](Self::inputs) and [`with_inputs`](Self::with_inputs).
+    pub fn fitted_values(
+        &self,
+        model: &Model,
+        fitted: &Fitted,
+        data: &Data,
+    ) -> Result<Vec<Option<f64>>, SceneError> {
+        let (mut names, mut values, mut rig) = (vec![], vec![], Rig::default());
+        for one in &fitted.parameters {
+            match Role::of(&one.name) {
+                Role::SeparationOffset => rig.separation_offset = one.value,
+                Role::SeriesCompliance => rig.series_compliance = one.value,
+                _ => {
+                    names.push(one.name.as_str());
+                    values.push(one.value);
+                }
+            }
+        }
+        let made = self.with_inputs(self.inputs(names)?.into_iter().zip(values));
+        let made = made.map_err(|error| {
+            SceneError::from_contact(error, |field| Box::new(Place::field(field)))
+        })?;
+        let found = predict(&**model, &made.scene, rig, data);
+        Ok(found.into_iter().map(Result::ok).collect())
+    }
+
+    /// Notes on bounds that are not given.
+    #[must_use]
+    pub fn notes_on_bounds(&self, free: &[Free], fitted: &Fitted) -> Vec<String> {
+        let usual = free.iter().filter(|free| free.bounds.is_none());
+        let note = |free: &Free| {
+            let estimate = fitted.parameters.iter().find(|one| one.name == free.name)?;
+            let ([low, high], name) = (estimate.bounds.map(short), &free.name);
+            let unit = &estimate.unit;
+            let gap = if unit.is_empty() { "" } else { " " };
+            let how = match Role::of(name) {
+                Role::SeparationOffset => "30 asperity_height_std beyond the readings",
+                Role::Scene if name == "skewness" => "all skewed heights",
+                _ => "a factor 30 either way",
+            };
+            Some(format!("{name} is varied from {low} to {high}{gap}{unit}, {how}"))
+        };
+        usual.filter_map(note).collect()
+    }
+}
+
+fn without_effect(name: &str, needed: &str) -> SceneError {
+    let reason = format!("the data have no column that depends on it: {needed} was required");
+    SceneError::Fit(FitError::Parameter { parameter: name.into(), reason })
+}
+
+/// The smallest and the largest reading of a separation.
+fn readings(data: &Data) -> Option<[f64; 2]> {
+    let reading = |one: &Observation| match (one.at, one.measured) {
+        (At::Separation(Separation { value, .. }), _) => Some(value),
+        (_, Measured::Separation) => Some(one.value),
+        _ => None,
+    };
+    span(data.iter().filter_map(reading))
+}
+
+fn span(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let join = |found: Option<[f64; 2]>, value: f64| {
+        let [low, high] = found.unwrap_or([value; 2]);
+        Some([low.min(value), high.max(value)])
+    };
+    values.fold(None, join)
+}
+
+/// A tenth of the smallest compliance that was measured, or of the readings over the loads.
+fn usual_compliance(data: &Data) -> Option<f64> {
+    let stiffness = |one: &&Observation| {
+        let stiffnesses = [Quantity::Stiffness, Quantity::Tangent, Quantity::UnloadingStiffness];
+        matches!(one.measured, Measured::Quantity(quantity) if stiffnesses.contains(&quantity))
+    };
+    if let Some([_, stiffest]) = span(data.iter().filter(stiffness).map(|one| one.value)) {
+        return Some(0.1 / stiffest).filter(|usual| *usual > 0.0 && usual.is_finite());
+    }
+    let load = |one: &Observation| match (one.at, one.measured) {
+        (At::Load(load), Measured::Separation) => Some(load),
+        (At::Separation(_), Measured::Quantity(Quantity::Force)) => Some(one.value),
+        _ => None,
+    };
+    let ([near, far], [least, most]) = (readings(data)?, span(data.iter().filter_map(load))?);
+    let usual = 0.1 * (far - near) / (most - least);
+    Some(usual).filter(|usual| *usual > 0.0 && usual.is_finite())
+}
