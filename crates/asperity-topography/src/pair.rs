@@ -89,7 +89,7 @@ mod tests {
         assert!(sum.heights()[4..].iter().all(|z| z.is_nan()) && !sum.is_periodic());
         let turned = one.facing(&two, Alignment::Mirrored).unwrap();
         assert_eq!(turned.heights()[..3], [31.0, 22.0, 13.0]);
-        assert_eq!(turned.heights()[5], 46.0);
+        assert_eq!(turned.heights()[5..], [46.0]);
         assert!(turned.heights()[3].is_nan() && turned.heights()[4].is_nan());
         assert!(one.facing(&one, Alignment::AsRead).unwrap().is_periodic());
     }
