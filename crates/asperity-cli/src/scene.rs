@@ -27,28 +27,42 @@ impl LoadedScene {
     }
 
     /// Reads the file for these models, and reports on its asperities only if one of them uses
-    /// asperities.
+    /// asperities; otherwise a scan needs none.
     pub fn load_for(path: &Path, ids: &[String]) -> Result<Self> {
         let knows =
             |id: &String| id.parse().map_or(id != Bem::ID, |m: Model| m.validity().asperities);
-        let asperities = ids.is_empty() || ids.iter().any(knows);
+        if !ids.is_empty() && !ids.iter().any(knows) {
+            return Self::load_scan(path, false);
+        }
         let scene = Self::open(path)?;
-        scene.report_for(asperities);
+        scene.report_for(true);
         Ok(scene)
     }
 
-    /// Reads the file for boundary elements, which need no asperities, on a scan that is declared
-    /// periodic or as the file says.
+    /// Reads the file for models without asperities, on a scan that is declared periodic or as the
+    /// file says.
     pub fn load_scan(path: &Path, periodic: bool) -> Result<Self> {
-        output::keep(path);
-        let file = asperity_scene::load_scan(path, periodic)?;
-        let scene = Self { file, name: path.display().to_string() };
+        let scene = Self::open_scan(path, periodic)?;
         // The asperities of a scan follow from it and are not used.
         let used = |found: &Diagnostic| !found.field.starts_with("asperity_");
-        let found = scene.file.warnings.iter().cloned().chain(scene.file.findings()).filter(used);
+        let file = &scene.file;
+        let found = file.warnings.iter().cloned().chain(file.findings()).filter(used);
         let found = found.collect::<Diagnostics>().for_asperities(false);
         report(&found.at_least(Severity::Warning));
         Ok(scene)
+    }
+
+    /// Reads the file for models with and without asperities: a scan may have none.
+    pub fn load_any(path: &Path, periodic: bool) -> Result<Self> {
+        let scene = Self::open_scan(path, periodic)?;
+        scene.report_for(true);
+        Ok(scene)
+    }
+
+    fn open_scan(path: &Path, periodic: bool) -> Result<Self> {
+        output::keep(path);
+        let file = asperity_scene::load_scan(path, periodic)?;
+        Ok(Self { file, name: path.display().to_string() })
     }
 
     fn report_for(&self, asperities: bool) {
@@ -99,6 +113,7 @@ impl LoadedScene {
 
     /// The models given, or all that the scene allows; a note names the others.
     pub fn models(&self, requested: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
+        let requested = by_name(requested);
         if !requested.is_empty() {
             let models =
                 once(requested).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
@@ -107,6 +122,15 @@ impl LoadedScene {
             }
             return Ok(models);
         }
+        let models = self.available(quantities);
+        if models.is_empty() {
+            bail!("{}: no model is available for this scene", self.name);
+        }
+        Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
+    }
+
+    /// All models that the scene allows and that have these quantities; a note names the others.
+    fn available(&self, quantities: &[Quantity]) -> Vec<Model> {
         let (models, mut left_out) = self.file.models();
         let (models, refused): (Vec<_>, Vec<_>) = models
             .into_iter()
@@ -123,11 +147,8 @@ impl LoadedScene {
             Some(LeftOut { id: model.id().into(), reason: refusal? })
         }));
         note_left_out(&left_out);
-        if models.is_empty() {
-            bail!("{}: no model is available for this scene", self.name);
-        }
         self.note_adhesion();
-        Ok(models.into_iter().map(|model| (model.id().to_string(), model)).collect())
+        models
     }
 
     /// The models given, or all that can be compared with boundary elements; a note names the
@@ -137,16 +158,18 @@ impl LoadedScene {
         requested: &[String],
         quantities: &[Quantity],
     ) -> Result<Vec<Model>> {
-        let models = self.models(requested, quantities)?;
-        let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
-        if requested.is_empty() {
-            let (all, mut left_out) = self.file.models_beside_bem();
-            let (allowed, noted) = self.file.models();
-            left_out.retain(|model| !noted.contains(model));
-            note_left_out(&left_out);
-            let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
-            models.extend(all.into_iter().filter(|model| !known(model)));
+        let requested = by_name(requested);
+        if !requested.is_empty() {
+            let models = self.models(requested, quantities)?;
+            return Ok(models.into_iter().map(|(_, model)| model).collect());
         }
+        let mut models = self.available(quantities);
+        let (all, mut left_out) = self.file.models_beside_bem();
+        let (allowed, noted) = self.file.models();
+        left_out.retain(|model| !noted.contains(model));
+        note_left_out(&left_out);
+        let known = |model: &Model| allowed.iter().any(|known| known.id() == model.id());
+        models.extend(all.into_iter().filter(|model| !known(model)));
         Ok(models)
     }
 
@@ -168,6 +191,14 @@ impl LoadedScene {
     }
 }
 
+/// The name in a list of models that stands for all that the scene allows.
+pub const ALL_MODELS: &str = "all";
+
+/// The models requested by name; none if all are requested.
+fn by_name(requested: &[String]) -> &[String] {
+    if requested.iter().any(|id| id == ALL_MODELS) { &[] } else { requested }
+}
+
 /// Notes the models that are left out, those of one reason together.
 fn note_left_out(left_out: &[LeftOut]) {
     let reason = |model: &LeftOut| (model.id.clone(), model.reason.clone());
@@ -183,6 +214,7 @@ pub fn by_reason(lacking: &[(String, ContactError)]) -> Vec<String> {
         // The reason contains the name of the model, which would separate equal reasons.
         let reason = match reason {
             ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
+            ContactError::Refused { reason, .. } => format!(": {reason}"),
             reason => format!(": {reason}"),
         };
         match reasons.iter_mut().find(|(known, _)| *known == reason) {

@@ -19,7 +19,7 @@ pub fn measure(name: &str, bytes: &[u8]) {
     let stated = ReadOptions { max_missing: 1.0, ..ReadOptions::default() };
     let given = ReadOptions {
         unit: Some(LengthUnit::Micrometre),
-        pixel_size: Some([1.0; 2]),
+        pixel_size: Some([1.0.into(); 2]),
         ..stated.clone()
     };
     for options in [stated, given] {

@@ -9,6 +9,7 @@ use asperity_core::{
 use crate::UnloadingLaw;
 use crate::contact_range::recovery_extrema;
 use crate::remaining::RemainingFraction;
+use crate::tabulated_law::tabulated;
 
 /// A quantity of one asperity after a retreat u.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +78,8 @@ impl AsperityLaws {
         let one = model
             .asperity_model()
             .ok_or_else(|| unsupported("these need a model of asperities of one radius, such as ke with asperities = \"equal\" in [surface]"))?;
-        let (force, area) = (one.force(&asperity, tolerance)?, one.area(&asperity, tolerance)?);
+        let force = tabulated(one.force(&asperity, tolerance)?);
+        let area = tabulated(one.area(&asperity, tolerance)?);
         let yields = asperity.hardness.is_some() && !force.kinks().is_empty();
         let critical = if yields { asperity.critical_interference()? } else { f64::INFINITY };
         let mut loading = Self { force, area, asperity, unloading, critical, turns: vec![] };

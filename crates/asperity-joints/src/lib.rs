@@ -41,8 +41,9 @@
 //! Q(u) = μ [F(0) - F(s)],     s = 4 G u/(μ E)
 //! ```
 //! and a cycle of amplitude ±D at constant separation dissipates W = 8 ∫₀ᴰ Q du - 4 Q(D) D
-//! (Masing). \[derived\] Varying normal loads are not covered, as Masing's rule does not hold for
-//! them.
+//! (Masing). \[derived\] Slip under a varying normal load is not covered: the state of each
+//! asperity is then the whole history of its contact radius, a function of its height that no
+//! number of the joint holds, and Masing's rule does not apply.
 //!
 //! Provenance of equations: \[seen\] in the source, \[recalled\] from memory, \[derived\] here.
 //!
@@ -74,12 +75,15 @@ mod contact_range;
 mod energy_gain;
 mod joint;
 mod path;
+#[cfg(test)]
+mod published;
 mod remaining;
 mod retreat_model;
 mod root;
 mod slip;
 mod strips;
 mod table;
+mod tabulated_law;
 mod unloading;
 mod work;
 

@@ -3,6 +3,7 @@
 //! The unloading curves are tabulated (`strips`); the virgin curve is the compiled contact.
 
 use asperity_core::{At, ContactError};
+use serde::{Deserialize, Serialize};
 
 use crate::Joint;
 use crate::strips::Strip;
@@ -23,13 +24,14 @@ pub struct JointTable {
     per_metre: f64,
 }
 
-/// The response of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The response of a step; its closest approach is all that must be saved of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Reply {
     /// The force \[N\].
     pub force: f64,
-    /// -dF/dd \[N/m\] of the present curve, the slope of a polynomial for the force. Its error is
-    /// about 1e-3 of the stiffness at the closest approach for a table with a tolerance of 1e-6.
+    /// -dF/dd \[N/m\] of the present curve: the exact slope of [`force`](Self::force) as tabulated,
+    /// as Newton's method needs. It differs from the slope of the joint's own curve by about 1e-3
+    /// of the stiffness at the closest approach for a table with a tolerance of 1e-6.
     pub stiffness: f64,
     /// The closest approach \[m\], this step included.
     pub closest: f64,
@@ -48,7 +50,13 @@ impl JointTable {
     /// A contact that has never been closed.
     #[must_use]
     pub fn new_contact(&self) -> Memory<'_> {
-        Memory { table: self, closest: f64::INFINITY }
+        self.contact_at(f64::INFINITY)
+    }
+
+    /// A contact with the saved state of another: its closest approach so far \[m\].
+    #[must_use]
+    pub fn contact_at(&self, closest: f64) -> Memory<'_> {
+        Memory { table: self, closest }
     }
 
     /// Force and stiffness at a separation \[m\] of a contact with the closest approach `closest`

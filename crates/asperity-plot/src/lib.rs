@@ -35,6 +35,7 @@ mod scan;
 mod series;
 mod size;
 mod style;
+mod surface;
 mod text;
 mod trace;
 
@@ -44,6 +45,7 @@ pub use map::{Map, draw_map, map_png};
 pub use matrix::{Cell, Matrix, draw_matrix};
 pub use scan::{ScanPicture, draw_scan};
 pub use style::Curve;
+pub use surface::draw_surface;
 pub use text::{number, power_of_ten};
 
 use layout::Layout;

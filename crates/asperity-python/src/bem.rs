@@ -97,13 +97,14 @@ impl<'a> Scan<'a> {
 }
 
 /// Numbers of the contacts by name, NaN where a contact failed; pressures and gaps of all pixels,
-/// if kept; rows and columns; the reasons of failures by place; and the boundary.
+/// if kept; rows and columns; the reasons of failures by place; the boundary; the area of loads.
 type Contacts<'py> = (
     Bound<'py, PyDict>,
     Option<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)>,
     [usize; 2],
     BTreeMap<usize, String>,
     &'static str,
+    f64,
 );
 
 /// Solves contacts at mean pressures, loads or mean gaps.
@@ -188,7 +189,7 @@ pub(crate) fn bem<'py>(
         true => Some((map(&|s| &s.pressures)?, map(&|s| &s.gaps)?)),
         false => None,
     };
-    Ok((numbers, maps, bem.map().shape(), failures, bem.continuation().name()))
+    Ok((numbers, maps, bem.map().shape(), failures, bem.continuation().name(), area))
 }
 
 /// Area fraction, mean gap [m] and stiffness [N/m].

@@ -1,37 +1,50 @@
 //! The correlations of thermal contact conductance.
 
-use asperity::joints::conductance;
+use asperity::joints::conductance::{self, GapRoughness};
+use numpy::{PyArray1, ToPyArray};
 use pyo3::prelude::*;
 
+use crate::ask::rows::Rows;
 use crate::convert::error::value_error;
-use crate::scene::SceneFile;
 
 /// Conductances per area [W/(m^2 K)], relative pressures, and whether the correlation holds at
 /// them.
-type Correlated = (Vec<f64>, Vec<f64>, Vec<bool>);
+type Correlated<'py> =
+    (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<bool>>);
 
-/// A correlation at pressures, its range of relative pressures, and the plasticity index of the
-/// scene if the correlation is for other contacts.
+/// A correlation at loads or pressures on scenes, with their roughness or the one given (height_std
+/// [m] and mean slope), its range of relative pressures, and the plasticity index of a scene if the
+/// correlation is for other contacts.
 #[pyfunction]
-pub(crate) fn correlated(
+pub(crate) fn correlated<'py>(
+    py: Python<'py>,
     name: &str,
-    scene: &SceneFile,
-    pressures: Vec<f64>,
-) -> PyResult<(Correlated, [f64; 2], Option<f64>)> {
+    rows: Rows<'py>,
+    given: Option<(f64, f64)>,
+) -> PyResult<(Correlated<'py>, [f64; 2], Option<f64>)> {
     let all = conductance::Correlation::ALL;
     let Some(correlation) = all.into_iter().find(|one| one.id() == name) else {
         let needed = "\"cmy\" or \"mikic\" was required";
         return Err(value_error(format!("correlation is {name:?}: {needed}")));
     };
-    let (file, roughness) = (&scene.0, scene.0.gap_roughness());
-    let mut columns = Correlated::default();
-    for pressure in pressures {
-        let found = correlation.at(&file.scene, &roughness, pressure).map_err(value_error)?;
-        columns.0.push(found.conductance);
-        columns.1.push(found.relative_pressure);
-        columns.2.push(found.holds);
+    let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
+    let view = rows.view()?;
+    let (mut conductances, mut relative, mut holds) = (vec![], vec![], vec![]);
+    let mut foreign = None;
+    for row in 0..view.len() {
+        let found = view.file_of(row).and_then(|file| {
+            let pressure = view.at(row).pressure(&file.scene).unwrap_or(f64::NAN);
+            let roughness = given.unwrap_or_else(|| file.gap_roughness());
+            foreign = foreign.or_else(|| correlation.foreign(&file.scene));
+            correlation.at(&file.scene, &roughness, pressure)
+        });
+        let found = found.map_err(value_error)?;
+        conductances.push(found.conductance);
+        relative.push(found.relative_pressure);
+        holds.push(found.holds);
     }
-    Ok((columns, correlation.range(), correlation.foreign(&file.scene)))
+    let [conductances, relative] = [conductances, relative].map(|column| column.to_pyarray(py));
+    Ok(((conductances, relative, holds.to_pyarray(py)), correlation.range(), foreign))
 }
 
 /// Conductance per area [W/(m^2 K)] of a gas in a gap of mean width ``gap``.

@@ -7,7 +7,7 @@
 //! convert → records → scene → ask, joints, contact_table, check
 //!                     model ↗
 //! scene, topography → bem → fit
-//! topography ↔ glance
+//! topography → glance, reading
 //! ```
 
 mod ask;
@@ -21,6 +21,8 @@ mod glance;
 mod joints;
 mod model;
 mod picture;
+mod random_surface;
+mod reading;
 mod records;
 mod scene;
 mod topography;
@@ -49,13 +51,13 @@ mod _asperity {
     #[pymodule_export]
     use crate::fit::fit;
     #[pymodule_export]
-    use crate::glance::random_surface;
-    #[pymodule_export]
     use crate::joints::{JointTable, PartialSlip, Unloading};
     #[pymodule_export]
     use crate::model::engine::{Engine, model_ids, quantities};
     #[pymodule_export]
     use crate::picture::svg;
+    #[pymodule_export]
+    use crate::random_surface::random_surface;
     #[pymodule_export]
     use crate::records::{Asperity, Body, Interface, Surface};
     #[pymodule_export]

@@ -1,16 +1,17 @@
 //! `Topography`: a measured surface, from heights in memory or from a file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, Statistics, TopographyError};
+use asperity_plot::draw_surface;
+use asperity_topography::{Alignment, Estimator, Level, ReadOptions, Statistics, TopographyError};
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
-use pyo3::exceptions::{PyFileNotFoundError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
-use crate::convert::error::{UnsupportedFormat, value_error, warn};
+use crate::convert::error::{value_error, warn};
 use crate::convert::objects::object;
-use crate::glance;
+use crate::glance::glance;
+use crate::reading::{Spacing, found, unit_of, unreadable};
 use crate::records::Surface;
 
 /// A measured surface: heights on a regular grid.
@@ -19,68 +20,15 @@ use crate::records::Surface;
 /// ----------
 /// heights : array_like
 ///     One or two dimensions, row by row; NaN or masked for missing points.
-/// dx : float or (float, float)
-///     Distance between neighbouring points along a row, and along a column.
+/// dx : float or str, or two of them
+///     Distance between neighbouring points along a row, and along a column: in ``unit``, or as
+///     "10 nm".
 /// unit : str
-///     Unit of heights and dx: "m", "cm", "mm", "um", "nm", "angstrom", "pm".
+///     Unit of heights and of a plain dx: "m", "cm", "mm", "um", "nm", "angstrom", "pm".
 /// periodic : bool
 ///     Whether the surface is repeated beyond its edges.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct Topography(pub(crate) asperity_topography::Topography);
-
-pub(crate) enum Spacing {
-    Same(f64),
-    Two(f64, f64),
-}
-
-impl<'py> FromPyObject<'_, 'py> for Spacing {
-    type Error = PyErr;
-
-    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        let two = || given.extract::<(f64, f64)>().map(|(dx, dy)| Self::Two(dx, dy));
-        given.extract().map(Self::Same).or_else(|_| two()).map_err(|_| {
-            let shown = given.repr().map_or_else(|_| String::new(), |shown| shown.to_string());
-            PyTypeError::new_err(format!(
-                "{shown} is no distance of points: a number, or two, in the unit of the heights was required"
-            ))
-        })
-    }
-}
-
-impl Spacing {
-    pub(crate) fn both(self) -> [f64; 2] {
-        match self {
-            Self::Same(dx) => [dx, dx],
-            Self::Two(dx, dy) => [dx, dy],
-        }
-    }
-}
-
-/// `UnsupportedFormat` for files in formats without a reader, `ValueError` for others.
-fn unreadable(error: TopographyError) -> PyErr {
-    let message = error.to_string();
-    match error {
-        TopographyError::File { source, .. } if source.is_format() => {
-            UnsupportedFormat::new_err(message)
-        }
-        _ => value_error(message),
-    }
-}
-
-/// `FileNotFoundError` for a path without a file.
-pub(crate) fn found(path: &Path) -> PyResult<()> {
-    match path.try_exists() {
-        Ok(false) => {
-            let shown = path.display();
-            Err(PyFileNotFoundError::new_err(format!("{shown}: no such file")))
-        }
-        _ => Ok(()),
-    }
-}
-
-fn unit_of(name: &str) -> PyResult<LengthUnit> {
-    name.parse().map_err(|error: TopographyError| value_error(error))
-}
 
 #[pymethods]
 impl Topography {
@@ -101,7 +49,8 @@ impl Topography {
             }
         };
         let (unit, heights) = (unit_of(unit)?, heights.iter().copied().collect());
-        let made = asperity_topography::Topography::in_unit(heights, columns, dx.both(), unit);
+        let made =
+            asperity_topography::Topography::in_unit(heights, columns, dx.in_unit(unit), unit);
         Ok(Self(made.map_err(value_error)?.with_periodic(periodic)))
     }
 
@@ -116,7 +65,7 @@ impl Topography {
         max_missing: f64,
         channel: Option<String>,
     ) -> PyResult<Self> {
-        let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(Spacing::both));
+        let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(|size| size.0));
         let options = ReadOptions { unit, pixel_size, max_missing, channel };
         found(&path)?;
         let read = py.detach(|| asperity_topography::read(&path, &options));
@@ -241,6 +190,16 @@ impl Topography {
         Surface::of(Ok(both.surface().map_err(value_error)?))
     }
 
+    /// The sum of the heights of this surface and of an aligned one, point by point: against a flat
+    /// it has the gap between the two, also for boundary elements. Points of equal row and column
+    /// meet or, with ``mirrored``, those of equal row and opposite column, as of two scans taken
+    /// from above. Levels and filters are those of the two.
+    #[pyo3(signature = (other, mirrored=false))]
+    fn facing(&self, py: Python<'_>, other: &Self, mirrored: bool) -> PyResult<Self> {
+        let alignment = if mirrored { Alignment::Mirrored } else { Alignment::AsRead };
+        self.changed(py, |surface| surface.facing(&other.0, alignment))
+    }
+
     /// Statistics in SI units: Sq, Ssk, Sku, moments, and asperities by the estimator ("moments" or
     /// "summits"), after levelling ("none", "mean", "plane" or "quadratic"; by default the plane,
     /// for a periodic surface the mean) and, with a cut-off [m], a Gaussian filter.
@@ -282,7 +241,7 @@ impl Topography {
         cutoff: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let level = self.form(py, level, 0)?;
-        let found = py.detach(|| glance::glance(&self.0, level, smooth, cutoff));
+        let found = py.detach(|| glance(&self.0, level, smooth, cutoff));
         object(py, &found.map_err(value_error)?.1)
     }
 
@@ -299,8 +258,8 @@ impl Topography {
     ) -> PyResult<Bound<'py, PyAny>> {
         let level = self.form(py, level, 0)?;
         let svg = py.detach(|| {
-            let found = glance::glance(&self.0, level, smooth, cutoff).map_err(value_error)?;
-            glance::picture(&found.0, &found.1, title)
+            let found = glance(&self.0, level, smooth, cutoff).map_err(value_error)?;
+            draw_surface(&found.0, &found.1, title).map_err(value_error)
         })?;
         py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))
     }

@@ -296,3 +296,12 @@ def test_ctrl_c_stops_the_solver() -> None:
         finally:
             over.set()
     sender.join()
+
+
+def test_the_area_of_loads_is_stated() -> None:
+    wave = np.cos(2 * np.pi * 4 * np.arange(64) / 64)
+    topography = asperity.Topography(1e-7 * wave * wave[:, None], "1 um", "m", periodic=True)
+    interface = asperity.Interface(116e9, 0.3)
+    contacts = asperity.bem(topography, interface=interface, load=0.01)
+    assert contacts.nominal_area == pytest.approx((64e-6) ** 2)
+    assert contacts.load == pytest.approx(contacts.pressure * contacts.nominal_area)

@@ -287,6 +287,56 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
             ke.joint_table(scene, *ends)
 
 
+def test_many_joints_step_at_once_with_exact_tangents(scene: asperity.Scene) -> None:
+    table = asperity.model("ke").joint_table(scene, -0.5, 5.0)
+    separations = np.linspace(0.0, 3.0, 12).reshape(3, 4)
+    force, stiffness, closest = table.step(separations)
+    back = separations + np.linspace(0.0, 0.4, 12).reshape(3, 4) - 0.1
+    force, stiffness, after = table.step(back, closest)
+    np.testing.assert_array_equal(after, np.minimum(back, closest))
+    for k in np.ndindex(3, 4):
+        one = table.step(float(back[k]), float(closest[k]))
+        assert one == (force[k], stiffness[k], after[k]) and type(one[0]) is float
+    # By a stencil that is exact for polynomials up to the eighth degree.
+    h = np.array([-4, -3, -2, -1, 1, 2, 3, 4])
+    weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
+    retreats = np.array([0.012, 0.05, 0.13, 0.31])
+    around, _, _ = table.step(1.0 + retreats[:, None] + 1e-4 * h, 1.0)
+    slopes = -(around @ weights) / (1e-4 * scene.surface.asperity_height_std)
+    exact = table.step(1.0 + retreats, 1.0)[1]
+    np.testing.assert_allclose(slopes, exact, rtol=1e-8)
+    # Broadcast, and saved with the table.
+    _, _, states = table.step(2.0, np.array([1.0, 1.5, np.inf]))
+    np.testing.assert_array_equal(states, [1.0, 1.5, 2.0])
+    again, saved = pickle.loads(pickle.dumps((table, states)))
+    for one, other in zip(again.step([2.1], saved), table.step(2.1, states), strict=True):
+        np.testing.assert_array_equal(one, other)
+    with pytest.raises(ValueError, match="broadcast"):
+        table.step([1.0, 2.0], [1.0, 2.0, 3.0])
+    with pytest.raises(ValueError, match="at least the deepest separation of the table"):
+        table.step([1.0, -0.6])
+
+
+def test_correlations_of_conductance_of_many_scenes_and_of_a_given_slope() -> None:
+    body = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
+    surface = asperity.Surface.from_mean_slope("1.4 um", 0.14, "4000 1/mm2")
+    scene = asperity.Scene(asperity.Interface.between(body, body), surface, nominal_area=1e-4)
+    by = asperity.correlated_conductance
+    pressure = np.array([1e5, 1e6])
+    one = by("cmy", scene, pressure=pressure).conductance
+    # The scene was made from sigma and slope.
+    given = by("cmy", scene, pressure=pressure, surface_height_std="1.4 um", mean_slope=0.14)
+    np.testing.assert_allclose(one, given.conductance, rtol=1e-12)
+    many = scene.vary(mean_slope=[0.14, 0.28]).reshape(2, 1)
+    found = by("cmy", many, pressure=pressure).conductance
+    np.testing.assert_allclose(found, [one, 2.0 * one], rtol=1e-12)
+    np.testing.assert_array_equal(by("cmy", [scene, scene], load="10 N").conductance, [one[0]] * 2)
+    with pytest.raises(TypeError, match="go together"):
+        by("cmy", scene, pressure=1e6, mean_slope=0.1)
+    with pytest.raises(ValueError, match="mean_slope is -1"):
+        by("cmy", scene, pressure=1e6, surface_height_std=1e-6, mean_slope=-1.0)
+
+
 def test_correlations_of_conductance_are_those_of_their_formulas() -> None:
     body = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
     interface = asperity.Interface.between(body, body)

@@ -99,7 +99,7 @@ def test_tables_for_solvers_are_those_of_the_library(scene: asperity.Scene) -> N
     for form, text in [
         ("csv", "clearance_m,pressure_Pa,tangent_Pa_per_m"),
         ("abaqus", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR"),
-        ("calculix", "not yet tried with ccx"),
+        ("calculix", "TYPE=NODE TO SURFACE"),
         ("ansys", "RMORE,"),
     ]:
         assert text in str(asperity.export("ke", scene, form, load=(10.0, 1e3), nodes=8))

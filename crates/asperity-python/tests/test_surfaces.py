@@ -234,3 +234,32 @@ def test_a_surface_is_drawn_and_written(tmp_path: Path) -> None:
     again = asperity.read(tmp_path / "s.x3p")
     np.testing.assert_array_equal(again.heights, surface.heights)
     assert again.pixel_size == surface.pixel_size
+
+
+def test_two_surfaces_add_as_moments_and_aligned_scans_as_heights() -> None:
+    one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
+    two = asperity.Surface.from_moments(4e-13, 2e-5, 3e4)
+    assert one.against(two) == asperity.Surface.from_moments(1.4e-12, 1.2e-4, 8e4)
+    peaks = asperity.Surface.from_iso25178("0.4 um", "300 1/mm2", "4 1/mm")
+    m4 = 9 * np.pi / 64 * 4e3**2
+    same = asperity.Surface.from_moments(1.6e-13, m4 / (6 * np.sqrt(3) * np.pi * 3e8), m4)
+    assert one.against(peaks).asperity_radius == pytest.approx(one.against(same).asperity_radius)
+    z = np.arange(20.0).reshape(4, 5) ** 2
+    flat, other = (asperity.Topography(h, "10 nm", "nm") for h in (z, np.ones((4, 5)) * np.arange(5)))
+    assert flat.pixel_size == pytest.approx((1e-8, 1e-8), rel=1e-12)
+    assert flat.facing(other).heights == pytest.approx((z + np.arange(5)) * 1e-9)
+    assert flat.facing(other, mirrored=True).heights == pytest.approx((z + 4 - np.arange(5)) * 1e-9)
+    with pytest.raises(ValueError, match="the scans are not aligned"):
+        flat.facing(asperity.Topography(z, ("10 nm", 11), "nm"))
+    with pytest.raises(ValueError, match="length above 0"):
+        asperity.Topography(z, "10 miles", "nm")
+
+
+def test_what_a_file_lacks_is_named_as_an_argument(tmp_path: Path) -> None:
+    path = tmp_path / "a.txt"
+    path.write_text("1 2 3 4\n4 5 6 1\n7 8 10 2\n2 1 2 9\n")
+    for arguments, lacking in [({}, "give unit"), ({"unit": "nm"}, "give pixel_size")]:
+        with pytest.raises(ValueError, match=lacking) as raised:
+            asperity.read(path, **arguments)
+        assert "--" not in str(raised.value)
+    assert asperity.read(path, "nm", "1 um").pixel_size == pytest.approx((1e-6, 1e-6))

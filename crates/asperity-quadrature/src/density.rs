@@ -24,6 +24,12 @@ pub trait Sampler: Send + Sync {
         0.0
     }
 
+    /// Whether a sample costs so much that those who need thousands of single values should
+    /// tabulate the function first.
+    fn is_costly(&self) -> bool {
+        false
+    }
+
     /// The same function without preparation, for a single integral, if the function has one:
     /// nothing is kept between samples.
     fn unprepared(&self) -> Option<Arc<dyn Sampler>> {

@@ -10,7 +10,7 @@ const CODES: &str = "\
     above-hardness adhesion anisotropic area-above-nominal atomic below-a-pixel beyond-fit \
     cancelled channel crowded curvature-follows-sampling deep despiked energy-gain \
     estimators-disagree few-asperities few-contacts few-patches few-pixels filled fit-misses \
-    heights-integral heights-std hurst-exponent inverted level mask negative \
+    gaussian-moments heights-integral heights-std hurst-exponent inverted level mask negative \
     negative-angle-density no-asperities no-contact no-hardness no-second-estimator not-gaussian \
     not-monotone open-seam outliers periodic-part resampled roughness-parameter seam short-waves \
     slope sticks summits-follow-sampling tabor undeclared-kink underflow unit unusual-size \

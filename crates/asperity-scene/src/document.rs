@@ -14,7 +14,7 @@ use toml::de::{DeTable, DeValue, Error};
 use toml::{Table, Value};
 
 use crate::quantity::{QuantityError, in_si};
-use crate::template::keys_of;
+use crate::template::{counterface_keys, keys_of};
 use crate::{Place, SceneError};
 
 /// The largest size of a scene file or of a table of heights.
@@ -40,6 +40,15 @@ pub(crate) struct Document<'a> {
 #[derive(Deserialize)]
 struct InSurface<T> {
     surface: T,
+}
+
+/// The section of the second of two rough surfaces.
+pub(crate) const COUNTERFACE: &str = "surface.counterface";
+
+/// The keys of the second surface used by one module.
+#[derive(Deserialize)]
+struct OfCounterface<T> {
+    counterface: T,
 }
 
 impl<'a> Document<'a> {
@@ -81,13 +90,26 @@ impl<'a> Document<'a> {
         self.keys::<InSurface<T>>().map(|keys| keys.surface)
     }
 
-    /// The whole text. An unknown key at the top or in `[surface]` is refused here, in other
-    /// sections by serde, because each is one struct.
+    /// The keys of `T` of the surface described in `section`; other keys are ignored.
+    pub(crate) fn rough<T: DeserializeOwned>(&self, section: &str) -> Result<T, SceneError> {
+        match section == COUNTERFACE {
+            true => self.surface::<OfCounterface<T>>().map(|keys| keys.counterface),
+            false => self.surface(),
+        }
+    }
+
+    /// The whole text. An unknown key at the top or of a surface is refused here, in other sections
+    /// by serde, because each is one struct.
     pub(crate) fn table(&self) -> Result<Table, SceneError> {
         let table: Table = self.keys()?;
         let surface = table.get("surface").and_then(Value::as_table);
-        for (section, keys) in [("", Some(&table)), ("surface", surface)] {
-            let known = keys_of(section);
+        let counterface = surface.and_then(|keys| keys.get("counterface")?.as_table());
+        let sections = [
+            ("", Some(&table), keys_of("")),
+            ("surface", surface, keys_of("surface")),
+            (COUNTERFACE, counterface, counterface_keys()),
+        ];
+        for (section, keys, known) in sections {
             let unknown = keys.into_iter().flat_map(Table::keys);
             let unknown = unknown.filter(|name| !known.contains(&name.as_str()));
             let unknown: HashSet<String> =

@@ -12,6 +12,9 @@ use crate::SceneFile;
 pub enum Roughness {
     /// Radius and density of the asperities, and the standard deviation of the surface heights.
     SurfaceStd([f64; 3]),
+    /// The standard deviation of the surface heights, the mean absolute slope of profiles, and the
+    /// density of the asperities.
+    MeanSlope([f64; 3]),
     /// Spectral moments of profiles: m0, m2 and m4.
     Moments([f64; 3]),
     /// Parameters of ISO 25178: Sq, Spd and Spc.
@@ -24,6 +27,7 @@ impl Roughness {
     pub fn keys(&self) -> &'static [&'static str; 3] {
         match self {
             Self::SurfaceStd(_) => &["asperity_radius", "asperity_density", "surface_height_std"],
+            Self::MeanSlope(_) => &["surface_height_std", "mean_slope", "asperity_density"],
             Self::Moments(_) => &["m0", "m2", "m4"],
             Self::Iso25178(_) => &["sq", "spd", "spc"],
         }
@@ -33,9 +37,10 @@ impl Roughness {
     #[must_use]
     pub fn numbers(&self) -> [f64; 3] {
         match self {
-            Self::SurfaceStd(numbers) | Self::Moments(numbers) | Self::Iso25178(numbers) => {
-                *numbers
-            }
+            Self::SurfaceStd(numbers)
+            | Self::MeanSlope(numbers)
+            | Self::Moments(numbers)
+            | Self::Iso25178(numbers) => *numbers,
         }
     }
 
@@ -44,9 +49,24 @@ impl Roughness {
     pub fn with(&self, numbers: [f64; 3]) -> Self {
         match self {
             Self::SurfaceStd(_) => Self::SurfaceStd(numbers),
+            Self::MeanSlope(_) => Self::MeanSlope(numbers),
             Self::Moments(_) => Self::Moments(numbers),
             Self::Iso25178(_) => Self::Iso25178(numbers),
         }
+    }
+
+    /// The spectral moments of profiles of an isotropic Gaussian surface with these numbers.
+    ///
+    /// # Errors
+    /// Those of [`surface`](Self::surface).
+    pub fn moments(&self) -> Result<ProfileMoments, ContactError> {
+        let surface = self.surface()?;
+        Ok(match *self {
+            Self::Moments([m0, m2, m4]) => ProfileMoments { m0, m2, m4 },
+            Self::SurfaceStd([.., std])
+            | Self::MeanSlope([std, ..])
+            | Self::Iso25178([std, ..]) => ProfileMoments { m0: std * std, ..surface.moments() },
+        })
     }
 
     /// The surface with these asperities.
@@ -58,6 +78,7 @@ impl Roughness {
             Self::SurfaceStd([radius, density, std]) => {
                 Surface::from_surface_std(radius, density, std)
             }
+            Self::MeanSlope([std, slope, density]) => Surface::from_mean_slope(std, slope, density),
             Self::Moments([m0, m2, m4]) => Surface::from_moments(&ProfileMoments { m0, m2, m4 }),
             Self::Iso25178([sq, spd, spc]) => Surface::from_iso25178(sq, spd, spc),
         }?;

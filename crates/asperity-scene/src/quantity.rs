@@ -6,6 +6,7 @@ use std::ops::Range;
 use asperity::nearest_hint;
 use toml::de::{DeTable, DeValue};
 
+use crate::document::joined;
 use crate::template::key;
 
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
@@ -109,7 +110,7 @@ fn collect(
     let items = table.iter().map(|(name, value)| (name.get_ref().to_string(), value));
     for (name, value) in items {
         match value.get_ref() {
-            DeValue::Table(inner) => collect(inner, &name, found)?,
+            DeValue::Table(inner) => collect(inner, &joined(section, &name), found)?,
             DeValue::Array(tables) => {
                 for (table, k) in tables.iter().zip(1..) {
                     if let DeValue::Table(inner) = table.get_ref() {

@@ -49,7 +49,7 @@ impl SceneFile {
         let Some(scan) = &self.scan else {
             let one = "boundary elements (bem) need the scan of one surface";
             let needed = match self.measured {
-                Some(_) => format!("{one}, not two"),
+                Some(_) => format!("{one}, or two scans with aligned = true"),
                 None => format!(
                     "{one}: replace the numbers in [surface] by file = \"scan.x3p\", with unit and pixel_size if the file does not state them"
                 ),
@@ -270,7 +270,7 @@ mod tests {
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
         for (none, end) in
-            [(other, "if the file does not state them"), (two, "of one surface, not two")]
+            [(other, "if the file does not state them"), (two, "two scans with aligned = true")]
         {
             let refused = none.bem(None, false).unwrap_err().to_string();
             assert!(refused.starts_with("surface.file is missing: boundary elements"), "{refused}");

@@ -1,9 +1,9 @@
-//! `[surface]`: the asperities, in exactly one of five ways.
+//! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
-use asperity::{Interface, Surface};
+use asperity::{Diagnostic, Interface, ProfileMoments, Surface};
 use serde::Deserialize;
 
-use crate::document::Document;
+use crate::document::{COUNTERFACE, Document};
 use crate::heights::HeightsKey;
 use crate::measured::{Asked, SurfaceDescription, measured};
 use crate::template::measured_keys;
@@ -22,6 +22,8 @@ const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
 /// The alternative to `STD` with radius and density.
 const SURFACE_STD: &str = "surface_height_std";
+/// The alternative to the radius, with `SURFACE_STD` and the density.
+const MEAN_SLOPE: &str = "mean_slope";
 
 /// The units, SI first, in which instruments report ISO 25178 parameters.
 const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
@@ -31,7 +33,7 @@ const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
 ];
 
 /// The units in which ISO 25178 parameters that were given without one describe a usual surface.
-fn likely_units(document: &Document<'_>, given: [f64; 3]) -> Option<String> {
+fn likely_units(document: &Document<'_>, section: &str, given: [f64; 3]) -> Option<String> {
     // Indices of units; one of them is tried for a number without a unit only.
     let triples = (0..27).map(|k| [k % 3, k / 3 % 3, k / 9]);
     let si = |[a, b, c]: &[usize; 3]| [*a, *b, *c].iter().filter(|k| **k == 0).count();
@@ -39,7 +41,7 @@ fn likely_units(document: &Document<'_>, given: [f64; 3]) -> Option<String> {
         let (key, known) = ISO_UNITS.get(k)?;
         let (index, value) = (*units.get(k)?, *given.get(k)?);
         let (unit, factor) = known.get(index)?;
-        let stated = document.stated.contains(&format!("surface.{key}"));
+        let stated = document.stated.contains(&format!("{section}.{key}"));
         (index == 0 || !stated).then_some((*key, value, *unit, value * factor))
     };
     let [from, to] = Surface::USUAL_ASPERITY_ROUGHNESS;
@@ -69,6 +71,7 @@ struct NumberKeys {
     asperity_density: Option<f64>,
     asperity_height_std: Option<f64>,
     surface_height_std: Option<f64>,
+    mean_slope: Option<f64>,
     plasticity_index: Option<f64>,
     roughness_parameter: Option<f64>,
     m0: Option<f64>,
@@ -77,6 +80,26 @@ struct NumberKeys {
     sq: Option<f64>,
     spd: Option<f64>,
     spc: Option<f64>,
+}
+
+/// A surface described by numbers.
+struct Numbers {
+    surface: Surface,
+    /// The numbers from which the asperities follow, if they are not given directly.
+    roughness: Option<Roughness>,
+    follows_from: &'static [&'static str],
+}
+
+impl Numbers {
+    fn moments(&self) -> ProfileMoments {
+        let given = self.roughness.and_then(|roughness| roughness.moments().ok());
+        given.unwrap_or_else(|| self.surface.moments())
+    }
+
+    /// Whether the moments follow from other numbers.
+    fn assumes_gaussian(&self) -> bool {
+        !matches!(self.roughness, Some(Roughness::Moments(_)))
+    }
 }
 
 /// The surface of a scene. `measured_std` is the standard deviation of a table of heights, the
@@ -88,8 +111,63 @@ pub(crate) fn surface(
     measured_std: Option<f64>,
     asked: Asked,
 ) -> Result<SurfaceDescription, SceneError> {
-    let keys: NumberKeys = document.surface()?;
-    let at = |key: &str| format!("surface.{key}");
+    let of = |section, std| numbers(document, section, interface, std);
+    let first = of("surface", measured_std)?;
+    let is_pair = document.has(COUNTERFACE);
+    let second = if is_pair { of(COUNTERFACE, None)? } else { None };
+    if let (Some((_, key)), HeightsKey::Measured) = (&first, heights) {
+        let needed = "a measured file, from which the heights are taken,";
+        return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
+    }
+    let [first, second] = [first, second].map(|numbers| numbers.map(|(numbers, _)| numbers));
+    let sections = [("surface", &first), (COUNTERFACE, &second)];
+    let assumed = sections
+        .into_iter()
+        .filter(|(_, numbers)| is_pair && numbers.as_ref().is_some_and(Numbers::assumes_gaussian));
+    let note = |(section, _)| {
+        Diagnostic::note("gaussian-moments", section, f64::NAN)
+            .fact("m0, m2 and m4 are those of an isotropic Gaussian surface with these numbers")
+            .advice("m0 = sq^2, m4 = 9 pi spc^2/64 and m2 = m4/(6 sqrt(3) pi spd), with 1/asperity_radius as spc and asperity_density as spd; use a scan where this is in doubt")
+            .from_origin(document.place(section).to_string())
+    };
+    let notes = assumed.map(note).collect::<Vec<_>>();
+    let numbers = match (first, second) {
+        (Some(first), Some(second)) => {
+            let ProfileMoments { m0, m2, m4 } = first.moments().plus(&second.moments());
+            let roughness = Roughness::Moments([m0, m2, m4]);
+            let surface = roughness.surface().map_err(document.refused("surface"))?;
+            Numbers { surface, follows_from: roughness.keys(), roughness: Some(roughness) }
+        }
+        (Some(only), None) if !is_pair => only,
+        (first, second) => {
+            let moments = first.or(second).map(|numbers| numbers.moments());
+            let mut described = measured(document, heights, asked, moments)?;
+            described.notes.extend(notes);
+            return Ok(described);
+        }
+    };
+    Ok(SurfaceDescription {
+        surface: numbers.surface,
+        measured: None,
+        heights: None,
+        notes,
+        scan: None,
+        no_asperities: None,
+        follows_from: numbers.follows_from,
+        roughness: numbers.roughness,
+    })
+}
+
+/// The numbers of `section`, with the key that decides how they describe the surface; `None` for a
+/// measured one.
+fn numbers(
+    document: &Document<'_>,
+    section: &str,
+    interface: &Interface,
+    measured_std: Option<f64>,
+) -> Result<Option<(Numbers, &'static str)>, SceneError> {
+    let keys: NumberKeys = document.rough(section)?;
+    let at = |key: &str| format!("{section}.{key}");
     let has = |key: &&&str| document.has(&at(key));
     let conflict =
         |one: &str, other: &str, needed: &str| Err(document.conflict(&at(one), &at(other), needed));
@@ -97,7 +175,7 @@ pub(crate) fn surface(
     let one_way = format!("exactly one way to describe the surface: {ways}");
     let own = |way: &&'static [&str]| way.iter().find(|key| **key != STD && has(key)).copied();
     let mut given = WAYS.iter().zip(0..).filter_map(|(way, k)| Some((k, own(way)?)));
-    let Some((way, key)) = given.next() else { return Err(document.missing("surface", one_way)) };
+    let Some((way, key)) = given.next() else { return Err(document.missing(section, one_way)) };
     if let Some((_, other)) = given.next() {
         return conflict(key, other, &one_way);
     }
@@ -107,23 +185,33 @@ pub(crate) fn surface(
     if has(&&SURFACE_STD) && way > 0 {
         return conflict(SURFACE_STD, key, "asperity_radius and asperity_density with it");
     }
+    if has(&&MEAN_SLOPE) && (way > 0 || key == "asperity_radius") {
+        return conflict(MEAN_SLOPE, key, "asperity_density and surface_height_std with it");
+    }
     if has(&&SURFACE_STD) && has(&&STD) {
         return conflict(SURFACE_STD, STD, "one of the two, which determines the other,");
-    }
-    if matches!(heights, HeightsKey::Measured) && way != MEASURED {
-        return conflict("heights", key, "a measured file, from which the heights are taken,");
     }
     let together = WAYS[way].join(", ");
     if way > 1 && has(&&STD) {
         let needed = format!("either {together} or {STD}, which follows from them,");
         return conflict(STD, key, &needed);
     }
+    if way == MEASURED {
+        return Ok(None);
+    }
     let needed = |key: &str, value: Option<f64>| {
         value.ok_or_else(|| document.missing(&at(key), format!("{together} go together")))
     };
     let std = || needed(STD, keys.asperity_height_std.or(measured_std));
-    let refused = document.refused("surface");
+    let refused = document.refused(section);
     let roughness = match way {
+        0 if has(&&MEAN_SLOPE) => {
+            let together = format!("{SURFACE_STD}, {MEAN_SLOPE}, asperity_density go together");
+            let missing = |key: &str| document.missing(&at(key), together);
+            let std = keys.surface_height_std.ok_or_else(|| missing(SURFACE_STD))?;
+            let numbers = keys.mean_slope.zip(keys.asperity_density);
+            numbers.map(|(slope, density)| Roughness::MeanSlope([std, slope, density]))
+        }
         0 => {
             let radius = needed("asperity_radius", keys.asperity_radius)?;
             let density = needed("asperity_density", keys.asperity_density)?;
@@ -144,9 +232,9 @@ pub(crate) fn surface(
         (Some(roughness), _) => {
             let surface = roughness.surface();
             if let (Err(_), Roughness::Iso25178(numbers)) = (&surface, roughness)
-                && let Some(units) = likely_units(document, numbers)
+                && let Some(units) = likely_units(document, section, numbers)
             {
-                return Err(SceneError::Measured { at: document.place("surface"), reason: units });
+                return Err(SceneError::Measured { at: document.place(section), reason: units });
             }
             surface.map_err(&refused)?
         }
@@ -155,12 +243,11 @@ pub(crate) fn surface(
             let density = needed("asperity_density", keys.asperity_density)?;
             Surface::new(radius, density, std()?)
         }
-        (None, 1) => {
+        _ => {
             let index = needed("plasticity_index", keys.plasticity_index)?;
             let parameter = needed("roughness_parameter", keys.roughness_parameter)?;
             Surface::from_plasticity_index(index, parameter, std()?, interface).map_err(&refused)?
         }
-        _ => return measured(document, heights, asked),
     };
     surface.check().map_err(&refused)?;
     let follows_from = match (&roughness, way) {
@@ -168,14 +255,5 @@ pub(crate) fn surface(
         (None, 0) => &[][..],
         _ => WAYS[way],
     };
-    Ok(SurfaceDescription {
-        surface,
-        measured: None,
-        heights: None,
-        notes: vec![],
-        scan: None,
-        no_asperities: None,
-        follows_from,
-        roughness,
-    })
+    Ok(Some((Numbers { surface, roughness, follows_from }, key)))
 }

@@ -11,13 +11,14 @@ pub fn template() -> &'static str {
 }
 
 /// The template for a measured surface: `keys` of `[surface]` have these values, and a comment
-/// gives the resulting asperities.
+/// gives the resulting asperities, if it has any.
 #[must_use]
-pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
+pub fn template_on(surface: Option<&Surface>, keys: &[(&str, Value)]) -> String {
+    let of = |number: fn(&Surface) -> f64| surface.map(number);
     let three = [
-        ("asperity_radius", surface.asperity_radius),
-        ("asperity_density", surface.asperity_density),
-        ("asperity_height_std", surface.asperity_height_std),
+        ("asperity_radius", of(|surface| surface.asperity_radius)),
+        ("asperity_density", of(|surface| surface.asperity_density)),
+        ("asperity_height_std", of(|surface| surface.asperity_height_std)),
     ];
     let mut inside = false;
     let line = |line: &str| {
@@ -30,7 +31,10 @@ pub fn template_on(surface: &Surface, keys: &[(&str, Value)]) -> String {
                 value => format!("{name} = {value}"),
             }
         } else if let Some((_, value)) = three.iter().find(|key| line.starts_with(key.0)) {
-            format!("# {name} = {value:.5e}")
+            match value {
+                Some(value) => format!("# {name} = {value:.5e}"),
+                None => format!("# {}", code.trim_end()),
+            }
         } else {
             return format!("{line}\n");
         };
@@ -94,6 +98,20 @@ pub(crate) fn measured_keys() -> impl Iterator<Item = &'static str> {
     keys().filter(|key| key.measured).map(|key| key.name)
 }
 
+/// The keys of the second surface: those of the first that describe one surface.
+pub(crate) fn counterface_keys() -> Vec<&'static str> {
+    let of_pair = [
+        "files",
+        "aligned",
+        "counterface",
+        "heights",
+        "asperities",
+        "separation_from",
+        "mean_plane_offset",
+    ];
+    keys_of("surface").into_iter().filter(|name| !of_pair.contains(name)).collect()
+}
+
 /// The key of this name in a section, or else the first of this name.
 pub(crate) fn key(section: &str, name: &str) -> Option<Key> {
     let here = |key: &Key| key.section.trim_matches(['[', ']']) == section && key.name == name;
@@ -107,7 +125,8 @@ mod tests {
     #[test]
     fn the_template_on_a_scan_keeps_all_other_lines() {
         let surface = Surface::new(1.234_567e-5, 2e10, 3e-7);
-        let text = template_on(&surface, &[("file", "a b.txt".into()), ("smooth", 2.5e-6.into())]);
+        let text =
+            template_on(Some(&surface), &[("file", "a b.txt".into()), ("smooth", 2.5e-6.into())]);
         let changed: Vec<(&str, &str)> =
             template().lines().zip(text.lines()).filter(|(old, new)| old != new).collect();
         let new = |start: &str| changed.iter().find(|(_, new)| new.starts_with(start)).unwrap();
@@ -138,7 +157,7 @@ mod tests {
     #[test]
     fn every_key_of_a_section_is_declared() {
         let only_measured: Vec<&str> = measured_keys().collect();
-        let wanted = "file files unit pixel_size channel estimator level filter smooth periodic max_missing fill_missing despike";
+        let wanted = "file files unit pixel_size channel estimator level filter smooth periodic max_missing fill_missing despike aligned";
         assert_eq!(only_measured.join(" "), wanted);
         let declared = |section: &str, fields: serde_json::Value, elsewhere: &[&str]| {
             let fields = fields.as_object().unwrap().keys().map(String::as_str);

@@ -40,6 +40,8 @@ impl Read {
             keys.get_mut("file").into_iter().for_each(whole);
             let files = keys.get_mut("files").and_then(Value::as_array_mut);
             files.into_iter().flatten().for_each(whole);
+            let counterface = keys.get_mut("counterface").and_then(|keys| keys.get_mut("file"));
+            counterface.into_iter().for_each(whole);
             let measured = keys.get("heights").and_then(Value::as_str) == Some("measured");
             summits = heights.filter(|_| measured).cloned();
             // These keys follow from the scene when written.
@@ -173,8 +175,10 @@ impl SceneFile {
     }
 
     fn names_no_scan(&self) -> bool {
-        let names = |key| self.kept_surface().is_some_and(|keys| keys.contains_key(key));
-        !names("file") && !names("files")
+        let surface = self.kept_surface();
+        let counterface = surface.and_then(|keys| keys.get("counterface")?.as_table());
+        let names = |keys: &Table| keys.contains_key("file") || keys.contains_key("files");
+        !surface.into_iter().chain(counterface).any(names)
     }
 
     /// Whether the heights are those of the summits of the scan that is named.

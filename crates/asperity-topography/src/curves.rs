@@ -111,6 +111,8 @@ impl Topography {
                     .into(),
             );
         }
+        let missing = glance.hurst_missing.as_ref().filter(|_| !self.is_profile());
+        all.extend(missing.map(|reason| format!("No power law is drawn: {reason}.")));
         all
     }
 

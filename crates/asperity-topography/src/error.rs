@@ -91,7 +91,7 @@ pub enum TopographyError {
     },
     /// The unit of the heights is missing in the file and in the options.
     #[error(
-        "the file does not state the unit of the heights: give unit (\"nm\", \"um\", \"mm\", \"m\"; --unit on the command line)"
+        "the file does not state the unit of the heights: give unit (\"nm\", \"um\", \"mm\" or \"m\")"
     )]
     UnitMissing,
     /// A cut-off outside the wavelengths of the scan.
@@ -118,7 +118,7 @@ pub enum TopographyError {
     },
     /// The distance between points is missing in the file and in the options.
     #[error(
-        "the file does not state the distance between points: give pixel_size in the unit of the heights (--pixel-size on the command line)"
+        "the file does not state the distance between points: give pixel_size, in the unit of the heights or with its own"
     )]
     PixelSizeMissing,
     /// An option and the file disagree.
@@ -135,7 +135,7 @@ pub enum TopographyError {
     },
     /// The share of missing points is above `max_missing`.
     #[error(
-        "the share of missing points is {share:.4}: at most max_missing = {limit} (--max-missing on the command line) was required"
+        "the share of missing points is {share:.4}: at most max_missing = {limit} was required"
     )]
     TooManyMissing {
         /// The share of missing points.
@@ -248,6 +248,16 @@ pub enum TopographyError {
         found: String,
         /// The names accepted.
         names: String,
+    },
+    /// Two scans whose points do not meet.
+    #[error(
+        "the scans are not aligned: the first has {first}, the second {second}; equal points and pixels were required"
+    )]
+    NotAligned {
+        /// The points or pixels of the first.
+        first: String,
+        /// Those of the second.
+        second: String,
     },
     /// Two surfaces, of which one is described by its summits.
     #[error(

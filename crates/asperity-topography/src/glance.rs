@@ -55,6 +55,8 @@ pub struct Glance {
     pub spc: Option<f64>,
     /// Hurst exponent of the power law fitted to the radial spectrum.
     pub hurst: Option<f64>,
+    /// The reason why there is none.
+    pub hurst_missing: Option<String>,
     /// Its roll-off wavelength \[m\].
     pub roll_off: Option<f64>,
     /// The wavelength below which the spectrum leaves it \[m\].
@@ -82,9 +84,19 @@ impl Glance {
         let parameters = surface.parameters()?;
         let ([tilt_x, tilt_y], form_height) = raw.removed(level)?;
         let texture = surface.texture();
-        let spectra = surface.spectra().ok();
-        let radial = spectra.as_ref().and_then(|spectra| spectra.radial.as_ref());
-        let power_law = radial.and_then(PowerLaw::fit);
+        let spectra = surface.spectra();
+        let power_law = match &spectra {
+            Ok(Spectra { radial: Some(radial), .. }) => {
+                PowerLaw::fit(radial).map_err(|reason| reason.to_string())
+            }
+            Ok(_) => Err("a profile has no radial spectrum".into()),
+            Err(reason) => Err(reason.to_string()),
+        };
+        let (power_law, hurst_missing) = match power_law {
+            Ok(law) => (Some(law), None),
+            Err(reason) => (None, Some(reason)),
+        };
+        let spectra = spectra.ok();
         let [dx, dy] = surface.pixel_size();
         let [width, height] = [surface.columns() as f64 * dx, surface.rows() as f64 * dy];
         let side = if surface.is_profile() { width } else { width.min(height) };
@@ -124,6 +136,7 @@ impl Glance {
             spd: peaks.map(|peaks| peaks.spd),
             spc: peaks.and_then(|peaks| peaks.spc),
             hurst: power_law.map(|law| law.hurst),
+            hurst_missing,
             roll_off: power_law.and_then(|law| law.roll_off),
             cut_off: power_law.and_then(|law| law.cut_off),
             spectra,
@@ -217,6 +230,7 @@ mod tests {
         let found = Glance::new(&profile, Level::None, [None; 2], &profile).unwrap();
         assert!(found.slope_ratio.is_none() && found.spd.is_none() && found.str.is_none());
         assert!(found.long_waves.is_some() && found.sal.is_some() && found.hurst.is_none());
+        assert_eq!(found.hurst_missing.as_deref(), Some("a profile has no radial spectrum"));
         assert_eq!(found.filter, "no form removed; no S-filter; no L-filter");
     }
 }

@@ -37,6 +37,15 @@ pub struct ArealMoments {
 }
 
 impl Moments {
+    /// The moments of an isotropic Gaussian surface with these moments of profiles.
+    #[must_use]
+    pub fn isotropic(profile: ProfileMoments) -> Self {
+        let direction = [profile.m2, profile.m4];
+        let areal = ArealMoments { m2: 2.0 * profile.m2, m4: 8.0 / 3.0 * profile.m4 };
+        let (along_rows, along_columns) = (direction, Some(direction));
+        Self { profile, along_rows, along_columns, areal: Some(areal) }
+    }
+
     /// The moments of the gap between two independent surfaces: the sums.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {

@@ -4,7 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::PowerSpectrum;
 
-/// The least number of octaves of a power law.
+/// The least number of points and of octaves of a power law.
+const POINTS: usize = 8;
 const OCTAVES: f64 = 2.0;
 /// A break is kept where it lowers the mean square of the residuals by this share.
 const WORTH: f64 = 0.2;
@@ -31,21 +32,55 @@ pub struct PowerLaw {
     ln_density: f64,
 }
 
+/// The reason why no power law is fitted to a spectrum.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoPowerLaw {
+    /// The spectrum is too short.
+    #[error(
+        "the radial spectrum has {points} points over {octaves:.1} octaves: at least {POINTS} over {OCTAVES} octaves were required"
+    )]
+    Short {
+        /// Its points.
+        points: usize,
+        /// The octaves they span.
+        octaves: f64,
+    },
+    /// No part of the spectrum has the slope of a self-affine surface.
+    #[error(
+        "no two octaves of the radial spectrum have a Hurst exponent from 0 to 1 (of the whole: {hurst:.2})"
+    )]
+    Slope {
+        /// The exponent of the line through the whole spectrum.
+        hurst: f64,
+    },
+    /// The spectrum has peaks or steps.
+    #[error(
+        "the radial spectrum scatters by {scatter:.2} in ln C about its best power law: at most {LOOSE} was required"
+    )]
+    Scatter {
+        /// The rms residual of ln C.
+        scatter: f64,
+    },
+}
+
 impl PowerLaw {
     /// The law fitted by least squares to ln C over ln q: flat, then of slope -2 - 2H, then of
     /// another slope, with breaks where the residuals are least and only where they are worth it.
-    /// `None` below two octaves or eight points, and where no such law is near: H outside 0 to
-    /// 1, or a scatter of ln C about it above 0.35.
-    #[must_use]
-    pub fn fit(spectrum: &PowerSpectrum) -> Option<Self> {
+    ///
+    /// # Errors
+    /// [`NoPowerLaw`] below two octaves or eight points, and where no such law is near: H outside
+    /// 0 to 1, or a scatter of ln C about it above 0.35.
+    pub fn fit(spectrum: &PowerSpectrum) -> Result<Self, NoPowerLaw> {
         let x: Vec<f64> = spectrum.wave_number.iter().map(|q| q.ln()).collect();
         let y: Vec<f64> = spectrum.density.iter().map(|c| c.ln()).collect();
         let n = x.len();
-        if n < 8 {
-            return None;
-        }
-        let last = n - 1;
         let octaves = |from: usize, to: usize| (x[to] - x[from]) / std::f64::consts::LN_2;
+        let last = n.saturating_sub(1);
+        let all = if n > 0 { octaves(0, last) } else { 0.0 };
+        if n < POINTS || all < OCTAVES {
+            return Err(NoPowerLaw::Short { points: n, octaves: all });
+        }
         let try_fit = |from: usize, to: usize| -> Option<Fit> {
             (octaves(from, to) >= OCTAVES).then(|| Fit::new(&x, &y, from, to)).flatten()
         };
@@ -68,12 +103,16 @@ impl PowerLaw {
                 found = Some(fit);
             }
         }
-        let found = found.filter(|fit| fit.scatter < LOOSE)?;
-        let Fit { from, to, level, slope, .. } = found;
+        let whole = || Fit::new(&x, &y, 0, last).map_or(f64::NAN, |fit| fit.hurst());
+        let found = found.ok_or_else(|| NoPowerLaw::Slope { hurst: whole() })?;
+        let Fit { from, to, level, scatter, .. } = found;
+        if scatter.is_nan() || scatter >= LOOSE {
+            return Err(NoPowerLaw::Scatter { scatter });
+        }
         let q = &spectrum.wave_number;
         let wavelength = |k: usize| std::f64::consts::TAU / q[k];
-        Some(Self {
-            hurst: -0.5 * slope - 1.0,
+        Ok(Self {
+            hurst: found.hurst(),
             roll_off: (from > 0).then(|| wavelength(from)),
             cut_off: (to < last).then(|| wavelength(to)),
             range: [q[from], q[to]],
@@ -101,8 +140,12 @@ struct Fit {
 }
 
 impl Fit {
+    fn hurst(&self) -> f64 {
+        -0.5 * self.slope - 1.0
+    }
+
     fn is_self_affine(&self) -> bool {
-        (0.0..=1.0).contains(&(-0.5 * self.slope - 1.0))
+        (0.0..=1.0).contains(&self.hurst())
     }
 
     fn new(x: &[f64], y: &[f64], from: usize, to: usize) -> Option<Self> {
@@ -154,9 +197,12 @@ mod tests {
 
     #[test]
     fn a_noise_floor_is_a_cut_off_and_few_points_or_other_laws_are_none() {
-        assert!(PowerLaw::fit(&spectrum(|q| q.powf(-6.0))).is_none());
+        let reason = |spectrum| PowerLaw::fit(&spectrum).unwrap_err().to_string();
+        let steep = reason(spectrum(|q| q.powf(-6.0)));
+        assert!(steep.ends_with("from 0 to 1 (of the whole: 2.00)"), "{steep}");
         let comb = |q: f64| if (4.0 * q.log2()).round() % 2.0 > 0.5 { 1e3 } else { 1.0 };
-        assert!(PowerLaw::fit(&spectrum(|q| comb(q) * q.powf(-3.0))).is_none());
+        let combed = reason(spectrum(|q| comb(q) * q.powf(-3.0)));
+        assert!(combed.contains("scatters by 3.4"), "{combed}");
         let floor = PowerLaw::fit(&spectrum(|q| q.powf(-3.6) + 32f64.powf(-3.6))).unwrap();
         assert!((floor.hurst - 0.8).abs() < 0.08 && floor.roll_off.is_none(), "{floor:?}");
         let cut = std::f64::consts::TAU / (1e5 * floor.cut_off.unwrap());
@@ -166,6 +212,9 @@ mod tests {
             wave_number: few.wave_number[..7].to_vec(),
             density: few.density[..7].to_vec(),
         };
-        assert!(PowerLaw::fit(&few).is_none());
+        let few = reason(few);
+        assert!(few.starts_with("the radial spectrum has 7 points over 1.5 octaves"), "{few}");
+        let none = reason(PowerSpectrum { wave_number: vec![], density: vec![] });
+        assert!(none.contains("0 points"), "{none}");
     }
 }

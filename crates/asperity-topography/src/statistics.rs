@@ -1,6 +1,6 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
-use asperity_core::{Diagnostic, Surface};
+use asperity_core::{Diagnostic, ProfileMoments, Surface};
 use serde::Serialize;
 
 use crate::{Estimator, Moments, Outliers, Topography, TopographyError, warning};
@@ -224,6 +224,14 @@ impl Statistics {
     #[must_use]
     pub fn rms_curvature(&self) -> f64 {
         self.m4.sqrt()
+    }
+
+    /// The statistics of an isotropic Gaussian surface with these moments of profiles, to
+    /// [combine](Self::combined) with those of a scan.
+    #[must_use]
+    pub fn gaussian(moments: ProfileMoments) -> Self {
+        let surface = Surface::from_moments(&moments).map_err(|reason| reason.to_string());
+        Self::new([0.0, 3.0], Moments::isotropic(moments), Estimator::Moments, surface)
     }
 
     /// The statistics of the gap of two rough surfaces in contact, as one rough surface.

@@ -206,6 +206,23 @@ impl Topography {
         self.outliers.as_deref()
     }
 
+    /// The sum of two surfaces, with what is known of their heights.
+    pub(crate) fn with_history_of(
+        self,
+        first: &Self,
+        second: &Self,
+        outliers: Option<Arc<Outliers>>,
+    ) -> Self {
+        Self {
+            periodic: first.periodic && second.periodic,
+            filled: (first.filled + second.filled).min(self.measured()),
+            despiked: first.despiked + second.despiked,
+            outliers,
+            notes: [&first.notes[..], &second.notes].concat(),
+            ..self
+        }
+    }
+
     /// The surface, about to be filtered, with a record of its outliers.
     pub(crate) fn with_outliers_found(mut self) -> Self {
         if self.outliers.is_none() {

@@ -64,7 +64,8 @@ pub fn stiffness() -> Result<Table> {
     Ok(table)
 }
 
-fn pressure_axis() -> Axis {
+/// The pressure on the nominal area.
+pub(super) fn pressure_axis() -> Axis {
     Axis::new(X, "pressure F/A_n (MPa)").times(1e-6).log()
 }
 
@@ -91,7 +92,7 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
 }
 
 /// The usual correlations, with their looks and names in the legend.
-const CORRELATIONS: [(&str, usize, &str); 2] =
+pub(super) const CORRELATIONS: [(&str, usize, &str); 2] =
     [("cmy", 8, "CMY 1969, plastic"), ("mikic", 7, "Mikic 1974, elastic")];
 
 /// Conductance of every model and of the correlations where they hold, and over that of KE.

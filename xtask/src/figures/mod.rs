@@ -3,6 +3,7 @@
 mod angles;
 mod joints;
 mod laws;
+mod metals;
 pub(crate) mod models;
 mod paper;
 mod readings;
@@ -13,6 +14,8 @@ mod unloading;
 use anyhow::Result;
 use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
+
+pub(crate) use laws::some as some_laws;
 
 use crate::table::Table;
 use crate::truth::{self, Shown};
@@ -29,7 +32,7 @@ pub struct FigureSpec {
 }
 
 /// All figures: those of the paper first.
-pub const FIGURES: [FigureSpec; 17] = [
+pub const FIGURES: [FigureSpec; 18] = [
     FigureSpec {
         name: "fig04-force-roughness",
         table: || paper::roughness(Force),
@@ -85,6 +88,7 @@ pub const FIGURES: [FigureSpec; 17] = [
         table: joints::conductance,
         style: joints::conductance_figure,
     },
+    FigureSpec { name: "conductance-metals", table: metals::table, style: metals::figure },
     FigureSpec {
         name: "truth-area",
         table: || truth::table(Evidence::CSV, Shown::Area),

@@ -11,7 +11,8 @@ pub const PAPER: [&str; 9] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af", "g
 /// The curve of a model.
 pub fn curve(id: &str) -> Result<Curve> {
     let model: Model = id.parse()?;
-    let slot = PAPER.iter().position(|p| *p == id).unwrap_or(9);
+    let beside = if id == "ghaednia" { 10 } else { 9 };
+    let slot = PAPER.iter().position(|p| *p == id).unwrap_or(beside);
     let label = match id {
         "at" => "AT (as printed)",
         "etsion" => "Etsion",

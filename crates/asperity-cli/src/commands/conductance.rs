@@ -3,15 +3,18 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use asperity::joints::conductance::{Correlation, gap_conductance};
+use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
 use asperity::{At, ContactError, ContactModel, Datum, Quantity, Request, SeparationUnit};
+use asperity_plot::{Axis, Curve, Scale};
 use clap::{ArgGroup, Args};
 
-use crate::input::args::{OutputArgs, model_id};
-use crate::input::numbers::{Numbers, all, length, load, of_unit, positive, pressure};
+use crate::input::args::{DrawnArgs, model_id};
+use crate::input::numbers::{
+    Numbers, all, length, load, of_unit, positive, positive_number, pressure,
+};
 use crate::output::number::rounded;
-use crate::output::print_message;
 use crate::output::table::{Cell, Table};
+use crate::output::{once, plot, print_message};
 use crate::scene::LoadedScene;
 
 const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
@@ -22,12 +25,13 @@ const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
     group(ArgGroup::new("given").required(true)),
     after_help = "Columns: model, load_N, pressure_Pa, relative_pressure,
 thermal_conductance_per_area_W_per_m2_per_K, holds and, with --gas, the conductance of
-the gas in the gap, at the model's separation from the mean plane; the two add up.
+the gas in the gap, at the model's separation from the mean plane, and their sum, the
+total_thermal_conductance_per_area_W_per_m2_per_K.
 cmy: Cooper, Mikic & Yovanovich 1969, 1.25 k (m/sigma) (p/H)^0.95, for plastic contacts
 (plasticity_index above about 1); mikic: Mikic 1974, 1.55 k (m/sigma) (sqrt(2) p/(E m))^0.94,
 for elastic contacts. sigma and m, the standard deviation of the heights and the mean absolute
-slope, are those of the scan or, without one, of a Gaussian surface with the scene's
-asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
+slope, are those of --sigma and --mean-slope, of the scan or, without both, of a Gaussian surface
+with the scene's asperities. holds: yes where the contacts are of that kind (if a hardness is given) and the
 power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
 sqrt(2) p/(E m) of 1e-5 to 0.012).
 With --model, the models and correlations of the list only.
@@ -36,7 +40,9 @@ All values are for contacts in vacuum; the models neglect their thermal interact
 Examples:
   asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
   asperity conductance scene.toml --conductivity 50 --load 1kN --model ke,gw,jg --format csv
-  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um"
+  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --gas 0.026 --gas-parameter 0.37um
+  asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:20:log --output h.csv --plot h.svg
+  asperity conductance scene.toml --conductivity 50 --pressure 1MPa --sigma 1.4um --mean-slope 0.14"
 )]
 pub struct Conductance {
     /// Scene file; `asperity init` writes an example
@@ -61,12 +67,20 @@ pub struct Conductance {
     /// Temperature-jump distance of the gas, in m, or with a unit: about 0.37um for air at 1 bar
     #[arg(long, value_name = "M", value_parser = length, requires = "gas")]
     gas_parameter: Option<f64>,
+    /// For the correlations: sigma, the standard deviation of the heights of both surfaces together,
+    /// in m, or with a unit
+    #[arg(long, value_name = "S", value_parser = length, requires = "mean_slope")]
+    sigma: Option<f64>,
+    /// For the correlations: the mean absolute slope of both surfaces together
+    #[arg(long, value_name = "M", value_parser = positive_number, requires = "sigma")]
+    mean_slope: Option<f64>,
     #[command(flatten)]
-    output: OutputArgs,
+    output: DrawnArgs,
 }
 
 impl Conductance {
     pub fn run(self) -> Result<()> {
+        self.output.check("conductance");
         let mut scene = LoadedScene::load(&self.scene)?;
         let known = &mut scene.file.scene.interface.thermal_conductivity;
         *known = self.conductivity.or(*known);
@@ -74,7 +88,10 @@ impl Conductance {
             let how = "set it in both [[body]], or use --conductivity";
             bail!("{}: thermal_conductivity is missing: {how}", scene.name);
         }
-        let (contact, roughness) = (&scene.file.scene, scene.file.gap_roughness());
+        let contact = &scene.file.scene;
+        let given = self.sigma.zip(self.mean_slope);
+        let given = given.map(|(height_std, mean_slope)| GapRoughness { height_std, mean_slope });
+        let roughness = given.unwrap_or_else(|| scene.file.gap_roughness());
         let flat = |list: &Option<Numbers>| list.iter().flat_map(|l| l.0.clone()).collect();
         let (loads, pressures): (Vec<f64>, Vec<f64>) = (flat(&self.load), flat(&self.pressure));
         let places = loads.into_iter().map(At::Load).chain(pressures.into_iter().map(At::Pressure));
@@ -82,7 +99,9 @@ impl Conductance {
         let head = ["model", "load_N", "pressure_Pa", "relative_pressure"];
         let mut table = Table::new(&head);
         table.head.extend([CONDUCTANCE.column(), "holds".into()]);
-        table.head.extend(self.gas.map(|_| format!("gas_{}", CONDUCTANCE.column())));
+        if self.gas.is_some() {
+            table.head.extend([column("gas"), column("total")]);
+        }
         let row = |id: &str, at: &At, relative: Option<f64>, found: Option<f64>, holds: &str| {
             let numbers = [at.load(contact), at.pressure(contact), relative, found];
             let mut row = vec![Cell::from(id)];
@@ -119,14 +138,15 @@ impl Conductance {
                 compiled => compiled.with_context(context)?,
             };
             for at in &places {
-                let found = compiled.evaluate(CONDUCTANCE, *at).with_context(context)?.value();
-                let mut row = row(id, at, None, Some(found), "");
+                let contacts = compiled.evaluate(CONDUCTANCE, *at).with_context(context)?.value();
+                let mut row = row(id, at, None, Some(contacts), "");
                 if let Some(gas) = self.gas {
                     let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
                     let gap = compiled.separation(*at)?.measured_in(unit, plane, contact);
                     let gap = gap.with_context(context)?.value.max(0.0);
                     let found = gap_conductance(gas, gap, self.gas_parameter.unwrap_or(0.0));
-                    row.push(Cell::Number(Some(found.with_context(context)?)));
+                    let found = found.with_context(context)?;
+                    row.extend([found, contacts + found].map(|h| Cell::Number(Some(h))));
                 }
                 table.rows.push(row);
             }
@@ -150,7 +170,7 @@ impl Conductance {
                 let (relative, holds) = (found.relative_pressure, found.holds);
                 let holds = if holds { "yes" } else { "no" };
                 let mut row = row(id, at, Some(relative), Some(found.conductance), holds);
-                row.extend(self.gas.map(|_| Cell::Number(None)));
+                row.extend(self.gas.iter().flat_map(|_| [None, None].map(Cell::Number)));
                 table.rows.push(row);
             }
             if let Some((relative, at)) = outside {
@@ -175,19 +195,53 @@ impl Conductance {
             bail!("{}: no model of the list has a conductance", scene.name);
         }
         if !Correlation::ALL.iter().any(wanted) {
-            return self.output.write(&table);
+            return self.output.write(&table, || picture(&table));
         }
         let [sigma, slope] = [roughness.height_std, roughness.mean_slope].map(rounded);
-        let of = match scene.file.measured {
-            Some(_) => "of the scan",
-            None => "of a Gaussian surface with these asperities; a measured surface may differ",
+        let of = match (given, &scene.file.measured) {
+            (Some(_), _) => "as given",
+            (_, Some(_)) => "of the scan",
+            _ => "of a Gaussian surface with these asperities; a measured surface may differ",
         };
         print_message(
             "note",
             &format!("cmy, mikic: sigma is {sigma} m and the mean slope m {slope}, {of}"),
         );
-        self.output.write(&table)
+        self.output.write(&table, || picture(&table))
     }
+}
+
+/// The head of the conductance of the gas, or of contacts and gas together.
+fn column(part: &str) -> String {
+    format!("{part}_{}", CONDUCTANCE.column())
+}
+
+/// The conductance of the contacts and, with a gas, in total against the pressure, one curve for
+/// each model and correlation.
+fn picture(table: &Table) -> Result<String> {
+    let pressures: Vec<f64> = table.rows.iter().filter_map(|row| row[2].number()).collect();
+    let mut x = Axis::new("pressure_Pa", "pressure (Pa)");
+    x.scale = Scale::fitting(&pressures);
+    let ids: Vec<&Cell> = table.rows.iter().map(|row| &row[0]).collect();
+    let ids = once(&ids);
+    let few = table.rows.len() <= plot::MARKED * ids.len();
+    let curve = |(id, look): (&&Cell, usize)| {
+        let Cell::Text(id) = id else { return None };
+        let mut curve = Curve::new(look, id, id);
+        curve.every_point = few;
+        Some(curve)
+    };
+    let curves: Vec<Curve> = ids.iter().zip(0..).filter_map(curve).collect();
+    let (contacts, total) = (CONDUCTANCE.column(), column("total"));
+    let columns = [
+        (&*contacts, "h of the contacts (W/(m² K))"),
+        (&*total, "h of contacts and gas (W/(m² K))"),
+    ];
+    // Lines run from left to right for any order of the rows.
+    let mut sorted = table.clone();
+    let pressure = |row: &Vec<Cell>| row[2].number().unwrap_or(f64::NAN);
+    sorted.rows.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
+    plot::against(&sorted, &x, &columns, &curves)
 }
 
 /// A longer temperature-jump distance \[m\] is unlikely: that of air at 1 Pa is about 7 mm.

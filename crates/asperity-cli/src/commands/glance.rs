@@ -1,16 +1,9 @@
-//! The numbers and the picture of `asperity surface`.
+//! The numbers of `asperity surface`.
 
-use std::path::Path;
-
-use anyhow::Result;
-use asperity_plot::{ScanPicture, draw_scan};
-use asperity_topography::{Glance, Statistics, Topography};
+use asperity_topography::{Glance, Statistics};
 use serde::Serialize;
 
 use crate::output::table::{Cell, Table};
-
-/// The most points of the map on a side.
-const MAP: usize = 800;
 
 /// All numbers of a scan; of two scans their statistics alone.
 #[derive(Serialize)]
@@ -20,6 +13,8 @@ pub struct Report<'a> {
     #[serde(flatten)]
     pub glance: Option<Glance>,
 }
+
+const HURST: &str = "Hurst exponent fitted to the radial spectrum";
 
 type Row<'a> = (&'a str, Option<f64>, &'a str, &'a str);
 
@@ -92,24 +87,8 @@ fn parameters(glance: &Glance) -> [Row<'_>; 13] {
         ("str", glance.str, "", "shortest over longest: 1 for an isotropic surface"),
         ("spd", glance.spd, "1/m2", "density of peaks; hills below 5 % of sz pruned"),
         ("spc", glance.spc, "1/m", "mean curvature of these peaks"),
-        ("hurst", glance.hurst, "", "Hurst exponent fitted to the radial spectrum"),
+        ("hurst", glance.hurst, "", glance.hurst_missing.as_deref().unwrap_or(HURST)),
         ("roll_off", glance.roll_off, "m", "wavelength above which the spectrum is flat"),
         ("cut_off", glance.cut_off, "m", "wavelength below which it leaves the power law"),
     ]
-}
-
-/// The picture of a scan.
-pub fn picture(path: &Path, surface: &Topography, glance: &Glance) -> Result<String> {
-    let (heights, columns) = surface.coarse(MAP);
-    let [dx, dy] = surface.pixel_size();
-    let picture = ScanPicture {
-        title: path.file_name().map(|name| name.to_string_lossy().into()).unwrap_or_default(),
-        caption: surface.caption(glance),
-        heights,
-        columns,
-        size: [surface.columns() as f64 * dx, surface.rows() as f64 * dy],
-        marks: glance.roll_off.into_iter().chain(glance.cut_off).collect(),
-        law: glance.hurst.map(|hurst| format!("power law, H = {hurst:.2}")).unwrap_or_default(),
-    };
-    Ok(draw_scan(&picture, &surface.curves_csv(glance))?)
 }

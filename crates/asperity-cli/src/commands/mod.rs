@@ -1,5 +1,5 @@
 //! The commands, one a file, in the order of the help: scenes, answers, joints, boundary elements,
-//! tables for solvers.
+//! tables for solvers, help.
 
 mod bem;
 mod check;
@@ -12,6 +12,7 @@ mod generate;
 mod glance;
 mod history;
 mod init;
+mod manual;
 mod models;
 mod plan;
 mod pull_off;
@@ -47,6 +48,7 @@ pub enum Command {
     Bem(bem::BemCommand),
     Truth(truth::TruthCommand),
     Export(export::Export),
+    Manual(manual::Manual),
 }
 
 impl Command {
@@ -70,6 +72,7 @@ impl Command {
             Self::Bem(command) => command.run(),
             Self::Truth(command) => command.run(),
             Self::Export(command) => command.run(),
+            Self::Manual(command) => command.run(),
         }
     }
 }

@@ -1,11 +1,14 @@
 //! `asperity surface`: statistics and asperities of a scan, and a scene of it.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
 use asperity::Diagnostics;
+use asperity_plot::draw_surface;
 use asperity_topography::{
-    Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography, TopographyError,
+    Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography,
+    TopographyError,
 };
 use clap::Args;
 use clap::error::ErrorKind;
@@ -14,7 +17,7 @@ use toml::Value;
 use crate::commands::glance;
 use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
-use crate::input::numbers::{length, number, positive_numbers};
+use crate::input::numbers::{length, number};
 use crate::output::table::{Format, Table};
 use crate::output::{self, print_message, progress, report};
 
@@ -25,7 +28,8 @@ use crate::output::{self, print_message, progress, report};
 Gwyddion .gwy, SDF (ISO 25178-71), each also inside gzip.
 Units and pixel size that a file does not contain must be given as options. A scan
 of n points with spacing dx is n dx wide.
-Two files are two rough surfaces in contact: their moments are added.
+Two files are two rough surfaces in contact: their moments are added, or with
+--aligned their heights, point by point.
 --scales shows the results against the short-wavelength cut-off. Values that change
 with the cut-off describe the measurement, not the surface.
 
@@ -44,9 +48,10 @@ pub struct Surface {
     /// Unit of the heights and of the pixel size: m, cm, mm, um, nm, angstrom, pm
     #[arg(long, value_name = "UNIT")]
     unit: Option<LengthUnit>,
-    /// Distance between neighbouring points, in the unit of the heights
+    /// Distance between neighbouring points, along a row and along a column, in the unit of the
+    /// heights or with a unit: 10nm
     #[arg(long, value_name = "DX[,DY]", value_parser = pixel_size)]
-    pixel_size: Option<[f64; 2]>,
+    pixel_size: Option<[Distance; 2]>,
     /// Surface of a file with several (.gwy, .sur): its name or its number, from 1 [default: the
     /// first one with heights]
     #[arg(long, value_name = "NAME")]
@@ -78,6 +83,11 @@ pub struct Surface {
     /// Replace outliers, points far above or below their surroundings, as missing points are filled
     #[arg(long)]
     despike: bool,
+    /// Add the heights of two scans point by point: of equal row and column (as-read), or with the
+    /// rows of the second reversed (mirrored), as of two scans taken from above
+    #[arg(long, value_name = "HOW", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "as-read")]
+    aligned: Option<Alignment>,
     #[command(flatten)]
     output: OutputArgs,
     /// Write a scene that reads the files in the same way; its materials are examples, replace them
@@ -93,8 +103,9 @@ pub struct Surface {
     scales: Scales,
 }
 
-fn pixel_size(text: &str) -> Result<[f64; 2], String> {
-    match positive_numbers(text)?.0[..] {
+fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
+    let sizes = text.split(',').map(str::parse).collect::<Result<Vec<Distance>, _>>();
+    match sizes.map_err(|error| error.to_string())?[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
         ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),
@@ -118,29 +129,31 @@ impl Surface {
         }
         let (mut each, mut found, mut density) = (vec![], Diagnostics::default(), None);
         let mut glance = None;
-        for path in &self.files {
-            let of = || path.display().to_string();
-            let (raw, surface) = self.prepared(path)?;
+        let scans = self.scans()?;
+        for (name, raw, surface) in &scans {
+            let of = || name.clone();
             let statistics = surface.statistics(self.estimator).with_context(of)?;
-            let seam = asperity_scene::open_seam(&surface).into_iter();
+            let seam = asperity_scene::open_seam(surface).into_iter();
             let of_scan = seam.chain(statistics.warnings.iter().cloned());
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if self.heights.is_some() {
                 density = Some(surface.height_density().with_context(of)?);
             }
-            if self.files.len() == 1 {
+            if scans.len() == 1 {
                 let level = self.level.unwrap_or(Level::usual(self.periodic));
                 let cutoffs = [self.smooth, self.filter];
-                let found = Glance::new(&raw, level, cutoffs, &surface).with_context(of)?;
+                let found = Glance::new(raw, level, cutoffs, surface).with_context(of)?;
                 if let Some(plot) = self.scales.plot() {
-                    output::write_text(Some(plot), &glance::picture(path, &surface, &found)?)?;
+                    let title = self.names(" and ", |path| path.file_name().unwrap_or_default());
+                    output::write_text(Some(plot), &draw_surface(surface, &found, &title)?)?;
                 }
                 glance = Some(found);
             }
         }
         if let [first, second] = &each[..] {
-            let both = Statistics::combined(first, second).context(self.names(" and "))?;
+            let both = Statistics::combined(first, second)
+                .context(self.names(" and ", Path::as_os_str))?;
             let of_both = both.warnings.iter().cloned();
             found.extend(of_both.map(|found| found.from_origin("both together")));
             each.push(both);
@@ -177,14 +190,20 @@ impl Surface {
         if self.scene.is_some() && self.scene == self.heights {
             refuse("--scene and --heights name the same file; choose two names");
         }
-        if self.heights.is_some() && self.files.len() > 1 {
-            refuse("--heights takes one FILE: the height densities of two surfaces do not add");
+        let two = self.files.len() > 1;
+        if self.aligned.is_some() && !two {
+            refuse("--aligned takes two FILEs");
         }
-        if self.scales.is_requested() && self.files.len() > 1 {
+        if self.heights.is_some() && two && self.aligned.is_none() {
+            refuse(
+                "--heights takes one FILE or --aligned: the height densities of two surfaces do not add",
+            );
+        }
+        if self.scales.is_requested() && two {
             refuse("--scales takes one FILE");
         }
-        if self.scales.plot().is_some() && self.files.len() > 1 {
-            refuse("--plot takes one FILE");
+        if self.scales.plot().is_some() && two && self.aligned.is_none() {
+            refuse("--plot takes one FILE or --aligned");
         }
         if let (Some(smooth), Some(filter)) = (self.smooth, self.filter)
             && smooth >= filter
@@ -195,9 +214,23 @@ impl Surface {
         }
     }
 
-    fn names(&self, between: &str) -> String {
-        let names: Vec<String> = self.files.iter().map(|path| path.display().to_string()).collect();
-        names.join(between)
+    fn names(&self, between: &str, part: impl Fn(&Path) -> &OsStr) -> String {
+        let names = self.files.iter().map(|path| part(path).to_string_lossy().into_owned());
+        names.collect::<Vec<_>>().join(between)
+    }
+
+    /// The scans, or the sum of two that are aligned: names, as read, and prepared.
+    fn scans(&self) -> Result<Vec<(String, Topography, Topography)>> {
+        let scan = |path: &PathBuf| {
+            let (raw, surface) = self.prepared(path)?;
+            Ok((path.display().to_string(), raw, surface))
+        };
+        let scans = self.files.iter().map(scan).collect::<Result<Vec<_>>>()?;
+        let (Some(alignment), [one, two]) = (self.aligned, &scans[..]) else { return Ok(scans) };
+        let name = self.names(" and ", Path::as_os_str);
+        let raw = one.1.facing(&two.1, alignment).context(name.clone())?;
+        let surface = one.2.facing(&two.2, alignment).context(name.clone())?;
+        Ok(vec![(name, raw, surface)])
     }
 
     /// The surface against the short-wavelength cut-off.
@@ -223,7 +256,8 @@ impl Surface {
         let Self { unit, pixel_size, max_missing, .. } = *self;
         let channel = self.channel.clone();
         let options = ReadOptions { unit, pixel_size, max_missing, channel };
-        let read = asperity_topography::read(path, &options)?.with_periodic(self.periodic);
+        let read = asperity_topography::read(path, &options).map_err(with_option)?;
+        let read = read.with_periodic(self.periodic);
         let of = || path.display().to_string();
         let clean = if self.despike { read.despiked().with_context(of)? } else { read };
         let levelled = clean.clone().levelled(self.level);
@@ -245,9 +279,17 @@ impl Surface {
             [one] => vec![("file", one.clone())],
             both => vec![("files", both.to_vec().into())],
         };
-        let pixel_size = |[across, down]: [f64; 2]| match across.total_cmp(&down).is_eq() {
-            true => Value::from(across),
-            false => vec![across, down].into(),
+        let distance = |given: Distance| {
+            let text = given.to_string();
+            text.parse::<f64>().map_or(Value::from(text), Value::from)
+        };
+        let pixel_size = |[across, down]: [Distance; 2]| match across == down {
+            true => distance(across),
+            false => vec![distance(across), distance(down)].into(),
+        };
+        let aligned = |alignment| match alignment {
+            Alignment::AsRead => Value::from(true),
+            Alignment::Mirrored => "mirrored".into(),
         };
         let heights = self.heights.as_deref().map(|file| beside(path, file)).transpose()?;
         let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
@@ -266,11 +308,24 @@ impl Surface {
             ("max_missing", max_missing.map(Value::from)),
             ("fill_missing", true_where(self.fill_missing)),
             ("despike", true_where(self.despike)),
+            ("aligned", self.aligned.map(aligned)),
             ("heights", heights.map(Value::from)),
         ];
         keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
-        Ok(asperity_scene::template_on(&statistics.surface()?, &keys))
+        Ok(asperity_scene::template_on(statistics.surface().ok().as_ref(), &keys))
     }
+}
+
+/// The error of a reader, with the option that states what the file does not.
+fn with_option(error: TopographyError) -> anyhow::Error {
+    let TopographyError::File { source, .. } = &error else { return error.into() };
+    let option = match **source {
+        TopographyError::UnitMissing => "--unit",
+        TopographyError::PixelSizeMissing => "--pixel-size",
+        TopographyError::TooManyMissing { .. } => "--max-missing",
+        _ => return error.into(),
+    };
+    anyhow!("{error} ({option})")
 }
 
 /// The path of a file in a scene file at `scene`: relative where the file is in the folder of the

@@ -143,11 +143,6 @@ pub fn turning_loads(text: &str) -> Result<Numbers, String> {
     })
 }
 
-/// Numbers that are all above 0.
-pub fn positive_numbers(text: &str) -> Result<Numbers, String> {
-    Numbers::read(text, positive_number)
-}
-
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
     of_unit(text, "N").and_then(not_0)
@@ -328,7 +323,7 @@ mod tests {
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
-        assert!(positive_numbers("1,0").is_err() && positive_number("-1").is_err());
+        assert!(positive_number("0").is_err() && positive_number("-1").is_err());
         assert!(Span::even("1:3:4:log", number).is_err());
     }
 }

@@ -313,4 +313,30 @@ fn a_wave_is_solved_although_it_has_no_asperities() {
     assert!(surface.messages.contains("no asperities for asperity models"), "{}", surface.messages);
     let kurtosis = surface.out.lines().find(|line| line.starts_with("sku ")).unwrap();
     assert!(kurtosis.split_whitespace().nth(1) == Some("1.5"), "{kurtosis}");
+    // Models without asperities, and the comparison with them, need none either.
+    for line in ["curve declared.toml --model bem,persson", "truth declared.toml"] {
+        let run = bench.run(&format!("{line} --pressure 1e5 --format csv"));
+        assert_eq!(run.code, Some(0), "{line}: {}", run.messages);
+        let ids = crate::bench::cells(&run.out, "model");
+        assert!(ids.contains(&"bem") && ids.contains(&"persson"), "{line}: {ids:?}");
+        assert!(!ids.contains(&"gw"), "{line}: {ids:?}");
+    }
+    let truth = bench.run("truth declared.toml --pressure 1e5").messages;
+    let line = truth.lines().find(|line| line.starts_with("note: left out: gw, "));
+    assert!(line.is_some_and(|line| line.contains("bandwidth")), "{truth}");
+    let made = "surface line.txt --unit m --pixel-size 0.015625 --periodic --scene made.toml";
+    assert_eq!(bench.run(made).code, Some(0));
+    assert_eq!(bench.run("bem made.toml --pressure 1e5").code, Some(0));
+}
+
+#[test]
+fn the_model_bem_says_which_boundary_it_uses_and_what_the_command_says() {
+    let bench = bench();
+    let command = bench.run("bem scan.toml --pressure 1e7").messages;
+    let model = bench.run("curve scan.toml --model bem --pressure 1e7 --format csv").messages;
+    let codes = ["its periodic component is used", "patches", "the shortest waves are"];
+    for text in codes.into_iter().filter(|text| command.contains(text)) {
+        assert_eq!(model.matches(text).count(), 1, "{text}\n{model}\n{command}");
+    }
+    assert!(command.contains(codes[0]), "{command}");
 }

@@ -71,6 +71,9 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     let gap = column(&curve, "separation_m")[0];
     let wanted = gap_conductance(0.026, gap, 0.37e-6).unwrap();
     assert!((gas[0].unwrap() / wanted - 1.0).abs() < 1e-9 && gas[2].is_none(), "{gas:?} {wanted}");
+    let total = column_of(&run.out, "total_thermal_conductance_per_area_W_per_m2_per_K");
+    assert_eq!(total[0], Some(found[0].unwrap() + gas[0].unwrap()));
+    assert!(total[2..].iter().all(Option::is_none), "{total:?}");
     for printed in
         ["cmy: p/H is 0.05 at a pressure of 1e8 Pa, outside the range of", "mean slope m"]
     {
@@ -97,4 +100,27 @@ fn correlations_of_conductance_stand_beside_the_models_with_where_they_hold() {
     assert!(soft.messages.contains("left out: cmy: hardness is missing"), "{}", soft.messages);
     let none = bench.run("conductance soft.toml --pressure 100");
     assert!(none.code == Some(1) && none.messages.contains("thermal_conductivity is missing"));
+}
+
+#[test]
+fn sigma_and_slope_of_the_correlations_may_be_given_and_curves_are_drawn() {
+    use asperity::joints::conductance::{GapRoughness, cooper_mikic_yovanovich};
+    let bench = Bench::new();
+    let asked = "conductance scene.toml --conductivity 50 --pressure 1e5:1e7:20:log --format csv";
+    let run = bench.run(&format!(
+        "{asked} --sigma 1.4um --mean-slope 0.14 --gas 0.026 --gas-parameter 0.37um --plot h.svg"
+    ));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(run.messages.contains("mean slope m 0.14, as given"), "{}", run.messages);
+    let roughness = GapRoughness { height_std: 1.4e-6, mean_slope: 0.14 };
+    let wanted = cooper_mikic_yovanovich(50.0, &roughness, 1e5, 2e9).unwrap().conductance;
+    let found = column_of(&run.out, "thermal_conductance_per_area_W_per_m2_per_K");
+    assert!((found[20].unwrap() / wanted - 1.0).abs() < 1e-12, "{found:?} {wanted}");
+    let picture = std::fs::read_to_string(bench.path("h.svg")).unwrap();
+    for label in ["ke", "cmy", "mikic", "h of contacts and gas"] {
+        assert!(picture.contains(label), "{label}");
+    }
+    for wrong in ["--sigma 1um", "--sigma 1um --mean-slope -1"] {
+        assert_eq!(bench.run(&format!("{asked} {wrong}")).code, Some(2), "{wrong}");
+    }
 }

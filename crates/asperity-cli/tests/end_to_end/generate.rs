@@ -21,7 +21,8 @@ fn both_files_hold_the_heights_of_the_library() {
     let surface = surface.hurst(0.7).unwrap().rms_height(0.3e-6).unwrap().seed(7);
     let surface = surface.lay(2.0, 30.0).unwrap().skewness(-0.8).unwrap();
     let map = surface.map([96, 128]).unwrap();
-    let (unit, pixel_size) = (Some("m".parse().unwrap()), Some([0.5e-6, 0.4e-6]));
+    let pixel_size = Some([0.5e-6, 0.4e-6].map(Into::into));
+    let unit = Some("m".parse().unwrap());
     let options = ReadOptions { unit, pixel_size, ..ReadOptions::default() };
     for (name, options) in [("s.npy", options), ("s.x3p", ReadOptions::default())] {
         let found = read(&bench.path(name), &options).unwrap();

@@ -18,5 +18,7 @@ mod readme;
 mod slip;
 mod solve;
 mod surface;
+mod surface_report;
 mod truth;
+mod two_surfaces;
 mod usage;

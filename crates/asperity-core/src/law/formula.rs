@@ -168,6 +168,13 @@ impl Sampler for Formula {
         }
     }
 
+    fn is_costly(&self) -> bool {
+        match self {
+            Self::Powers(_) => false,
+            Self::Function { sampler, .. } => sampler.is_costly(),
+        }
+    }
+
     fn finer(&self, tolerance: f64) -> Option<Arc<dyn Sampler>> {
         match self {
             Self::Powers(_) => None,

@@ -132,6 +132,25 @@ impl Surface {
         Ok(Self { asperity_radius, asperity_density, asperity_height_std })
     }
 
+    /// From the numbers that correlations of conductance use, and the density of the summits: the
+    /// standard deviation of the surface heights σ \[m\], the mean absolute slope of profiles m and
+    /// η \[1/m²\] of an isotropic Gaussian surface: m₀ = σ², m₂ = π m²/2, m₄ = 6√3 π η m₂.
+    /// \[derived\]
+    ///
+    /// # Errors
+    /// [`ContactError`] when an input is not positive; those of [`from_moments`](Self::from_moments).
+    pub fn from_mean_slope(
+        surface_height_std: f64,
+        mean_slope: f64,
+        asperity_density: f64,
+    ) -> Result<Self, ContactError> {
+        let m0 = positive("surface_height_std", surface_height_std)?.powi(2);
+        let m2 = 0.5 * std::f64::consts::PI * positive("mean_slope", mean_slope)?.powi(2);
+        let density = positive("asperity_density", asperity_density)?;
+        let m4 = 6.0 * 3f64.sqrt() * std::f64::consts::PI * density * m2;
+        Self::from_moments(&ProfileMoments { m0, m2, m4 })
+    }
+
     /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
     /// surface heights Sq \[m\], the density of peaks Spd \[1/m²\] and their mean curvature Spc
     /// \[1/m\]. The peaks are taken for the asperities: η = Spd, R = 1/Spc.
@@ -199,6 +218,21 @@ mod tests {
         assert!((surface.asperity_radius / 3.589_894_5e-4 - 1.0).abs() < 1e-7);
         assert!((surface.asperity_density / 1.114_238_86e8 - 1.0).abs() < 1e-7);
         assert!((surface.roughness_parameter() - 0.04).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_mean_slope_leads_to_the_moments_of_gaussian_profiles() {
+        let surface = Surface::from_mean_slope(1.5e-6, 0.1, 2e9).unwrap();
+        let moments = surface.moments();
+        // The mean of |x| of a normal x is √(2/π) standard deviations.
+        let slope = (2.0 * moments.m2 / std::f64::consts::PI).sqrt();
+        for (found, given) in
+            [(slope, 0.1), (moments.m0.sqrt(), 1.5e-6), (surface.asperity_density, 2e9)]
+        {
+            assert!((found / given - 1.0).abs() < 1e-14, "{found}");
+        }
+        let refused = Surface::from_mean_slope(1.5e-6, 0.0, 2e9).unwrap_err().to_string();
+        assert!(refused.starts_with("mean_slope is 0.0"), "{refused}");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test binary: a panic is the failure")]
 
 mod cycles;
+mod element;
 mod energy;
 mod forces;
 mod references;

@@ -61,7 +61,8 @@ __all__ = [
 
 _Floats: TypeAlias = npt.NDArray[np.float64]
 _Float: TypeAlias = SupportsFloat | SupportsIndex
-_Spacing: TypeAlias = _Float | tuple[_Float, _Float]
+_Distance: TypeAlias = _Float | str
+_Spacing: TypeAlias = _Distance | tuple[_Distance, _Distance]
 # Fields by name.
 _Fields: TypeAlias = dict[str, Any]
 # The Rows of the package.
@@ -151,6 +152,11 @@ class Surface:
     def from_surface_std(
         asperity_radius: _Number, asperity_density: _Number, surface_height_std: _Number
     ) -> Surface: ...
+    def against(self, other: Surface) -> Surface: ...
+    @staticmethod
+    def from_mean_slope(
+        surface_height_std: _Number, mean_slope: _Number, asperity_density: _Number
+    ) -> Surface: ...
     asperity_radius: Final[float]
     asperity_density: Final[float]
     asperity_height_std: Final[float]
@@ -239,8 +245,8 @@ def pull_off(
 ) -> tuple[float, float] | None: ...
 def in_si(numbers: Any, si: str) -> Any: ...
 def correlated(
-    name: str, scene: Scene, pressures: _Floats
-) -> tuple[tuple[list[float], list[float], list[bool]], list[float], float | None]: ...
+    name: str, rows: _Rows, given: tuple[float, float] | None
+) -> tuple[tuple[_Floats, _Floats, npt.NDArray[np.bool_]], list[float], float | None]: ...
 def gap_conductance(conductivity: _Float, gap: _Float, gas_parameter: _Float) -> float: ...
 def svg(
     csv: str, x: tuple[str, str, bool], y: Sequence[tuple[str, str, bool]], curve: str
@@ -283,6 +289,7 @@ class Topography:
     def surface(
         self, level: str | None = None, estimator: str = "moments", cutoff: _Float | None = None
     ) -> Surface: ...
+    def facing(self, other: Topography, mirrored: bool = False) -> Topography: ...
     def against(self, other: Topography) -> Surface: ...
     def level(self, form: str | None = None) -> Topography: ...
     def fill(self) -> Topography: ...
@@ -401,7 +408,12 @@ class JointTable:
         tolerance: _Float,
         separation_unit: str,
     ) -> JointTable: ...
-    def step(self, separation: _Float, closest: _Float = ...) -> tuple[float, float, float]: ...
+    @overload
+    def step(self, separation: _Float, closest: _Float | None = ...) -> tuple[float, float, float]: ...
+    @overload
+    def step(
+        self, separation: npt.ArrayLike, closest: npt.ArrayLike | None = ...
+    ) -> tuple[_Floats, _Floats, _Floats]: ...
     def history(self, separation: npt.ArrayLike) -> tuple[_Floats, _Floats]: ...
     ends: Final[tuple[float, float]]
     law: Final[str]
@@ -482,7 +494,12 @@ def bem(
     boundary: str | None,
     maps_and_mask: tuple[bool, bool],
 ) -> tuple[
-    dict[str, _Floats], tuple[_Floats, _Floats] | None, tuple[int, int], dict[int, str], str
+    dict[str, _Floats],
+    tuple[_Floats, _Floats] | None,
+    tuple[int, int],
+    dict[int, str],
+    str,
+    float,
 ]: ...
 def truth(
     scene: Scene,

@@ -25,7 +25,7 @@ class BemContacts:
     Numbers have the shape of the argument; maps add rows and columns to it.
     """
 
-    #: Load on the nominal area of the scene, or on the scan [N].
+    #: Load on the nominal area [N].
     load: Floats
     #: Mean pressure [Pa].
     pressure: Floats
@@ -51,6 +51,8 @@ class BemContacts:
     failures: Mapping[int, str]
     #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
     boundary: str
+    #: The area of the loads [m^2]: the nominal area of the scene or, without one, that of the scan.
+    nominal_area: float
 
     def __repr__(self) -> str:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
@@ -120,8 +122,8 @@ def bem(
         A scan; a scene whose file names a scan ([surface] file = ...), with the levelling and
         filter of that file; or heights [m], row by row, pressed as they are.
     pressure, load, gap : array_like
-        One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or on the
-        scan, or mean gaps [m].
+        One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or, without a
+        scene, on the area of the scan, or mean gaps [m]. ``BemContacts.nominal_area`` is that area.
     interface : Interface
         The two bodies; for a Topography and for heights.
     pixel_size : float or (float, float)
@@ -165,7 +167,7 @@ def bem(
         scan = surface
     else:
         scan, level = _scan(surface, pixel_size), level or "none"
-    numbers, kept, (rows, columns), failures, used = _asperity.bem(
+    numbers, kept, (rows, columns), failures, used, area = _asperity.bem(
         (scan, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
     )
 
@@ -181,7 +183,12 @@ def bem(
         contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
     pressures, gaps = (None, None) if kept is None else (shaped(k, rows, columns) for k in kept)
     return BemContacts(
-        **contacts, pressures=pressures, gaps=gaps, failures=failures, boundary=used
+        **contacts,
+        pressures=pressures,
+        gaps=gaps,
+        failures=failures,
+        boundary=used,
+        nominal_area=area,
     )
 
 

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import place
-from asperity._asperity import ContactWarning, Scene, floats, in_si
+from asperity._arguments import Rows, SceneLike, one_number, place
+from asperity._asperity import ContactWarning, in_si
 from asperity._scene import Floats
 
 
@@ -28,18 +28,22 @@ class Correlated:
 
 def correlated_conductance(
     correlation: str,
-    scene: Scene,
+    scene: SceneLike,
     *,
     load: npt.ArrayLike | None = None,
     pressure: npt.ArrayLike | None = None,
+    surface_height_std: float | str | None = None,
+    mean_slope: float | None = None,
 ) -> Correlated:
     """Thermal contact conductance by a correlation, for comparison with the quantity
     "thermal-conductance-per-area" of the models.
 
     "cmy" is Cooper, Mikic & Yovanovich 1969, for plastic contacts; "mikic" Mikic 1974, for elastic
-    ones. Both are for nominally flat rough surfaces in vacuum, and use heights and slopes of the scan
-    or, without one, of a Gaussian surface with the scene's asperities. The interface needs a
-    ``thermal_conductivity``; a warning names pressures outside the range of the correlation.
+    ones. Both are for nominally flat rough surfaces in vacuum, and use ``surface_height_std`` [m] and
+    ``mean_slope`` (mean absolute, of profiles; both of the two surfaces together) if given, otherwise
+    those of the scan or, without one, of a Gaussian surface with the scene's asperities. The
+    interface needs a ``thermal_conductivity``; a warning names pressures outside the range of the
+    correlation. Many scenes are broadcast against loads and pressures, as in ``Model.solve``.
 
     >>> import asperity
     >>> steel = asperity.Body(210e9, 0.3, hardness=2e9, thermal_conductivity=50.0)
@@ -47,14 +51,20 @@ def correlated_conductance(
     >>> scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
     >>> asperity.correlated_conductance("cmy", scene, pressure=[1e5, 1e6]).conductance.round()
     array([ 152., 1351.])
+    >>> softer = scene.vary(hardness=[1e9, 2e9])
+    >>> asperity.correlated_conductance("cmy", softer, pressure=1e5).conductance.round()
+    array([294., 152.])
     """
     axis, given = place(None, load, pressure, "m")
-    numbers = floats(given, axis)
-    pressures = numbers / scene.nominal_area if axis == "load" else numbers
-    columns, (first, last), foreign = _asperity.correlated(
-        correlation, scene, pressures.ravel()
-    )
-    conductance, relative, holds = (np.array(c).reshape(numbers.shape) for c in columns)
+    if (surface_height_std is None) != (mean_slope is None):
+        raise TypeError("surface_height_std and mean_slope go together: give both, or neither")
+    rows, roughness = Rows(scene, axis, given), None
+    if surface_height_std is not None and mean_slope is not None:
+        std = one_number("surface_height_std", in_si(surface_height_std, "m"))
+        roughness = std, one_number("mean_slope", mean_slope)
+    columns, (first, last), foreign = _asperity.correlated(correlation, rows, roughness)
+    missing = np.zeros(len(columns[0]), dtype=bool)
+    conductance, relative, holds = (rows.shaped(column, missing) for column in columns)
     if foreign is not None and holds.size:
         side = "at least 1" if correlation == "cmy" else "below 1"
         message = (

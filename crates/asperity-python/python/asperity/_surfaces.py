@@ -65,7 +65,7 @@ def random_surface(
 def read(
     path: str | PathLike[str],
     unit: str | None = None,
-    pixel_size: float | tuple[float, float] | None = None,
+    pixel_size: float | str | tuple[float | str, float | str] | None = None,
     max_missing: float = 0.1,
     fill_missing: bool = False,
     channel: str | None = None,
@@ -73,7 +73,7 @@ def read(
     """A scan from a file: text (matrix, XYZ points, profile), NumPy .npy, X3P, Digital Surf SUR,
     Gwyddion .gwy or SDF, each also inside gzip.
 
-    ``unit`` and ``pixel_size``, in that unit, are required for files without them. A larger share of
+    ``unit`` and ``pixel_size``, in that unit or as "10 nm", are required for files without them. A larger share of
     missing points than ``max_missing`` is an error; ``fill_missing`` fills missing points, up to 5 %
     of all, by ``Topography.fill``. ``channel`` is the name or number of a surface in a file of
     several. Files of other formats raise ``UnsupportedFormat``: ``topography`` reads many of them.

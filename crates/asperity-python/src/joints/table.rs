@@ -1,18 +1,20 @@
 //! `JointTable`: loading, unloading and reloading, for codes that step in time.
 
 use asperity::joints;
-use asperity::{Datum, Separation, SeparationUnit, Tolerance};
+use asperity::{ContactError, Datum, Separation, SeparationUnit, Tolerance};
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyFloat, PyTuple};
 
 use crate::convert::axis::Axis;
 use crate::convert::error::{value_error, warn};
-use crate::convert::numbers::floats;
+use crate::convert::numbers::{floats, scalar};
 use crate::joints::SIGMAS;
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
+/// Three answers: floats, or arrays of one shape.
+type Three<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, Bound<'py, PyAny>);
 /// Numbers in the shape of the argument.
 type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 
@@ -20,7 +22,8 @@ type Column<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// unloading curve, in some tens of nanoseconds.
 ///
 /// Made by ``Model.joint_table``. Separations are in ``separation_unit``, from the scene's plane.
-/// The state of a joint is its closest approach: infinity for a new one.
+/// The state of a joint is its closest approach, infinity for a new one: many joints, as the nodes
+/// of a mesh, are arrays of separations and closest approaches, and saving the latter saves them.
 #[pyclass(frozen, module = "asperity")]
 pub(crate) struct JointTable {
     model: Py<Engine>,
@@ -85,12 +88,53 @@ impl JointTable {
     }
 
     /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint whose
-    /// closest approach so far is ``closest``; the returned one is that of the next step.
-    #[pyo3(signature = (separation, closest=f64::INFINITY))]
-    fn step(&self, py: Python<'_>, separation: f64, closest: f64) -> PyResult<(f64, f64, f64)> {
-        let reply = self.table.at(self.above_mean(separation), self.above_mean(closest));
-        let reply = reply.map_err(|error| self.model.get().raise(py, error))?;
-        Ok((reply.force, reply.stiffness, closest.min(separation)))
+    /// closest approach so far is ``closest``; the returned one is that of the next step. Floats
+    /// give floats; arrays, broadcast, are many joints at once.
+    ///
+    /// The stiffness is the exact derivative of the force. In Newton's method every iteration of a
+    /// step starts from the ``closest`` of the last converged one.
+    ///
+    /// >>> import asperity, numpy as np
+    /// >>> scene = asperity.Scene.parse(asperity.template())
+    /// >>> table = asperity.model("ke").joint_table(scene, 0.0, 4.0)
+    /// >>> force, stiffness, closest = table.step(np.array([1.0, 2.0, 3.0]))
+    /// >>> force, stiffness, closest = table.step(np.array([1.1, 2.1, 2.9]), closest)
+    /// >>> force.round(2), closest
+    /// (array([1609.77,  137.  ,   12.92]), array([1. , 2. , 2.9]))
+    #[pyo3(signature = (separation, closest=None))]
+    fn step<'py>(
+        &self,
+        separation: &Bound<'py, PyAny>,
+        closest: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Three<'py>> {
+        let py = separation.py();
+        let closest = match closest {
+            Some(closest) => closest,
+            None => &PyFloat::new(py, f64::INFINITY).into_any(),
+        };
+        if let Some((separation, closest)) = scalar(separation).zip(scalar(closest)) {
+            let three = self.one(separation, closest);
+            let three = three.map_err(|error| self.model.get().raise(py, error))?;
+            let [force, stiffness, closest] = three.map(|x| PyFloat::new(py, x).into_any());
+            return Ok((force, stiffness, closest));
+        }
+        let [separation, closest] = broadcast(separation, closest)?;
+        let (separation, closest) = (separation.readonly(), closest.readonly());
+        let (given, states) = (separation.as_slice()?, closest.as_slice()?);
+        let stepped = py.detach(|| {
+            let mut columns = [(); 3].map(|()| Vec::with_capacity(given.len()));
+            for (separation, closest) in given.iter().zip(states) {
+                let three = self.one(*separation, *closest)?;
+                columns.iter_mut().zip(three).for_each(|(column, value)| column.push(value));
+            }
+            Ok(columns)
+        });
+        let columns = stepped.map_err(|error| self.model.get().raise(py, error))?;
+        let [force, stiffness, closest] = columns.map(|column| {
+            let shaped = PyArray1::from_vec(py, column).reshape(separation.shape());
+            shaped.map(Bound::into_any)
+        });
+        Ok((force?, stiffness?, closest?))
     }
 
     /// Force [N] and stiffness [N/m] of a new joint along a sequence of separations.
@@ -132,8 +176,33 @@ impl JointTable {
 }
 
 impl JointTable {
+    /// Force, stiffness and closest approach, for numbers in the table's unit.
+    fn one(&self, separation: f64, closest: f64) -> Result<[f64; 3], ContactError> {
+        let reply = self.table.at(self.above_mean(separation), self.above_mean(closest))?;
+        Ok([reply.force, reply.stiffness, closest.min(separation)])
+    }
+
     /// A separation from the mean of the asperity heights [m].
     fn above_mean(&self, separation: f64) -> f64 {
         self.metres * separation + self.plane
+    }
+}
+
+/// Separations and closest approaches in one shape.
+fn broadcast<'py>(
+    separation: &Bound<'py, PyAny>,
+    closest: &Bound<'py, PyAny>,
+) -> PyResult<[Column<'py>; 2]> {
+    let pair = (floats(separation, "separation")?, floats(closest, "closest")?);
+    if pair.0.shape() == pair.1.shape() {
+        return Ok([pair.0, pair.1]);
+    }
+    let numpy = separation.py().import("numpy")?;
+    let both: Vec<Bound<'py, PyAny>> = numpy.call_method1("broadcast_arrays", pair)?.extract()?;
+    match &both[..] {
+        [separation, closest] => {
+            Ok([floats(separation, "separation")?, floats(closest, "closest")?])
+        }
+        _ => Err(value_error("separation and closest: two arrays were required")),
     }
 }

@@ -193,6 +193,10 @@ struct PythonLaw {
 }
 
 impl Sampler for PythonLaw {
+    fn is_costly(&self) -> bool {
+        true
+    }
+
     fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
         Python::attach(|py| {
             let mut values = || -> PyResult<()> {

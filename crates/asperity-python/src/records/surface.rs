@@ -1,6 +1,6 @@
 //! `Surface` and `Asperity`.
 
-use asperity::ContactError;
+use asperity::{ContactError, ProfileMoments};
 use asperity_scene::Roughness;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -92,6 +92,40 @@ record! {
             Self::following(Roughness::SurfaceStd([radius, density, std]))
         }
 
+        /// The surface whose gap to a flat is that between this surface and an independent one:
+        /// moments of profiles add. They are those given to ``from_moments``, or those of an
+        /// isotropic Gaussian surface with these asperities (and this Sq).
+        ///
+        /// >>> import asperity
+        /// >>> one = asperity.Surface.from_moments(1e-12, 1e-4, 5e4)
+        /// >>> two = asperity.Surface.from_iso25178("0.4 um", "300 1/mm2", "4 1/mm")
+        /// >>> round(one.against(two).asperity_height_std, 9)
+        /// 1.015e-06
+        fn against(&self, other: &Bound<'_, Self>) -> PyResult<Self> {
+            let sum = self.moments()?.plus(&other.get().moments()?);
+            Self::following(Roughness::Moments([sum.m0, sum.m2, sum.m4]))
+        }
+
+        /// From the standard deviation of the surface heights [m] and the mean absolute slope of
+        /// profiles of an isotropic Gaussian surface, which correlations of conductance use, and the
+        /// density of the summits [1/m^2].
+        ///
+        /// >>> import asperity
+        /// >>> surface = asperity.Surface.from_mean_slope("1 um", 0.1, "4000 1/mm2")
+        /// >>> round(surface.asperity_radius, 9)
+        /// 1.4679e-05
+        #[staticmethod]
+        fn from_mean_slope(
+            surface_height_std: &Arg<'_>, mean_slope: &Arg<'_>, asperity_density: &Arg<'_>,
+        ) -> PyResult<Self> {
+            let [std, slope, density] = numbers("Surface", [
+                ("surface_height_std", surface_height_std),
+                ("mean_slope", mean_slope),
+                ("asperity_density", asperity_density),
+            ])?;
+            Self::following(Roughness::MeanSlope([std, slope, density]))
+        }
+
         /// Density times radius times height_std.
         #[getter]
         fn roughness_parameter(&self) -> f64 {
@@ -112,6 +146,10 @@ impl Surface {
         Self::checked(made.map_err(refused)?)
     }
 
+    fn moments(&self) -> PyResult<ProfileMoments> {
+        self.1.map_or(Ok(self.0.moments()), |roughness| roughness.moments().map_err(refused))
+    }
+
     fn following(roughness: Roughness) -> PyResult<Self> {
         Ok(Self(roughness.surface().map_err(refused)?, Some(roughness)))
     }
@@ -126,6 +164,7 @@ impl Origin<Surface> for Option<Roughness> {
         let name = match roughness {
             Roughness::Moments(_) => "from_moments",
             Roughness::Iso25178(_) => "from_iso25178",
+            Roughness::MeanSlope(_) => "from_mean_slope",
             _ => "from_surface_std",
         };
         let numbers = PyTuple::new(record.py(), roughness.numbers())?;

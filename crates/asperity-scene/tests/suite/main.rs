@@ -9,5 +9,6 @@ mod options;
 mod random_asperities;
 mod scene_files;
 mod tabulated_heights;
+mod two_surfaces;
 mod units;
 mod written;

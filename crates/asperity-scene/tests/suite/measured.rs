@@ -61,8 +61,8 @@ fn errors_of_a_measured_surface_name_line_and_field() {
         ("file = \"a\"\nunit = \"miles\"", ":9: surface.unit is \"miles\": one of \"m\", \"cm\", "),
         ("file = \"a\"\nunit = \"Um\"", "the nearest is \"um\""),
         (
-            "file = \"a\"\npixel_size = \"1 um\"",
-            ":9: surface.pixel_size is \"1 um\": a length in the unit",
+            "file = \"a\"\npixel_size = \"1 mile\"",
+            ":9: surface.pixel_size is \"1 mile\": a length in the unit",
         ),
         ("file = \"a\"\npixel_size = 0", "surface.pixel_size is 0.0: a finite length above 0"),
         ("file = \"a\"\npixel_size = [1, 2, 3]", "surface.pixel_size is [1, 2, 3]: a length"),
@@ -212,7 +212,10 @@ fn measured_heights_smooth_and_periodic_are_applied() {
     assert!((options.sq - topography.statistics(Estimator::Moments).unwrap().sq).abs() < 1e-20);
     let two = scene(&directory, "files = [\"a.txt\", \"a.txt\"]\nheights = \"measured\"");
     let two = two.unwrap_err().to_string();
-    assert!(two.contains("one file: the heights of two surfaces do not add"), "{two}");
+    assert!(
+        two.contains("one file or aligned scans: the heights of two surfaces do not add"),
+        "{two}"
+    );
 }
 
 #[test]

@@ -94,6 +94,11 @@ fn models_that_a_scene_does_not_allow_are_left_out_with_the_reason() {
     let file = parse(text, Path::new(".")).unwrap();
     let (models, left_out) = file.models();
     assert_eq!(models.len(), Model::all_random().len());
+    // Like bodies that harden have a model more.
+    let hardening = text.replace("hardness = 2e9", "hardness = 2e9\n        tangent_modulus = 2e9");
+    let with_it = parse(&hardening, Path::new(".")).unwrap().models().0;
+    let ids = with_it[models.len()..].iter().map(|model| model.id());
+    assert_eq!(ids.collect::<Vec<_>>(), ["ghaednia"]);
     let ids: Vec<&str> = left_out.iter().map(|left| left.id.as_str()).collect();
     assert_eq!(ids, ["gao", "at", "at-additive", "at-overlap"]);
     assert!(left_out[0].reason.to_string().starts_with("equivalent_shear_modulus is missing"));

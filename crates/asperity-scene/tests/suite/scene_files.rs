@@ -90,6 +90,9 @@ fn every_way_gives_the_surface_of_the_library() {
     let of_surface = SURFACE.replace("asperity_height_std", "surface_height_std");
     let wanted = Surface::from_surface_std(3.59e-4, 1.11e8, 1e-6).unwrap();
     assert_eq!(read(&text("", INTERFACE, &of_surface)).unwrap().scene.surface, wanted);
+    let slope = "[surface]\nsurface_height_std = 1e-6\nmean_slope = 0.1\nasperity_density = 2e9";
+    let wanted = Surface::from_mean_slope(1e-6, 0.1, 2e9).unwrap();
+    assert_eq!(read(&text("", INTERFACE, slope)).unwrap().scene.surface, wanted);
     // Parameters in the units of the instrument.
     let iso = "[surface]\nsq = \"1 um\"\nspd = \"111 1/mm2\"\nspc = \"2.5 1/mm\"";
     let wanted = Surface::from_surface_std(1.0 / 2500.0, 1.11e8, 1e-6).unwrap();
@@ -113,6 +116,12 @@ fn every_way_gives_the_surface_of_the_library() {
             format!("{SURFACE}heights = \"measured\""),
             "a measured file, from which the heights are taken",
         ),
+        (
+            slope.replace("surface_height_std = 1e-6\n", ""),
+            "surface_height_std, mean_slope, asperity_density go together",
+        ),
+        (format!("{SURFACE}mean_slope = 0.1"), "asperity_density and surface_height_std with it"),
+        (format!("{iso}\nmean_slope = 0.1"), "asperity_density and surface_height_std with it"),
         // Too little roughness for so many peaks.
         (iso.replace("1 um", "1 nm"), "roughness_parameter is 4.44e-5"),
     ] {

@@ -115,6 +115,7 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
         &two,
         &format!("{asperities}surface_height_std = 1.1e-6\nasperities = \"random\""),
         &format!("{asperities}asperity_height_std = 1e-6\nheights = \"exponential\""),
+        &"surface_height_std = \"1 um\"\nmean_slope = 0.1\nasperity_density = 2e9".to_string(),
         &format!(
             "{asperities}asperity_height_std = 1e-6\nmean_plane_offset = 2e-6\nseparation_from = \"surface-mean\""
         ),

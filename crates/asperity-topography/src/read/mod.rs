@@ -14,6 +14,7 @@ mod sample;
 mod scan;
 mod sdf;
 mod sdf_ascii;
+mod sdf_header;
 mod sur;
 mod sur_data;
 mod table;

@@ -1,16 +1,16 @@
 //! Options for reading scans.
 
-use crate::{LengthUnit, TopographyError};
+use crate::{Distance, LengthUnit, TopographyError};
 
 /// Properties that a file may not state, and the accepted share of missing points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadOptions {
-    /// Unit of the heights and of `pixel_size`. A unit stated in the file must agree.
+    /// Unit of the heights, and of a `pixel_size` without one. A unit stated in the file must agree.
     pub unit: Option<LengthUnit>,
-    /// Distance of neighbouring points along a row and along a column, in `unit` (by default in the
-    /// unit stated in the file). A distance stated in the file must agree to one part in a
-    /// thousand.
-    pub pixel_size: Option<[f64; 2]>,
+    /// Distance of neighbouring points along a row and along a column; without a unit of its own in
+    /// `unit` (by default in the unit stated in the file). A distance stated in the file must
+    /// agree to one part in a thousand.
+    pub pixel_size: Option<[Distance; 2]>,
     /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
     pub max_missing: f64,
     /// The channel of a file with several (.gwy, .sur): its name, or its number among those of
@@ -22,8 +22,9 @@ impl ReadOptions {
     /// Checks the range of every option, before a file is read.
     pub(crate) fn check(&self) -> Result<(), TopographyError> {
         let share = ("max_missing", self.max_missing, 0.0..=1.0, "a share from 0 to 1");
-        let pixel =
-            |size| ("pixel_size", size, f64::MIN_POSITIVE..=f64::MAX, "a finite length above 0");
+        let pixel = |size: Distance| {
+            ("pixel_size", size.value(), f64::MIN_POSITIVE..=f64::MAX, "a finite length above 0")
+        };
         let pixels = self.pixel_size.into_iter().flatten().map(pixel);
         for (field, value, range, required) in pixels.chain([share]) {
             if !range.contains(&value) {

@@ -39,10 +39,10 @@ impl Scan {
     pub(super) fn topography(self, options: &ReadOptions) -> Result<Topography, TopographyError> {
         let named = self.unit(options)?;
         let unit = named.metres();
-        let pixel_size = self.pixel_size(options, unit)?;
-        let tiny = options.pixel_size.into_iter().flatten().find(|size| size * unit < ATOM);
-        if let Some(value) = tiny {
-            let metres = value * unit;
+        let pixel_size = self.pixel_size(options, named)?;
+        let mut bare = options.pixel_size.into_iter().flatten().filter(|size| size.is_bare());
+        if let Some(tiny) = bare.find(|size| size.value() * unit < ATOM) {
+            let (value, metres) = (tiny.value(), tiny.value() * unit);
             return Err(TopographyError::TinyPixel { value, unit: named, metres });
         }
         let Self { mut heights, columns, notes, .. } = self;
@@ -71,8 +71,13 @@ impl Scan {
         }
     }
 
-    fn pixel_size(&self, options: &ReadOptions, unit: f64) -> Result<[f64; 2], TopographyError> {
-        let given = options.pixel_size.map(|size| size.map(|size| size * unit));
+    fn pixel_size(
+        &self,
+        options: &ReadOptions,
+        named: LengthUnit,
+    ) -> Result<[f64; 2], TopographyError> {
+        let unit = named.metres();
+        let given = options.pixel_size.map(|size| size.map(|size| size.in_unit(named) * unit));
         let in_file = match self.pixel_size {
             PixelSize::Unknown => None,
             PixelSize::InUnit(size) => Some(size.map(|size| size * unit)),
@@ -143,6 +148,7 @@ pub(super) fn select(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Distance;
 
     fn scan(unit: Option<LengthUnit>, pixel_size: PixelSize) -> Scan {
         Scan { heights: vec![1.0, 2.0, f64::NAN, 4.0], columns: 2, unit, pixel_size, notes: vec![] }
@@ -156,10 +162,10 @@ mod tests {
     fn missing_units_and_pixel_sizes_are_requested() {
         let options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
         let unit = Some(LengthUnit::Nanometre);
-        assert!(message(scan(None, PixelSize::Unknown), &options).contains("--unit"));
-        assert!(message(scan(unit, PixelSize::Unknown), &options).contains("--pixel-size"));
+        assert!(message(scan(None, PixelSize::Unknown), &options).contains("give unit"));
+        assert!(message(scan(unit, PixelSize::Unknown), &options).contains("give pixel_size"));
         // The pixel size given is in the unit of the heights.
-        let options = ReadOptions { pixel_size: Some([2.0, 3.0]), ..options };
+        let options = ReadOptions { pixel_size: Some([2.0, 3.0].map(Distance::from)), ..options };
         let surface = scan(unit, PixelSize::Unknown).topography(&options).unwrap();
         assert!((surface.pixel_size()[1] / 3e-9 - 1.0).abs() < 1e-15);
         assert!((surface.heights()[3] / 4e-9 - 1.0).abs() < 1e-15);
@@ -170,7 +176,7 @@ mod tests {
     fn options_that_contradict_the_file_are_refused() {
         let options = ReadOptions {
             unit: Some(LengthUnit::Micrometre),
-            pixel_size: Some([2.0, 2.0]),
+            pixel_size: Some([Distance::from(2.0); 2]),
             max_missing: 0.5,
             channel: None,
         };

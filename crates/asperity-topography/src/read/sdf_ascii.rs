@@ -1,7 +1,7 @@
 //! The text form of SDF: `Name = value` lines, a line `*`, and numbers up to another `*`.
 
 use super::refusal::sdf as refuse;
-use super::sdf::Header;
+use super::sdf_header::Header;
 use crate::TopographyError;
 
 pub(super) fn read(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {

@@ -4,7 +4,7 @@
 
 use std::io::Write;
 
-use asperity_topography::{LengthUnit, ReadOptions, Topography, read, read_bytes};
+use asperity_topography::{Distance, LengthUnit, ReadOptions, Topography, read, read_bytes};
 
 use crate::files::{Sur, X3p, x3p_of};
 
@@ -15,7 +15,7 @@ const HEIGHTS: [f64; 20] =
 fn in_um(pixel_size: [f64; 2]) -> ReadOptions {
     ReadOptions {
         unit: Some(LengthUnit::Micrometre),
-        pixel_size: Some(pixel_size),
+        pixel_size: Some(pixel_size.map(Distance::from)),
         ..ReadOptions::default()
     }
 }
@@ -59,7 +59,8 @@ fn matrices_are_read_with_and_without_header() {
     let text = "\\Exported image units: nm\n".to_owned() + &lines(" ");
     let no_size = message("a.txt", text.as_bytes(), &ReadOptions::default());
     assert!(no_size.contains("pixel_size"), "{no_size}");
-    let options = ReadOptions { pixel_size: Some([3.0, 4.0]), ..ReadOptions::default() };
+    let options =
+        ReadOptions { pixel_size: Some([3.0, 4.0].map(Distance::from)), ..ReadOptions::default() };
     check(&read_bytes("a.txt", text.as_bytes(), &options).unwrap(), 1e-9, [3e-9, 4e-9]);
     let wrong = message("a.txt", b"# Value units: V\n1 2 3 4\n", &in_um([1.0; 2]));
     assert!(wrong.starts_with("line 1: \"Value units: V\""), "{wrong}");
@@ -76,7 +77,7 @@ fn points_of_a_grid_are_read() {
     check(&surface, 1e-9, [1e-4, 2e-4]);
     // Without a header all three columns are in the unit of the options.
     let bare: String = text.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
-    assert!(message("a.xyz", bare.as_bytes(), &ReadOptions::default()).contains("--unit"));
+    assert!(message("a.xyz", bare.as_bytes(), &ReadOptions::default()).contains("give unit"));
     let options = ReadOptions { unit: Some(LengthUnit::Millimetre), ..ReadOptions::default() };
     check(&read_bytes("a.xyz", bare.as_bytes(), &options).unwrap(), 1e-3, [1e-4, 2e-4]);
     // An absent point is missing.
@@ -122,7 +123,7 @@ fn numpy_arrays_are_read() {
         include_bytes!("numpy/version-3.npy"),
     ] {
         check(&read_bytes("a.npy", array, &options).unwrap(), 1e-6, [5e-7, 2.5e-7]);
-        assert!(message("a.npy", array, &ReadOptions::default()).contains("--unit"));
+        assert!(message("a.npy", array, &ReadOptions::default()).contains("give unit"));
     }
     let archive = message("a.npz", include_bytes!("numpy/archive.npz"), &options);
     assert!(

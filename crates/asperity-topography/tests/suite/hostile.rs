@@ -1,6 +1,6 @@
 //! Broken and hostile files give an error that states the fault.
 
-use asperity_topography::{Estimator, LengthUnit, Level, ReadOptions, read_bytes};
+use asperity_topography::{Distance, Estimator, LengthUnit, Level, ReadOptions, read_bytes};
 use proptest::prelude::*;
 
 use crate::files::{Sur, X3p, archive, gwy, gwy_field, gzip, item, sdf, sdf_text, x3p_of};
@@ -9,7 +9,7 @@ use crate::files::{Sur, X3p, archive, gwy, gwy_field, gzip, item, sdf, sdf_text,
 fn lenient() -> ReadOptions {
     ReadOptions {
         unit: Some(LengthUnit::Micrometre),
-        pixel_size: Some([1.0; 2]),
+        pixel_size: Some([Distance::from(1.0); 2]),
         max_missing: 1.0,
         channel: None,
     }
@@ -118,7 +118,7 @@ fn npz_archives_are_recognised() {
 #[test]
 fn options_are_refused_before_a_file_is_read() {
     let of = |max_missing, dx| ReadOptions {
-        pixel_size: Some([1.0, dx]),
+        pixel_size: Some([1.0, dx].map(Distance::from)),
         max_missing,
         ..ReadOptions::default()
     };

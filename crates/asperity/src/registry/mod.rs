@@ -121,8 +121,8 @@ impl Model {
         PerssonVariance::ALL.map(persson).to_vec()
     }
 
-    /// Elastic asperities with adhesion: they need the scene's work of adhesion. Commands use them
-    /// only by name.
+    /// Elastic asperities with adhesion: they need the scene's work of adhesion. Commands use them by
+    /// name, and by default where the scene has a work of adhesion.
     #[must_use]
     pub fn adhesive() -> Vec<Self> {
         let jkr = |branch| Self::known(JohnsonKendallRoberts { branch });
@@ -133,8 +133,8 @@ impl Model {
         ]
     }
 
-    /// Like bodies that harden: they need the scene's tangent modulus. Commands use them only by
-    /// name.
+    /// Like bodies that harden: they need the scene's tangent modulus. Commands use them by name,
+    /// and by default where the scene has a tangent modulus.
     #[must_use]
     pub fn hardening() -> Vec<Self> {
         vec![Self::known(Ghaednia)]

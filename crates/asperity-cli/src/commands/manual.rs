@@ -1,0 +1,62 @@
+//! `asperity manual`: man pages and completions of shells.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use clap::{Args, Command, CommandFactory};
+use clap_complete::Shell;
+
+use crate::Cli;
+
+/// Write man pages and completions of bash, zsh and fish
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The files go to man/man1, bash-completion/completions, zsh/site-functions and
+fish/vendor_completions.d in the folder, where man, bash and fish look in ~/.local/share;
+zsh looks there if zsh/site-functions is in its fpath. Existing files are overwritten.
+
+Examples:
+  asperity manual share
+  asperity manual ~/.local/share"
+)]
+pub struct Manual {
+    /// Folder to write to, made if it does not exist
+    folder: PathBuf,
+}
+
+/// For each shell the folder of its completions.
+const SHELLS: [(Shell, &str); 3] = [
+    (Shell::Bash, "bash-completion/completions"),
+    (Shell::Zsh, "zsh/site-functions"),
+    (Shell::Fish, "fish/vendor_completions.d"),
+];
+
+impl Manual {
+    pub fn run(self) -> Result<()> {
+        let mut program = Cli::command().disable_help_subcommand(true);
+        let write = |folder: &str, write: &mut dyn FnMut(&Path) -> std::io::Result<()>| {
+            let folder = self.folder.join(folder);
+            let written = fs::create_dir_all(&folder).and_then(|()| write(&folder));
+            written.with_context(|| format!("cannot write to {}", folder.display()))
+        };
+        write("man/man1", &mut |folder| clap_mangen::generate_to(program.clone(), folder))?;
+        for (shell, folder) in SHELLS {
+            write(folder, &mut |folder| {
+                let path = complete(shell, &mut program, folder)?;
+                // The name under which bash loads completions by need.
+                if shell == Shell::Bash {
+                    fs::rename(path, folder.join("asperity"))
+                } else {
+                    Ok(())
+                }
+            })?;
+        }
+        Ok(())
+    }
+}
+
+fn complete(shell: Shell, program: &mut Command, folder: &Path) -> std::io::Result<PathBuf> {
+    clap_complete::generate_to(shell, program, "asperity", OsString::from(folder))
+}

@@ -1,0 +1,109 @@
+//! `surface`: the report and its picture, and results against scale.
+
+use crate::bench::{Bench, cells, column};
+use crate::surface::scan;
+
+#[test]
+fn scales_show_what_the_shortest_wave_changes() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let of = |arguments: &str| {
+        bench.data(&format!("surface scan.txt --unit um --pixel-size 2 {arguments}"))
+    };
+    let table = of(
+        "--scales 6e-6,12e-6 --with scene.toml --pressure 1e6 --model jg --format csv --plot scales.svg",
+    );
+    for (k, cutoff) in ["6e-6", "12e-6"].into_iter().enumerate() {
+        let one: serde_json::Value =
+            serde_json::from_str(&of(&format!("--smooth {cutoff} --format json"))).unwrap();
+        for (column_name, key) in [
+            ("alpha", "alpha"),
+            ("asperity_radius_m", "asperity_radius"),
+            ("asperity_density_per_m2", "asperity_density"),
+            ("asperity_height_std_m", "asperity_height_std"),
+        ] {
+            let (found, wanted) = (column(&table, column_name)[k], one[key].as_f64().unwrap());
+            assert!((found / wanted - 1.0).abs() < 1e-12, "{column_name}: {found} {wanted}");
+        }
+    }
+    // The answer is that of the scene's bodies on this surface.
+    of("--smooth 6e-6 --scene smooth.toml --output numbers.txt");
+    let theirs = bench.read("smooth.toml");
+    let (_, surface) = theirs.split_once("[surface]").unwrap();
+    let ours = bench.read("scene.toml");
+    let (bodies, _) = ours.split_once("[surface]").unwrap();
+    bench.write("own.toml", &format!("{bodies}[surface]{surface}"));
+    let answer =
+        bench.data("curve own.toml --model jg --pressure 1e6 --quantity area-fraction,tangent");
+    for name in ["area_fraction", "tangent_N_per_m"] {
+        let (found, wanted) = (column(&table, name)[0], column(&answer, name)[0]);
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found} {wanted}");
+    }
+    assert!(bench.read("scales.svg").starts_with("<svg"));
+    // A theory of the whole surface gets the spectrum of this surface, too.
+    bench.write(
+        "scanned.toml",
+        &format!("{bodies}[surface]\nfile = \"scan.txt\"\nunit = \"um\"\npixel_size = 2\n"),
+    );
+    let table = of("--scales 6e-6 --with scanned.toml --pressure 1e6 --model persson --format csv");
+    let smooth = bench.read("scanned.toml") + "smooth = 6e-6\n";
+    bench.write("smoothed.toml", &smooth);
+    let answer = bench.data(
+        "curve smoothed.toml --model persson --pressure 1e6 --quantity area-fraction,tangent",
+    );
+    for name in ["area_fraction", "tangent_N_per_m"] {
+        let (found, wanted) = (column(&table, name)[0], column(&answer, name)[0]);
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{name}: {found} {wanted}");
+    }
+    // Cut-offs that the scan cannot have are blank, and printed why.
+    let run =
+        bench.run("surface scan.txt --unit um --pixel-size 2 --scales 1e-9,6e-6,2e-9 --format csv");
+    assert_eq!((run.code, cells(&run.out, "alpha")[0]), (Some(0), ""));
+    assert!(run.messages.contains(
+        "cutoff_m 1e-9 (likewise 2e-9): smooth is 1e-9: a length of at least two pixels"
+    ));
+    for (arguments, printed) in [
+        ("--pixel-size 2 --smooth 12", "12 looks like um"),
+        ("--pixel-size 2e-6", "pixel_size is 2e-6 um, which is 2e-12 m and smaller than an atom"),
+    ] {
+        let run = bench.run(&format!("surface scan.txt --unit um {arguments}"));
+        assert!(
+            run.code == Some(1) && run.messages.contains(printed),
+            "{arguments}: {}",
+            run.messages
+        );
+    }
+    for (arguments, printed) in [
+        ("--scales 6e-6 --smooth 6e-6", "cannot be used with"),
+        ("--scales 6e-6 --load 5", "--with <SCENE>"),
+        ("--scales 6e-6 --with scene.toml", "<--load <N>|--pressure <PA>>"),
+    ] {
+        let run = bench.run(&format!("surface scan.txt --unit um --pixel-size 2 {arguments}"));
+        assert_eq!(run.code, Some(2), "{arguments}");
+        assert!(run.messages.contains(printed), "{arguments}: {}", run.messages);
+    }
+}
+
+#[test]
+fn the_report_leads_with_what_decides_trust_and_is_drawn() {
+    let bench = Bench::new();
+    bench.write("scan.txt", &scan(0.0));
+    let line = "surface scan.txt --unit um --pixel-size 0.5 --filter 30um --plot report.svg";
+    let out = bench.data(&format!("{line} --format csv"));
+    let names: Vec<&str> = out.lines().filter_map(|row| row.split(',').next()).collect();
+    let place = |name: &str| names.iter().position(|found| *found == name).expect(name);
+    let trust =
+        ["missing_share", "outliers", "tilt_x", "slope_ratio", "long_waves", "m4_over_half"];
+    let later = ["ssk", "filter", "sq", "sa", "spc", "m0", "asperity_radius"];
+    let places: Vec<usize> = trust.into_iter().chain(later).map(place).collect();
+    assert!(places.is_sorted(), "{names:?}");
+    assert!(out.contains("plane removed; no S-filter; Gaussian L-filter of 3e-5 m"), "{out}");
+    let svg = bench.read("report.svg");
+    for word in ["(a) map", "(f) curvature against scale", "Gaussian of the same Sq", "scan.txt"] {
+        assert!(svg.contains(word), "{word}");
+    }
+    let same = "surface scan.txt --unit um --pixel-size 0.5 --plot a.svg --output a.svg";
+    assert_eq!(bench.run(same).code, Some(2));
+    let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 0.5 --plot two.svg");
+    assert!(two.code == Some(2) && two.messages.contains("--plot takes one FILE or --aligned"));
+}

@@ -1,0 +1,142 @@
+//! The keys of measured surfaces, and a scan as they prepare it.
+
+use std::path::PathBuf;
+
+use asperity_topography::{
+    Alignment, Distance, Estimator, LengthUnit, Level, ReadOptions, Topography, TopographyError,
+};
+use serde::Deserialize;
+
+/// The keys for measured files of `[surface]` or its counterface.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct MeasuredKeys {
+    pub(crate) file: Option<PathBuf>,
+    pub(crate) files: Option<Vec<PathBuf>>,
+    pub(crate) unit: Option<LengthUnit>,
+    pub(crate) pixel_size: Option<PixelSize>,
+    pub(crate) channel: Option<String>,
+    pub(crate) estimator: Estimator,
+    pub(crate) level: Option<Level>,
+    pub(crate) filter: Option<f64>,
+    pub(crate) smooth: Option<f64>,
+    pub(crate) periodic: bool,
+    pub(crate) max_missing: Option<f64>,
+    pub(crate) fill_missing: bool,
+    pub(crate) despike: bool,
+    pub(crate) aligned: Aligned,
+}
+
+/// `aligned`: whether points of two scans meet, and which.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(untagged, expecting = "true, false or \"mirrored\"")]
+pub(crate) enum Aligned {
+    Known(bool),
+    Turned(Alignment),
+}
+
+impl Default for Aligned {
+    fn default() -> Self {
+        Self::Known(false)
+    }
+}
+
+impl Aligned {
+    pub(crate) fn alignment(self) -> Option<Alignment> {
+        match self {
+            Self::Known(aligned) => aligned.then_some(Alignment::AsRead),
+            Self::Turned(alignment) => Some(alignment),
+        }
+    }
+}
+
+/// `pixel_size` of square pixels, or along a row and along a column.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a length in the unit of the heights or with its own (\"0.5 um\"), or a list of two, along a row and a column,"
+)]
+pub(crate) enum PixelSize {
+    Square(Distance),
+    Rectangle([Distance; 2]),
+}
+
+impl MeasuredKeys {
+    pub(crate) fn read_options(&self) -> ReadOptions {
+        let pixel_size = self.pixel_size.map(|size| match size {
+            PixelSize::Square(side) => [side; 2],
+            PixelSize::Rectangle(sides) => sides,
+        });
+        let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
+        ReadOptions { unit: self.unit, pixel_size, max_missing, channel: self.channel.clone() }
+    }
+
+    /// The scan, despiked, levelled, filled and filtered.
+    pub(crate) fn prepare(&self, read: Topography) -> Result<Topography, TopographyError> {
+        let read = read.with_periodic(self.periodic);
+        let read = if self.despike { read.despiked()? } else { read };
+        let mut topography = read.levelled(self.level)?;
+        if self.fill_missing {
+            topography = topography.fill()?;
+        }
+        if let Some(cutoff) = self.smooth {
+            topography = topography.smooth(cutoff)?;
+        }
+        match self.filter {
+            Some(cutoff) => topography.filter(cutoff),
+            None => Ok(topography),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_topography::Statistics;
+
+    use super::*;
+
+    /// Waves in many directions: nearly a Gaussian surface.
+    fn topography(count: usize) -> Topography {
+        let waves: Vec<[f64; 3]> = (0..60)
+            .map(|k| {
+                let (turn, size) = (2.399_963 * f64::from(k), 0.1 + 0.25 * f64::from(k % 7) / 7.0);
+                [size * turn.cos(), size * turn.sin(), 5.1 * f64::from(k * k)]
+            })
+            .collect();
+        let height = |k: usize| {
+            let (x, y) = ((k % count) as f64, (k / count) as f64);
+            let wave = |[a, b, c]: &[f64; 3]| (a * x + b * y + c).cos();
+            1e-7 * waves.iter().map(wave).sum::<f64>() + 3e-7 * (0.01 * x - 0.02 * y + 5.0)
+        };
+        Topography::new((0..count * count).map(height).collect(), count, [1e-6; 2]).unwrap()
+    }
+
+    fn statistics(level: Level, filter: Option<f64>, estimator: Estimator) -> Statistics {
+        let level = Some(level);
+        let keys = MeasuredKeys { level, filter, estimator, ..MeasuredKeys::default() };
+        keys.prepare(topography(192)).unwrap().statistics(estimator).unwrap()
+    }
+
+    #[test]
+    fn every_choice_changes_the_surface() {
+        let std = |level, filter, estimator| {
+            statistics(level, filter, estimator).asperity_height_std.unwrap()
+        };
+        let plain = std(Level::Plane, None, Estimator::Moments);
+        // 60 waves of 1e-7 have a variance of 30e-14, (0.548e-6)²; that of asperities is smaller.
+        assert!((0.35e-6..0.54e-6).contains(&plain), "{plain}");
+        assert!(std(Level::None, None, Estimator::Moments) > 1.1 * plain);
+        assert!(std(Level::Plane, Some(30e-6), Estimator::Moments) < 0.95 * plain);
+        let summits = std(Level::Plane, None, Estimator::Summits);
+        assert!((summits / plain - 1.0).abs() > 1e-3 && (summits / plain - 1.0).abs() < 0.3);
+    }
+
+    #[test]
+    fn the_mean_plane_offset_of_summits_agrees_with_theory() {
+        for level in [Level::Plane, Level::Quadratic] {
+            let [theory, counted] = [Estimator::Moments, Estimator::Summits]
+                .map(|estimator| statistics(level, None, estimator).mean_plane_offset.unwrap());
+            assert!(theory > 0.3e-6 && (counted / theory - 1.0).abs() < 0.3, "{theory} {counted}");
+        }
+    }
+}

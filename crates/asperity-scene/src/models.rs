@@ -1,0 +1,111 @@
+//! The models that a scene allows.
+
+use asperity::{ContactError, ContactModel, Model, Quantity, Request};
+use asperity_bem::Bem;
+
+use crate::{Asperities, ModelOptions, Place, SceneError, SceneFile};
+
+/// A model that cannot be used for a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LeftOut {
+    /// The model's id.
+    pub id: String,
+    /// The missing input, or the reason why the model is not valid for the scene.
+    pub reason: ContactError,
+}
+
+impl SceneFile {
+    /// The model of an id, with the scene's options; `bem` for [boundary elements](Self::bem) on
+    /// the scene's scan, repeated and with the hardness. The gaps of `persson` follow
+    /// from the spectrum of that scan.
+    ///
+    /// # Errors
+    /// [`SceneError::Contact`] for an unknown id, with a near match and all ids; those of
+    /// [`bem`](Self::bem).
+    pub fn model(&self, id: &str) -> Result<Model, SceneError> {
+        self.model_with(&self.options, id)
+    }
+
+    /// [`model`](Self::model) with these options instead of the scene's.
+    ///
+    /// # Errors
+    /// Those of [`model`](Self::model).
+    pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
+        match id.trim().to_lowercase().as_str() {
+            Bem::ID => Ok(options.on_surface(Model::new(self.bem(None, false)?))),
+            _ => {
+                let model = options.model_beside(|| self.spectrum(), id)?;
+                match &self.no_asperities {
+                    Some(reason) if model.validity().asperities => {
+                        let at = Place::field("surface.file").into();
+                        Err(SceneError::Measured { at, reason: reason.clone() })
+                    }
+                    _ => Ok(model),
+                }
+            }
+        }
+    }
+
+    /// All models of asperities that the scene allows, with its options, those with adhesion if it
+    /// has a work of adhesion and those with hardening if it has a tangent modulus; and the others,
+    /// each with the reason.
+    #[must_use]
+    pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
+        let (mut allowed, mut left_out) = (vec![], vec![]);
+        let hardening = self.scene.interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
+        let more = self.adhesive_models().into_iter().chain(hardening);
+        let more = more.map(|model| self.options.on_surface(model));
+        for model in self.options.models().into_iter().chain(more) {
+            match self.refusal(&model) {
+                None => allowed.push(model),
+                // Not every model has an id on random asperities.
+                Some(reason) => {
+                    let id = model.id().parse().map_or(model.equal().id(), |_: Model| model.id());
+                    left_out.push(LeftOut { id: id.into(), reason });
+                }
+            }
+        }
+        (allowed, left_out)
+    }
+
+    /// Why the scene does not allow a model, if it does not: a missing input, for example.
+    #[must_use]
+    pub fn refusal(&self, model: &Model) -> Option<ContactError> {
+        if let Some(reason) = self.no_asperities.as_ref().filter(|_| model.validity().asperities) {
+            return Some(ContactError::Refused {
+                model: model.id().into(),
+                reason: reason.clone(),
+            });
+        }
+        model.compile(&self.scene, &Request::new([Quantity::Force])).err()
+    }
+
+    /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models),
+    /// with those of random asperities and of the whole surface; and those that the scene does not
+    /// allow, each with the reason.
+    #[must_use]
+    pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
+        let (mut models, mut left_out) = self.models();
+        let plain = ModelOptions { asperities: Asperities::Equal, ..self.options };
+        let request = Request::new([Quantity::Area]);
+        for other in [Model::all_random(), Model::whole_surface()].concat() {
+            let known = models.iter().any(|model| model.id() == other.id());
+            if known || left_out.iter().any(|model| model.id == other.id()) {
+                continue;
+            }
+            let model = self.model_with(&plain, other.id()).unwrap_or(other);
+            let refused = self.refusal(&model).filter(|_| self.no_asperities.is_some());
+            match refused.or_else(|| model.compile(&self.scene, &request).err()) {
+                None => models.push(model),
+                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+            }
+        }
+        (models, left_out)
+    }
+
+    /// The models with adhesion, if the scene has a work of adhesion.
+    #[must_use]
+    pub fn adhesive_models(&self) -> Vec<Model> {
+        self.scene.interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive())
+    }
+}

@@ -1,0 +1,182 @@
+//! CalculiX reads the exported tables: a block pressed on a block carries the force, and conducts
+//! the heat, that the model gives. Skipped with a note where ccx is not installed (Debian's package
+//! is calculix-ccx).
+#![allow(clippy::unwrap_used, reason = "a test: a panic is the failure")]
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use asperity::{
+    At, Body, ConductanceAgainst, ContactModel, ContactTable, Datum, Interface, Model, Quantity,
+    Request, Scene, Surface, TableFormat, Tolerance, UnitSystem,
+};
+
+/// Printed digits of ccx, seven, with which overclosures are differences.
+const PRINTED: f64 = 5e-6;
+const UNITS: (TableFormat, UnitSystem) = (TableFormat::Calculix, UnitSystem::MmTonneS);
+/// Closing of the blocks in each step [mm].
+const STEPS: [f64; 5] = [4e-4, 8e-4, 1.4e-3, 2e-3, 2.4e-3];
+
+fn scene() -> Scene {
+    let mut steel = Body::new(210e9, 0.3, 2e9);
+    steel.thermal_conductivity = Some(50.0);
+    let interface = Interface::between(&steel, &steel).unwrap();
+    Scene::new(interface, Surface::new(2e-4, 2e8, 1e-6), 1e-4)
+}
+
+fn table(model: &Model, scene: &Scene, error: f64) -> ContactTable {
+    let (tolerance, lines) = (Tolerance::default(), UNITS.0.interpolation());
+    let ends = (At::Pressure(1e5), At::Pressure(2e7), 2);
+    ContactTable::within(model, scene, tolerance, ends, error, lines).unwrap()
+}
+
+/// The values of one quantity of a scene at a pressure or separation, over the nominal area.
+fn value(model: &Model, scene: &Scene, quantity: Quantity, at: At) -> f64 {
+    model.solve(scene, &Request::new([quantity]).at([at])).unwrap().values(quantity).unwrap()[0]
+}
+
+/// Two cubes of 10 mm, one on the other, of steel without lateral contraction; the upper one is
+/// moved down in steps, and kept at 400 K above 300 K.
+fn deck(interaction: &str, pair: &str, procedure: &str) -> String {
+    let corners = |first: u32, base: f64| -> String {
+        let square = [(0, 0), (10, 0), (10, 10), (0, 10)];
+        let both = [base, base + 10.0].into_iter().flat_map(|z| square.map(|(x, y)| (x, y, z)));
+        both.zip(first..).map(|((x, y, z), node)| format!("{node}, {x}, {y}, {z}\n")).collect()
+    };
+    let printed = ["TOP, TOTALS=ONLY\nRF", "LOWERFACE\nU", "UPPERFACE\nU"];
+    let heat = ["TOP, TOTALS=ONLY\nRFL", "LOWERFACE\nNT", "UPPERFACE\nNT"];
+    let thermal = procedure.starts_with("COUPLED");
+    let printed = printed.iter().chain(heat.iter().filter(|_| thermal));
+    let printed: String = printed.map(|what| format!("*NODE PRINT, NSET={what}\n")).collect();
+    let temperatures = if thermal { "TOP, 11, 11, 400.\nLOWEST, 11, 11, 300.\n" } else { "" };
+    let steps = STEPS.map(|down| {
+        format!(
+            "*STEP, NLGEOM, INC=1000
+*{procedure}
+*BOUNDARY
+TOP, 3, 3, -{down}
+{temperatures}{printed}*END STEP
+"
+        )
+    });
+    format!(
+        "*NODE, NSET=ALL
+{}{}*ELEMENT, TYPE=C3D8, ELSET=BLOCKS
+1, 1, 2, 3, 4, 5, 6, 7, 8
+2, 11, 12, 13, 14, 15, 16, 17, 18
+*NSET, NSET=LOWEST
+1, 2, 3, 4
+*NSET, NSET=LOWERFACE
+5, 6, 7, 8
+*NSET, NSET=UPPERFACE
+11, 12, 13, 14
+*NSET, NSET=TOP
+15, 16, 17, 18
+*SURFACE, NAME=ABOVE
+2, S1
+*SURFACE, NAME=BELOW
+1, S2
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210000., 0.
+*CONDUCTIVITY
+50.
+*EXPANSION
+0.
+*DENSITY
+7.8e-9
+*SPECIFIC HEAT
+4.6e8
+*SOLID SECTION, ELSET=BLOCKS, MATERIAL=STEEL
+*SURFACE INTERACTION, NAME=ROUGH
+{interaction}*CONTACT PAIR, INTERACTION=ROUGH, TYPE={pair}
+ABOVE, BELOW
+*INITIAL CONDITIONS, TYPE=TEMPERATURE
+ALL, 300.
+*BOUNDARY
+LOWEST, 1, 3
+LOWERFACE, 1, 2
+UPPERFACE, 1, 2
+TOP, 1, 2
+{}",
+        corners(1, 0.0),
+        corners(11, 10.0),
+        steps.concat()
+    )
+}
+
+/// The printed results of ccx; `None` where it is not installed.
+fn solved(name: &str, deck: &str) -> Option<String> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    fs::write(folder.join(format!("{name}.inp")), deck).unwrap();
+    let Ok(run) = Command::new("ccx").arg(name).current_dir(folder).output() else {
+        eprintln!("skipped: ccx is not installed");
+        return None;
+    };
+    let log = String::from_utf8_lossy(&run.stdout);
+    assert!(run.status.success() && !log.contains("*ERROR"), "{log}");
+    Some(fs::read_to_string(folder.join(format!("{name}.dat"))).unwrap())
+}
+
+/// The last number of the first row of the blocks with this head that end a step, at a whole time.
+fn ends(results: &str, head: &str) -> Vec<f64> {
+    let lines: Vec<&str> = results.lines().collect();
+    let last = |line: &str| -> f64 { line.split_whitespace().last().unwrap().parse().unwrap() };
+    let ends = |line: &str| line.contains(head) && last(line).fract() == 0.0;
+    (0..lines.len()).filter(|k| ends(lines[*k])).map(|k| last(lines[k + 2])).collect()
+}
+
+#[test]
+fn a_block_on_a_block_carries_the_force_of_the_model_at_that_clearance() {
+    let (model, scene) = ("ke".parse().unwrap(), scene());
+    let table = table(&model, &scene, 1e-3);
+    let behaviour = table.text(UNITS, &scene, Datum::AsperityMean, "").unwrap();
+    let Some(results) = solved("pressed", &deck(&behaviour, "NODE TO SURFACE", "STATIC")) else {
+        return;
+    };
+    let begins = table.cut_off().unwrap() * scene.surface.asperity_height_std;
+    let [force, lower, upper] =
+        ["total force", "set LOWERFACE", "set UPPERFACE"].map(|head| ends(&results, head));
+    let mut worst = 0.0_f64;
+    for ((force, lower), upper) in force.iter().zip(&lower).zip(&upper) {
+        let at = At::metres(begins + 1e-3 * (upper - lower));
+        let wanted = value(&model, &scene, Quantity::Force, at);
+        worst = worst.max((-force / wanted - 1.0).abs());
+        println!("{} MPa: off by {:e}", -force / 100.0, -force / wanted - 1.0);
+    }
+    assert_eq!(force.len(), STEPS.len());
+    assert!(-force[0] > 10.0 && -force[4] > 700.0, "{force:?}");
+    assert!(worst < table.pressure_error + PRINTED, "{worst} {}", table.pressure_error);
+}
+
+#[test]
+fn heat_flows_between_the_blocks_as_the_model_says_at_that_pressure() {
+    let (model, scene): (Model, _) = ("ke".parse().unwrap(), scene());
+    let (against, tolerance) = (ConductanceAgainst::Pressure, Tolerance::default());
+    let asked = (&model as &dyn ContactModel, &scene, Datum::AsperityMean);
+    let conductance =
+        table(&model, &scene, 1e-2).conductance_text(UNITS, against, asked, tolerance).unwrap();
+    let bound = conductance.split("largest relative error ").nth(1).unwrap();
+    let bound: f64 = bound.split(',').next().unwrap().parse().unwrap();
+    // The pressure rises by 10 MPa per um of overclosure.
+    let interaction = format!("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e4\n{conductance}");
+    let procedure = "COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE, DIRECT\n1., 1.";
+    let Some(results) = solved("heated", &deck(&interaction, "SURFACE TO SURFACE", procedure))
+    else {
+        return;
+    };
+    let heads =
+        ["total force", "heat generation", "temperatures for set L", "temperatures for set U"];
+    let [force, heat, lower, upper] = heads.map(|head| ends(&results, head));
+    let mut worst = 0.0_f64;
+    for k in 0..STEPS.len() {
+        let pressure = -force[k] / 100.0;
+        let found = 1e3 * heat[k] / 100.0 / (upper[k] - lower[k]);
+        let at = At::Pressure(1e6 * pressure);
+        let wanted = value(&model, &scene, Quantity::ThermalConductancePerArea, at);
+        worst = worst.max((found / wanted - 1.0).abs());
+        println!("{pressure} MPa: {found} W/(m2 K), off by {:e}", found / wanted - 1.0);
+    }
+    assert!(worst < bound + 4.0 * PRINTED, "{worst} {bound}");
+}
