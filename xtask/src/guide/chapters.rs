@@ -93,6 +93,14 @@ pub const GROUPS: &[Group] = &[
                 ],
             ),
             text(
+                "fit",
+                "From measurements to a scene",
+                &[
+                    ("crates/asperity-cli/README.md", Section("From measurements to a scene")),
+                    ("crates/asperity-fit/README.md", Whole),
+                ],
+            ),
+            text(
                 "conductance",
                 "Thermal and electrical conductance",
                 &[
