@@ -5,6 +5,7 @@
 //! or checks both. [`report`] measures speed and accuracy of the integrals, [`truth`] compares the
 //! models with boundary elements.
 
+pub mod dist;
 pub mod docs;
 pub mod figures;
 pub mod files;

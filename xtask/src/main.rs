@@ -6,6 +6,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
+use xtask::dist::{self, Build};
 use xtask::files;
 use xtask::folder::{figures_folder, target_folder};
 use xtask::report::{self, Scope, throughput};
@@ -44,8 +45,20 @@ enum Task {
     },
     /// Write the documentation of all crates, with an index page: target/doc/index.html
     Docs,
+    /// Build and try what users install: target/dist/ with wheel, program, page and checksums. Needs
+    /// Python with venv, and the target x86_64-unknown-linux-musl
+    Dist {
+        /// Without optimisation, to target/dist-quick: tests the packaging in some minutes
+        #[arg(long)]
+        quick: bool,
+    },
     /// Write the guide: target/page/guide/index.html
-    Guide,
+    Guide {
+        /// Also the documentation of the crates and of the Python package in target/python, beside
+        /// the guide
+        #[arg(long)]
+        api: bool,
+    },
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -73,8 +86,16 @@ fn main() -> Result<()> {
             println!("{}", docs::write()?.display());
             Ok(())
         }
-        Task::Guide => {
-            println!("{}", guide::write(&target_folder().join("page"))?.display());
+        Task::Dist { quick } => {
+            print(dist::write(if quick { Build::Quick } else { Build::Release })?);
+            Ok(())
+        }
+        Task::Guide { api } => {
+            let page = target_folder().join("page");
+            if api {
+                guide::api::write(&page)?;
+            }
+            println!("{}", guide::write(&page)?.display());
             Ok(())
         }
         Task::Throughput { model, kind, count, threads } => {

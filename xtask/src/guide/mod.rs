@@ -5,6 +5,7 @@
 //! [`site`] knows where each file and heading went, [`laws`] draws the models, and [`links`] checks
 //! the result.
 
+pub mod api;
 pub mod chapters;
 mod laws;
 pub mod links;
@@ -22,7 +23,7 @@ use serde::Serialize;
 
 use chapters::{Chapter, Extra};
 use site::Site;
-use source::root;
+pub use source::root;
 
 /// The folder of the guide within that of the page.
 pub const FOLDER: &str = "guide";

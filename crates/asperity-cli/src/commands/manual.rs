@@ -14,12 +14,11 @@ use crate::Cli;
 #[derive(Debug, Args)]
 #[command(
     after_help = "The files go to man/man1, bash-completion/completions, zsh/site-functions and
-fish/vendor_completions.d in the folder, where man, bash and fish look in ~/.local/share;
-zsh looks there if zsh/site-functions is in its fpath. Existing files are overwritten.
+fish/vendor_completions.d in the folder. Below ~/.local/share man, bash and fish find
+them; zsh does if zsh/site-functions is in its fpath. Existing files are overwritten.
 
 Examples:
-  asperity manual share
-  asperity manual ~/.local/share"
+  asperity manual share"
 )]
 pub struct Manual {
     /// Folder to write to, made if it does not exist
