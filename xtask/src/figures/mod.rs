@@ -29,7 +29,7 @@ pub struct FigureSpec {
 }
 
 /// All figures: those of the paper first.
-pub const FIGURES: [FigureSpec; 17] = [
+pub const FIGURES: [FigureSpec; 18] = [
     FigureSpec {
         name: "fig04-force-roughness",
         table: || paper::roughness(Force),
@@ -94,5 +94,10 @@ pub const FIGURES: [FigureSpec; 17] = [
         name: "truth-stiffness",
         table: || truth::table(Evidence::CSV, Shown::Stiffness),
         style: |csv| truth::style(csv, Shown::Stiffness),
+    },
+    FigureSpec {
+        name: "truth-unloading",
+        table: || truth::table(Evidence::CSV, Shown::Unloading),
+        style: |csv| truth::style(csv, Shown::Unloading),
     },
 ];

@@ -51,6 +51,8 @@ class BemContacts:
     failures: Mapping[int, str]
     #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
     boundary: str
+    #: The requested quantities, by name with underscores: ``unloading_stiffness`` [N/m], ...
+    quantities: Mapping[str, Floats] = MappingProxyType({})
 
     def __repr__(self) -> str:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
@@ -109,6 +111,7 @@ def bem(
     level: str | None = None,
     elastic: bool = False,
     boundary: Boundary | None = None,
+    quantities: Sequence[str] = (),
     maps: bool = True,
     errors: str = "raise",
 ) -> BemContacts:
@@ -136,6 +139,11 @@ def bem(
         repeated, without steps; or there is a free half-space. By default a scan declared periodic
         is repeated as it is. So is another one if its edges match; if not, its periodic component
         is used, with a warning. ``BemContacts.boundary`` names the choice.
+    quantities : sequence of str
+        Quantities of joints, by the names that models have: "unloading-stiffness",
+        "tangential-stiffness", "thermal-conductance", "electrical-conductance", the last two also
+        with "-per-area"; ``BemContacts.quantities`` has them. The contact pixels are held, so that
+        interaction and shapes of contacts are included.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"
@@ -166,7 +174,13 @@ def bem(
     else:
         scan, level = _scan(surface, pixel_size), level or "none"
     numbers, kept, (rows, columns), failures, used = _asperity.bem(
-        (scan, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
+        (scan, interface, level),
+        name,
+        values.ravel().tolist(),
+        elastic,
+        boundary,
+        (maps, mask),
+        list(quantities),
     )
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
@@ -174,6 +188,8 @@ def bem(
         return np.ma.masked_invalid(array) if failures else array
 
     contacts: dict[str, Any] = {name: shaped(array) for name, array in numbers.items()}
+    fields = BemContacts.__dataclass_fields__
+    joints = {name: contacts.pop(name) for name in numbers if name not in fields}
     for count in ("patches", "iterations"):
         # NaN has no integer.
         counts = np.nan_to_num(numbers[count].reshape(values.shape)).astype(np.int64)
@@ -181,7 +197,12 @@ def bem(
         contacts[count] = np.ma.MaskedArray(counts, missing) if failures else counts
     pressures, gaps = (None, None) if kept is None else (shaped(k, rows, columns) for k in kept)
     return BemContacts(
-        **contacts, pressures=pressures, gaps=gaps, failures=failures, boundary=used
+        **contacts,
+        pressures=pressures,
+        gaps=gaps,
+        failures=failures,
+        boundary=used,
+        quantities=MappingProxyType(joints),
     )
 
 
