@@ -33,9 +33,15 @@ enum Task {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
-    /// Compare every model with boundary elements on random surfaces, in about ten minutes: write
-    /// crates/asperity/data/truth.csv and figures/truth-*
+    /// Compare every model with boundary elements on random surfaces, in an hour; solved cases are
+    /// kept in target/truth: write crates/asperity/data/truth.csv and figures/truth-*
     Truth {
+        /// Solve a sketch in two minutes: target/truth-quick
+        #[arg(long, conflicts_with_all = ["small", "models", "kept"])]
+        quick: bool,
+        /// Write what is kept, and solve nothing
+        #[arg(long, conflicts_with_all = ["small", "models"])]
+        kept: bool,
         /// Solve only the small case of the tests: tests/reference/truth_small.csv
         #[arg(long)]
         small: bool,
@@ -67,11 +73,12 @@ fn main() -> Result<()> {
     match Task::parse() {
         Task::Figures { check, names } => figures(check, &names),
         Task::Report { quick: false, .. } if cfg!(debug_assertions) => run_in_release(),
-        Task::Truth { small, models } => {
+        Task::Truth { small, models, quick, kept } => {
             print(match (small, models) {
                 (true, _) => truth::write_small()?,
                 (_, true) => truth::update_models(&figures_folder())?,
-                _ => truth::write(&figures_folder())?,
+                _ if quick => truth::write_quick()?,
+                _ => truth::write(&figures_folder(), !kept)?,
             });
             Ok(())
         }

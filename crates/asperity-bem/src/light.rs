@@ -13,10 +13,10 @@ use crate::iteration::{Iteration, Problem};
 use crate::unloading::even_approach;
 use crate::{BemError, Boundary, BoundaryElements, EDGE_SHARE};
 
-/// Most candidates: two matrices of 130 MB.
-const MOST_CANDIDATES: usize = 4000;
+/// Most candidates: two matrices of 200 MB.
+const MOST_CANDIDATES: usize = 5000;
 /// Candidates over the expected number of pixels in contact, and at least this many.
-const MARGIN: f64 = 3.0;
+const MARGIN: f64 = 2.2;
 const LEAST_CANDIDATES: usize = 64;
 /// Two are usual.
 const MOST_ROUNDS: usize = 12;

@@ -13,6 +13,13 @@ use crate::scene::{LoadedScene, NamedModel};
 pub const READ_0: &str =
     "are 0: they are below the smallest f64, and far fewer than one asperity touches";
 
+/// The columns of plots, with their labels.
+pub const COLUMNS: [(&str, &str); 3] = [
+    ("force_N", "force (N)"),
+    ("area_m2", "area (m²)"),
+    ("stiffness_N_per_m", "stiffness (N/m)"),
+];
+
 pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
     format!("{}: {id}", scene.name)
 }
@@ -48,11 +55,6 @@ pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<St
     // The law names the curve.
     by_law.head.remove(0);
     by_law.rows.iter_mut().for_each(|row| drop(row.remove(0)));
-    let columns = [
-        ("force_N", "force (N)"),
-        ("area_m2", "area (m²)"),
-        ("stiffness_N_per_m", "stiffness (N/m)"),
-    ];
     let laws = joints.iter().map(|joint| joint.law().to_string());
     let curves: Vec<Curve> = laws
         .enumerate()
@@ -64,5 +66,5 @@ pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<St
             curve
         })
         .collect();
-    plot::against(&by_law, x, &columns, &curves)
+    plot::against(&by_law, x, &COLUMNS, &curves)
 }

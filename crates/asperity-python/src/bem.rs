@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 
-use asperity::bem::{Bem, BemError, Continuation, LoadCase, Solution};
-use asperity::{ContactState, Described, Diagnostics, Model, Truth};
+use asperity::bem::{Bem, BemError, ContactSummary, Continuation, LoadCase, Solution};
+use asperity::{ContactModel, ContactState, Described, Diagnostics, Model, Request, Truth};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
@@ -14,6 +14,7 @@ use pyo3::types::PyDict;
 
 use crate::ask::long::{SIGNAL_INTERVAL, pool};
 use crate::convert::error::{refused, value_error, warn};
+use crate::model::engine::quantities_of;
 use crate::records::{Interface, instance, with_article};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
@@ -87,6 +88,18 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// The scene whose nominal area and interface quantities use.
+    fn contact(&self, bem: &Bem, interface: asperity::Interface) -> asperity::Scene {
+        match self {
+            Self::Scene(file) => file.scene.clone(),
+            Self::Topography(..) => {
+                // Boundary elements use no asperities.
+                let surface = asperity::Surface::new(1.0, 1.0, 1.0);
+                asperity::Scene::new(interface, surface, bem.map().area())
+            }
+        }
+    }
+
     /// The area of the loads: the nominal area of a scene, or that of a topography.
     fn area(&self, bem: &Bem) -> f64 {
         match self {
@@ -116,13 +129,19 @@ pub(crate) fn bem<'py>(
     elastic: bool,
     boundary: Option<&str>,
     maps_and_mask: (bool, bool),
+    quantities: Vec<String>,
 ) -> PyResult<Contacts<'py>> {
     let (py, (maps, mask)) = (scan.0.py(), maps_and_mask);
+    let quantities = quantities_of(&quantities)?;
     let scan = Scan::new(&scan.0, scan.1.as_ref(), scan.2.as_deref())?;
     let (bem, interface) = scan.bem(py, boundary, elastic)?;
     bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
     let elements = bem.elements(&interface).map_err(refused)?;
     let area = scan.area(&bem);
+    let contact = scan.contact(&bem, interface);
+    // Refuses what boundary elements or the interface lack before anything is solved.
+    let request = Request::new(quantities.iter().copied());
+    bem.compile(&contact, &request).map_err(refused)?;
     let of = |value| match given {
         "gap" => LoadCase::MeanGap(value),
         "load" => LoadCase::MeanPressure(value / area),
@@ -130,6 +149,7 @@ pub(crate) fn bem<'py>(
     };
     let all: Vec<LoadCase> = values.into_iter().map(of).collect();
     let mut solved: Vec<Option<Solution>> = vec![None; all.len()];
+    let mut summaries: Vec<Option<ContactSummary>> = vec![None; all.len()];
     let (mut notes, mut failed, mut failures) = (Diagnostics::default(), None, BTreeMap::new());
     run_interruptible(py, |stop| {
         elements.solve_each(
@@ -137,6 +157,9 @@ pub(crate) fn bem<'py>(
             |_| continue_unless(stop),
             |index, solution| match solution {
                 Ok(mut solution) => {
+                    if !quantities.is_empty() {
+                        summaries[index] = Some(elements.summary(&solution, &quantities));
+                    }
                     notes.extend(solution.notes.iter().cloned());
                     if !maps {
                         (solution.pressures, solution.gaps) = (vec![], vec![]);
@@ -172,6 +195,21 @@ pub(crate) fn bem<'py>(
     add("patches", &|s| s.patches.len() as f64)?;
     add("iterations", &|s| s.iterations as f64)?;
     add("residual", &|s| s.residual)?;
+    for quantity in quantities {
+        let mut values = vec![f64::NAN; summaries.len()];
+        for (index, (value, summary)) in values.iter_mut().zip(&summaries).enumerate() {
+            let Some(summary) = summary else { continue };
+            match summary.evaluate(quantity, &contact) {
+                Ok(found) => *value = found.map_or(f64::NAN, |found| found.value()),
+                Err(error) if mask => {
+                    failures.insert(index, error.to_string());
+                }
+                Err(error) => return Err(refused(error)),
+            }
+        }
+        let name = quantity.to_string().replace('-', "_");
+        numbers.set_item(name, PyArray1::from_vec(py, values))?;
+    }
     let map = |of: &dyn Fn(&Solution) -> &Vec<f64>| {
         let pixels = bem.map().heights().len();
         let all = PyArray1::zeros(py, solved.len() * pixels, false);

@@ -32,9 +32,9 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
-pub use evidence::{Deviation, Evidence, EvidenceCase, EvidenceRow, Nearest};
+pub use evidence::{Compared, Deviation, Evidence, EvidenceCase, EvidenceRow, Expected, Nearest};
 pub use recommend::{
-    Comparison, EvidenceAt, Recommendation, recommend, recommend_among, usual_reference,
+    Comparison, EvidenceAt, Expectation, Recommendation, recommend, recommend_among, usual_reference,
 };
 pub use registry::Model;
 pub use tables::contact_table::{ContactNode, ContactTable};

@@ -99,4 +99,9 @@ pub const FIGURES: [FigureSpec; 18] = [
         table: || truth::table(Evidence::CSV, Shown::Stiffness),
         style: |csv| truth::style(csv, Shown::Stiffness),
     },
+    FigureSpec {
+        name: "truth-unloading",
+        table: || truth::table(Evidence::CSV, Shown::Unloading),
+        style: |csv| truth::style(csv, Shown::Unloading),
+    },
 ];

@@ -1,69 +1,136 @@
-//! The table of the README: the range of each model's deviations.
+//! The tables of the README: the range of each model's deviations.
 
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
-use asperity::{Described, Evidence};
+use asperity::{Compared, Described, Evidence, EvidenceCase};
 
-use super::cases::models;
-use super::picture::Shown;
+use super::models;
 
-/// The table, from the text of the evidence: for each model and material the range of the
-/// deviations over surfaces and loads.
+/// Light loads are those up to this p/(E g).
+const LIGHT: f64 = 5e-4;
+/// Loads above this are left out of the table of heavier loads, where half of the surface touches.
+const HEAVIEST: f64 = 0.2;
+
+/// A column: its head and its cases.
+type Column = (String, Box<dyn Fn(&EvidenceCase) -> bool>);
+
+/// The tables, from the text of the evidence: for each model the range of the deviations over
+/// surfaces and loads. Isotropic Gaussian surfaces by material, under light and heavier loads; then
+/// skewed surfaces and those with a lay.
 ///
 /// # Errors
 /// A text that is not evidence.
 pub fn table(text: &str) -> Result<String> {
     let evidence = Evidence::parse(text)?;
+    let plain = |case: &EvidenceCase| case.skewness == 0.0 && case.slope_ratio <= 1.0;
     let mut indices: Vec<f64> = vec![];
-    for case in evidence.cases() {
+    for case in evidence.cases().iter().filter(|case| plain(case)) {
         if !indices.iter().any(|known| known.total_cmp(&case.plasticity_index).is_eq()) {
             indices.push(case.plasticity_index);
         }
     }
-    let materials: Vec<String> = indices
-        .iter()
-        .map(|index| if *index > 0.0 { format!("ψ = {index}") } else { "elastic".into() })
-        .collect();
+    indices.sort_by(f64::total_cmp);
+    let material =
+        |index: f64| if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
+    let by_material = |light: bool| -> Vec<Column> {
+        let column = |index: &f64| -> Column {
+            let index = *index;
+            let holds = move |case: &EvidenceCase| {
+                plain(case)
+                    && case.plasticity_index.total_cmp(&index).is_eq()
+                    && (case.load <= LIGHT) == light
+                    && case.load <= HEAVIEST
+            };
+            (material(index), Box::new(holds))
+        };
+        indices.iter().map(column).collect()
+    };
+    let shapes: Vec<Column> = [
+        ("skewness -2", -2.0, 1.0),
+        ("skewness -1", -1.0, 1.0),
+        ("skewness +1", 1.0, 1.0),
+        ("lay 2", 0.0, 2.0),
+        ("lay 4", 0.0, 4.0),
+        ("lay 8", 0.0, 8.0),
+    ]
+    .map(|(name, skewness, ratio)| -> Column {
+        let holds = move |case: &EvidenceCase| {
+            case.skewness == skewness
+                && case.slope_ratio == ratio
+                && case.plasticity_index > 0.0
+                && case.load <= HEAVIEST
+        };
+        (name.into(), Box::new(holds))
+    })
+    .into_iter()
+    .collect();
     let mut out = String::new();
-    for (shown, what) in [(Shown::Area, "area"), (Shown::Stiffness, "stiffness")] {
-        writeln!(out, "| {what}, % off | {} |", materials.join(" | "))?;
-        writeln!(out, "|---|{}", "---:|".repeat(indices.len()))?;
-        for model in models() {
-            let mut row = vec![];
-            for index in &indices {
-                let of_material = evidence
-                    .cases()
-                    .iter()
-                    .filter(|case| case.plasticity_index.total_cmp(index).is_eq());
-                let off: Vec<f64> = of_material
-                    .filter_map(|case| {
-                        let found = case.models.iter().find(|(id, _)| id == model.id())?;
-                        Some(100.0 * (shown.of(&found.1)? / shown.of(&case.bem)? - 1.0))
-                    })
-                    .collect();
-                let ends = [f64::min, f64::max].map(|of| off.iter().copied().reduce(of));
-                row.push(match ends {
-                    [Some(low), Some(high)] => format!("{low:+.0} to {high:+.0}"),
-                    _ => "–".into(),
-                });
-            }
-            if row.iter().any(|cell| cell != "–") {
-                writeln!(out, "| `{}` | {} |", model.id(), row.join(" | "))?;
-            }
+    let light = format!("p/(E g) up to {LIGHT:e}");
+    let heavier = format!("p/(E g) from there to {HEAVIEST}");
+    for (columns, where_) in [
+        (by_material(true), light),
+        (by_material(false), heavier),
+        (shapes, "with a hardness, by shape of the surface".into()),
+    ] {
+        for (quantity, what) in Compared::ALL.into_iter().zip([
+            "area, % off",
+            "stiffness, % off",
+            "unloading stiffness and conductance, % off",
+            "mean gap, % of Sq off",
+        ]) {
+            write_table(&mut out, &evidence, (quantity, what), &columns, &where_)?;
         }
-        let mut spans = vec![];
-        for index in &indices {
-            let of_material =
-                evidence.cases().iter().filter(|c| c.plasticity_index.total_cmp(index).is_eq());
-            let span = of_material.filter_map(|case| {
-                let [low, high] = shown.span(&case.bem)?;
-                Some(50.0 * (high - low) / shown.of(&case.bem)?)
-            });
-            let widest = span.reduce(f64::max).context("a material without a case")?;
-            spans.push(format!("±{widest:.0}"));
-        }
-        writeln!(out, "| *largest scatter between surfaces* | {} |\n", spans.join(" | "))?;
     }
     Ok(out)
+}
+
+fn write_table(
+    out: &mut String,
+    evidence: &Evidence,
+    (quantity, what): (Compared, &str),
+    columns: &[Column],
+    where_: &str,
+) -> Result<()> {
+    let heads: Vec<&str> = columns.iter().map(|(head, _)| head.as_str()).collect();
+    writeln!(out, "{where_}:\n\n| {what} | {} |", heads.join(" | "))?;
+    writeln!(out, "|---|{}", "---:|".repeat(columns.len()))?;
+    let ends = |off: &mut dyn Iterator<Item = f64>| {
+        off.fold(None, |ends: Option<[f64; 2]>, x| {
+            Some(ends.map_or([x; 2], |[low, high]| [low.min(x), high.max(x)]))
+        })
+    };
+    for model in models() {
+        let cell = |(_, holds): &Column| {
+            let cases = evidence.cases().iter().filter(|case| holds(case));
+            let mut off = cases.filter_map(|case| {
+                let (_, found) = case.models.iter().find(|(id, _)| id == model.id())?;
+                let bem = case.bem.value(quantity)?;
+                let relative = Evidence::relative(quantity, found.value(quantity)?, bem);
+                let exact = if quantity == Compared::MeanGap { 0.0 } else { 1e3 };
+                Some(0.1 * (relative - exact))
+            });
+            ends(&mut off)
+        };
+        let row: Vec<String> = columns
+            .iter()
+            .map(|column| match cell(column) {
+                Some([low, high]) => format!("{low:+.0} to {high:+.0}"),
+                None => "–".into(),
+            })
+            .collect();
+        if row.iter().any(|cell| cell != "–") {
+            writeln!(out, "| `{}` | {} |", model.id(), row.join(" | "))?;
+        }
+    }
+    let mut errors = vec![];
+    for (_, holds) in columns {
+        let cases = evidence.cases().iter().filter(|case| holds(case));
+        let mut each = cases.filter_map(|case| {
+            let unit = if quantity == Compared::MeanGap { 1.0 } else { case.bem.value(quantity)? };
+            Some(100.0 * case.bem.error(quantity)? / unit)
+        });
+        errors.push(ends(&mut each).map_or("–".into(), |[_, most]| format!("±{most:.0}")));
+    }
+    writeln!(out, "| *largest standard error* | {} |\n", errors.join(" | ")).context("text")
 }

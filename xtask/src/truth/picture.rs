@@ -1,14 +1,12 @@
 //! The figures: models over boundary elements against the load, a panel for each case.
 
-use std::collections::BTreeMap;
-
 use anyhow::Result;
-use asperity::Evidence;
 use asperity::bem::RandomSurface;
+use asperity::{Compared, Evidence, EvidenceCase};
 use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
-use super::cases::{FULL, PIXELS_PER_WAVE, Scope};
-use crate::figures::models::{self, MARKERS, PAPER};
+use super::solved::{MOST_SEEDS, PIXELS_PER_WAVE};
+use crate::figures::models::MARKERS;
 use crate::table::{Field, Table};
 
 /// The quantity that is compared.
@@ -16,13 +14,15 @@ use crate::table::{Field, Table};
 pub enum Shown {
     /// The real area.
     Area,
-    /// -dp/d(gap).
+    /// -dp/d(gap) in first loading.
     Stiffness,
+    /// -dp/d(gap) at the start of unloading, and conductances.
+    Unloading,
 }
 
 impl Shown {
-    /// Area and stiffness.
-    pub const ALL: [Self; 2] = [Self::Area, Self::Stiffness];
+    /// All figures.
+    pub const ALL: [Self; 3] = [Self::Area, Self::Stiffness, Self::Unloading];
 
     /// Name of the files.
     #[must_use]
@@ -30,39 +30,42 @@ impl Shown {
         match self {
             Self::Area => "truth-area",
             Self::Stiffness => "truth-stiffness",
+            Self::Unloading => "truth-unloading",
         }
     }
 
-    /// The column of the evidence.
-    pub(super) fn of(self, state: &asperity::EvidenceRow) -> Option<f64> {
+    fn quantity(self) -> Compared {
         match self {
-            Self::Area => state.area_fraction,
-            Self::Stiffness => state.stiffness,
-        }
-    }
-
-    pub(super) fn span(self, state: &asperity::EvidenceRow) -> Option<[f64; 2]> {
-        match self {
-            Self::Area => state.area_span,
-            Self::Stiffness => state.stiffness_span,
+            Self::Area => Compared::Area,
+            Self::Stiffness => Compared::Stiffness,
+            Self::Unloading => Compared::UnloadingStiffness,
         }
     }
 }
 
-/// The models drawn besides the paper's nine, with their looks.
-const BESIDE: [(&str, &str, usize); 5] = [
+/// Plasticity indices with panels.
+const SHOWN_INDICES: [f64; 3] = [0.0, 2.0, 4.0];
+/// The models drawn, with their looks; the elastic panels have those of elastic contacts.
+const DRAWN: [(&str, &str, usize); 9] = [
+    ("gw", "GW", 0),
+    ("zmc", "ZMC", 2),
+    ("ke", "KE", 3),
+    ("jg", "JG", 5),
+    ("gao", "Gao", 7),
     ("gw-random", "GW random", 9),
-    ("ke-random", "KE random", 10),
     ("jg-random", "JG random", 11),
     ("persson", "Persson", 12),
     ("persson-fudge", "Persson fudge", 13),
 ];
+/// Models that are drawn in elastic panels alone: there are at most six curves in a panel.
+const ELASTIC_ONLY: [&str; 3] = ["gw", "gw-random", "persson"];
 /// Edges of the band.
-const BAND: [&str; 2] = ["seeds-low", "seeds-high"];
+const BAND: [&str; 2] = ["error-low", "error-high"];
 
 /// The name of a case.
-pub(super) fn case(alpha: f64, index: f64) -> String {
-    let material = if index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
+fn name(case: &EvidenceCase) -> String {
+    let EvidenceCase { alpha, plasticity_index: index, .. } = case;
+    let material = if *index > 0.0 { format!("ψ = {index}") } else { "elastic".into() };
     format!("α = {alpha:.1}; {material}")
 }
 
@@ -72,22 +75,32 @@ pub(super) fn case(alpha: f64, index: f64) -> String {
 /// A text that is not evidence.
 pub fn table(text: &str, shown: Shown) -> Result<Table> {
     let mut table = Table::new(&["case", "curve", "p_over_Eg", "model_over_bem"]);
-    for found in Evidence::parse(text)?.cases() {
-        let case = case(found.alpha, found.plasticity_index);
-        let Some(truth) = shown.of(&found.bem) else { continue };
+    let evidence = Evidence::parse(text)?;
+    let mut cases: Vec<&EvidenceCase> = evidence
+        .cases()
+        .iter()
+        .filter(|case| case.skewness == 0.0 && case.slope_ratio <= 1.0)
+        .filter(|case| SHOWN_INDICES.contains(&case.plasticity_index))
+        .collect();
+    cases.sort_by(|a, b| {
+        let index = a.plasticity_index.total_cmp(&b.plasticity_index);
+        a.alpha.total_cmp(&b.alpha).then(index).then(a.load.total_cmp(&b.load))
+    });
+    for found in cases {
+        let case = name(found);
+        let Some(truth) = found.bem.value(shown.quantity()) else { continue };
+        let error = found.bem.error(shown.quantity()).unwrap_or(0.0) / truth;
         let mut push = |curve: &str, value: f64| {
             let numbers = [found.load, value].map(Field::Number);
             table.push(&[&[Field::Word(&case), Field::Word(curve)], &numbers[..]].concat())
         };
-        for (edge, value) in BAND.iter().zip(shown.span(&found.bem).unwrap_or([truth; 2])) {
-            push(edge, value / truth)?;
-        }
-        let drawn = |id: &str| PAPER.contains(&id) || BESIDE.iter().any(|(known, ..)| *known == id);
-        // Where asperities yield, two of the elastic theories are shown.
-        let left_out =
-            |id: &str| found.plasticity_index > 0.0 && ["gw-random", "persson"].contains(&id);
-        for (id, state) in found.models.iter().filter(|(id, _)| drawn(id) && !left_out(id)) {
-            if let Some(value) = shown.of(state) {
+        push(BAND[0], 1.0 - error)?;
+        push(BAND[1], 1.0 + error)?;
+        for (id, ..) in DRAWN {
+            let left_out = found.plasticity_index > 0.0 && ELASTIC_ONLY.contains(&id);
+            let model = found.models.iter().find(|(known, _)| known == id);
+            let value = model.and_then(|(_, row)| row.value(shown.quantity()));
+            if let Some(value) = value.filter(|_| !left_out) {
                 push(id, value / truth)?;
             }
         }
@@ -100,56 +113,53 @@ pub fn table(text: &str, shown: Shown) -> Result<Table> {
 /// # Errors
 /// The csv of another figure.
 pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
-    let mut cases: Vec<&str> = vec![];
-    let mut curves: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    let mut cases: Vec<(&str, Vec<&str>)> = vec![];
     for line in csv.lines().skip(1) {
         let mut fields = line.split(',');
         let (Some(case), Some(curve)) = (fields.next(), fields.next()) else { continue };
-        if !cases.contains(&case) {
-            cases.push(case);
+        if cases.last().is_none_or(|(known, _)| *known != case) {
+            cases.push((case, vec![]));
         }
-        let of_case = curves.entry(case).or_default();
-        if !of_case.contains(&curve) && !BAND.contains(&curve) {
-            of_case.push(curve);
+        if let Some((_, curves)) = cases.last_mut()
+            && !curves.contains(&curve)
+        {
+            curves.push(curve);
         }
     }
-    // The hardness decreases down the columns; the spectrum broadens along the rows.
-    let rows = cases.len() / 3;
-    let panel = |k: usize| -> Result<Panel> {
-        let case = cases[k % 3 * rows + k / 3];
-        let x = Axis::new("p_over_Eg", "p/(E g)").log();
+    let panel = |(case, curves): &(&str, Vec<&str>)| {
+        let x = Axis::new("p_over_Eg", "p/(E g)").log().range(1e-5, 0.3);
         let (label, range) = match shown {
-            Shown::Area => ("area/BEM", (0.5, 1.75)),
+            Shown::Area => ("area/BEM", (0.4, 1.6)),
             Shown::Stiffness => ("stiffness/BEM", (0.0, 1.6)),
+            Shown::Unloading => ("unloading stiffness/BEM", (0.0, 1.6)),
         };
         let mut panel = Panel::new(x, Axis::new("model_over_bem", label).range(range.0, range.1));
-        panel.title = case.into();
-        panel.only = Some(("case".into(), case.into()));
-        let curve = |id: &&str| match BESIDE.iter().find(|(known, ..)| known == id) {
-            Some((_, label, look)) => Ok(Curve::new(*look, id, label)),
-            None => models::curve(id),
-        };
-        panel.curves = curves[case].iter().map(curve).collect::<Result<_>>()?;
+        panel.title = (*case).into();
+        panel.only = Some(("case".into(), (*case).into()));
+        let drawn = DRAWN.iter().filter(|(id, ..)| curves.contains(id));
+        panel.curves = drawn.map(|(id, label, look)| Curve::new(*look, id, label)).collect();
         let [lower, upper] = BAND.map(Into::into);
         panel.between = vec![Between { lower, upper, look: 9 }];
         panel.horizontals = vec![Mark::new(1.0, "")];
-        Ok(panel)
+        panel
     };
-    let panels = (0..3 * rows).map(panel).collect::<Result<_>>()?;
+    let panels = cases.iter().map(panel).collect();
     let (title, what) = match shown {
         Shown::Area => ("Real area of the models over that of boundary elements", "Real area"),
         Shown::Stiffness => (
-            "Stiffness of the models over that of boundary elements",
-            "Stiffness -dp/d(mean gap) (of boundary elements from pressures 5 % to either side; Persson's for a power law with the same moments and Hurst exponent)",
+            "Stiffness of the models in first loading over that of boundary elements",
+            "Stiffness -dp/d(mean gap) in first loading (of boundary elements with a hardness from pressures 5 % to either side)",
+        ),
+        Shown::Unloading => (
+            "Unloading stiffness and conductance of the models over those of boundary elements",
+            "Stiffness at the start of unloading, of boundary elements at fixed contact (conductances have the same ratio)",
         ),
     };
-    let Scope { pixels, seeds, waves, .. } = FULL;
-    let longest: Vec<String> = waves.iter().map(|[longest, _]| format!("1/{longest}")).collect();
-    let (longest, hurst) = (longest.join(", "), RandomSurface::HURST);
+    let hurst = RandomSurface::HURST;
     let how = format!(
-        "{what} over the mean of {seeds} surfaces with the same moments, whose span is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: {pixels} × {pixels} pixels, shortest wave {PIXELS_PER_WAVE} pixels, longest {longest} of the side, Hurst exponent {hurst}, seeds 1 to {seeds}. AT as printed leaves the frame where its force decreases on approach."
+        "{what} over the mean of up to {MOST_SEEDS} surfaces with the same moments, whose standard error is grey, against the nominal pressure p; g is the rms gradient, α = m₀m₄/m₂², ψ = √(σ_z/w_c). Isotropic periodic surfaces of asperity::bem::RandomSurface: 256 × 256 to 2048 × 2048 pixels, shortest wave {PIXELS_PER_WAVE} pixels, Hurst exponent {hurst}."
     );
-    let caveats = "At p/(E g) = 10⁻³ a surface has few contact patches, and the span is wide. In boundary elements the pressure is capped at H: a contact yields at a Hertz peak pressure of H, in the models at S·H = 0.577 H, so that yield starts a little later at the same ψ. This is a reference for a constant mean pressure H, not for elastic-plastic finite elements. The models use only m₀, m₂ and m₄ of the surface. JG cosine, the other readings of AT and the other random asperities are in crates/asperity/data/truth.csv.";
+    let caveats = "In boundary elements the pressure is capped at H: a contact yields at a Hertz peak pressure of H, in the models at S·H = 0.577 H, so that yield starts a little later at the same ψ. This is a reference for a constant mean pressure H, not for elastic-plastic finite elements. Other models, other ψ, skewed surfaces and surfaces with a lay are in crates/asperity/data/truth.csv.";
     let mut figure = Figure::new(title, &[&how, caveats, MARKERS], panels);
     figure.columns = 3;
     Ok(figure)

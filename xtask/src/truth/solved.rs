@@ -8,8 +8,8 @@ use std::io::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
-use asperity::bem::{BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
+use anyhow::{Context, Result, anyhow, bail};
+use asperity::bem::{BemError, BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
 use asperity::{Interface, Scene, Surface};
 
 /// Pixels per shortest wave.
@@ -26,8 +26,10 @@ const LEAST_PATCH: usize = 12;
 const ENOUGH_PATCHES: usize = 200;
 /// Above this share of the area patches merge, and their number tells nothing.
 const MERGED: f64 = 0.05;
-const LEAST_SEEDS: u64 = 4;
-const MOST_SEEDS: u64 = 16;
+/// Number of seeds behind every row.
+pub const LEAST_SEEDS: u64 = 4;
+/// Most seeds of a case.
+pub const MOST_SEEDS: u64 = 16;
 /// Loads to this p/(E g) are solved with the highest pixels as unknowns.
 const LIGHT: f64 = 3e-4;
 /// Stiffnesses of first loading are differences between pressures this share to either side.
@@ -47,6 +49,7 @@ pub struct Family {
     pub name: &'static str,
     /// The longest waves and the roll-off in waves on 512 pixels.
     pub waves: [f64; 2],
+    /// Of the heights.
     pub skewness: f64,
     /// Slope across the lay over that along it; the lay is along the rows.
     pub slope_ratio: f64,
@@ -128,6 +131,7 @@ pub fn scene(surface: &RandomSurface, index: f64) -> Result<Scene> {
 pub struct Contact {
     /// p/(E g).
     pub load: f64,
+    /// Real over nominal area.
     pub area: f64,
     /// Share of the surface at the hardness.
     pub plastic_area: f64,
@@ -170,6 +174,7 @@ impl Contact {
 #[derive(Debug, Clone)]
 pub struct Kept {
     folder: PathBuf,
+    most_seeds: u64,
 }
 
 impl Kept {
@@ -179,7 +184,14 @@ impl Kept {
     /// A folder that cannot be made.
     pub fn in_folder(folder: &Path) -> Result<Self> {
         fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-        Ok(Self { folder: folder.to_owned() })
+        Ok(Self { folder: folder.to_owned(), most_seeds: MOST_SEEDS })
+    }
+
+    /// At most this many surfaces for a case.
+    #[must_use]
+    pub fn most_seeds(mut self, most_seeds: u64) -> Self {
+        self.most_seeds = most_seeds;
+        self
     }
 
     fn path(&self, family: &Family, pixels: usize, index: f64, seed: u64) -> PathBuf {
@@ -201,16 +213,17 @@ impl Kept {
             let all = self.contacts(family, pixels, index, seed);
             all.into_iter().find(|contact| (contact.load / load - 1.0).abs() < 1e-9)
         };
-        (1..=MOST_SEEDS).map_while(of).collect()
+        (1..=self.most_seeds).map_while(of).collect()
     }
 
     /// Whether no more seeds are needed.
-    fn is_done(&self, family: &Family, index: f64, load: f64) -> bool {
+    #[must_use]
+    pub fn is_done(&self, family: &Family, index: f64, load: f64) -> bool {
         let found = self.seeds(family, index, load);
         let patches: f64 = found.iter().map(|contact| contact.patches).sum();
         let count = found.len() as u64;
         let merged = found.iter().all(|contact| contact.area > MERGED);
-        count >= MOST_SEEDS
+        count >= self.most_seeds
             || count >= LEAST_SEEDS && (merged || patches >= ENOUGH_PATCHES as f64)
     }
 
@@ -239,38 +252,35 @@ impl Kept {
         sizes.dedup();
         for pixels in sizes {
             let surface = family.surface(pixels)?;
-            for seed in 1..=MOST_SEEDS {
+            for seed in 1..=self.most_seeds {
                 let mut map = None;
                 for &index in indices {
                     let hardness = scene(&surface, index)?.interface.hardness;
-                    let carried = |load: &&f64| {
-                        let pressure = **load * MODULUS * GRADIENT;
-                        hardness.is_none_or(|hardness| pressure < MOST_OF_HARDNESS * hardness)
-                    };
                     let needed = |load: &&f64| {
                         family.pixels_for(**load) == pixels
                             && self.seeds(family, index, **load).len() as u64 == seed - 1
                             && !self.is_done(family, index, **load)
                     };
                     let loads: Vec<f64> =
-                        loads.iter().filter(carried).filter(needed).copied().collect();
+                        loads.iter().filter(|load| is_carried(hardness, **load)).filter(needed).copied().collect();
                     if loads.is_empty() {
                         continue;
                     }
-                    progress(&format!("{} {pixels} psi {index} seed {seed}", family.name));
+                    progress(&format!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name));
                     let map: &HeightMap = match &mut map {
                         Some(map) => map,
                         none => none.insert(surface.seed(seed).heights(pixels)?),
                     };
                     let elements = BoundaryElements::new(map.clone(), MODULUS)?;
-                    let heavy = loads.iter().all(|load| *load > LIGHT);
-                    let elements =
-                        if heavy { elements.tolerance(HEAVY_TOLERANCE)? } else { elements };
                     let elements = match hardness {
                         Some(hardness) => elements.hardness(hardness)?,
                         None => elements,
                     };
-                    let found = contacts(&elements, &loads, surface.moments().m0.sqrt())?;
+                    let sq = surface.moments().m0.sqrt();
+                    let (light, heavy): (Vec<f64>, Vec<f64>) =
+                        loads.iter().partition(|load| **load <= LIGHT);
+                    let mut found = light_contacts(&elements, &light, sq)?;
+                    found.extend(heavy_contacts(elements, &heavy, sq)?);
                     self.add(family, pixels, index, seed, &found)?;
                 }
             }
@@ -279,68 +289,99 @@ impl Kept {
     }
 }
 
+/// Whether a load is well below the hardness.
+#[must_use]
+pub fn is_carried(hardness: Option<f64>, load: f64) -> bool {
+    hardness.is_none_or(|hardness| load * MODULUS * GRADIENT < MOST_OF_HARDNESS * hardness)
+}
+
 /// What is kept of a solution: mean gap, then the numbers of a [`Contact`].
 struct Solved {
     mean_gap: f64,
     contact: Contact,
 }
 
-/// Contacts at these loads, all light or none.
-fn contacts(elements: &BoundaryElements, loads: &[f64], sq: f64) -> Result<Vec<Contact>> {
-    let elastic = elements.limit().is_none();
-    let around = if elastic { &[1.0][..] } else { &[1.0 - STEP, 1.0, 1.0 + STEP] };
-    let pressures: Vec<f64> = loads
-        .iter()
-        .flat_map(|load| around.iter().map(move |k| k * load * MODULUS * GRADIENT))
-        .collect();
-    let patches = |all: &[usize]| all.iter().filter(|size| **size >= LEAST_PATCH).count() as f64;
-    let mut solved: Vec<Option<Solved>> = pressures.iter().map(|_| None).collect();
-    if loads.iter().all(|load| *load <= LIGHT) {
-        for (found, solved) in elements.solve_light(&pressures)?.iter().zip(&mut solved) {
-            let contact = Contact {
-                area: found.area,
-                plastic_area: found.plastic_area,
-                gap: found.mean_open_gap,
-                unloading_stiffness: found.unloading_stiffness,
-                patches: patches(&found.patches),
-                pixels: found.pressures.len() as f64,
-                ..Contact::default()
-            };
-            *solved = Some(Solved { mean_gap: found.mean_gap, contact });
-        }
-    } else {
-        let mut failed = None;
-        let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
-        let of = |found: Solution, middle: bool| -> Result<Solved> {
-            let fixed = if middle { elements.fixed_contact(&found)?.stiffness } else { 0.0 };
-            let contact = Contact {
-                area: found.area,
-                plastic_area: found.plastic_area,
-                gap: found.mean_open_gap,
-                unloading_stiffness: fixed,
-                patches: patches(&found.patches),
-                pixels: found.patches.iter().sum::<usize>() as f64,
-                ..Contact::default()
-            };
-            Ok(Solved { mean_gap: found.mean_gap, contact })
-        };
-        elements.solve_each(&given, |_| ControlFlow::Continue(()), |at, found| {
-            let middle = at % around.len() == around.len() / 2;
-            match found.map_err(Into::into).and_then(|found| of(found, middle)) {
-                Ok(found) => solved[at] = Some(found),
-                Err(error) => failed = Some(error),
-            }
-        });
-        if let Some(error) = failed {
-            return Err(error);
-        }
+/// The pressures to solve for each load: for stiffnesses of first loading also to either side;
+/// elastic contacts unload as they load.
+fn around(elements: &BoundaryElements) -> &'static [f64] {
+    match elements.limit() {
+        None => &[1.0],
+        Some(_) => &[1.0 - STEP, 1.0, 1.0 + STEP],
     }
+}
+
+fn pressures(loads: &[f64], around: &[f64]) -> Vec<f64> {
+    let of = |load: &f64| around.iter().map(move |k| k * load * MODULUS * GRADIENT).collect();
+    loads.iter().flat_map(|load| -> Vec<f64> { of(load) }).collect()
+}
+
+fn count_patches(sizes: &[usize]) -> f64 {
+    sizes.iter().filter(|size| **size >= LEAST_PATCH).count() as f64
+}
+
+/// Contacts with the highest pixels as unknowns.
+fn light_contacts(elements: &BoundaryElements, loads: &[f64], sq: f64) -> Result<Vec<Contact>> {
+    let around = around(elements);
+    let solved = match elements.solve_light(&pressures(loads, around)) {
+        Err(BemError::NotLight { .. }) => return heavy_contacts(elements.clone(), loads, sq),
+        solved => solved?,
+    };
+    let solved = solved.iter().map(|found| Solved {
+        mean_gap: found.mean_gap,
+        contact: Contact {
+            area: found.area,
+            plastic_area: found.plastic_area,
+            gap: found.mean_open_gap,
+            unloading_stiffness: found.unloading_stiffness,
+            patches: count_patches(&found.patches),
+            pixels: found.pressures.len() as f64,
+            ..Contact::default()
+        },
+    });
+    dimensionless(loads, &solved.collect::<Vec<_>>(), sq)
+}
+
+/// Contacts of the whole map.
+fn heavy_contacts(elements: BoundaryElements, loads: &[f64], sq: f64) -> Result<Vec<Contact>> {
+    let around = around(&elements);
+    let elements = elements.tolerance(HEAVY_TOLERANCE)?;
+    let pressures = pressures(loads, around);
+    let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
+    let of = |found: &Solution, middle: bool| -> Result<Solved> {
+        let fixed = if middle { elements.fixed_contact(found)?.stiffness } else { 0.0 };
+        let contact = Contact {
+            area: found.area,
+            plastic_area: found.plastic_area,
+            gap: found.mean_open_gap,
+            unloading_stiffness: fixed,
+            patches: count_patches(&found.patches),
+            pixels: found.patches.iter().sum::<usize>() as f64,
+            ..Contact::default()
+        };
+        Ok(Solved { mean_gap: found.mean_gap, contact })
+    };
+    let mut solved: Vec<Result<Solved>> =
+        given.iter().map(|_| Err(anyhow!("a load was not solved"))).collect();
+    elements.solve_each(
+        &given,
+        |_| ControlFlow::Continue(()),
+        |at, found| {
+            let middle = at % around.len() == around.len() / 2;
+            solved[at] = found.map_err(Into::into).and_then(|found| of(&found, middle));
+        },
+    );
+    let solved: Vec<Solved> = solved.into_iter().collect::<Result<_>>()?;
+    dimensionless(loads, &solved, sq)
+}
+
+/// The contacts of the loads from the solutions around each.
+fn dimensionless(loads: &[f64], solved: &[Solved], sq: f64) -> Result<Vec<Contact>> {
     let unit = MODULUS / sq;
-    let mut contacts = vec![];
-    for (load, solved) in loads.iter().zip(solved.chunks(around.len())) {
+    let around = solved.len() / loads.len().max(1);
+    let of = |(load, solved): (&f64, &[Solved])| {
         let (stiffness, mut contact) = match solved {
-            [Some(here)] => (here.contact.unloading_stiffness, here.contact),
-            [Some(less), Some(here), Some(more)] => {
+            [here] => (here.contact.unloading_stiffness, here.contact),
+            [less, here, more] => {
                 let force = 2.0 * STEP * load * MODULUS * GRADIENT;
                 (force / (less.mean_gap - more.mean_gap), here.contact)
             }
@@ -350,7 +391,7 @@ fn contacts(elements: &BoundaryElements, loads: &[f64], sq: f64) -> Result<Vec<C
         contact.gap /= sq;
         contact.stiffness = stiffness / unit;
         contact.unloading_stiffness /= unit;
-        contacts.push(contact);
-    }
-    Ok(contacts)
+        Ok(contact)
+    };
+    loads.iter().zip(solved.chunks(around.max(1))).map(of).collect()
 }

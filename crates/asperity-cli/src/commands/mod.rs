@@ -24,6 +24,7 @@ mod solve;
 mod surface;
 mod truth;
 mod unload;
+mod unload_bem;
 
 use anyhow::Result;
 use clap::Subcommand;

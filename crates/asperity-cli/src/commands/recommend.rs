@@ -42,8 +42,10 @@ loads, relative to the reference (differences for logarithms and shares).
 Agreement with the reference is no proof of accuracy: columns .._off_bem have the
 deviation of a model from boundary elements in the nearest solved case (random surfaces of
 {solved}),
-the largest over the separations or loads that have one; .._spread is the scatter between
-such surfaces. Notes give the deviations one by one, and where no solved case is near.
+the largest over the separations or loads that have one; .._spread is the standard error
+of the mean of such surfaces. Notes give the expected deviation of the reference and of the
+recommended model at the loads themselves, interpolated between solved surfaces, with an
+interval that holds nine of ten surfaces left out; they also give the deviations one by one, and where no solved case is near.
 `asperity truth` solves the scan of the scene itself.
 Default: force and area (at loads the area) at separations of 0:4:401 in units of
 asperity_height_std.
@@ -127,7 +129,8 @@ impl Recommend {
             "note",
             &format!("{chosen}; models are listed from simplest to most complex"),
         );
-        advice.summary().iter().for_each(|note| print_message("note", note));
+        let notes = [advice.summary(), advice.expectations()].concat();
+        notes.iter().for_each(|note| print_message("note", note));
         self.output.write(&table)
     }
 }

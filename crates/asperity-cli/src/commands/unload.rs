@@ -1,17 +1,18 @@
 //! `asperity unload`: opening from the closest approach.
 
 use anyhow::{Context, Result, bail};
+use asperity::bem::Bem;
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, Evaluation, SeparationUnit, Tolerance, linspace};
-use asperity_plot::Axis;
+use asperity_plot::{Axis, Curve};
 use clap::Args;
 use clap::error::ErrorKind;
 
-use crate::commands::history;
+use crate::commands::{history, unload_bem};
 use crate::input::args::{Closed, DrawnArgs, separation_unit, tolerance};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::numbers::{Numbers, turning_loads};
-use crate::joints::{READ_0, marked, named, picture, warn_energy_gain};
+use crate::joints::{COLUMNS, READ_0, marked, named, picture, warn_energy_gain};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::table::{Cell, Table};
@@ -39,13 +40,16 @@ times the work of closing; that of slip is another one, per cycle.
 --history takes a new joint through turning points instead, from the first;
 columns: model, law, way, separation_over_sigma, separation_m, force_N, pressure_Pa,
 stiffness_N_per_m; a note gives the work of each way.
-Models of equal, upright asperities with circular contacts only, without adhesion;
+bem opens the scan along its own path: contact shrinks on the surface that yielding has
+left, and the stiffness is that at fixed contact (columns without contacts; law is own).
+Otherwise models of equal, upright asperities with circular contacts only, without adhesion;
 to open a joint with jkr adhesion, use the model jkr-separation.
 
 Examples:
   asperity unload scene.toml --model ke --closest 1 --retreat 0:0.5:6 --format table
   asperity unload scene.toml --model zmc --law hertz,brake,etsion --load 100 --retreat 0:100nm:11
   asperity unload scene.toml --model ke --pressure 5MPa --output back.csv --plot back.svg
+  asperity unload scan.toml --model bem --pressure 50MPa --retreat 0:100nm:11
   asperity unload scene.toml --model ke --history-load 10,2000,500,3000,10 --output cycle.csv"
 )]
 pub struct Unload {
@@ -80,6 +84,9 @@ impl Unload {
     pub fn run(self) -> Result<()> {
         self.output.check("unload");
         let (scene, model) = self.closed.open()?;
+        if model.0 == Bem::ID {
+            return self.back_by_elements(&scene, &model);
+        }
         let turns = self.turns(&scene);
         let place = match turns {
             None => Some(self.place(&scene, &model)),
@@ -98,6 +105,31 @@ impl Unload {
             (None, Some(place)) => self.back(&scene, &model, &joints, place),
             (None, None) => Ok(()),
         }
+    }
+
+    /// Writes the opening of a scan along its own path.
+    fn back_by_elements(&self, scene: &LoadedScene, model: &NamedModel) -> Result<()> {
+        let refuse =
+            |text: &str| crate::input::usage_error("unload", ErrorKind::ArgumentConflict, text);
+        if self.laws != [UnloadingLaw::Hertz] {
+            refuse("bem follows the contact itself; leave out --law");
+        }
+        if self.history.is_some() || self.history_load.is_some() {
+            refuse("bem opens from one load; use --load, --pressure or --closest");
+        }
+        let place = self.place(scene, model);
+        let retreats = match &self.retreat {
+            Some(_) => Some(self.retreats(scene, None)?),
+            None => None,
+        };
+        let table = unload_bem::table(scene, place, retreats)?;
+        self.output.write(&table, || {
+            let x = Axis::new("retreat_m", "retreat (µm)").times(1e6);
+            let mut by_law = table.clone();
+            by_law.head.remove(0);
+            by_law.rows.iter_mut().for_each(|row| drop(row.remove(0)));
+            plot::against(&by_law, &x, &COLUMNS, &[Curve::new(0, "own", "bem, back")])
+        })
     }
 
     /// The closest approach; several are a usage error.

@@ -493,6 +493,7 @@ def bem(
     elastic: bool,
     boundary: str | None,
     maps_and_mask: tuple[bool, bool],
+    quantities: Sequence[str],
 ) -> tuple[
     dict[str, _Floats],
     tuple[_Floats, _Floats] | None,

@@ -53,6 +53,8 @@ class BemContacts:
     boundary: str
     #: The area of the loads [m^2]: the nominal area of the scene or, without one, that of the scan.
     nominal_area: float
+    #: The requested quantities, by name with underscores: ``unloading_stiffness`` [N/m], ...
+    quantities: Mapping[str, Floats] = MappingProxyType({})
 
     def __repr__(self) -> str:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
@@ -111,6 +113,7 @@ def bem(
     level: str | None = None,
     elastic: bool = False,
     boundary: Boundary | None = None,
+    quantities: Sequence[str] = (),
     maps: bool = True,
     errors: str = "raise",
 ) -> BemContacts:
@@ -138,6 +141,11 @@ def bem(
         repeated, without steps; or there is a free half-space. By default a scan declared periodic
         is repeated as it is. So is another one if its edges match; if not, its periodic component
         is used, with a warning. ``BemContacts.boundary`` names the choice.
+    quantities : sequence of str
+        Quantities of joints, by the names that models have: "unloading-stiffness",
+        "tangential-stiffness", "thermal-conductance", "electrical-conductance", the last two also
+        with "-per-area"; ``BemContacts.quantities`` has them. The contact pixels are held, so that
+        interaction and shapes of contacts are included.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"
@@ -168,7 +176,13 @@ def bem(
     else:
         scan, level = _scan(surface, pixel_size), level or "none"
     numbers, kept, (rows, columns), failures, used, area = _asperity.bem(
-        (scan, interface, level), name, values.ravel().tolist(), elastic, boundary, (maps, mask)
+        (scan, interface, level),
+        name,
+        values.ravel().tolist(),
+        elastic,
+        boundary,
+        (maps, mask),
+        list(quantities),
     )
 
     def shaped(array: npt.NDArray[Any], *pixels: int) -> Any:
@@ -176,6 +190,8 @@ def bem(
         return np.ma.masked_invalid(array) if failures else array
 
     contacts: dict[str, Any] = {name: shaped(array) for name, array in numbers.items()}
+    fields = BemContacts.__dataclass_fields__
+    joints = {name: contacts.pop(name) for name in numbers if name not in fields}
     for count in ("patches", "iterations"):
         # NaN has no integer.
         counts = np.nan_to_num(numbers[count].reshape(values.shape)).astype(np.int64)
@@ -189,6 +205,7 @@ def bem(
         failures=failures,
         boundary=used,
         nominal_area=area,
+        quantities=MappingProxyType(joints),
     )
 
 

@@ -6,8 +6,8 @@ mod advice;
 use serde::Serialize;
 
 use crate::{
-    At, Check, ContactError, ContactModel, Deviation, Diagnostic, Evaluation, Evidence, Model,
-    Nearest, Quantity, Request, Scene, Severity,
+    At, Check, Compared, ContactError, ContactModel, Described, Deviation, Diagnostic, Evaluation,
+    Evidence, Expected, Model, Nearest, Quantity, Request, Scene, Severity,
 };
 
 /// The id of the default reference model: `ke`, or `gw` without a hardness.
@@ -80,6 +80,7 @@ impl Recommendation {
     pub fn without_evidence(mut self, reason: &str) -> Self {
         for place in &mut self.evidence {
             place.nearest = Err(Evidence::none(reason.to_string()));
+            place.expected.clear();
         }
         self.comparisons.iter_mut().for_each(|found| found.off = None);
         self
@@ -94,6 +95,21 @@ pub struct EvidenceAt {
     pub at: At,
     /// The nearest solved case, or why there is none.
     pub nearest: Result<Nearest<'static>, ContactError>,
+    /// How far the reference and the recommended model are expected to be from boundary elements
+    /// at this very load.
+    pub expected: Vec<Expectation>,
+}
+
+/// The expected ratio of a quantity of a model to boundary elements.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Expectation {
+    /// The id of the model.
+    pub model: String,
+    /// The quantity.
+    pub quantity: Compared,
+    /// The ratio and its interval.
+    pub expected: Expected,
 }
 
 /// Compares all models with `reference` at the separations and loads of the request. Recommends the
@@ -146,7 +162,7 @@ pub fn recommend_among(
         return Err(ContactError::OutOfRange { field, value: 0.0, required });
     }
     let wanted = answers(reference, scene, request)?;
-    let evidence = evidence(scene, request, reference)?;
+    let mut evidence = evidence(scene, request, reference)?;
     let mut comparisons: Vec<Comparison> = models
         .into_iter()
         .map(|model| {
@@ -155,7 +171,7 @@ pub fn recommend_among(
                 columns.map(|(q, (a, b))| (*q, largest_deviation(*q, a, b))).collect()
             });
             let regimes = regimes(&model, scene, request);
-            let cases = evidence.iter().filter_map(|place| place.nearest.as_ref().ok());
+            let cases = evidence.iter().filter_map(|(place, _)| place.nearest.as_ref().ok());
             let off = cases.filter_map(|near| near.deviation(model.id())).reduce(Deviation::worse);
             let mut found = Comparison { model, deviations, regimes, outside: None, off };
             if found.largest() <= within {
@@ -172,6 +188,20 @@ pub fn recommend_among(
     let near = comparisons.iter().find(|c| c.largest() <= within && c.outside.is_none());
     let itself = || outside(reference, scene, &request.at).is_none().then(|| reference.clone());
     let simplest = near.map(|c| c.model.clone()).or_else(itself);
+    let mut named = vec![reference.id()];
+    named.extend(simplest.as_ref().map(Described::id).filter(|id| *id != reference.id()));
+    for (place, pressure) in &mut evidence {
+        let Some(pressure) = pressure.filter(|_| place.nearest.is_ok()) else { continue };
+        for (model, quantity) in
+            named.iter().flat_map(|id| Compared::ALL.map(|quantity| (*id, quantity)))
+        {
+            let expected = Evidence::committed()?.expected(scene, pressure, model, quantity)?;
+            let model = model.to_string();
+            let found = expected.map(|expected| Expectation { model, quantity, expected });
+            place.expected.extend(found);
+        }
+    }
+    let evidence = evidence.into_iter().map(|(place, _)| place).collect();
     Ok(Recommendation { reference: reference.clone(), within, simplest, comparisons, evidence })
 }
 
@@ -186,7 +216,7 @@ fn evidence(
     scene: &Scene,
     request: &Request,
     reference: &Model,
-) -> Result<Vec<EvidenceAt>, ContactError> {
+) -> Result<Vec<(EvidenceAt, Option<f64>)>, ContactError> {
     let places = || request.at.iter().copied();
     let pressed = Request::new([Quantity::Pressure]).within(request.tolerance).at(places());
     let contact = reference.compile(scene, &pressed)?;
@@ -203,9 +233,16 @@ fn evidence(
             || Ok(contact.evaluate(Quantity::Pressure, at)?.value()),
             Ok::<_, ContactError>,
         )?;
-        Evidence::committed()?.nearest(scene, pressure)
+        Ok((Evidence::committed()?.nearest(scene, pressure)?, pressure))
     };
-    Ok(places().map(|at| EvidenceAt { at, nearest: near(at) }).collect())
+    let place = |at| {
+        let (nearest, pressure) = match near(at) {
+            Ok((nearest, pressure)) => (Ok(nearest), Some(pressure)),
+            Err(reason) => (Err(reason), None),
+        };
+        (EvidenceAt { at, nearest, expected: vec![] }, pressure)
+    };
+    Ok(places().map(place).collect())
 }
 
 /// The values of one quantity.
