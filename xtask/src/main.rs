@@ -1,5 +1,5 @@
-//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`
-//! and `cargo xtask docs`.
+//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`,
+//! `cargo xtask docs` and `cargo xtask page [--serve]`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -9,7 +9,7 @@ use clap::Parser;
 use xtask::files;
 use xtask::folder::figures_folder;
 use xtask::report::{self, Scope, throughput};
-use xtask::{docs, truth};
+use xtask::{docs, page, truth};
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -44,6 +44,15 @@ enum Task {
     },
     /// Write the documentation of all crates, with an index page: target/doc/index.html
     Docs,
+    /// Build the explorer, which any static server serves: target/page
+    Page {
+        /// Serve it on this machine, and print the address
+        #[arg(long)]
+        serve: bool,
+        /// Keep the module that was built before
+        #[arg(long)]
+        keep_module: bool,
+    },
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -70,6 +79,11 @@ fn main() -> Result<()> {
         Task::Docs => {
             println!("{}", docs::write()?.display());
             Ok(())
+        }
+        Task::Page { serve, keep_module } => {
+            let folder = page::write(keep_module)?;
+            println!("{}", folder.join("index.html").display());
+            if serve { page::serve(&folder) } else { Ok(()) }
         }
         Task::Throughput { model, kind, count, threads } => {
             println!("{}", throughput::run(&model, &kind, count, threads)?);
