@@ -13,7 +13,7 @@ export function table(views, rows) {
 
 export function load(shown, typed) {
   const [field, error] = [$("load"), $("load-error")];
-  if (!typed) field.value = shown.text;
+  if (field.value.trim() !== shown.text) field.value = shown.text;
   if (typed) $("slider").value = shown.position;
   $("slider").setAttribute("aria-valuetext", shown.text);
   $("load-other").textContent = shown.other;

@@ -15,10 +15,10 @@ export async function keepLink(desk, state) {
   }
 }
 
-// Opens the state of the address; false where there is none.
+// Opens the state of the address; the message of a link that was not opened, null without a link.
 export async function openLink({ desks, state, setScene, slider }) {
   const hash = location.hash;
-  if (!hash.startsWith("#s=") || hash === written) return false;
+  if (!hash.startsWith("#s=") || hash === written) return null;
   try {
     const found = await desks.quick.call("unlink", { link: hash.slice(3) });
     const { scene, models, load, view, scan, random } = found;
@@ -31,9 +31,9 @@ export async function openLink({ desks, state, setScene, slider }) {
     if (scan && !random && !desks.quick.files.has(scan.name)) {
       tell(`The link was made with the scan ${scan.name} (checksum ${scan.checksum}), which it does not contain: choose or drop that file.`);
     }
-    return true;
+    return "";
   } catch (error) {
     tell(error.message);
-    return false;
+    return error.message;
   }
 }

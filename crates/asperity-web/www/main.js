@@ -36,10 +36,8 @@ async function work(task) {
     if (error.field === "load") answers.refuseLoad(error.message);
     else tell(error.message);
   }
-  if (current()) {
-    phase(page.shown?.error ? "failed" : "ready", page.shown?.error ? "the scene has an error" : "ready");
-    keepLink(desks.quick, state);
-  }
+  if (current()) await keepLink(desks.quick, state);
+  if (current()) phase(page.shown?.error ? "failed" : "ready", page.shown?.error ? "the scene has an error" : "ready");
 }
 
 // Another text of the scene.
@@ -198,7 +196,10 @@ async function start() {
   }
   const open = () => openLink({ desks, state, setScene, slider: () => ($("unit").value = state.unit) });
   addEventListener("hashchange", open);
-  if (!(await open())) await example(EXAMPLES[0][0]);
+  const refused = await open();
+  if (refused === "") return;
+  await example(EXAMPLES[0][0]);
+  if (refused) tell(refused);
 }
 
 start();
