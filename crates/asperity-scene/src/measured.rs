@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity::{ContactError, Diagnostic, ProfileMoments, Surface, TabulatedHeights};
 use asperity_topography::{
-    Estimator, HeightDensity, Statistics, Topography, TopographyError, read,
+    Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
 
 use crate::document::{COUNTERFACE, Document};
@@ -68,8 +68,11 @@ struct Scan {
 impl Scan {
     /// The scan as its keys prepare it.
     fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
-        let path = document.path(&self.path);
-        let read = read(&path, &self.keys.read_options());
+        let (path, options) = (document.path(&self.path), self.keys.read_options());
+        let read = match document.handed(&self.at, &self.path)? {
+            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, &options),
+            None => read(&path, &options),
+        };
         let prepared = read.and_then(|read| self.keys.prepare(read));
         prepared.map_err(|error| self.refused(document, error))
     }

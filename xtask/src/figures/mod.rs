@@ -32,7 +32,7 @@ pub struct FigureSpec {
 }
 
 /// All figures: those of the paper first.
-pub const FIGURES: [FigureSpec; 18] = [
+pub const FIGURES: [FigureSpec; 19] = [
     FigureSpec {
         name: "fig04-force-roughness",
         table: || paper::roughness(Force),

@@ -9,8 +9,8 @@ use std::sync::OnceLock;
 
 use serde::Serialize;
 
-pub use crate::evidence::expected::Expected;
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
+pub use crate::evidence::expected::Expected;
 use crate::{ContactError, HeightDistribution, Scene};
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
@@ -316,7 +316,9 @@ mod tests {
     #[test]
     fn a_case_is_its_own_nearest_and_neighbours_are_found() {
         let evidence = Evidence::committed().unwrap();
-        for case in evidence.plain().filter(|case| !(0.0..1.0).contains(&case.plasticity_index) || case.plasticity_index <= 0.0) {
+        for case in evidence.plain().filter(|case| {
+            !(0.0..1.0).contains(&case.plasticity_index) || case.plasticity_index <= 0.0
+        }) {
             let scene = scene(case.alpha, case.plasticity_index);
             let near = evidence.nearest(&scene, case.load * unit()).unwrap();
             assert_eq!(near.case, case);
