@@ -13,7 +13,7 @@ PRESSURES = np.geomspace(1e5, 3e7, 8)
 QUANTITIES = ["area", "unloading-stiffness"]
 
 
-def made(model: str = "ke", **numbers: float) -> dict[str, np.ndarray]:
+def made(model: str = "ke", /, **numbers: float) -> dict[str, np.ndarray]:
     curve = asperity.model(model).solve(
         SCENE.replace(**numbers), pressure=PRESSURES, quantities=QUANTITIES
     )
