@@ -1,5 +1,6 @@
 //! I(s) = ∫₀^∞ q(t/c) φ(s + t) dt at one scale c for many s.
 
+use std::sync::OnceLock;
 use std::sync::atomic::Ordering;
 
 use super::moments::{Curvature, Moments, ln_scale};
@@ -15,7 +16,8 @@ pub struct ShiftedGaussian {
     task: Task,
     scale: f64,
     rules: Rules,
-    table: Table,
+    /// For arrays.
+    table: OnceLock<Box<Table>>,
 }
 
 impl ShiftedGaussian {
@@ -24,7 +26,7 @@ impl ShiftedGaussian {
     #[must_use]
     pub fn new(density: Density, scale: f64, tolerance: f64) -> Self {
         let rules = Rules::new(scale, 0.0);
-        Self { task: Task::new(density, tolerance), scale, rules, table: Table::default() }
+        Self { task: Task::new(density, tolerance), scale, rules, table: OnceLock::new() }
     }
 
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
@@ -77,7 +79,7 @@ impl ShiftedGaussian {
 
     /// Polynomials for many values.
     pub(crate) fn table(&self) -> &Table {
-        &self.table
+        self.table.get_or_init(Box::default)
     }
 
     /// Terms of the polynomial that serves s; 0 where each evaluation integrates anew.
