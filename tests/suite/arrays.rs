@@ -74,14 +74,15 @@ fn arrays_hold_the_single_values() {
                         assert!(same || off <= allowed, "{id} {quantity} {s}: {value} {wanted:?}");
                     }
                 }
-                // The bound is no smaller and not much larger; the cancellation is the same.
+                // The bound is no smaller and not much larger; the cancellation is that of the step
+                // in s where the worst value is, or of the value by itself where steps vary more.
                 let FillReport { bound, .. } = known;
                 assert!(
                     bound >= 0.999 * largest && bound <= 3.0 * largest,
                     "{id}: {bound:e} {largest:e}"
                 );
                 assert!(
-                    (known.condition / condition - 1.0).abs() < 1e-12,
+                    (1.0 - 1e-12..1.5).contains(&(known.condition / condition)),
                     "{id}: {known:?} {condition}"
                 );
             }

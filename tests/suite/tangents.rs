@@ -72,6 +72,34 @@ fn tangents_of_lateral_models_far_below_meet_the_default_tolerance_in_any_reques
     }
 }
 
+/// Differences of the eighth order over wide steps of forces at a tolerance of 1e-13, which far
+/// below the heights are smooth: an error of 1e-13 of the force is |s|/h times as large a share of
+/// the slope.
+#[test]
+fn bounds_of_tangents_far_below_hold_against_differences_of_finer_forces() {
+    let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+    let scene = named("at-paper");
+    for id in ["gao", "at-additive", "at", "jg"] {
+        let model = model(id);
+        let finer = compiled(&model, &scene, &[Quantity::Force], 1e-13);
+        let tangents = compiled(&model, &scene, &[Quantity::Tangent], 1e-10);
+        let force = |s: f64| value(&finer, Quantity::Force, s);
+        for (s, step) in [(-20.0, 0.5), (-63.0, 0.5), (-100.0, 1.0), (-300.0, 1.0)] {
+            let sum: f64 = weights
+                .iter()
+                .zip(1..)
+                .map(|(weight, k)| (weight, f64::from(k) * step))
+                .map(|(weight, h)| weight * (force(s - h) - force(s + h)))
+                .sum();
+            let difference = sum / (step * scene.surface.asperity_height_std);
+            let found = tangents.evaluate(Quantity::Tangent, s).unwrap();
+            let allowed = found.bound(Quantity::Tangent) + 1e-13 * s.abs() / step * difference;
+            let error = (found.value() - difference).abs();
+            assert!(error <= allowed, "{id} at {s}: {} {difference} {allowed}", found.value());
+        }
+    }
+}
+
 #[test]
 fn tangents_of_lateral_models_are_differences_of_the_force() {
     for id in ["gao", "at", "at-additive", "at-overlap"] {

@@ -11,6 +11,12 @@ pub fn figures_folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("figures")
 }
 
+/// The workspace's `target` folder.
+#[must_use]
+pub fn target_folder() -> PathBuf {
+    figures_folder().with_file_name("target")
+}
+
 /// A file's name and its text.
 pub type Fresh = (String, String);
 

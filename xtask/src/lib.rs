@@ -9,6 +9,7 @@ pub mod docs;
 pub mod figures;
 pub mod files;
 pub mod folder;
+pub mod guide;
 pub mod report;
 pub mod table;
 pub mod truth;

@@ -1,5 +1,5 @@
-//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`
-//! and `cargo xtask docs`.
+//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`,
+//! `cargo xtask docs`, `cargo xtask guide`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -7,9 +7,9 @@ use std::process::Command;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Parser;
 use xtask::files;
-use xtask::folder::figures_folder;
+use xtask::folder::{figures_folder, target_folder};
 use xtask::report::{self, Scope, throughput};
-use xtask::{docs, truth};
+use xtask::{docs, guide, truth};
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -44,6 +44,8 @@ enum Task {
     },
     /// Write the documentation of all crates, with an index page: target/doc/index.html
     Docs,
+    /// Write the guide: target/page/guide/index.html
+    Guide,
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -62,13 +64,17 @@ fn main() -> Result<()> {
         }
         Task::Report { quick, out } => {
             let scope = if quick { Scope::Quick } else { Scope::Full };
-            let target = figures_folder().with_file_name("target").join("report");
+            let target = target_folder().join("report");
             let folder = if quick { target } else { figures_folder() };
             print(report::write(scope, &out.unwrap_or(folder))?);
             Ok(())
         }
         Task::Docs => {
             println!("{}", docs::write()?.display());
+            Ok(())
+        }
+        Task::Guide => {
+            println!("{}", guide::write(&target_folder().join("page"))?.display());
             Ok(())
         }
         Task::Throughput { model, kind, count, threads } => {

@@ -83,6 +83,17 @@ pub enum BemError {
         "every pixel is in contact: the stiffness at fixed contact is infinite; use a smaller load or a free boundary"
     )]
     FullContact,
+    /// Too many pixels are in contact, or the boundary is free, for
+    /// [`solve_light`](crate::BoundaryElements::solve_light).
+    #[error(
+        "{pixels} pixels may be in contact: at most {most}, on a periodic map, was required for a light contact; use a smaller load or solve"
+    )]
+    NotLight {
+        /// Number of pixels.
+        pixels: usize,
+        /// The most.
+        most: usize,
+    },
     /// No load with this mean gap was found.
     #[error(
         "mean gap {gap:e} m was not reached in {trials} trials: a larger one, or a load, was required"

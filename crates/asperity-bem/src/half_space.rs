@@ -32,6 +32,12 @@ pub(crate) enum Filter {
     Undo,
 }
 
+/// A linear map from the pressures of some pixels to their deflections.
+pub(crate) trait Compliance {
+    /// Filters `map` in place.
+    fn apply(&mut self, filter: Filter, map: &mut [f64]);
+}
+
 /// The linear map from the pressures of n x m pixels to their deflections.
 ///
 /// Real transforms of the rows, a transposition in blocks, complex transforms of the columns with
@@ -140,34 +146,6 @@ impl HalfSpace {
         compliance
     }
 
-    /// Filters `map` in place.
-    pub(crate) fn apply(&mut self, filter: Filter, map: &mut [f64]) {
-        self.transform_rows(map);
-        let backward = Arc::clone(&self.column_backward);
-        let compliance = std::mem::take(&mut self.compliance);
-        let quarter = self.padded_rows / 2 + 1;
-        // rustfft scales neither way.
-        let scale = 1.0 / (self.padded_rows as f64 * self.padded_columns as f64);
-        let factor = |compliance: f64| match filter {
-            Filter::Deflect => compliance * scale,
-            Filter::Undo if compliance > 0.0 => scale / compliance,
-            Filter::Undo => 0.0,
-        };
-        self.each_column(|j, column, scratch| {
-            let compliance = &compliance[j * quarter..][..quarter];
-            let (head, tail) = column.split_at_mut(quarter);
-            for (wave, &compliance) in head.iter_mut().zip(compliance) {
-                *wave *= factor(compliance);
-            }
-            for (wave, &compliance) in tail.iter_mut().rev().zip(&compliance[1..]) {
-                *wave *= factor(compliance);
-            }
-            backward.process_with_scratch(column, scratch);
-        });
-        self.compliance = compliance;
-        self.transform_rows_back(map);
-    }
-
     /// Squares of the amplitudes of `map`'s waves: `each` gets them with the frequencies of the
     /// wave along rows and columns \[waves per pixel\]; the results are summed by columns.
     pub(crate) fn spectrum<T: Send>(
@@ -265,6 +243,35 @@ impl HalfSpace {
                 }
             },
         );
+    }
+}
+
+impl Compliance for HalfSpace {
+    fn apply(&mut self, filter: Filter, map: &mut [f64]) {
+        self.transform_rows(map);
+        let backward = Arc::clone(&self.column_backward);
+        let compliance = std::mem::take(&mut self.compliance);
+        let quarter = self.padded_rows / 2 + 1;
+        // rustfft scales neither way.
+        let scale = 1.0 / (self.padded_rows as f64 * self.padded_columns as f64);
+        let factor = |compliance: f64| match filter {
+            Filter::Deflect => compliance * scale,
+            Filter::Undo if compliance > 0.0 => scale / compliance,
+            Filter::Undo => 0.0,
+        };
+        self.each_column(|j, column, scratch| {
+            let compliance = &compliance[j * quarter..][..quarter];
+            let (head, tail) = column.split_at_mut(quarter);
+            for (wave, &compliance) in head.iter_mut().zip(compliance) {
+                *wave *= factor(compliance);
+            }
+            for (wave, &compliance) in tail.iter_mut().rev().zip(&compliance[1..]) {
+                *wave *= factor(compliance);
+            }
+            backward.process_with_scratch(column, scratch);
+        });
+        self.compliance = compliance;
+        self.transform_rows_back(map);
     }
 }
 

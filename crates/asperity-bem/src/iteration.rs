@@ -15,8 +15,11 @@
 //! surface. There, at a cold start and after a step that raised the energy, the next step follows
 //! the unpreconditioned gradient of all pixels and is shortened to the least energy.
 
-use crate::half_space::{Filter, HalfSpace};
-use crate::parallel::{number, reduce, sum, update};
+use std::ops::ControlFlow;
+
+use crate::BemError;
+use crate::half_space::{Compliance, Filter};
+use crate::parallel::{inside, number, reduce, sum, update};
 use crate::projection::Projection;
 
 /// Least share of a contact that must lie between the bounds for a conjugate step.
@@ -53,11 +56,11 @@ impl Problem<'_> {
 
 /// The state of an iteration.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Standing {
+struct Standing {
     /// Position of the rigid surface \[m\]: gap = distance - offset.
-    pub(crate) offset: f64,
+    offset: f64,
     /// Upper bound of the energy that can still be gained, per load \[m\]: 0 at the solution.
-    pub(crate) remainder: f64,
+    remainder: f64,
     energy: f64,
     /// Mean gap of the pixels that may move.
     moving_gap: f64,
@@ -79,13 +82,60 @@ pub(crate) struct Iteration<'a> {
     plain: bool,
 }
 
+/// Called with the number of iterations and the residual.
+pub(crate) type Watch<'a> = &'a mut dyn FnMut(usize, f64) -> ControlFlow<()>;
+
+/// When an iteration ends.
+#[derive(Clone, Copy)]
+pub(crate) struct Goal {
+    /// Unit of the residual \[m\].
+    pub(crate) scale: f64,
+    pub(crate) tolerance: f64,
+    pub(crate) most_iterations: usize,
+}
+
+/// The state at which an iteration ended.
+pub(crate) struct Reached {
+    pub(crate) offset: f64,
+    pub(crate) residual: f64,
+    pub(crate) iterations: usize,
+}
+
 impl<'a> Iteration<'a> {
-    /// Starts at the admissible pressures nearest to `pressures`.
-    pub(crate) fn new(
+    /// Iterates from `start` to the goal; `cold` where the contact of `start` is not a guess.
+    pub(crate) fn run(
         problem: Problem<'a>,
-        mut pressures: Vec<f64>,
-        space: &mut HalfSpace,
-    ) -> Self {
+        start: Vec<f64>,
+        cold: bool,
+        goal: Goal,
+        space: &mut (impl Compliance + Send),
+        watch: Watch<'_>,
+    ) -> Result<(Self, Reached), BemError> {
+        let mut iteration = inside(|| Self::new(problem, start, space));
+        let mut iterations = 0;
+        loop {
+            let standing = inside(|| iteration.standing());
+            let residual = (standing.remainder / goal.scale).max(0.0);
+            if residual <= goal.tolerance {
+                let offset = standing.offset;
+                return Ok((iteration, Reached { offset, residual, iterations }));
+            }
+            if watch(iterations, residual).is_break() {
+                return Err(BemError::Cancelled);
+            }
+            let first = cold && iterations == 0;
+            if iterations >= goal.most_iterations
+                || !inside(|| iteration.advance(standing, first, space))
+            {
+                let required = goal.tolerance;
+                return Err(BemError::NotConverged { residual, iterations, required });
+            }
+            iterations += 1;
+        }
+    }
+
+    /// Starts at the admissible pressures nearest to `pressures`.
+    fn new(problem: Problem<'a>, mut pressures: Vec<f64>, space: &mut impl Compliance) -> Self {
         let len = pressures.len();
         let all = vec![1.0; len];
         Projection::new(&pressures, &all, 0.0, problem.cap, problem.load)
@@ -110,13 +160,13 @@ impl<'a> Iteration<'a> {
         (self.pressures, self.deflections)
     }
 
-    fn deflect(&mut self, space: &mut HalfSpace) {
+    fn deflect(&mut self, space: &mut impl Compliance) {
         self.deflections.copy_from_slice(&self.pressures);
         space.apply(Filter::Deflect, &mut self.deflections);
     }
 
     /// The position of the rigid surface, and the energy still to be gained.
-    pub(crate) fn standing(&self) -> Standing {
+    fn standing(&self) -> Standing {
         let problem = self.problem;
         let Problem { heights, cap, load, .. } = problem;
         let maps = [&self.pressures, &self.deflections, heights];
@@ -174,12 +224,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// One step; false when no direction lowers the energy.
-    pub(crate) fn advance(
-        &mut self,
-        standing: Standing,
-        cold: bool,
-        space: &mut HalfSpace,
-    ) -> bool {
+    fn advance(&mut self, standing: Standing, cold: bool, space: &mut impl Compliance) -> bool {
         let rose = standing.energy > self.energy + RISE * self.energy.abs();
         self.energy = standing.energy;
         // Never two plain steps in a row: they converge slowly.
@@ -191,7 +236,7 @@ impl<'a> Iteration<'a> {
         self.plain_step(space)
     }
 
-    fn conjugate_step(&mut self, standing: Standing, space: &mut HalfSpace) -> bool {
+    fn conjugate_step(&mut self, standing: Standing, space: &mut impl Compliance) -> bool {
         let Standing { offset, moving_gap, .. } = standing;
         let problem = self.problem;
         let maps = [&self.pressures[..], &self.deflections, problem.heights];
@@ -251,7 +296,7 @@ impl<'a> Iteration<'a> {
         true
     }
 
-    fn plain_step(&mut self, space: &mut HalfSpace) -> bool {
+    fn plain_step(&mut self, space: &mut impl Compliance) -> bool {
         let problem = self.problem;
         let Problem { heights, cap, load, .. } = problem;
         self.product = None;

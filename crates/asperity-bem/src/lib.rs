@@ -63,6 +63,7 @@ mod error;
 mod half_space;
 mod height_map;
 mod iteration;
+mod light;
 mod model;
 mod note;
 mod parallel;
@@ -72,15 +73,20 @@ mod random_surface;
 mod seam;
 mod solution;
 mod solver;
+mod summary;
 mod unloading;
+mod unloading_path;
 
 pub use continuation::Continuation;
 pub use error::BemError;
 
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
+pub use light::LightContact;
 pub use model::Bem;
 pub use random_surface::RandomSurface;
 pub use solution::{EDGE_SHARE, Solution};
 pub use solver::{BoundaryElements, LoadCase, Progress};
+pub use summary::ContactSummary;
 pub use unloading::FixedContact;
+pub use unloading_path::UnloadingPath;

@@ -11,11 +11,9 @@ use asperity_core::{
 };
 
 use crate::continuation::taken_part;
+use crate::summary::{ContactSummary, known};
 use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
-/// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
-/// between them.
-const ERROR: f64 = 1e-6;
 /// Loads with a smaller relative difference are equal within rounding.
 const SAME: f64 = 1e-12;
 
@@ -100,7 +98,7 @@ impl Bem {
     }
 }
 
-fn refused(error: BemError) -> ContactError {
+pub(crate) fn refused(error: BemError) -> ContactError {
     ContactError::Refused { model: SOURCE.name.into(), reason: error.to_string() }
 }
 
@@ -137,10 +135,7 @@ impl ContactModel for Bem {
             notes: vec![],
         };
         // Before anything is solved.
-        request
-            .quantities
-            .iter()
-            .try_for_each(|q| contact.check_asked(*q, Quantity::follows_from_totals))?;
+        request.quantities.iter().try_for_each(|q| contact.check(*q))?;
         let given: Vec<LoadCase> =
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));
@@ -148,30 +143,13 @@ impl ContactModel for Bem {
         let notes: Diagnostics = solutions.flat_map(|solution| solution.notes.clone()).collect();
         contact.notes = notes.into_vec();
         let all = given.into_iter().zip(all);
-        contact.keep(all.map(|(given, solution)| (given, summary(solution))).collect());
+        let all = all.map(|(given, solution)| (given, contact.summary(solution))).collect();
+        contact.keep(all);
         Ok(Box::new(contact))
     }
 }
 
-/// The numbers of a contact that are kept.
-#[derive(Debug, Clone, Copy)]
-struct Summary {
-    pressure: f64,
-    area: f64,
-    gap: f64,
-}
-
-type Solved = (LoadCase, Result<Summary, BemError>);
-
-fn summary(solution: Result<Solution, BemError>) -> Result<Summary, BemError> {
-    match solution {
-        Ok(Solution { mean_pressure: pressure, area, mean_gap: gap, .. }) => {
-            Ok(Summary { pressure, area, gap })
-        }
-        Err(BemError::NothingTouches { gap, .. }) => Ok(Summary { pressure: 0.0, area: 0.0, gap }),
-        Err(error) => Err(error),
-    }
-}
+type Solved = (LoadCase, Result<ContactSummary, BemError>);
 
 struct OnScene {
     elements: BoundaryElements,
@@ -206,13 +184,28 @@ impl OnScene {
         self.solved.lock().unwrap_or_else(PoisonError::into_inner).extend(more);
     }
 
-    fn solve(&self, given: LoadCase) -> Result<Summary, ContactError> {
+    fn summary(&self, solution: Result<Solution, BemError>) -> Result<ContactSummary, BemError> {
+        match solution {
+            Ok(solution) => Ok(self.elements.summary(&solution, &self.quantities)),
+            Err(BemError::NothingTouches { gap, .. }) => Ok(ContactSummary::open(gap)),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Refuses a quantity that was not requested, that boundary elements lack, or that lacks an
+    /// input.
+    fn check(&self, quantity: Quantity) -> Result<(), ContactError> {
+        self.check_asked(quantity, known)?;
+        Evaluation::of_contact_radii(quantity, 0.0, &self.scene, 0.0).map(drop)
+    }
+
+    fn solve(&self, given: LoadCase) -> Result<ContactSummary, ContactError> {
         let known = {
             let solved = self.solved.lock().unwrap_or_else(PoisonError::into_inner);
             solved.iter().find(|(other, _)| same(given, *other)).map(|(_, found)| found.clone())
         };
         let found = known.unwrap_or_else(|| {
-            let found = summary(self.elements.solve(given));
+            let found = self.summary(self.elements.solve(given));
             self.keep(vec![(given, found.clone())]);
             found
         });
@@ -247,18 +240,15 @@ impl Contact for OnScene {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        self.check_asked(quantity, Quantity::follows_from_totals)?;
-        let Summary { pressure, area, .. } = self.solve(self.given(at)?)?;
-        let nominal = self.scene.nominal_area;
-        let found =
-            Evaluation::of_totals(quantity, (pressure * nominal, area * nominal), nominal, ERROR);
+        self.check(quantity)?;
+        let found = self.solve(self.given(at)?)?.evaluate(quantity, &self.scene)?;
         let value = found.filter(|found| found.scaled.is_finite());
         value.ok_or(ContactError::NoValue { quantity, at })
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
         asperity_core::positive("load", load)?;
-        let gap = self.solve(self.given(At::Load(load))?)?.gap;
+        let gap = self.solve(self.given(At::Load(load))?)?.mean_gap;
         Ok(vec![Separation::metres(gap).from_surface_mean()])
     }
 }

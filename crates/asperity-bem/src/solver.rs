@@ -6,8 +6,7 @@ use asperity_core::Diagnostic;
 
 use crate::half_space::HalfSpace;
 use crate::height_map::positive;
-use crate::iteration::{Iteration, Problem};
-use crate::parallel::inside;
+use crate::iteration::{Goal, Iteration, Problem, Reached, Watch};
 use crate::solution::Fields;
 use crate::{BemError, Boundary, HeightMap, Solution, note};
 
@@ -115,8 +114,26 @@ impl BoundaryElements {
         Self { map, ..self.clone() }
     }
 
+    /// The hardness \[Pa\]; `None` if the contact is elastic.
+    #[must_use]
+    pub fn limit(&self) -> Option<f64> {
+        self.hardness
+    }
+
     pub(crate) fn cap(&self) -> f64 {
         self.hardness.unwrap_or(f64::INFINITY)
+    }
+
+    /// Unit of the residual \[m\]: Sq or, where that is less, about the deflection of one pixel that
+    /// carries all of the load, the scale of gaps under light loads and on a flat map.
+    pub(crate) fn scale(&self, pressure: f64, rms_height: f64) -> f64 {
+        let [dy, dx] = self.map.pixel();
+        let pressed_in = pressure * self.map.area() / (self.modulus * dx.min(dy));
+        if rms_height > 0.0 { rms_height.min(pressed_in) } else { pressed_in }
+    }
+
+    pub(crate) fn goal(&self, scale: f64) -> Goal {
+        Goal { scale, tolerance: self.tolerance, most_iterations: self.most_iterations }
     }
 
     pub(crate) fn map(&self) -> &HeightMap {
@@ -192,9 +209,6 @@ impl BoundaryElements {
     }
 }
 
-/// Called with the number of iterations and the residual.
-type Watch<'a> = &'a mut dyn FnMut(usize, f64) -> ControlFlow<()>;
-
 /// A list being solved.
 struct Run<'a> {
     setup: &'a BoundaryElements,
@@ -235,7 +249,7 @@ impl<'a> Run<'a> {
 
     /// Contact at a mean pressure.
     fn press(&mut self, pressure: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
-        let BoundaryElements { map, modulus, tolerance, most_iterations, .. } = self.setup;
+        let map = &self.setup.map;
         let (cap, heights) = (self.setup.cap(), map.heights());
         if pressure >= cap {
             return Err(BemError::CannotBeCarried { pressure, hardness: cap });
@@ -243,13 +257,7 @@ impl<'a> Run<'a> {
         let pixels = heights.len() as f64;
         let highest = map.highest();
         let problem = Problem { heights, highest, cap, load: pressure * pixels };
-        // About the deflection of one pixel that carries all of the load: the scale of gaps under
-        // light loads, and on a flat map.
-        let pressed_in = pressure * map.area() / (modulus * map.pixel()[0].min(map.pixel()[1]));
-        let scale = match self.rms_height {
-            rough if rough > 0.0 => rough.min(pressed_in),
-            _ => pressed_in,
-        };
+        let scale = self.setup.scale(pressure, self.rms_height);
         let cold = self.last.is_none();
         let start = match self.last.take() {
             // Lighter loads follow: the projection lowers all pressures evenly.
@@ -257,30 +265,12 @@ impl<'a> Run<'a> {
             Some((pressures, last)) => pressures.iter().map(|p| p * pressure / last).collect(),
             None => vec![pressure; heights.len()],
         };
-        let space = &mut self.space;
-        let mut iteration = inside(|| Iteration::new(problem, start, space));
-        let mut iterations = 0;
-        let (standing, residual) = loop {
-            let standing = inside(|| iteration.standing());
-            let residual = (standing.remainder / scale).max(0.0);
-            if residual <= *tolerance {
-                break (standing, residual);
-            }
-            if watch(iterations, residual).is_break() {
-                return Err(BemError::Cancelled);
-            }
-            let first = cold && iterations == 0;
-            if iterations >= *most_iterations
-                || !inside(|| iteration.advance(standing, first, space))
-            {
-                let required = *tolerance;
-                return Err(BemError::NotConverged { residual, iterations, required });
-            }
-            iterations += 1;
-        };
+        let goal = self.setup.goal(scale);
+        let (iteration, Reached { offset, residual, iterations }) =
+            Iteration::run(problem, start, cold, goal, &mut self.space, watch)?;
         let (pressures, mut gaps) = iteration.into_maps();
         for (gap, height) in gaps.iter_mut().zip(heights) {
-            *gap = problem.distance(*gap, *height) - standing.offset;
+            *gap = problem.distance(*gap, *height) - offset;
         }
         self.last = Some((pressures.clone(), pressure));
         Ok(Fields { pressures, gaps, residual, iterations })

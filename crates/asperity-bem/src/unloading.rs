@@ -2,7 +2,7 @@
 //! the start of unloading, which small vibrations and ultrasound measure), and the surface that it
 //! unloads with.
 
-use crate::half_space::{Filter, HalfSpace};
+use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::parallel::{inside, number, sum, update};
 use crate::{BemError, BoundaryElements, HeightMap, Solution};
 
@@ -45,7 +45,7 @@ impl BoundaryElements {
         }
         let mut space = HalfSpace::new(self.map(), self.modulus(), self.boundary_condition());
         let contact: Vec<f64> = solution.pressures.iter().map(|p| number(*p > 0.0)).collect();
-        inside(|| even_approach(&contact, &mut space))
+        inside(|| even_approach(&contact, found as f64, &mut space))
     }
 
     /// The same contact with the surface that `solution` leaves: its plastic depths are taken off
@@ -68,9 +68,13 @@ impl BoundaryElements {
 }
 
 /// Pressures with the deflection 1 m on the contact, by preconditioned conjugate gradients.
-fn even_approach(contact: &[f64], space: &mut HalfSpace) -> Result<FixedContact, BemError> {
+/// `contact` is 1 on it and 0 elsewhere; `pixels` is their number on the map.
+pub(crate) fn even_approach(
+    contact: &[f64],
+    pixels: f64,
+    space: &mut impl Compliance,
+) -> Result<FixedContact, BemError> {
     let [touching] = sum([contact], |[touches]| [touches]);
-    let pixels = contact.len() as f64;
     let mut pressures = vec![0.0; contact.len()];
     let mut remainder = contact.to_vec();
     let mut direction = vec![0.0; contact.len()];

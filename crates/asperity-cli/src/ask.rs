@@ -24,6 +24,8 @@ pub struct Question<'s> {
     /// Whether the separations are the defaults of the command.
     pub at_defaults: bool,
     warnings: Vec<String>,
+    /// Ids of models, and the quantities without a value with the reason.
+    lacking: Vec<(String, String)>,
     /// Diagnostics of the results.
     found: Diagnostics,
 }
@@ -44,6 +46,7 @@ impl<'s> Question<'s> {
             all: false,
             at_defaults: false,
             warnings: vec![],
+            lacking: vec![],
             found: Diagnostics::default(),
         }
     }
@@ -169,9 +172,9 @@ impl<'s> Question<'s> {
         let contact = compile(if given.is_empty() { &[Quantity::Force] } else { &given });
         let contact = contact.map_err(|_| whole)?;
         let message = |(reason, names): (String, Vec<String>)| {
-            format!("{id}: no {}: {reason}", names.join(", "))
+            (id.to_string(), format!("no {}: {reason}", names.join(", ")))
         };
-        self.warnings.extend(refused.into_iter().map(message));
+        self.lacking.extend(refused.into_iter().map(message));
         Ok((contact, given))
     }
 
@@ -211,6 +214,16 @@ impl<'s> Question<'s> {
 
     /// Prints the warnings; an error if there is no value at all.
     pub fn finish(&self, answered: bool) -> Result<()> {
+        let mut lacking: Vec<(&str, Vec<&str>)> = vec![];
+        for (id, reason) in &self.lacking {
+            match lacking.iter_mut().find(|(known, _)| known == reason) {
+                Some((_, ids)) => ids.push(id),
+                None => lacking.push((reason, vec![id])),
+            }
+        }
+        for (reason, ids) in lacking {
+            print_message("warning", &format!("{}: {reason}", ids.join(", ")));
+        }
         once(&self.warnings).iter().for_each(|text| print_message("warning", text));
         self.scene.report(self.found.clone());
         if !answered {

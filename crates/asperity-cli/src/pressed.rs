@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemError, LoadCase, Solution};
-use asperity::{Described, Diagnostics};
+use asperity::{Described, Diagnostics, Quantity};
 
 use crate::interrupt;
 use crate::output::{once, progress};
@@ -18,11 +18,14 @@ pub struct Row {
     pub patches: usize,
     pub iterations: usize,
     pub residual: f64,
+    /// Of the requested quantities; `None` without a value.
+    pub values: Vec<Option<f64>>,
 }
 
-impl From<&Solution> for Row {
-    fn from(solution: &Solution) -> Self {
+impl Row {
+    fn new(solution: &Solution, values: Vec<Option<f64>>) -> Self {
         Self {
+            values,
             // Exactly as given.
             pressure: match solution.given {
                 LoadCase::MeanPressure(pressure) => pressure,
@@ -43,6 +46,7 @@ impl From<&Solution> for Row {
 pub struct Run<'a> {
     pub scene: &'a LoadedScene,
     pub given: &'a [LoadCase],
+    pub quantities: &'a [Quantity],
     /// Pressures of the solved contacts, if kept.
     pub maps: Vec<Vec<f64>>,
     pub errors: Vec<String>,
@@ -58,6 +62,19 @@ impl Run<'_> {
         let mut answers: Vec<Option<Row>> = self.given.iter().map(|_| None).collect();
         let mut maps: Vec<Vec<f64>> = self.given.iter().map(|_| vec![]).collect();
         let (mut found, mut errors) = (vec![], vec![]);
+        let mut lacks = vec![];
+        let mut values = |solution: &Solution| -> Vec<Option<f64>> {
+            let summary = elements.summary(solution, self.quantities);
+            let mut value =
+                |quantity: &Quantity| match summary.evaluate(*quantity, &self.scene.file.scene) {
+                    Ok(found) => found.map(|found| found.value()),
+                    Err(error) => {
+                        lacks.push(format!("a {quantity} is blank: {error}"));
+                        None
+                    }
+                };
+            self.quantities.iter().map(&mut value).collect()
+        };
         let watch = interrupt::watch(|progress| {
             bar.set_message(format!(
                 "bem: {} of {} on {rows} x {columns} pixels, iteration {}, residual {:.0e}",
@@ -70,7 +87,7 @@ impl Run<'_> {
         elements.solve_each(self.given, watch?, |index, solution| match solution {
             Ok(solution) => {
                 found.extend(solution.notes.iter().cloned());
-                answers[index] = Some(Row::from(&solution));
+                answers[index] = Some(Row::new(&solution, values(&solution)));
                 if keep {
                     maps[index] = solution.pressures;
                 }
@@ -81,6 +98,7 @@ impl Run<'_> {
         drop(bar);
         maps.retain(|map| !map.is_empty());
         self.maps.extend(maps);
+        errors.append(&mut lacks);
         self.errors.extend(once(&errors));
         let grid = format!("{rows} x {columns} pixels");
         self.found.extend(found.into_iter().map(|found| found.from_origin(grid.clone())));

@@ -99,6 +99,7 @@ impl LoadedScene {
 
     /// The models given, or all that the scene allows; a note names the others.
     pub fn models(&self, requested: &[String], quantities: &[Quantity]) -> Result<Vec<NamedModel>> {
+        let requested = by_name(requested);
         if !requested.is_empty() {
             let models =
                 once(requested).iter().map(|id| self.model(id)).collect::<Result<Vec<_>>>()?;
@@ -137,6 +138,7 @@ impl LoadedScene {
         requested: &[String],
         quantities: &[Quantity],
     ) -> Result<Vec<Model>> {
+        let requested = by_name(requested);
         let models = self.models(requested, quantities)?;
         let mut models: Vec<Model> = models.into_iter().map(|(_, model)| model).collect();
         if requested.is_empty() {
@@ -166,6 +168,14 @@ impl LoadedScene {
         }
         Ok((id.to_string(), model))
     }
+}
+
+/// The name in a list of models that stands for all that the scene allows.
+pub const ALL_MODELS: &str = "all";
+
+/// The models requested by name; none if all are requested.
+fn by_name(requested: &[String]) -> &[String] {
+    if requested.iter().any(|id| id == ALL_MODELS) { &[] } else { requested }
 }
 
 /// Notes the models that are left out, those of one reason together.

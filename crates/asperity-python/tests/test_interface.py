@@ -242,7 +242,7 @@ class Noise:
 
 
 def test_an_integral_that_does_not_converge_raises_not_converged(scene: asperity.Scene) -> None:
-    with pytest.raises(asperity.NotConverged, match="not converged: relative error"):
+    with pytest.raises(asperity.NotConverged, match="not converged: the relative error bound"):
         asperity.model(Noise).solve(scene, 1.0, rtol=1e-13)
     assert not issubclass(asperity.NotConverged, ValueError)
 

@@ -33,7 +33,8 @@ pub enum QuadratureError {
     },
     /// Refinement ended before the tolerance was met.
     #[error(
-        "not converged: relative error {reached:.1e} reached after {evaluations} evaluations, {asked:.1e} was asked"
+        "not converged: the relative error bound is {reached:.1e}{}, and {asked:.1e} was asked: use a larger tolerance",
+        after(*.evaluations)
     )]
     NotConverged {
         /// The relative error estimate that was reached.
@@ -51,6 +52,11 @@ pub enum QuadratureError {
         /// The fault.
         fault: WeightFault,
     },
+}
+
+/// Integrals from a table need no evaluations of their own.
+fn after(evaluations: usize) -> String {
+    if evaluations == 0 { String::new() } else { format!(" after {evaluations} evaluations") }
 }
 
 /// A fault of a weight, at places in its own unit.

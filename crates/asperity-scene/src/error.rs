@@ -113,6 +113,35 @@ pub enum SceneError {
         /// The file, the value found and the value required.
         reason: String,
     },
+    /// A name that is no number of this scene.
+    #[error("{name} is not an input of this scene{}: one of {known} was required{reason}", nearest_hint(.near.as_ref()))]
+    UnknownInput {
+        /// The name.
+        name: String,
+        /// The nearest input, if one is near.
+        near: Option<String>,
+        /// The inputs of the scene.
+        known: String,
+        /// The description that has this number; empty if there is none.
+        reason: &'static str,
+    },
+    /// An input beside another from which it follows.
+    #[error("{name} is given beside {by}, which determines it: leave {name} out")]
+    Determined {
+        /// The input that follows.
+        name: String,
+        /// The other.
+        by: String,
+    },
+    /// One Young's modulus for two bodies with different ones.
+    #[error(
+        "youngs_modulus is {:e} Pa of body 1 and {:e} Pa of body 2: give body1_youngs_modulus or body2_youngs_modulus",
+        .moduli[0], .moduli[1]
+    )]
+    UnequalModuli {
+        /// Those of the bodies \[Pa\].
+        moduli: [f64; 2],
+    },
     /// The library refuses the scene.
     #[error("{at}: {source}")]
     Contact {

@@ -82,23 +82,37 @@ fn jumps(model: &Model, law: &Law, critical: f64) -> Vec<f64> {
 
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
+    let panels = panels(&MODELS, "interference over critical interference")?;
+    let caption = [
+        "One asperity of the paper's scene (E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58, R = 359 µm), in units of F_c\u{a0}=\u{a0}(2/3)πRw_cSH and A_c\u{a0}=\u{a0}πRw_c. Jumps are those of the published laws: CEB at 1, KE at 1, 6 and 110, Etsion at 170, JG and Ghaednia at 1.9 of their own unit. Ghaednia hardens: assumed E_t\u{a0}=\u{a0}0.02\u{a0}E_b of two like bodies. Gao and AT are averaged over the contact angles; AT as printed subtracts a part, and its curves break off where force or area is negative.",
+        MARKERS,
+    ];
+    Ok(Figure::new("The laws of one asperity", &caption, panels))
+}
+
+/// The same for some models side by side, to be drawn from their rows.
+pub fn some(models: &[&str]) -> Result<Figure> {
+    let caption = "One asperity: interference w, force and area in units of w_c, F_c\u{a0}=\u{a0}(2/3)πRw_cSH and A_c\u{a0}=\u{a0}πRw_c, for E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58; vertical lines at 1, 6 and 110 w_c. Dotted: jumps of the published laws.";
+    let mut figure = Figure::new("", &[caption], panels(models, "w/w_c")?);
+    figure.columns = COLUMNS.len();
+    Ok(figure)
+}
+
+fn panels(models: &[&str], interference: &str) -> Result<Vec<Panel>> {
     // Gaps of AT are negative values; those of the others are jumps.
     let style = |id: &str| -> Result<Curve> {
         let mut curve = curve(id)?;
         curve.join_gaps = id != "at";
         Ok(curve)
     };
-    let curves = MODELS.iter().map(|id| style(id)).collect::<Result<Vec<_>>>()?;
-    let panels = COLUMNS.map(|(column, label)| {
-        let x = Axis::new(X, "interference over critical interference").log();
-        let mut panel = Panel::new(x, Axis::new(column, label).log());
-        panel.curves = curves.clone();
-        panel.verticals = [1.0, 6.0, 110.0].map(|at| Mark::new(at, &format!("{at}"))).to_vec();
-        panel
-    });
-    let caption = [
-        "One asperity of the paper's scene (E = 116 GPa, ν = 0.31, H = 1.12 GPa, S = 0.58, R = 359 µm), in units of F_c\u{a0}=\u{a0}(2/3)πRw_cSH and A_c\u{a0}=\u{a0}πRw_c. Jumps are those of the published laws: CEB at 1, KE at 1, 6 and 110, Etsion at 170, JG and Ghaednia at 1.9 of their own unit. Ghaednia hardens: assumed E_t\u{a0}=\u{a0}0.02\u{a0}E_b of two like bodies. Gao and AT are averaged over the contact angles; AT as printed subtracts a part, and its curves break off where force or area is negative.",
-        MARKERS,
-    ];
-    Ok(Figure::new("The laws of one asperity", &caption, panels.to_vec()))
+    let curves = models.iter().map(|id| style(id)).collect::<Result<Vec<_>>>()?;
+    Ok(COLUMNS
+        .map(|(column, label)| {
+            let x = Axis::new(X, interference).log();
+            let mut panel = Panel::new(x, Axis::new(column, label).log());
+            panel.curves = curves.clone();
+            panel.verticals = [1.0, 6.0, 110.0].map(|at| Mark::new(at, &format!("{at}"))).to_vec();
+            panel
+        })
+        .to_vec())
 }

@@ -15,6 +15,8 @@ use anyhow::Result;
 use asperity::Evidence;
 use asperity::Quantity::{Area, Force, Stiffness};
 
+pub(crate) use laws::some as some_laws;
+
 use crate::table::Table;
 use crate::truth::{self, Shown};
 use asperity_plot::Figure;

@@ -93,3 +93,34 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
     }
     assert_eq!(Continuation::named("open"), None);
 }
+
+/// Stiffnesses and conductances of joints are multiples of the stiffness at fixed contact.
+#[test]
+fn joints_have_the_stiffness_at_fixed_contact() {
+    let bem = Bem::new(rough(64, 1), None, false);
+    let mut scene = scene();
+    let at = At::Pressure(0.02 * UNIT);
+    let elements = bem.elements(&scene.interface).unwrap();
+    let solution = elements.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    let stiffness = elements.fixed_contact(&solution).unwrap().stiffness * NOMINAL;
+    let compile = |scene: &Scene, quantity| bem.compile(scene, &Request::new([quantity]).at([at]));
+    let lacks = compile(&scene, Quantity::ThermalConductancePerArea).unwrap_err().to_string();
+    assert!(lacks.starts_with("thermal_conductivity is missing"), "{lacks}");
+    let interface = &mut scene.interface;
+    interface.equivalent_shear_modulus = Some(0.2 * MODULUS);
+    (interface.thermal_conductivity, interface.electrical_resistivity) = (Some(50.0), Some(1e-7));
+    let sum = stiffness / (2.0 * MODULUS);
+    for (quantity, required) in [
+        (Quantity::UnloadingStiffness, stiffness),
+        (Quantity::TangentialStiffness, 0.8 * stiffness),
+        (Quantity::ThermalConductance, 100.0 * sum),
+        (Quantity::ThermalConductancePerArea, 100.0 * sum / NOMINAL),
+        (Quantity::ElectricalConductance, 2e7 * sum),
+        (Quantity::ElectricalConductancePerArea, 2e7 * sum / NOMINAL),
+    ] {
+        let contact = compile(&scene, quantity).unwrap();
+        close(contact.evaluate(quantity, at).unwrap().value(), required, 1e-9);
+        let far: At = Separation::metres(1.0).from_surface_mean().into();
+        assert!(contact.evaluate(quantity, far).unwrap().value() <= 0.0);
+    }
+}

@@ -149,3 +149,33 @@ fn an_elastic_contact_leaves_its_surface_as_it_was() {
     let before = solver.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
     close(again.mean_gap, before.mean_gap, 1e-9);
 }
+
+/// Retreats give the contacts of the flattened surface; force, area and stiffness fall to 0.
+#[test]
+fn retreats_follow_the_path_of_unloading() {
+    let solver = BoundaryElements::new(rough(64, 4), MODULUS).unwrap();
+    let solver = solver.hardness(0.2 * UNIT).unwrap();
+    let greatest = LoadCase::MeanPressure(0.02 * UNIT);
+    let path = solver.unloading_from(greatest).unwrap();
+    let pressed = solver.solve(greatest).unwrap();
+    let flat = solver.flattened_by(&pressed).unwrap();
+    let end = path.last_contact();
+    let retreats = [0.5 * end, 0.0, 0.1 * end, 1.5 * end, -1.0];
+    let found = path.at_retreats(&retreats, |_| std::ops::ControlFlow::Continue(()));
+    assert!(matches!(found[4], Err(BemError::OutOfRange { field: "retreat", .. })));
+    let all: Vec<_> = found.into_iter().take(4).map(Result::unwrap).collect();
+    close(all[1].mean_pressure, 0.02 * UNIT, 1e-12);
+    for (at, contact) in [(0, &all[0]), (2, &all[2])] {
+        let gap = pressed.mean_open_gap + retreats[at];
+        let direct = flat.solve(LoadCase::MeanGap(gap)).unwrap();
+        close(contact.mean_pressure, direct.mean_pressure, 1e-5);
+        close(contact.mean_gap, pressed.mean_gap + retreats[at], 1e-12);
+        let fixed = flat.fixed_contact(&direct).unwrap().stiffness;
+        close(contact.stiffness.clone().unwrap().unwrap(), fixed, 1e-3);
+    }
+    for less in [[0, 2], [2, 1], [3, 0]].map(|pair| pair.map(|k: usize| &all[k])) {
+        let [less, more] = less;
+        assert!(less.mean_pressure < more.mean_pressure && less.area < more.area);
+    }
+    assert!(all[3].mean_pressure <= 0.0);
+}

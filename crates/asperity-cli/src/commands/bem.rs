@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
-use asperity::Diagnostics;
 use asperity::bem::{Bem, Continuation, LoadCase};
+use asperity::{ContactModel, Diagnostics, Quantity, Request};
 use asperity_plot::{draw_map, map_png};
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -28,7 +28,8 @@ whole nominal area, levelled and filtered by the scene's keys. The material is t
 the scene and yields where the pressure reaches the hardness.
 Columns: load_N, pressure_Pa, area_fraction (corrected for the staircase edges of
 pixels), area_fraction_pixels (as counted), plastic_fraction, mean_gap_m (of the mean
-planes), patches, iterations, residual; with --refine the same on half the grid;
+planes), patches, iterations, residual; then those of --quantity, with the names that
+models have; with --refine the same on half the grid;
 boundary (periodic, periodic-part or free).
 After Ctrl-C the loads solved so far are written; the exit code is 130.
 
@@ -36,6 +37,7 @@ Examples:
   asperity bem scan.toml --pressure 1e7,1e8
   asperity bem scan.toml --load 1000 --elastic --boundary free --format json
   asperity bem scan.toml --pressure 1e7:1e9:5:log --refine --output bem.csv --format csv
+  asperity bem scan.toml --pressure 1e7,1e8 --quantity unloading-stiffness
   asperity bem scan.toml --pressure 2e8 --map pressures.npy --picture contact.svg"
 )]
 pub struct BemCommand {
@@ -46,6 +48,10 @@ pub struct BemCommand {
     places: Places,
     #[command(flatten)]
     way: Way,
+    /// Add quantities of joints: unloading-stiffness, tangential-stiffness, thermal-conductance,
+    /// electrical-conductance (-per-area), or any other that follows from load and area
+    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
+    quantities: Vec<Quantity>,
     /// Add the results on every second pixel, to show their dependence on the grid
     #[arg(long)]
     refine: bool,
@@ -135,8 +141,12 @@ impl BemCommand {
         let given = self.places.given(scene.file.scene.nominal_area);
         self.check(&given);
         let bem = self.way.bem(&scene)?;
+        let quantities = added(&self.quantities);
+        // Refuses what boundary elements or the scene lack before anything is solved.
+        bem.compile(&scene.file.scene, &Request::new(quantities.iter().copied()))?;
         let mut run = Run {
             scene: &scene,
+            quantities: &quantities,
             given: &given,
             maps: vec![],
             errors: vec![],
@@ -167,7 +177,7 @@ impl BemCommand {
             bail!("{}: no load was solved", scene.name);
         }
         let nominal_area = scene.file.scene.nominal_area;
-        let mut table = table(&whole, half.as_deref(), nominal_area);
+        let mut table = table(&whole, half.as_deref(), nominal_area, &quantities);
         table.head.push("boundary".into());
         table.rows.iter_mut().for_each(|row| row.push(bem.continuation().name().into()));
         self.output.write(&table)?;
@@ -222,32 +232,51 @@ impl BemCommand {
     }
 }
 
-fn table(rows: &[Option<Row>], half: Option<&[Option<Row>]>, nominal_area: f64) -> Table {
-    let count = |count: usize| count as f64;
-    let cells = |row: Option<&Row>, area: f64| -> Vec<Cell> {
-        let all = row.map(|row| {
-            [
-                row.pressure * area,
-                row.pressure,
-                row.area,
-                row.pixel_area,
-                row.plastic,
-                row.gap,
-                count(row.patches),
-                count(row.iterations),
-                row.residual,
-            ]
-        });
-        (0..COLUMNS.len()).map(|k| Cell::Number(all.map(|all| all[k]))).collect()
+/// The quantities without a column of their own, each once.
+fn added(quantities: &[Quantity]) -> Vec<Quantity> {
+    let mut all: Vec<Quantity> = vec![];
+    for quantity in quantities {
+        if !COLUMNS.contains(&&*quantity.column()) && !all.contains(quantity) {
+            all.push(*quantity);
+        }
+    }
+    all
+}
+
+fn table(
+    rows: &[Option<Row>],
+    half: Option<&[Option<Row>]>,
+    nominal_area: f64,
+    quantities: &[Quantity],
+) -> Table {
+    let cells = |row: Option<&Row>| -> Vec<Cell> {
+        let Some(row) = row else {
+            return vec![Cell::Number(None); COLUMNS.len() + quantities.len()];
+        };
+        let all = [
+            row.pressure * nominal_area,
+            row.pressure,
+            row.area,
+            row.pixel_area,
+            row.plastic,
+            row.gap,
+            row.patches as f64,
+            row.iterations as f64,
+            row.residual,
+        ];
+        all.map(Some).iter().chain(&row.values).map(|value| Cell::Number(*value)).collect()
     };
     let mut table = Table::new(&COLUMNS);
+    table.head.extend(quantities.iter().map(|quantity| quantity.column()));
     if half.is_some() {
-        table.head.extend(COLUMNS[2..].iter().map(|name| format!("{name}_half_grid")));
+        let names: Vec<String> =
+            table.head[2..].iter().map(|name| format!("{name}_half_grid")).collect();
+        table.head.extend(names);
     }
     for (k, row) in rows.iter().enumerate() {
-        let mut all = cells(row.as_ref(), nominal_area);
+        let mut all = cells(row.as_ref());
         if let Some(half) = half {
-            all.extend(cells(half[k].as_ref(), nominal_area).split_off(2));
+            all.extend(cells(half[k].as_ref()).split_off(2));
         }
         table.rows.push(all);
     }

@@ -9,7 +9,7 @@ use asperity::{ContactError, ContactState, Described, Model, Truth, compare_with
 use clap::{ArgAction, Args};
 
 use crate::commands::bem::Way;
-use crate::input::args::{OutputArgs, model_id};
+use crate::input::args::{OutputArgs, listed_model_id};
 use crate::input::numbers::{Numbers, all, load, pressure};
 use crate::interrupt;
 use crate::output::table::{Cell, Table};
@@ -36,7 +36,7 @@ pub struct TruthCommand {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Models [default: all that the scene allows, with random asperities and Persson]
-    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
     models: Vec<String>,
     #[command(flatten)]
     loads: Loads,

@@ -19,7 +19,7 @@ use crate::input::numbers::{
 };
 use crate::output::table::{Format, Table};
 use crate::output::{self, once};
-use crate::scene::{LoadedScene, NamedModel};
+use crate::scene::{ALL_MODELS, LoadedScene, NamedModel};
 
 /// Models of a scene, quantities, and separations or loads.
 #[derive(Debug, Args)]
@@ -28,8 +28,8 @@ pub struct ModelArgs {
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
     /// Models by id, as listed by `asperity models` [default: all models of asperities that
-    /// the scene allows]
-    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
+    /// the scene allows, or `all`]
+    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
     pub models: Vec<String>,
     /// Separations: N values from A to B in equal steps (or equal ratios with :log), or a list; in
     /// units of asperity_height_std (sigma), or with a unit, for example 2um
@@ -231,6 +231,14 @@ pub fn model_id(name: &str) -> Result<String, String> {
         return Ok(Bem::ID.into());
     }
     name.parse::<Model>().map(|model| model.id().to_string()).map_err(|e| e.to_string())
+}
+
+/// The id of a model in a list, which may be [`ALL_MODELS`].
+pub fn listed_model_id(name: &str) -> Result<String, String> {
+    match name.trim().eq_ignore_ascii_case(ALL_MODELS) {
+        true => Ok(ALL_MODELS.into()),
+        false => model_id(name),
+    }
 }
 
 /// The id of the one model of a command.

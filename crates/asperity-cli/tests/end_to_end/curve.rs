@@ -330,3 +330,14 @@ fn a_unit_without_its_separations_is_refused() {
         assert!(run.messages.contains("--separation"), "{arguments}");
     }
 }
+
+#[test]
+fn all_stands_for_the_models_of_the_default_and_a_reason_names_them_once() {
+    let bench = Bench::new();
+    let by_default = bench.data("curve scene.toml --separation 2");
+    assert_eq!(bench.data("curve scene.toml --separation 2 --model all"), by_default);
+    let asked = "curve scene.toml --model ke,jg --separation 2 --quantity area,thermal-conductance";
+    let run = bench.run(asked);
+    assert_eq!(run.messages.matches("thermal_conductivity is missing").count(), 1);
+    assert!(run.messages.contains("ke, jg: no thermal-conductance"), "{}", run.messages);
+}

@@ -109,6 +109,9 @@ impl Check {
         let of = |quantity| contact.evaluate(quantity, there).map(|found| found.value());
         let totals = ([of(Quantity::Force)?, of(Quantity::Area)?], contacts);
         let mut check = Self::of_totals(model, scene, at, place, totals);
+        if whole {
+            check.add_stiffnesses(model, scene, there, request.tolerance);
+        }
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
         if (whole || yields || may_be_deep(&*contact, place, contacts))
@@ -122,6 +125,25 @@ impl Check {
             check.of_different_radii(model, &*contact, at, place);
         }
         Ok(check)
+    }
+
+    /// The stiffnesses that the model has on this scene.
+    fn add_stiffnesses(
+        &mut self,
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        tolerance: Tolerance,
+    ) {
+        for (quantity, name, meaning) in [
+            (Quantity::Tangent, "tangent", "stiffness in first loading, -dF/dd"),
+            (Quantity::UnloadingStiffness, "unloading_stiffness", "stiffness of small vibrations"),
+        ] {
+            let contact = model.compile(scene, &Request::new([quantity]).within(tolerance));
+            if let Ok(found) = contact.and_then(|contact| contact.evaluate(quantity, at)) {
+                self.add_number(name, found.value(), "N/m", meaning);
+            }
+        }
     }
 
     /// Numbers and diagnostics from the shares of the force that yielding asperities of different

@@ -18,7 +18,8 @@ const FALLBACK_BLOCK: usize = 16_384;
 pub struct FillReport {
     /// The largest [bound](crate::Evaluation::bound).
     pub bound: f64,
-    /// The largest [condition](crate::Evaluation::condition).
+    /// No [condition](crate::Evaluation::condition) is larger; where parts cancel, up to half more
+    /// than the largest.
     pub condition: f64,
 }
 

@@ -93,6 +93,13 @@ impl Quantity {
         self.origin() == Self::ContactRadiusSum
     }
 
+    /// Whether this is a stiffness or a conductance of a joint, per area or not: a multiple of the
+    /// sum of the contact radii.
+    #[must_use]
+    pub fn is_of_joint(self) -> bool {
+        self.radius_factor().is_some()
+    }
+
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
     pub(crate) fn radius_factor(self) -> Option<RadiusFactor> {
         match self.derivation() {

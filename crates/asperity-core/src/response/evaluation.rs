@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::request::quantity_table::Derivation;
 use crate::request::separation::Place;
-use crate::{ContactError, Quantity, Regime};
+use crate::{ContactError, Quantity, Regime, Scene};
 
 /// A value that may be too small for a plain number, with a bound on its error.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -68,6 +68,25 @@ impl Evaluation {
             | Derivation::ContactRadii(_)
             | Derivation::RegimeShare(_) => None,
         }
+    }
+
+    /// A stiffness or conductance of joints, per area or not, from the sum of the contact radii
+    /// \[m\] with a bound on its relative error; `None` for another quantity. For contacts that are
+    /// no circles, the sum is the stiffness at fixed contact over 2 E.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] for a property of the interface that the quantity needs.
+    pub fn of_contact_radii(
+        quantity: Quantity,
+        sum: f64,
+        scene: &Scene,
+        error: f64,
+    ) -> Result<Option<Self>, ContactError> {
+        let Some(factor) = quantity.radius_factor() else { return Ok(None) };
+        let per_area = matches!(quantity.derivation(), Derivation::PerNominalArea(_));
+        let area = if per_area { scene.nominal_area } else { 1.0 };
+        let factor = factor.on(&scene.interface, quantity)?;
+        Ok(Some(Self::new(sum * factor / area, error)))
     }
 
     /// The value; 0 only where it is below the smallest number a double can hold.

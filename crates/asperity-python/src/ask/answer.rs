@@ -1,16 +1,16 @@
 //! Evaluation of rows: on all cores, in order, and interruptible by Ctrl-C.
 
-use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{
-    At, Case, ContactError, ContactModel, Datum, Diagnostic, Diagnostics, Evaluation, Model,
-    Quantity, Request, Response, RowCheck, Scene, SeparationUnit, Sweep,
+    At, Case, ContactError, ContactModel, Diagnostic, Diagnostics, Evaluation, Model, Quantity,
+    Request, Response, RowCheck, Scene, Sweep,
 };
 use pyo3::prelude::*;
+use rayon::prelude::*;
 
-use crate::ask::long::{pool, run_stretches};
+use crate::ask::long::{in_blocks, pool, run_stretches};
 use crate::ask::rows::View;
 use crate::convert::error::value_error;
 
@@ -18,6 +18,8 @@ use crate::convert::error::value_error;
 pub(crate) const ROWS_PER_TASK: usize = 16;
 /// Rows of one task on a single scene, where most rows are fast.
 const ROWS_PER_TASK_ON_ONE_SCENE: usize = 256;
+/// Values of one task, where they go into plain arrays: fewer take less time than to wake a thread.
+const VALUES_PER_TASK: usize = 16_384;
 /// Fewer values are as fast one by one.
 const FEW: usize = 16;
 
@@ -170,6 +172,36 @@ impl Question<'_> {
         Ok(answer)
     }
 
+    /// The values of one quantity, without diagnostics; false, with nothing of use in the column,
+    /// if that is not possible for all rows.
+    pub(crate) fn fill(
+        &self,
+        py: Python<'_>,
+        contact: &dyn asperity::Contact,
+        quantity: Quantity,
+        column: &mut [f64],
+    ) -> PyResult<bool> {
+        if !self.rows.are_separations() || quantity.is_absolute() || column.len() < FEW {
+            return Ok(false);
+        }
+        let fill = |start: usize, out: &mut [f64]| {
+            let places = self.rows.sigmas(start..start + out.len(), contact.scene());
+            places.is_some_and(|places| contact.fill(&[quantity], &places, &mut [out]).is_ok())
+        };
+        if column.len() <= VALUES_PER_TASK {
+            return Ok(py.detach(|| fill(0, column)));
+        }
+        let (pool, mut filled) = (pool(None)?, true);
+        in_blocks(py, column.len(), 2 * VALUES_PER_TASK, |range| {
+            let start = range.start;
+            let tasks = column[range].par_chunks_mut(VALUES_PER_TASK).enumerate();
+            let task = |(k, out): (usize, &mut [f64])| fill(start + k * VALUES_PER_TASK, out);
+            filled = py.detach(|| pool.install(|| tasks.map(task).all(|filled| filled)));
+            Ok(filled)
+        })?;
+        Ok(filled)
+    }
+
     fn on_one(&self, contact: &dyn asperity::Contact, range: Range<usize>) -> TaskValues {
         let (first, quantities) = (range.start, &self.request.quantities[..]);
         if !self.rows.are_separations() || quantities.iter().any(|q| q.is_absolute()) {
@@ -207,20 +239,10 @@ impl Question<'_> {
         range: Range<usize>,
     ) -> Option<Vec<f64>> {
         let quantities = &self.request.quantities[..];
-        if self.aspect != Aspect::Value || range.len() < FEW {
+        if self.aspect != Aspect::Value || self.rows.len() < FEW {
             return None;
         }
-        let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
-        let place = |row| match self.rows.at(row) {
-            At::Separation(place) => {
-                Some(place.measured_in(sigmas, mean, contact.scene()).ok()?.value)
-            }
-            _ => None,
-        };
-        let places = match self.rows.sigmas(range.clone()) {
-            Some(places) => Cow::Borrowed(places),
-            None => Cow::Owned(range.map(place).collect::<Option<Vec<f64>>>()?),
-        };
+        let places = self.rows.sigmas(range, contact.scene())?;
         let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
         let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
         let filled = contact.fill(quantities, &places, &mut out).ok()?;

@@ -13,7 +13,7 @@ use crate::convert::error::value_error;
 /// Approximate time between two checks for signals.
 pub(crate) const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
 /// Most rows in memory between two checks for signals.
-const MOST_ROWS: usize = 1 << 16;
+const MOST_ROWS: usize = 1 << 18;
 
 /// Runs `work` on ranges that cover 0..len until it returns false, and checks for signals between
 /// them. The first range has `first` rows.

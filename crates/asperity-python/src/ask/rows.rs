@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Diagnostics, SeparationUnit, Severity};
+use asperity::{At, Case, ContactError, Datum, Diagnostics, Scene, SeparationUnit, Severity};
+use asperity_scene::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
 use crate::convert::axis::Axis;
 use crate::scene::SceneFile;
-use crate::scene::inputs::{Input, inputs, with_numbers};
+use crate::scene::inputs::inputs;
 
 /// The `Rows` of the package.
 #[derive(FromPyObject)]
@@ -29,7 +30,7 @@ pub(crate) struct Rows<'py> {
 /// The same for threads without the interpreter.
 pub(crate) struct View<'r> {
     pub(crate) files: Vec<Arc<asperity_scene::SceneFile>>,
-    columns: Vec<(Input, &'r [f64])>,
+    columns: Vec<(SceneInput, &'r [f64])>,
     /// Empty if all rows are on the first scene.
     index: &'r [i64],
     axis: Axis,
@@ -92,7 +93,7 @@ impl<'r> View<'r> {
             return self.files[scene].findings();
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[scene]));
-        with_numbers(&self.files[0], numbers).map_or(Diagnostics::default(), |file| file.findings())
+        self.files[0].with_inputs(numbers).map_or(Diagnostics::default(), |file| file.findings())
     }
 
     /// Warnings and errors that the first scene does not list as accepted, one for each cause.
@@ -115,7 +116,7 @@ impl<'r> View<'r> {
     }
 
     /// The single scene of all rows; none if there are several.
-    pub(crate) fn one_scene(&self) -> Option<&asperity::Scene> {
+    pub(crate) fn one_scene(&self) -> Option<&Scene> {
         match &self.files[..] {
             [file] if self.columns.is_empty() => Some(&file.scene),
             _ => None,
@@ -131,19 +132,26 @@ impl<'r> View<'r> {
         self.file(row).separation_from
     }
 
-    /// The numbers of these rows, if they are multiples of σ_z from the mean of the asperity
-    /// heights.
-    pub(crate) fn sigmas(&self, rows: Range<usize>) -> Option<&[f64]> {
-        let sigmas = self.axis == Axis::Separation(SeparationUnit::Sigma);
-        let one = self.files.len() == 1 && self.files[0].separation_from == Datum::AsperityMean;
-        if sigmas && one { self.numbers.get(rows) } else { None }
+    /// The separations of these rows on a scene as multiples of σ_z from the mean of the asperity
+    /// heights; none for loads, or without a mean plane.
+    pub(crate) fn sigmas(&self, rows: Range<usize>, scene: &Scene) -> Option<Cow<'_, [f64]>> {
+        let (sigma, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let one = self.files.len() == 1 && self.files[0].separation_from == mean;
+        if one && self.axis == Axis::Separation(sigma) {
+            return self.numbers.get(rows).map(Cow::Borrowed);
+        }
+        let place = |row| match self.at(row) {
+            At::Separation(place) => Some(place.measured_in(sigma, mean, scene).ok()?.value),
+            _ => None,
+        };
+        rows.map(place).collect::<Option<Vec<f64>>>().map(Cow::Owned)
     }
 
     pub(crate) fn at(&self, row: usize) -> At {
         self.axis.at(self.numbers[row], self.datum(row))
     }
 
-    pub(crate) fn scene(&self, row: usize) -> Result<asperity::Scene, ContactError> {
+    pub(crate) fn scene(&self, row: usize) -> Result<Scene, ContactError> {
         Ok(match self.columns.is_empty() {
             true => self.file(row).scene.clone(),
             false => self.file_of(row)?.into_owned().scene,
@@ -159,7 +167,7 @@ impl<'r> View<'r> {
             return Ok(Cow::Borrowed(self.file(row)));
         }
         let numbers = self.columns.iter().map(|(input, column)| (*input, column[self.place(row)]));
-        Ok(Cow::Owned(with_numbers(self.file(row), numbers)?))
+        Ok(Cow::Owned(self.file(row).with_inputs(numbers)?))
     }
 
     pub(crate) fn case(&self, row: usize) -> Result<Case, ContactError> {
@@ -168,8 +176,12 @@ impl<'r> View<'r> {
 
     /// A warning if the separation of largest magnitude has probably another unit.
     pub(crate) fn mistaken_unit(&self) -> Option<String> {
-        let magnitude = |x: &f64| if x.is_finite() { x.abs() } else { 0.0 };
-        let largest = self.numbers.iter().map(magnitude).fold(0.0, f64::max);
+        let largest = largest_magnitude(self.numbers);
+        if let Some(scene) = self.one_scene() {
+            // Most arrays need no search for the row.
+            let height_std = scene.surface.asperity_height_std;
+            self.axis.mistaken_unit("separation", largest, height_std)?;
+        }
         let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest.to_bits())?;
         self.axis.mistaken_unit(
             "separation",
@@ -177,4 +189,20 @@ impl<'r> View<'r> {
             self.scene(row).ok()?.surface.asperity_height_std,
         )
     }
+}
+
+/// The largest magnitude of finite numbers; 0 without any.
+fn largest_magnitude(numbers: &[f64]) -> f64 {
+    let magnitude = |x: f64| if x.abs() < f64::INFINITY { x.abs() } else { 0.0 };
+    // Side by side: a single maximum would wait for the one before.
+    let mut largest = [0.0; 16];
+    let (chunks, rest) = numbers.as_chunks::<16>();
+    for chunk in chunks {
+        for (largest, x) in largest.iter_mut().zip(chunk) {
+            let size = magnitude(*x);
+            *largest = if size > *largest { size } else { *largest };
+        }
+    }
+    let rest = rest.iter().map(|x| magnitude(*x));
+    rest.chain(largest).fold(0.0, f64::max)
 }

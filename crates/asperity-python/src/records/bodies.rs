@@ -4,7 +4,7 @@ use asperity::ContactError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Arg, Field, Origin, Record, Setter, instance, record, shown};
+use super::{Arg, Field, Origin, Record, instance, record, shown};
 use crate::convert::error::{refused, warn};
 
 record! {

@@ -33,9 +33,6 @@ impl Field for Option<f64> {
     }
 }
 
-/// A function that sets one field of a struct.
-pub(crate) type Setter<T> = fn(&mut T, f64);
-
 /// A frozen class around a struct of the library: its doc, its signature in Python, a struct to
 /// fill and its check, the type of its origin, its fields with their docs, and its other methods.
 macro_rules! record {
@@ -106,8 +103,6 @@ macro_rules! record {
 
         impl Record for $name {
             type Struct = asperity::$name;
-            const SETTERS: &'static [(&'static str, Setter<asperity::$name>)] =
-                &[$((stringify!($field), |found, value| found.$field = value.into())),+];
 
             fn checked(found: asperity::$name) -> PyResult<Self> {
                 let check: fn(&asperity::$name) -> Result<(), ContactError> = $check;
@@ -142,9 +137,6 @@ impl<T: PyClass> Origin<T> for () {}
 /// A class around a struct of the library.
 pub(crate) trait Record: Sized {
     type Struct: 'static;
-    /// The name of every field, with a function that sets it.
-    const SETTERS: &'static [(&'static str, Setter<Self::Struct>)];
-
     /// The record of a struct; an error if a number is out of range.
     fn checked(found: Self::Struct) -> PyResult<Self>;
 

@@ -5,7 +5,7 @@ use asperity_scene::Roughness;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::{Arg, Field, Interface, Origin, Record, Setter, instance, record, shown};
+use super::{Arg, Field, Interface, Origin, Record, instance, record, shown};
 use crate::convert::error::refused;
 use crate::convert::numbers::numbers;
 

@@ -21,7 +21,7 @@ use crate::records::{Asperity, Body, Interface, Record, Surface, instance, shown
 use crate::topography::found;
 use heights::Heights;
 pub(crate) use heights::OptionValue;
-use inputs::{inputs, inputs_in_si, with_numbers};
+use inputs::{inputs, inputs_in_si};
 
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
@@ -102,7 +102,7 @@ impl SceneFile {
         for (name, value) in options.unwrap_or_default() {
             file.options.set(&name, &value.into()).map_err(value_error)?;
         }
-        let file = with_numbers(&file, []).map_err(refused)?;
+        let file = file.with_inputs([]).map_err(refused)?;
         // Refuses separations from the mean plane for heights without one.
         file.separation(0.0, SeparationUnit::Metres)
             .measured_in(SeparationUnit::Metres, Datum::AsperityMean, &file.scene)
@@ -188,7 +188,7 @@ impl SceneFile {
         let values = numbers.iter().map(|(name, given)| number("Scene", name, given));
         let inputs = inputs(&self.0, numbers.keys())?;
         let values = inputs.into_iter().zip(values.collect::<PyResult<Vec<_>>>()?);
-        Ok(Self(Arc::new(with_numbers(&self.0, values).map_err(refused)?)))
+        Ok(Self(Arc::new(self.0.with_inputs(values).map_err(refused)?)))
     }
 
     /// Many scenes that differ in some numbers: the names of ``replace`` with arrays, which are

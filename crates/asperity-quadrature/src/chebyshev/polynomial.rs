@@ -2,8 +2,6 @@
 
 use std::sync::OnceLock;
 
-use fearless_simd::{Simd, SimdBase, f64x8};
-
 use super::extremes;
 
 /// Coefficients evaluated together: their products are independent.
@@ -175,18 +173,6 @@ impl Series {
         fours.iter().fold(sum, |sum, four| powers.add(sum, four))
     }
 
-    /// The values at eight u, without v, with the digits of [`at`](Self::at).
-    #[inline(always)]
-    pub(crate) fn eight<S: Simd>(&self, simd: S, u: f64x8<S>) -> f64x8<S> {
-        let square = u * u;
-        let fourth = square * square;
-        let mut sum = f64x8::splat(simd, 0.0);
-        for &[a, c, b, d] in &self.fours {
-            sum = sum * fourth + ((u * b + a) + (u * d + c) * square);
-        }
-        sum
-    }
-
     pub(crate) fn coefficients(&self) -> usize {
         LANES * self.fours.len()
     }
@@ -211,7 +197,7 @@ impl Powers {
 }
 
 /// Σ tₖ Tₖ(u) as Σ cₖ uᵏ.
-fn powers(terms: &[f64]) -> Vec<f64> {
+pub(crate) fn powers(terms: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; terms.len()];
     let (mut before, mut now) = (vec![0.0; terms.len()], vec![0.0; terms.len()]);
     for (k, term) in terms.iter().enumerate() {

@@ -2,16 +2,14 @@
 
 use fearless_simd::{Level, Simd, dispatch};
 
-use super::exponential::LEAST;
-use super::patch::Place;
-use super::ranges::{SEGMENTS, locate};
 use super::shifted::ShiftedGaussian;
+use super::table::{INDICES, NOT_MADE, STEPS, Unit, locate, unit};
 use crate::{Moments, QuadratureError};
 
-/// Values that are sorted by segment together: they stay in the fastest memory.
-const BATCH: usize = 2048;
-/// Shorter runs in one segment, on average, are worth sorting.
-const SHORT: usize = 32;
+/// Values that are found together: they stay in the fastest memory.
+const BLOCK: usize = 512;
+/// Scales below the exponential of this are next to no normal numbers.
+const LEAST: f64 = -700.0;
 
 /// What a column of numbers holds: `factor` · I(s + shift), or `factor` · -dI/ds there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,8 +28,8 @@ pub struct ColumnAccuracy {
     /// Bound on the relative error of each number: that of the integral, with the rounding of the
     /// sum s + shift, of the scale exp(-s²/2) and of the product with the factor.
     pub error: f64,
-    /// The largest ratio of an integral of the absolute value to the integral itself; 1 where
-    /// nothing cancels.
+    /// Bound on the ratio of an integral of the absolute value to the integral itself, at most
+    /// half more than the largest; 1 where nothing cancels.
     pub condition: f64,
     /// Whether all numbers and their scales are normal numbers; the bound holds only then.
     pub normal: bool,
@@ -57,9 +55,8 @@ impl ColumnAccuracy {
 }
 
 impl ShiftedGaussian {
-    /// Fills `out`, as long as `s`, with a column: fastest where neighbours in `s` are near each
-    /// other, as in ascending order. Numbers are those of [`value`](Self::value) and
-    /// [`at`](Self::at) within both bounds, the same on every processor.
+    /// Fills `out`, as long as `s`, with a column. Numbers are those of [`value`](Self::value) and
+    /// [`at`](Self::at) within both bounds, the same on every processor and in any order.
     ///
     /// # Errors
     /// One s that is refused, by its index, and the reason; `out` then holds nothing of use.
@@ -69,98 +66,35 @@ impl ShiftedGaussian {
         column: Column,
         out: &mut [f64],
     ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
+        let mut all = ColumnAccuracy::NONE;
+        let mut units = Units::NONE;
+        let (mut steps, mut x) = ([0; BLOCK], [0.0; BLOCK]);
         let level = Level::new();
-        let mut all = ColumnAccuracy::NONE;
-        let mut buffers = Buffers::default();
-        buffers.indices.resize(s.len().min(BATCH), 0);
-        let batches = s.chunks(BATCH).zip(out.chunks_mut(BATCH));
-        for (k, (s, out)) in batches.enumerate() {
-            let indices = &mut buffers.indices[..s.len()];
-            let changes = dispatch!(level, simd => locate_all(simd, s, column.shift, indices));
-            let filled = if changes * SHORT <= s.len() {
-                self.runs(level, indices, (s, column), out)
-            } else {
-                self.sorted(level, &mut buffers, (s, column), out)
-            };
-            all = all.and(filled.map_err(|(index, error)| (k * BATCH + index, error))?);
-        }
-        Ok(all)
-    }
-
-    /// Runs of values in the same segment, one after the other.
-    fn runs(
-        &self,
-        level: Level,
-        indices: &[u32],
-        (s, column): (&[f64], Column),
-        out: &mut [f64],
-    ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
-        let (mut all, mut from) = (ColumnAccuracy::NONE, 0);
-        for run in indices.chunk_by(|a, b| a == b) {
-            let range = from..from + run.len();
-            let filled = self.run(level, (&s[range.clone()], column), &mut out[range]);
-            all = all.and(filled.map_err(|(index, error)| (from + index, error))?);
-            from += run.len();
-        }
-        Ok(all)
-    }
-
-    /// The same after sorting by segment.
-    fn sorted(
-        &self,
-        level: Level,
-        buffers: &mut Buffers,
-        (s, column): (&[f64], Column),
-        out: &mut [f64],
-    ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
-        let Buffers { indices, sorted, values } = buffers;
-        let indices = &mut indices[..s.len()];
-        sorted.resize(BATCH, 0.0);
-        values.resize(BATCH, 0.0);
-        // Where the next value of each segment goes.
-        let mut next = [0u32; SEGMENTS + 1];
-        indices.iter().for_each(|index| next[*index as usize] += 1);
-        let mut total = 0;
-        for next in &mut next {
-            total += std::mem::replace(next, total);
-        }
-        for (place, s) in indices.iter_mut().zip(s) {
-            let next = &mut next[*place as usize];
-            *place = *next;
-            *next += 1;
-            sorted[*place as usize] = *s;
-        }
-        let (mut all, mut from) = (ColumnAccuracy::NONE, 0);
-        for to in next.into_iter().map(|next| next as usize) {
-            if to > from {
-                let filled = self.run(level, (&sorted[from..to], column), &mut values[from..to]);
-                let place = |index: usize| {
-                    let wanted = (from + index) as u32;
-                    indices.iter().position(|place| *place == wanted).unwrap_or(0)
-                };
-                all = all.and(filled.map_err(|(index, error)| (place(index), error))?);
+        let blocks = s.chunks(BLOCK).zip(out.chunks_mut(BLOCK));
+        for (k, (s, out)) in blocks.enumerate() {
+            let (steps, x) = (&mut steps[..s.len()], &mut x[..s.len()]);
+            dispatch!(level, simd => locate(simd, s, column.shift, steps, x));
+            if !dispatch!(level, simd => units.serve(simd, steps)) {
+                units.make(steps, self, column);
             }
-            from = to;
+            if !dispatch!(level, simd => units.fill(simd, steps, x, column, out)) {
+                let left = self.one_by_one(s, column, out);
+                all = all.and(left.map_err(|(index, error)| (k * BLOCK + index, error))?);
+            }
         }
-        for (out, place) in out.iter_mut().zip(indices.iter()) {
-            *out = values[*place as usize];
-        }
-        Ok(all)
+        Ok(all.and(units.accuracy(column)))
     }
 
-    /// Values in the same segment, or in none.
-    fn run(
+    /// The numbers where there is no normal one yet.
+    fn one_by_one(
         &self,
-        level: Level,
-        (s, column): (&[f64], Column),
+        s: &[f64],
+        column: Column,
         out: &mut [f64],
     ) -> Result<ColumnAccuracy, (usize, QuadratureError)> {
-        let segment = self.segment(Place::at(s[0] + column.shift)).map_err(|error| (0, error))?;
-        if let Some(segment) = segment {
-            return Ok(dispatch!(level, simd => segment.fill(simd, s, column, out)));
-        }
         let mut all = ColumnAccuracy::NONE;
-        for (k, (s, out)) in s.iter().zip(out).enumerate() {
+        for (k, (s, out)) in s.iter().zip(out).enumerate().filter(|(_, (_, out))| !out.is_normal())
+        {
             let seen = s + column.shift;
             let moments = self.at(seen).map_err(|error| (k, error))?;
             let (number, accuracy) = column.number(seen, &moments);
@@ -171,9 +105,67 @@ impl ShiftedGaussian {
     }
 }
 
+/// The units of a table that have been needed so far, and the steps.
+struct Units<'t> {
+    units: [&'t Unit; INDICES],
+    used: [[bool; STEPS]; INDICES],
+}
+
+impl<'t> Units<'t> {
+    const NONE: Self = Self { units: [&NOT_MADE; INDICES], used: [[false; STEPS]; INDICES] };
+
+    /// The numbers of a column; whether all are normal.
+    #[inline(always)]
+    fn fill<S: Simd>(
+        &mut self,
+        simd: S,
+        steps: &[u32],
+        x: &[f64],
+        column: Column,
+        out: &mut [f64],
+    ) -> bool {
+        for ((out, step), x) in out.iter_mut().zip(steps).zip(x) {
+            let index = unit(*step);
+            self.used[index][*step as usize % STEPS] = true;
+            *out = self.units[index].at(simd, *step, *x) * column.factor;
+        }
+        let normal = |out: f64| out.abs() >= f64::MIN_POSITIVE && out.abs() <= f64::MAX;
+        out.iter().fold(true, |all, out| all & normal(*out))
+    }
+
+    /// Whether all units from the lowest to the highest of these steps have been made.
+    #[inline(always)]
+    fn serve<S: Simd>(&self, _: S, steps: &[u32]) -> bool {
+        let low = steps.iter().fold(u32::MAX, |low, step| low.min(*step));
+        let high = steps.iter().fold(0, |high, step| high.max(*step));
+        (unit(low)..=unit(high)).all(|index| !std::ptr::eq(self.units[index], &NOT_MADE))
+    }
+
+    /// Makes the units of these steps.
+    #[cold]
+    fn make(&mut self, steps: &[u32], integral: &'t ShiftedGaussian, column: Column) {
+        for index in steps.iter().map(|step| unit(*step)) {
+            if std::ptr::eq(self.units[index], &NOT_MADE)
+                && let Some(made) = integral.table().unit(index, integral, column.slope)
+            {
+                self.units[index] = made;
+            }
+        }
+    }
+
+    /// Bounds for all steps that have been used.
+    fn accuracy(&self, column: Column) -> ColumnAccuracy {
+        let units = self.units.iter().zip(&self.used).enumerate();
+        let made = units.filter(|(_, (unit, _))| !std::ptr::eq(**unit, &NOT_MADE));
+        made.fold(ColumnAccuracy::NONE, |all, (index, (unit, used))| {
+            all.and(unit.accuracy(index, used, column))
+        })
+    }
+}
+
 impl Column {
     /// One number out of an integral at `seen` = s + shift.
-    fn number(&self, seen: f64, moments: &Moments) -> (f64, ColumnAccuracy) {
+    pub(crate) fn number(&self, seen: f64, moments: &Moments) -> (f64, ColumnAccuracy) {
         let [value, size] = match self.slope {
             true => [moments.slope, moments.sizes[1]],
             false => [moments.value, moments.sizes[0]],
@@ -197,31 +189,15 @@ impl Column {
     }
 }
 
-/// What batches are sorted in: where each value is, the values of s, and the numbers.
-#[derive(Default)]
-struct Buffers {
-    indices: Vec<u32>,
-    sorted: Vec<f64>,
-    values: Vec<f64>,
-}
-
 /// The product of polynomial, scale and factor, in units of the last place.
 pub(crate) const ROUNDED: f64 = 4.0;
-
-/// Finds the segment of each value; returns how often it changes from one to the next.
-#[inline(always)]
-fn locate_all<S: Simd>(_: S, s: &[f64], shift: f64, indices: &mut [u32]) -> usize {
-    for (index, s) in indices.iter_mut().zip(s) {
-        *index = locate(s + shift) as u32;
-    }
-    indices.windows(2).map(|pair| usize::from(pair[0] != pair[1])).sum()
-}
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Density;
     use crate::gaussian::shifted::tests::{both_signs, power};
+    use crate::gaussian::table::VARIED;
 
     fn checked(density: &Density, s: &[f64], column: Column, tolerance: f64) -> ColumnAccuracy {
         let integral = ShiftedGaussian::new(density.clone(), 0.3, tolerance);
@@ -233,13 +209,21 @@ mod tests {
             let (wanted, one) = column.number(seen, &integral.at(seen).unwrap());
             worst = worst.and(one);
             let off = (out / wanted - 1.0).abs();
-            let rounding = (0.5 * seen.max(0.0) * seen + 8.0) * f64::EPSILON * one.condition;
-            assert!(off <= rounding || !accuracy.normal, "{s} {column:?}: {out:e} {wanted:e}");
-            assert!(one.error <= accuracy.error, "{s} {column:?}: {one:?} {accuracy:?}");
+            // Of samples and of the polynomial through them, which adds up to twice as much.
+            let rounding = (1.5 * seen.max(0.0) * seen + 24.0) * f64::EPSILON * one.condition;
+            // The term of exp(-s x) that a step leaves out first.
+            let left = 4.0 * ((seen.max(0.0) + 2.0) / 128.0).powi(8) / 40_320.0;
+            // A rounded s may belong to either of two rules.
+            let seam = (2.0 * seen - (2.0 * seen).round()).abs() < 1e-12;
+            let rules = if seam { one.error + accuracy.error } else { 0.0 };
+            let allowed = rounding + left + rules;
+            assert!(off <= allowed || !accuracy.normal, "{s} {column:?}: {out:e} {wanted:e}");
+            assert!(seam || one.error <= accuracy.error, "{s} {column:?}: {one:?} {accuracy:?}");
         }
         assert!(!accuracy.normal || accuracy.error <= 3.0 * worst.error, "{accuracy:?} {worst:?}");
         let share = accuracy.condition / worst.condition;
-        assert!((share - 1.0).abs() < 1e-9, "{accuracy:?} {worst:?}");
+        // That of the whole step where the worst value is.
+        assert!((1.0..VARIED).contains(&share), "{accuracy:?} {worst:?}");
         assert!(accuracy.lowest <= worst.lowest && accuracy.normal <= worst.normal);
         accuracy
     }

@@ -3,14 +3,13 @@
 
 mod any_scale;
 mod column;
-mod exponential;
-mod lanes;
 mod moments;
 mod nearby;
 mod patch;
 mod ranges;
 mod segment;
 mod shifted;
+mod table;
 mod weight;
 
 pub use any_scale::AnyScale;

@@ -1,7 +1,5 @@
 //! A short range of s, and of scales, and the integral sampled there.
 
-use fearless_simd::{Simd, f64x8};
-
 use super::weight::{DEEPEST, INV_SQRT_2PI, ROUNDING, Weight, masses};
 use crate::chebyshev::polynomial::Chebyshev;
 use crate::{Density, Goal, PointMasses, QuadratureError};
@@ -77,17 +75,6 @@ impl Patch {
         self.keys.0
     }
 
-    pub(crate) fn keys(&self) -> (f64, f64) {
-        self.keys
-    }
-
-    /// x and u of eight s at the scale of the points.
-    #[inline(always)]
-    pub(crate) fn eight<S: Simd>(&self, s: f64x8<S>) -> (f64x8<S>, f64x8<S>) {
-        let x = s - self.centre;
-        (x, (x * self.slopes.0 + self.half) / (x + self.pole))
-    }
-
     /// Whether it is for one scale only.
     pub(crate) fn unstretched(&self) -> bool {
         self.stretch <= 0.0
@@ -160,12 +147,6 @@ pub(crate) struct Tilt {
 }
 
 impl Tilt {
-    /// Minus the logarithm of eight x at the scale of the points.
-    #[inline(always)]
-    pub(crate) fn eight<S: Simd>(self, x: f64x8<S>) -> f64x8<S> {
-        x * self.y + self.depth
-    }
-
     #[cold]
     fn factor(self, x: f64, ratio: f64) -> f64 {
         (-(self.depth + x * self.y + 0.5 * (ratio * ratio - 1.0) * self.y2)).exp()

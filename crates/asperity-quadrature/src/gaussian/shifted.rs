@@ -6,6 +6,7 @@ use super::moments::{Curvature, Moments, ln_scale};
 use super::patch::Place;
 use super::ranges::{Rules, Task};
 use super::segment::Segment;
+use super::table::Table;
 use crate::{Density, QuadratureError};
 
 /// The integral of one density at one scale c against φ(s + t), for all s.
@@ -14,6 +15,7 @@ pub struct ShiftedGaussian {
     task: Task,
     scale: f64,
     rules: Rules,
+    table: Table,
 }
 
 impl ShiftedGaussian {
@@ -22,7 +24,7 @@ impl ShiftedGaussian {
     #[must_use]
     pub fn new(density: Density, scale: f64, tolerance: f64) -> Self {
         let rules = Rules::new(scale, 0.0);
-        Self { task: Task::new(density, tolerance), scale, rules }
+        Self { task: Task::new(density, tolerance), scale, rules, table: Table::default() }
     }
 
     /// I(s) and -dI/ds at a finite s ≤ 1e9.
@@ -73,13 +75,9 @@ impl ShiftedGaussian {
         }
     }
 
-    /// The segment of a place, if there is one, built if need be.
-    #[inline]
-    pub(crate) fn segment(&self, place: Place) -> Result<Option<&Segment>, QuadratureError> {
-        match self.rules.ready(place) {
-            Some(segment) => Ok(Some(segment)),
-            None => self.rules.at(place, &self.task),
-        }
+    /// Polynomials for many values.
+    pub(crate) fn table(&self) -> &Table {
+        &self.table
     }
 
     /// Terms of the polynomial that serves s; 0 where each evaluation integrates anew.

@@ -1,0 +1,328 @@
+//! Contacts of few pixels: the problem of the whole map with the highest pixels as unknowns.
+//!
+//! Pressures outside these candidates are 0 and deflections there follow from one transform of the
+//! whole map. Where no gap is negative the solution is that of the whole map; pixels with a
+//! negative gap join the candidates otherwise. As the load falls no pixel comes into contact, so
+//! that the contact of a load holds the candidates of all lighter ones. \[derived\]
+
+use std::ops::ControlFlow;
+
+use crate::half_space::{Compliance, Filter, HalfSpace};
+use crate::height_map::positive;
+use crate::iteration::{Iteration, Problem};
+use crate::unloading::even_approach;
+use crate::{BemError, Boundary, BoundaryElements, EDGE_SHARE};
+
+/// Most candidates: two matrices of 130 MB.
+const MOST_CANDIDATES: usize = 4000;
+/// Candidates over the expected number of pixels in contact, and at least this many.
+const MARGIN: f64 = 3.0;
+const LEAST_CANDIDATES: usize = 64;
+/// Two are usual.
+const MOST_ROUNDS: usize = 12;
+
+/// The solution of a contact of few pixels, without maps.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct LightContact {
+    /// Mean pressure on the area of the map \[Pa\].
+    pub mean_pressure: f64,
+    /// Real area over the area of the map, corrected as that of a [`Solution`](crate::Solution).
+    pub area: f64,
+    /// Share of the pixels that carry pressure.
+    pub pixel_area: f64,
+    /// Share of the pixels that carry the hardness.
+    pub plastic_area: f64,
+    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces.
+    pub mean_gap: f64,
+    /// Mean gap \[m\] with plastic pixels counted as 0.
+    pub mean_open_gap: f64,
+    /// Stiffness at [fixed contact](BoundaryElements::fixed_contact) \[Pa/m\].
+    pub unloading_stiffness: f64,
+    /// Number of pixels of every contact patch, largest first.
+    pub patches: Vec<usize>,
+    /// Places of the pixels in contact on the map, ascending, and their pressures \[Pa\].
+    pub pressures: Vec<(usize, f64)>,
+    /// As that of a [`Solution`](crate::Solution).
+    pub residual: f64,
+    /// Number of iterations.
+    pub iterations: usize,
+}
+
+/// Influence coefficients between some pixels: symmetric matrices, row after row.
+struct Coefficients {
+    deflect: Vec<f64>,
+    undo: Vec<f64>,
+}
+
+impl Compliance for Coefficients {
+    fn apply(&mut self, filter: Filter, map: &mut [f64]) {
+        let matrix = match filter {
+            Filter::Deflect => &self.deflect,
+            Filter::Undo => &self.undo,
+        };
+        let given = map.to_vec();
+        map.fill(0.0);
+        // Most pixels carry nothing.
+        for (row, value) in matrix.chunks(given.len()).zip(given).filter(|(_, x)| *x != 0.0) {
+            map.iter_mut().zip(row).for_each(|(sum, coefficient)| *sum += value * coefficient);
+        }
+    }
+}
+
+/// Responses of the whole map to a pixel in its corner.
+struct Responses {
+    columns: usize,
+    deflect: Vec<f64>,
+    undo: Vec<f64>,
+}
+
+impl Responses {
+    fn new(pixels: usize, columns: usize, space: &mut HalfSpace) -> Self {
+        let mut of = |filter| {
+            let mut map = vec![0.0; pixels];
+            map[0] = 1.0;
+            space.apply(filter, &mut map);
+            map
+        };
+        Self { columns, deflect: of(Filter::Deflect), undo: of(Filter::Undo) }
+    }
+
+    fn between(&self, pixels: &[usize]) -> Coefficients {
+        let columns = self.columns;
+        let places: Vec<(usize, usize)> =
+            pixels.iter().map(|at| (at / columns, at % columns)).collect();
+        let of = |response: &[f64]| {
+            let mut matrix = Vec::with_capacity(places.len() * places.len());
+            for (i, j) in &places {
+                matrix.extend(
+                    places.iter().map(|(k, l)| response[i.abs_diff(*k) * columns + j.abs_diff(*l)]),
+                );
+            }
+            matrix
+        };
+        Coefficients { deflect: of(&self.deflect), undo: of(&self.undo) }
+    }
+}
+
+impl BoundaryElements {
+    /// Solves contacts of few pixels at mean pressures \[Pa\], in their order: as
+    /// [`solve_all`](Self::solve_all) to within the tolerance, in a small part of its time, with
+    /// the stiffness at fixed contact.
+    ///
+    /// # Errors
+    /// [`BemError::NotLight`] above some thousand pixels in contact or with a free boundary;
+    /// otherwise those of [`solve`](Self::solve).
+    pub fn solve_light(&self, pressures: &[f64]) -> Result<Vec<LightContact>, BemError> {
+        let mut order: Vec<(usize, f64)> = vec![];
+        for (at, pressure) in pressures.iter().enumerate() {
+            let (pressure, hardness) = (positive("mean pressure", *pressure)?, self.cap());
+            if pressure >= hardness {
+                return Err(BemError::CannotBeCarried { pressure, hardness });
+            }
+            order.push((at, pressure));
+        }
+        order.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let Some((_, heaviest)) = order.first() else { return Ok(vec![]) };
+        if self.boundary_condition() != Boundary::Periodic {
+            return Err(BemError::NotLight { pixels: self.map().heights().len(), most: 0 });
+        }
+        let mut light = Light::new(self, *heaviest)?;
+        let mut found = vec![];
+        for (at, pressure) in order {
+            found.push((at, light.solve(pressure)?));
+        }
+        found.sort_by_key(|(at, _)| *at);
+        Ok(found.into_iter().map(|(_, contact)| contact).collect())
+    }
+}
+
+/// A list from the heaviest load down.
+struct Light<'a> {
+    setup: &'a BoundaryElements,
+    space: HalfSpace,
+    responses: Responses,
+    rms_height: f64,
+    highest: f64,
+    /// Candidates, ascending, and their pressures.
+    pixels: Vec<usize>,
+    pressures: Vec<f64>,
+    /// Whether the candidates hold all pixels of the contact.
+    checked: bool,
+}
+
+impl<'a> Light<'a> {
+    fn new(setup: &'a BoundaryElements, heaviest: f64) -> Result<Self, BemError> {
+        let map = setup.map();
+        let heights = map.heights();
+        let mut space = HalfSpace::new(map, setup.modulus(), Boundary::Periodic);
+        let count = MARGIN * expected_area(setup, heaviest) * heights.len() as f64;
+        let count = (count as usize).max(LEAST_CANDIDATES).min(heights.len());
+        refuse_above(MOST_CANDIDATES, count)?;
+        let mut by_height: Vec<usize> = (0..heights.len()).collect();
+        by_height.select_nth_unstable_by(count - 1, |a, b| heights[*b].total_cmp(&heights[*a]));
+        by_height.truncate(count);
+        by_height.sort_unstable();
+        Ok(Self {
+            setup,
+            responses: Responses::new(heights.len(), map.shape()[1], &mut space),
+            space,
+            rms_height: map.rms_height(),
+            highest: map.highest(),
+            pressures: vec![heaviest; by_height.len()],
+            pixels: by_height,
+            checked: false,
+        })
+    }
+
+    fn solve(&mut self, pressure: f64) -> Result<LightContact, BemError> {
+        let Self { setup, highest, .. } = *self;
+        let (heights, cap) = (setup.map().heights(), setup.cap());
+        let load = pressure * heights.len() as f64;
+        let goal = setup.goal(setup.scale(pressure, self.rms_height));
+        let mut iterations = 0;
+        for _ in 0..MOST_ROUNDS {
+            let mut coefficients = self.responses.between(&self.pixels);
+            let candidates: Vec<f64> = self.pixels.iter().map(|at| heights[*at]).collect();
+            let problem = Problem { heights: &candidates, highest, cap, load };
+            let start = std::mem::take(&mut self.pressures);
+            let mut go_on = |_, _| ControlFlow::Continue(());
+            let (iteration, reached) =
+                Iteration::run(problem, start, !self.checked, goal, &mut coefficients, &mut go_on)?;
+            iterations += reached.iterations;
+            let (pressures, deflections) = iteration.into_maps();
+            self.pressures = pressures;
+            let little = goal.tolerance * goal.scale;
+            if !self.checked && self.add_pixels_below(reached.offset - little)? {
+                continue;
+            }
+            self.checked = true;
+            let contact: Vec<f64> =
+                self.pressures.iter().map(|p| if *p > 0.0 { 1.0 } else { 0.0 }).collect();
+            let fixed = even_approach(&contact, heights.len() as f64, &mut coefficients)?;
+            let depths = candidates.iter().zip(deflections).zip(&self.pressures);
+            let depths = depths
+                .filter(|(_, pressure)| **pressure >= cap)
+                .map(|((height, u), _)| (reached.offset - problem.distance(u, *height)).max(0.0));
+            let depth: f64 = depths.sum::<f64>() / heights.len() as f64;
+            self.keep_contact();
+            let (mean_gap, residual) = (highest - reached.offset, reached.residual);
+            return Ok(self.contact(fixed.stiffness, [mean_gap, depth], residual, iterations));
+        }
+        let (residual, required) = (f64::INFINITY, goal.tolerance);
+        Err(BemError::NotConverged { residual, iterations, required })
+    }
+
+    /// Adds the pixels whose distance is below `offset`, by one transform of the whole map; true if
+    /// there are any.
+    fn add_pixels_below(&mut self, offset: f64) -> Result<bool, BemError> {
+        let heights = self.setup.map().heights();
+        let mut deflections = vec![0.0; heights.len()];
+        for (at, pressure) in self.pixels.iter().zip(&self.pressures) {
+            deflections[*at] = *pressure;
+        }
+        self.space.apply(Filter::Deflect, &mut deflections);
+        let highest = self.highest;
+        let open = |at: &usize| deflections[*at] + (highest - heights[*at]) >= offset;
+        let more: Vec<usize> = (0..heights.len())
+            .filter(|at| !open(at) && self.pixels.binary_search(at).is_err())
+            .collect();
+        if more.is_empty() {
+            return Ok(false);
+        }
+        refuse_above(MOST_CANDIDATES, self.pixels.len() + more.len())?;
+        let known = self.pixels.iter().copied().zip(self.pressures.iter().copied());
+        let mut all: Vec<(usize, f64)> =
+            known.chain(more.into_iter().map(|at| (at, 0.0))).collect();
+        all.sort_unstable_by_key(|(at, _)| *at);
+        (self.pixels, self.pressures) = all.into_iter().unzip();
+        Ok(true)
+    }
+
+    /// Leaves only the pixels in contact.
+    fn keep_contact(&mut self) {
+        let all = self.pixels.iter().copied().zip(self.pressures.iter().copied());
+        (self.pixels, self.pressures) = all.filter(|(_, pressure)| *pressure > 0.0).unzip();
+    }
+
+    fn contact(
+        &self,
+        unloading_stiffness: f64,
+        [mean_gap, depth]: [f64; 2],
+        residual: f64,
+        iterations: usize,
+    ) -> LightContact {
+        let pixels = self.setup.map().heights().len() as f64;
+        let plastic = self.pressures.iter().filter(|p| **p >= self.setup.cap()).count();
+        let (patches, edges) = patches_and_edges(&self.pixels, self.setup.map().shape());
+        let count = self.pixels.len() as f64;
+        LightContact {
+            mean_pressure: self.pressures.iter().sum::<f64>() / pixels,
+            area: (count - EDGE_SHARE * edges as f64).max(0.0) / pixels,
+            pixel_area: count / pixels,
+            plastic_area: plastic as f64 / pixels,
+            mean_gap,
+            mean_open_gap: mean_gap + depth,
+            unloading_stiffness,
+            patches,
+            pressures: self.pixels.iter().copied().zip(self.pressures.iter().copied()).collect(),
+            residual,
+            iterations,
+        }
+    }
+}
+
+fn refuse_above(most: usize, pixels: usize) -> Result<(), BemError> {
+    if pixels > most { Err(BemError::NotLight { pixels, most }) } else { Ok(()) }
+}
+
+/// An estimate of the share in contact: √(2π) p/(E g), and p/H where that is more.
+fn expected_area(setup: &BoundaryElements, pressure: f64) -> f64 {
+    let map = setup.map();
+    let columns = map.shape()[1];
+    let [_, dx] = map.pixel();
+    let rows = map.heights().chunks(columns);
+    let slopes = rows.flat_map(|row| row.windows(2).map(|pair| ((pair[1] - pair[0]) / dx).powi(2)));
+    let square = 2.0 * slopes.sum::<f64>() / map.heights().len() as f64;
+    let elastic =
+        if square > 0.0 { 2.5 * pressure / (setup.modulus() * square.sqrt()) } else { 1.0 };
+    elastic.max(pressure / setup.cap())
+}
+
+/// Sizes of the patches in pixels, largest first, and the number of edges of the contact; `pixels`
+/// ascending, on a periodic map.
+fn patches_and_edges(pixels: &[usize], [rows, columns]: [usize; 2]) -> (Vec<usize>, usize) {
+    let mut patch: Vec<usize> = vec![usize::MAX; pixels.len()];
+    let (mut sizes, mut edges, mut open) = (vec![], 0, vec![]);
+    for first in 0..pixels.len() {
+        if patch[first] != usize::MAX {
+            continue;
+        }
+        patch[first] = first;
+        open.push(first);
+        let mut size = 0;
+        while let Some(at) = open.pop() {
+            size += 1;
+            let (i, j) = (pixels[at] / columns, pixels[at] % columns);
+            let neighbours = [
+                [(i + 1) % rows, j],
+                [(i + rows - 1) % rows, j],
+                [i, (j + 1) % columns],
+                [i, (j + columns - 1) % columns],
+            ];
+            for [i, j] in neighbours {
+                match pixels.binary_search(&(i * columns + j)) {
+                    Ok(next) if patch[next] == usize::MAX => {
+                        patch[next] = first;
+                        open.push(next);
+                    }
+                    Ok(_) => {}
+                    Err(_) => edges += 1,
+                }
+            }
+        }
+        sizes.push(size);
+    }
+    sizes.sort_unstable_by(|a, b| b.cmp(a));
+    (sizes, edges)
+}

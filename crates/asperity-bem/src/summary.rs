@@ -1,0 +1,77 @@
+//! The quantities of a solved contact, by the names that all models share.
+
+use asperity_core::{ContactError, Evaluation, Quantity, Scene};
+
+use crate::model::refused;
+use crate::{BemError, BoundaryElements, Solution};
+
+/// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
+/// between them.
+const ERROR: f64 = 1e-6;
+
+/// The numbers of a contact from which its quantities follow.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ContactSummary {
+    /// Mean pressure on the area of the map \[Pa\].
+    pub mean_pressure: f64,
+    /// Real area of contact over the area of the map.
+    pub area: f64,
+    /// Mean gap \[m\].
+    pub mean_gap: f64,
+    /// Stiffness at [fixed contact](BoundaryElements::fixed_contact) \[Pa/m\]; `None` if no
+    /// quantity needs it.
+    pub stiffness: Option<Result<f64, BemError>>,
+}
+
+impl BoundaryElements {
+    /// The numbers of a solution of this map that `quantities` need.
+    #[must_use]
+    pub fn summary(&self, solution: &Solution, quantities: &[Quantity]) -> ContactSummary {
+        let fixed = || self.fixed_contact(solution).map(|fixed| fixed.stiffness);
+        let Solution { mean_pressure, area, mean_gap, .. } = *solution;
+        let stiffness = quantities.iter().any(|quantity| quantity.is_of_joint()).then(fixed);
+        ContactSummary { mean_pressure, area, mean_gap, stiffness }
+    }
+}
+
+/// Whether boundary elements give a quantity: force, area and what follows from them; stiffnesses
+/// and conductances of joints.
+#[must_use]
+pub(crate) fn known(quantity: Quantity) -> bool {
+    quantity.follows_from_totals() || quantity.is_of_joint()
+}
+
+impl ContactSummary {
+    /// Surfaces apart by this mean gap \[m\].
+    pub(crate) fn open(mean_gap: f64) -> Self {
+        Self { mean_pressure: 0.0, area: 0.0, mean_gap, stiffness: Some(Ok(0.0)) }
+    }
+
+    /// A quantity on the nominal area of `scene`, for which the map stands. Stiffnesses and
+    /// conductances of joints are those of the stiffness at fixed contact: interaction included,
+    /// contacts of any shape; shear in stick as if they were circles. `None` for a quantity that
+    /// boundary elements lack.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] for a property of the interface that the quantity needs,
+    /// [`ContactError::Refused`] where the stiffness was not found.
+    pub fn evaluate(
+        &self,
+        quantity: Quantity,
+        scene: &Scene,
+    ) -> Result<Option<Evaluation>, ContactError> {
+        let nominal = scene.nominal_area;
+        match &self.stiffness {
+            Some(stiffness) if quantity.is_of_joint() => {
+                let stiffness = stiffness.clone().map_err(refused)?;
+                let sum = stiffness * nominal / (2.0 * scene.interface.equivalent_modulus);
+                Evaluation::of_contact_radii(quantity, sum, scene, ERROR)
+            }
+            _ => {
+                let totals = (self.mean_pressure * nominal, self.area * nominal);
+                Ok(Evaluation::of_totals(quantity, totals, nominal, ERROR))
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! The path of unloading from a load or a gap: the contact shrinks on the surface that yielding has
+//! left.
+
+use std::ops::ControlFlow;
+
+use asperity_core::Quantity;
+
+use crate::{BemError, BoundaryElements, ContactSummary, LoadCase, Progress};
+
+/// A contact that opens from its greatest load.
+#[derive(Debug, Clone)]
+pub struct UnloadingPath {
+    /// The surface less its plastic depths.
+    flattened: BoundaryElements,
+    closest: ContactSummary,
+    /// Mean gap of `closest` from the mean plane of the flattened surface \[m\].
+    open_gap: f64,
+}
+
+impl BoundaryElements {
+    /// Solves the greatest load, from which the contact unloads.
+    ///
+    /// # Errors
+    /// Those of [`solve`](Self::solve).
+    pub fn unloading_from(&self, greatest: LoadCase) -> Result<UnloadingPath, BemError> {
+        let solution = self.solve(greatest)?;
+        Ok(UnloadingPath {
+            flattened: self.flattened_by(&solution)?,
+            closest: self.summary(&solution, &[Quantity::UnloadingStiffness]),
+            open_gap: solution.mean_open_gap,
+        })
+    }
+}
+
+impl UnloadingPath {
+    /// The contact at the greatest load, with the stiffness at the start of unloading.
+    #[must_use]
+    pub fn closest(&self) -> &ContactSummary {
+        &self.closest
+    }
+
+    /// The retreat at which the last pixel parts \[m\].
+    #[must_use]
+    pub fn last_contact(&self) -> f64 {
+        (self.flattened.map().highest() - self.open_gap).max(0.0)
+    }
+
+    /// The contacts after retreats \[m\] from the greatest load, in their order: pressures, areas
+    /// and stiffnesses on the surface that yielding has left, and mean gaps from the mean plane of
+    /// the first surface. `progress` is called at every iteration and may stop the run.
+    ///
+    /// # Errors
+    /// Each contact has its own: [`BemError::OutOfRange`] for a retreat that is negative or no
+    /// number, and those of [`BoundaryElements::solve`].
+    pub fn at_retreats(
+        &self,
+        retreats: &[f64],
+        progress: impl FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Vec<Result<ContactSummary, BemError>> {
+        let mut found: Vec<Result<ContactSummary, BemError>> = vec![];
+        let (mut given, mut places) = (vec![], vec![]);
+        for &retreat in retreats {
+            found.push(match retreat {
+                0.0 => Ok(self.closest.clone()),
+                _ if !(retreat > 0.0 && retreat.is_finite()) => {
+                    let required = "a number that is not negative";
+                    Err(BemError::OutOfRange { field: "retreat", found: retreat, required })
+                }
+                _ if retreat >= self.last_contact() => Ok(ContactSummary::open(0.0)),
+                _ => {
+                    given.push(LoadCase::MeanGap(self.open_gap + retreat));
+                    places.push(found.len());
+                    Err(BemError::Cancelled)
+                }
+            });
+        }
+        self.flattened.solve_each(&given, progress, |index, solution| {
+            let of = |solution| self.flattened.summary(&solution, &[Quantity::UnloadingStiffness]);
+            found[places[index]] = solution.map(of);
+        });
+        for (retreat, found) in retreats.iter().zip(&mut found) {
+            if let Ok(contact) = found {
+                contact.mean_gap = self.closest.mean_gap + retreat;
+            }
+        }
+        found
+    }
+}

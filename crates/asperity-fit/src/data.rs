@@ -1,0 +1,309 @@
+//! Measured values: loads or separations, and quantities there, with standard deviations if known.
+
+use std::ops::Deref;
+
+use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
+
+use crate::FitError;
+
+/// The largest number of measured values in a fit.
+const MOST: usize = 100_000;
+
+/// What a measured value is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Measured {
+    /// A quantity of the contact.
+    Quantity(Quantity),
+    /// The reading of a separation \[m\] under a load.
+    Separation,
+}
+
+impl Measured {
+    /// The column of a table, unit included: `area_m2`, `separation_m`.
+    #[must_use]
+    pub fn column(self) -> String {
+        match self {
+            Self::Quantity(quantity) => quantity.column(),
+            Self::Separation => SEPARATION.into(),
+        }
+    }
+
+    /// Whether residuals are differences, for lack of a logarithm.
+    pub(crate) fn is_difference(self) -> bool {
+        match self {
+            Self::Quantity(quantity) => quantity.is_absolute(),
+            Self::Separation => true,
+        }
+    }
+}
+
+/// One measured value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Observation {
+    /// The row of the table, counted from 1.
+    pub row: usize,
+    /// The load, pressure, or reading of the separation.
+    pub at: At,
+    /// What was measured.
+    pub measured: Measured,
+    /// The value, in SI units.
+    pub value: f64,
+    /// Its standard deviation, if known.
+    pub std: Option<f64>,
+}
+
+/// Measured values, all with a standard deviation or all without.
+///
+/// ```
+/// use asperity_core::Datum;
+/// use asperity_fit::Data;
+///
+/// let columns = [("load_N", [10.0, 100.0]), ("area_m2", [1e-8, 9e-8])];
+/// let columns = columns.map(|(name, values)| (name.to_string(), values.map(Some).to_vec()));
+/// let data = Data::from_columns(&columns, Datum::AsperityMean)?;
+/// assert_eq!((data.len(), data[1].row), (2, 2));
+/// # Ok::<(), asperity_fit::FitError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Data {
+    observations: Vec<Observation>,
+    from: Datum,
+}
+
+impl Deref for Data {
+    type Target = [Observation];
+
+    fn deref(&self) -> &[Observation] {
+        &self.observations
+    }
+}
+
+const LOAD: &str = "load_N";
+const PRESSURE: &str = "pressure_Pa";
+const SEPARATION: &str = "separation_m";
+const STD: &str = "_std";
+/// Columns of `curve` without information: sigma is unknown, and a fit has its own models.
+const IGNORED: [&str; 2] = ["separation_over_sigma", "model"];
+
+/// A column of a table of measurements; a missing number is none.
+pub type DataColumn = (String, Vec<Option<f64>>);
+
+/// What a column holds.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Load,
+    Pressure,
+    Separation,
+    Quantity(Quantity),
+}
+
+/// A place, or the measured quantity, of a column's name.
+fn kind(name: &str) -> Result<Kind, FitError> {
+    let plain = name.trim();
+    let places = [LOAD, PRESSURE, SEPARATION];
+    let columns = Quantity::ALL.map(Quantity::column);
+    let known: Vec<&str> = places.into_iter().chain(columns.iter().map(String::as_str)).collect();
+    let found = |name: &str| match name {
+        LOAD => Some(Kind::Load),
+        PRESSURE => Some(Kind::Pressure),
+        SEPARATION => Some(Kind::Separation),
+        name => {
+            let quantity = Quantity::ALL.into_iter().zip(&columns).find(|(_, c)| *c == name);
+            quantity.map(|(quantity, _)| Kind::Quantity(quantity))
+        }
+    };
+    // A name without its unit is nearest to the column that it begins.
+    let begun = || known.iter().copied().find(|known| known.starts_with(plain) && plain.len() > 2);
+    found(plain).ok_or_else(|| FitError::UnknownColumn {
+        name: name.into(),
+        near: nearest_name(plain, known.iter().copied()).or_else(begun).map(Into::into),
+        known: known.join(", "),
+    })
+}
+
+impl Data {
+    /// The measured values of a table whose columns are named as those of `asperity curve`:
+    /// `load_N`, `pressure_Pa` or `separation_m` from the plane `from`, and any quantities
+    /// (`area_m2`, `unloading_stiffness_N_per_m`), each with `<column>_std` if known. A cell may be
+    /// empty.
+    ///
+    /// `pressure_Pa` beside `load_N` is ignored, as are `separation_over_sigma` and `model`.
+    /// Separations have no relative error: without `separation_m_std`, a separation beside a load
+    /// is compared by the load at that separation.
+    ///
+    /// # Errors
+    /// [`FitError`] naming the column or the row, its value and what is required.
+    pub fn from_columns(columns: &[DataColumn], from: Datum) -> Result<Self, FitError> {
+        let table = Columns::read(columns)?;
+        let mut observations = vec![];
+        for row in 0..table.rows {
+            table.observations(row, from, &mut observations)?;
+        }
+        if observations.is_empty() {
+            let needed = "a column of a quantity with a value was required, for example area_m2";
+            return Err(FitError::NoData { missing: "measured quantity", needed: needed.into() });
+        }
+        if let Some(known) = observations.iter().find(|one| one.std.is_some())
+            && let Some(unknown) = observations.iter().find(|one| one.std.is_none())
+        {
+            let column = unknown.measured.column();
+            let reason = format!(
+                "row {} has no standard deviation, but {} has one: give {column}{STD}, or none at all",
+                unknown.row,
+                known.measured.column()
+            );
+            return Err(FitError::Column { column, reason });
+        }
+        Ok(Self { observations, from })
+    }
+
+    /// Whether standard deviations are given.
+    #[must_use]
+    pub fn has_std(&self) -> bool {
+        self.observations.iter().any(|one| one.std.is_some())
+    }
+
+    /// The plane of the separations.
+    pub(crate) fn datum(&self) -> Datum {
+        self.from
+    }
+}
+
+/// The columns of a table by their meaning.
+struct Columns<'c> {
+    rows: usize,
+    places: Vec<(Kind, &'c DataColumn)>,
+    quantities: Vec<(Quantity, &'c DataColumn)>,
+    deviations: Vec<(Kind, &'c DataColumn)>,
+}
+
+impl<'c> Columns<'c> {
+    fn read(columns: &'c [DataColumn]) -> Result<Self, FitError> {
+        let rows = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
+        let mut found = Self { rows, places: vec![], quantities: vec![], deviations: vec![] };
+        if rows > MOST {
+            let reason = format!("{rows} rows: at most {MOST} were required");
+            return Err(FitError::Column { column: "the data".into(), reason });
+        }
+        for (place, column) in columns.iter().enumerate() {
+            let (name, values) = (column.0.trim(), &column.1);
+            if columns[..place].iter().any(|(other, _)| other.trim() == name) {
+                let reason = "the column is given twice".into();
+                return Err(FitError::Column { column: name.into(), reason });
+            }
+            if values.len() != rows {
+                let reason =
+                    format!("{} values: {rows}, as in other columns, were required", values.len());
+                return Err(FitError::Column { column: name.into(), reason });
+            }
+            if IGNORED.contains(&name) {
+                continue;
+            }
+            match (name.strip_suffix(STD), kind(name)) {
+                (Some(of), Err(_)) => found.deviations.push((kind(of)?, column)),
+                (_, kind) => match kind? {
+                    Kind::Quantity(quantity) => found.quantities.push((quantity, column)),
+                    place => found.places.push((place, column)),
+                },
+            }
+        }
+        let has = |kind: Kind| found.places.iter().any(|(known, _)| *known == kind);
+        if has(Kind::Load) {
+            found.places.retain(|(kind, _)| *kind != Kind::Pressure);
+        }
+        // At separations, a load is what was measured.
+        if found.places.is_empty() {
+            let needed = format!("a column {LOAD}, {PRESSURE} or {SEPARATION} was required");
+            return Err(FitError::NoData { missing: "load or separation", needed });
+        }
+        let known = |kind: &Kind| match kind {
+            Kind::Quantity(quantity) => found.quantities.iter().any(|(q, _)| q == quantity),
+            place => found.places.iter().any(|(p, _)| p == place),
+        };
+        if let Some((_, (column, _))) = found.deviations.iter().find(|(kind, _)| !known(kind)) {
+            let reason = "the column of its values is missing".into();
+            return Err(FitError::Column { column: column.clone(), reason });
+        }
+        Ok(found)
+    }
+
+    /// The standard deviation of a row's value.
+    fn std(&self, kind: Kind, row: usize) -> Result<Option<f64>, FitError> {
+        let Some((_, column)) = self.deviations.iter().find(|(known, _)| *known == kind) else {
+            return Ok(None);
+        };
+        match finite(column, row)? {
+            Some(value) if value <= 0.0 => Err(refused(column, row, value, "a number above 0")),
+            other => Ok(other),
+        }
+    }
+
+    /// Appends the measured values of a row.
+    fn observations(
+        &self,
+        row: usize,
+        from: Datum,
+        found: &mut Vec<Observation>,
+    ) -> Result<(), FitError> {
+        let (mut load, mut separation) = (None, None);
+        for (kind, column) in &self.places {
+            match (kind, finite(column, row)?) {
+                (_, None) => {}
+                (Kind::Separation, Some(value)) => separation = Some(value),
+                (_, Some(value)) if value <= 0.0 => {
+                    return Err(refused(column, row, value, "a load above 0"));
+                }
+                (Kind::Load, Some(value)) => load = Some((At::Load(value), Quantity::Force, value)),
+                (_, Some(value)) => load = Some((At::Pressure(value), Quantity::Pressure, value)),
+            }
+        }
+        let reading = |value| At::from(Separation { from, ..Separation::metres(value) });
+        let at = load.map(|(at, ..)| at).or(separation.map(reading));
+        let new = |at, measured, value, std| Observation { row: row + 1, at, measured, value, std };
+        for (quantity, column) in &self.quantities {
+            let Some(value) = finite(column, row)? else { continue };
+            let std = self.std(Kind::Quantity(*quantity), row)?;
+            if std.is_none() && !quantity.is_absolute() && value <= 0.0 {
+                let required = "a number above 0, or its standard deviation,";
+                return Err(refused(column, row, value, required));
+            }
+            let Some(at) = at else {
+                let required = "a load or a separation beside it";
+                return Err(refused(column, row, value, required));
+            };
+            let is_load = matches!(quantity, Quantity::Force | Quantity::Pressure);
+            if is_load && load.is_some() {
+                let required = "either the load or this quantity";
+                return Err(refused(column, row, value, required));
+            }
+            found.push(new(at, Measured::Quantity(*quantity), value, std));
+        }
+        if let (Some((at, quantity, carried)), Some(value)) = (load, separation) {
+            found.push(match self.std(Kind::Separation, row)? {
+                Some(std) => new(at, Measured::Separation, value, Some(std)),
+                None => {
+                    let kind =
+                        if quantity == Quantity::Force { Kind::Load } else { Kind::Pressure };
+                    let std = self.std(kind, row)?;
+                    new(reading(value), Measured::Quantity(quantity), carried, std)
+                }
+            });
+        }
+        Ok(())
+    }
+}
+
+/// The number of a row, if it is given.
+fn finite(column: &DataColumn, row: usize) -> Result<Option<f64>, FitError> {
+    match column.1.get(row).copied().flatten() {
+        Some(value) if !value.is_finite() => Err(refused(column, row, value, "a finite number")),
+        other => Ok(other),
+    }
+}
+
+fn refused(column: &DataColumn, row: usize, value: f64, required: &str) -> FitError {
+    let (row, column, required) = (row + 1, column.0.trim().into(), required.into());
+    FitError::Value { row, column, value, required }
+}

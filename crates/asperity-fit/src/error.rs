@@ -1,0 +1,77 @@
+//! Why a fit is refused.
+
+use asperity_core::{ContactError, nearest_hint};
+
+/// Why data or parameters are refused, or a fit ended.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// A column that is no load, separation or quantity.
+    #[error("column {name:?} is not known{}: the columns are {known}, each also with _std", nearest_hint(.near.as_ref()))]
+    UnknownColumn {
+        /// The name of the column.
+        name: String,
+        /// The nearest known name, if one is near.
+        near: Option<String>,
+        /// All known names.
+        known: String,
+    },
+    /// Columns that do not make a table of measurements.
+    #[error("{column}: {reason}")]
+    Column {
+        /// The column.
+        column: String,
+        /// The reason, and what is required.
+        reason: String,
+    },
+    /// A number of the data that is out of its range.
+    #[error("row {row}: {column} is {value:?}: {required} was required")]
+    Value {
+        /// The row, counted from 1.
+        row: usize,
+        /// The column.
+        column: String,
+        /// The number given.
+        value: f64,
+        /// The numbers accepted.
+        required: String,
+    },
+    /// Data without a load or separation, or without a quantity.
+    #[error("the data have no {missing}: {needed}")]
+    NoData {
+        /// The missing part.
+        missing: &'static str,
+        /// The columns that are accepted.
+        needed: String,
+    },
+    /// Fewer data than parameters.
+    #[error(
+        "{data} measured {} for {parameters} free parameters: at least as many values as free parameters were required",
+        if *.data == 1 { "value" } else { "values" }
+    )]
+    TooFew {
+        /// The number of measured values.
+        data: usize,
+        /// The number of free parameters.
+        parameters: usize,
+    },
+    /// Bounds or a start that no fit can use.
+    #[error("{parameter}: {reason}")]
+    Parameter {
+        /// The free parameter.
+        parameter: String,
+        /// The reason, and what is required.
+        reason: String,
+    },
+    /// A model gives none of the data anywhere within the bounds.
+    #[error("{model} has no value for the data at any start within the bounds, first: {reason}")]
+    NoStart {
+        /// The model's id.
+        model: String,
+        /// The reason at the start.
+        reason: ContactError,
+    },
+    /// The caller stopped the fit.
+    #[error("interrupted")]
+    Interrupted,
+}

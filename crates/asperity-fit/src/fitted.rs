@@ -1,0 +1,74 @@
+//! The result of a fit.
+
+use serde::Serialize;
+
+/// A model fitted to data.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Fitted {
+    /// The model's id.
+    pub model: String,
+    /// Whether the search ended at a minimum.
+    pub converged: bool,
+    /// Root mean square of ln(fitted/measured), a relative error; `None` if no value has a
+    /// logarithm.
+    pub rms: Option<f64>,
+    /// Sum of squares over the degrees of freedom, with standard deviations: about 1 where model
+    /// and standard deviations are right. `None` without them or without freedom.
+    pub reduced_chi_squared: Option<f64>,
+    /// Bayesian information criterion, for the comparison of models on the same data: lower is
+    /// better. `None` where the parameters leave no freedom.
+    pub bic: Option<f64>,
+    /// The free parameters, in their order.
+    pub parameters: Vec<Estimate>,
+    /// Correlation of the parameters (of logarithms, for those varied so); `None` for those that
+    /// the data do not fix.
+    pub correlation: Vec<Vec<Option<f64>>>,
+    /// Condition number of the derivatives of the residuals by the parameters; `None` if a
+    /// combination of parameters has no effect.
+    pub condition: Option<f64>,
+    /// Combinations that the data do not fix, in words.
+    pub undetermined: Vec<String>,
+    /// Measured values that cannot be reached, each with the reason.
+    pub unreachable: Vec<String>,
+    /// Remarks on bounds and other values of the parameters that fit as well.
+    pub notes: Vec<String>,
+    /// Every measured value beside the fitted one.
+    pub residuals: Vec<Residual>,
+    /// Evaluations of the model for all data.
+    pub evaluations: usize,
+}
+
+/// A fitted parameter.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Estimate {
+    /// The name.
+    pub name: String,
+    /// The value of the least squares.
+    pub value: f64,
+    /// Lower end of the 95 % interval; `None` if the data do not fix it within the bounds.
+    pub lower: Option<f64>,
+    /// Its upper end.
+    pub upper: Option<f64>,
+    /// The SI unit; empty for pure numbers.
+    pub unit: String,
+    /// The bounds within which it was varied.
+    pub bounds: [f64; 2],
+}
+
+/// A measured value and the fitted one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Residual {
+    /// The row of the data, counted from 1.
+    pub row: usize,
+    /// The column of the data.
+    pub column: String,
+    /// The measured value, in SI units.
+    pub measured: f64,
+    /// The fitted value.
+    pub fitted: f64,
+    /// Difference of logarithms, or over the standard deviation if that is given.
+    pub residual: f64,
+}

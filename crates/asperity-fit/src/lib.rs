@@ -1,0 +1,23 @@
+#![doc = include_str!("../README.md")]
+
+mod combinations;
+mod data;
+mod error;
+mod fit;
+mod fitted;
+mod forward;
+mod parameter;
+mod problem;
+mod ranking;
+mod reach;
+mod search;
+mod spread;
+
+pub use data::{Data, DataColumn, Measured, Observation};
+pub use error::FitError;
+pub use fit::{Fit, Progress};
+pub use fitted::{Estimate, Fitted, Residual};
+pub use forward::Rig;
+pub use parameter::{Parameter, Role, USUAL_FACTOR};
+pub use problem::MakeScene;
+pub use ranking::{Ranking, rank};

@@ -1,0 +1,116 @@
+//! Free parameters, their bounds, and the coordinates in which they are varied.
+
+use asperity_core::short;
+
+use crate::FitError;
+
+/// The factor either way of the start within which a parameter is varied by default.
+pub const USUAL_FACTOR: f64 = 30.0;
+
+/// What a free parameter changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Role {
+    /// A number of the scene.
+    Scene,
+    /// The reading of the separation where the surfaces are at separation 0 \[m\].
+    SeparationOffset,
+    /// The normal compliance of the rig, in series with the contact \[m/N\].
+    SeriesCompliance,
+}
+
+impl Role {
+    /// The name of a parameter of the rig: `separation_offset` or `series_compliance`.
+    #[must_use]
+    pub fn of(name: &str) -> Self {
+        match name {
+            "separation_offset" => Self::SeparationOffset,
+            "series_compliance" => Self::SeriesCompliance,
+            _ => Self::Scene,
+        }
+    }
+}
+
+/// A free parameter: varied in its logarithm between positive bounds, linearly otherwise.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Parameter {
+    /// Its name, the key of a scene file for a number of the scene.
+    pub name: String,
+    /// Its SI unit; empty for pure numbers.
+    pub unit: String,
+    /// What it changes.
+    pub role: Role,
+    /// The value from which the fit starts, within the bounds.
+    pub start: f64,
+    /// The smallest and the largest value.
+    pub bounds: [f64; 2],
+    /// A typical size of a change, for a parameter that is varied linearly.
+    pub scale: f64,
+}
+
+impl Parameter {
+    /// A parameter between bounds; the start is the nearest value within them.
+    ///
+    /// # Errors
+    /// [`FitError::Parameter`] unless the bounds are finite and ascending, and the scale of a
+    /// linear parameter is above 0.
+    pub fn new(
+        name: impl Into<String>,
+        unit: &str,
+        start: f64,
+        bounds: [f64; 2],
+        scale: f64,
+    ) -> Result<Self, FitError> {
+        let (name, [low, high]) = (name.into(), bounds);
+        let finite = low.is_finite() && high.is_finite() && start.is_finite();
+        if !finite || low >= high {
+            let reason = format!(
+                "the bounds are {} and {}: two finite numbers, the smaller first, were required",
+                short(low),
+                short(high)
+            );
+            return Err(FitError::Parameter { parameter: name, reason });
+        }
+        let role = Role::of(&name);
+        let found =
+            Self { name, unit: unit.into(), role, start: start.clamp(low, high), bounds, scale };
+        if found.role == Role::SeriesCompliance && low < 0.0 {
+            let reason = format!("the lower bound is {}: at least 0 was required", short(low));
+            return Err(FitError::Parameter { parameter: found.name, reason });
+        }
+        if !found.is_log() && !(scale > 0.0 && scale.is_finite()) {
+            let reason = format!("its scale is {scale:?}: a finite number above 0 was required");
+            return Err(FitError::Parameter { parameter: found.name, reason });
+        }
+        Ok(found)
+    }
+
+    /// Whether it is varied in its logarithm.
+    #[must_use]
+    pub fn is_log(&self) -> bool {
+        self.bounds[0] > 0.0
+    }
+
+    /// The coordinate of a value: its logarithm, or the value in units of the scale.
+    pub(crate) fn coordinate(&self, value: f64) -> f64 {
+        if self.is_log() { value.ln() } else { value / self.scale }
+    }
+
+    /// The value at a coordinate, within the bounds.
+    pub(crate) fn value(&self, coordinate: f64) -> f64 {
+        let value = if self.is_log() { coordinate.exp() } else { coordinate * self.scale };
+        value.clamp(self.bounds[0], self.bounds[1])
+    }
+
+    /// The bounds as coordinates.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        self.bounds.map(|bound| self.coordinate(bound))
+    }
+
+    /// A value with its unit.
+    pub(crate) fn shown(&self, value: f64) -> String {
+        let gap = if self.unit.is_empty() { "" } else { " " };
+        format!("{}{gap}{}", short(value), self.unit)
+    }
+}

@@ -1,0 +1,215 @@
+//! The residuals of a fit, their derivatives, and the least squares from one start.
+
+use std::cell::RefCell;
+use std::ops::ControlFlow;
+
+use asperity_core::{ContactError, ContactModel, Scene};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
+use nalgebra::storage::Owned;
+use nalgebra::{DMatrix, DVector, Dyn};
+
+use crate::forward::{Forward, Rig};
+use crate::{Data, FitError, Parameter, Progress, Role};
+
+/// Step of the differences, as a coordinate: errors of 1e-10 from the third derivative and 1e-9
+/// from values good to 1e-14.
+const STEP: f64 = 2e-5;
+/// The residual of a value that the model does not have, larger than that of any start.
+const NO_VALUE: f64 = 1e10;
+
+/// A function from the values of the parameters with [`Role::Scene`] to the scene.
+pub type MakeScene<'f> = dyn Fn(&[f64]) -> Result<Scene, ContactError> + 'f;
+
+/// A model with its data and parameters.
+pub(crate) struct Problem<'f> {
+    pub(crate) model: &'f dyn ContactModel,
+    pub(crate) forward: &'f Forward<'f>,
+    pub(crate) data: &'f Data,
+    pub(crate) parameters: &'f [Parameter],
+    pub(crate) scene: &'f MakeScene<'f>,
+    pub(crate) watch: &'f Watch<'f>,
+}
+
+/// The caller's view of a long fit.
+pub(crate) struct Watch<'f> {
+    pub(crate) progress: RefCell<&'f mut dyn FnMut(&Progress) -> ControlFlow<()>>,
+    pub(crate) state: RefCell<Progress>,
+}
+
+/// A minimum of the residuals.
+#[derive(Debug, Clone)]
+pub(crate) struct Minimum {
+    pub(crate) coordinates: Vec<f64>,
+    /// Sum of squares.
+    pub(crate) squares: f64,
+    pub(crate) converged: bool,
+}
+
+impl Problem<'_> {
+    /// The scene and the rig at coordinates.
+    pub(crate) fn at(&self, coordinates: &[f64]) -> Result<(Scene, Rig), ContactError> {
+        let (mut numbers, mut rig) = (vec![], Rig::default());
+        for (parameter, coordinate) in self.parameters.iter().zip(coordinates) {
+            let value = parameter.value(*coordinate);
+            match parameter.role {
+                Role::Scene => numbers.push(value),
+                Role::SeparationOffset => rig.separation_offset = value,
+                Role::SeriesCompliance => rig.series_compliance = value,
+            }
+        }
+        Ok(((self.scene)(&numbers)?, rig))
+    }
+
+    /// The predicted values, or the first reason why one is missing.
+    pub(crate) fn predicted(&self, coordinates: &[f64]) -> Result<Vec<f64>, ContactError> {
+        let (scene, rig) = self.at(coordinates)?;
+        self.forward.predict(&scene, rig).into_iter().collect()
+    }
+
+    /// The residuals: differences of logarithms, or differences over the standard deviations.
+    pub(crate) fn residuals(&self, coordinates: &[f64]) -> Result<Vec<f64>, FitError> {
+        self.count()?;
+        let made = self.at(coordinates);
+        let predicted = made.map(|(scene, rig)| self.forward.predict(&scene, rig));
+        let Ok(predicted) = predicted else { return Ok(vec![NO_VALUE; self.data.len()]) };
+        let residual = |(one, value): (&crate::Observation, Result<f64, ContactError>)| {
+            let Ok(value) = value else { return NO_VALUE };
+            let found = match one.std {
+                Some(std) => (value - one.value) / std,
+                None if one.measured.is_difference() => value - one.value,
+                None => (value / one.value).ln(),
+            };
+            if found.is_finite() { found } else { NO_VALUE }
+        };
+        Ok(self.data.iter().zip(predicted).map(residual).collect())
+    }
+
+    /// Counts an evaluation, and asks whether to go on.
+    fn count(&self) -> Result<(), FitError> {
+        let mut state = self.watch.state.borrow_mut();
+        state.evaluations += 1;
+        match (self.watch.progress.borrow_mut())(&state) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(FitError::Interrupted),
+        }
+    }
+
+    /// The derivatives of the residuals by coordinates, one column for each of `free`.
+    pub(crate) fn jacobian(
+        &self,
+        coordinates: &[f64],
+        free: &[usize],
+    ) -> Result<DMatrix<f64>, FitError> {
+        let mut found = DMatrix::zeros(self.data.len(), free.len());
+        for (column, place) in free.iter().enumerate() {
+            let [low, high] = self.parameters[*place].range();
+            // Both ends within the bounds.
+            let middle = coordinates[*place];
+            let ends = [(middle - STEP).max(low), (middle + STEP).min(high)];
+            let mut moved = coordinates.to_vec();
+            let mut at = |end: f64| {
+                moved[*place] = end;
+                self.residuals(&moved)
+            };
+            let [below, above] = [at(ends[0])?, at(ends[1])?];
+            for (row, (below, above)) in below.iter().zip(&above).enumerate() {
+                found[(row, column)] = (above - below) / (ends[1] - ends[0]);
+            }
+        }
+        Ok(found)
+    }
+
+    /// The least squares of the `free` parameters from a start; the others stay.
+    pub(crate) fn minimise(
+        &self,
+        start: &[f64],
+        free: &[usize],
+        patience: usize,
+    ) -> Result<Minimum, FitError> {
+        if free.is_empty() {
+            let squares = squares(&self.residuals(start)?);
+            return Ok(Minimum { coordinates: start.to_vec(), squares, converged: true });
+        }
+        let angles = free.iter().map(|place| self.angle(*place, start[*place]));
+        let angles = DVector::from_iterator(free.len(), angles);
+        let inner = Inner { problem: self, start, free, angles, ended: RefCell::new(None) };
+        let search = LevenbergMarquardt::new().with_patience(patience).with_stepbound(1.0);
+        let (inner, report) = search.minimize(inner);
+        if let Some(error) = inner.ended.take() {
+            return Err(error);
+        }
+        let converged = matches!(
+            report.termination,
+            TerminationReason::ResidualsZero
+                | TerminationReason::Orthogonal
+                | TerminationReason::Converged { .. }
+                | TerminationReason::NoImprovementPossible(_)
+        );
+        let squares = 2.0 * report.objective_function;
+        Ok(Minimum { coordinates: inner.coordinates(), squares, converged })
+    }
+
+    /// The angle of a coordinate: bounds are at ±π/2, and a search passes through them.
+    fn angle(&self, place: usize, coordinate: f64) -> f64 {
+        let [low, high] = self.parameters[place].range();
+        // At a bound itself the derivative is 0.
+        let share = ((coordinate - low) / (high - low)).clamp(1e-4, 1.0 - 1e-4);
+        (2.0 * share - 1.0).asin()
+    }
+}
+
+pub(crate) fn squares(residuals: &[f64]) -> f64 {
+    residuals.iter().map(|residual| residual * residual).sum()
+}
+
+/// The problem in the angles of its free coordinates, as the solver has it.
+struct Inner<'a, 'f> {
+    problem: &'a Problem<'f>,
+    start: &'a [f64],
+    free: &'a [usize],
+    angles: DVector<f64>,
+    /// The reason why the caller or the scene ended the search.
+    ended: RefCell<Option<FitError>>,
+}
+
+impl Inner<'_, '_> {
+    fn coordinates(&self) -> Vec<f64> {
+        let mut found = self.start.to_vec();
+        for (place, angle) in self.free.iter().zip(&self.angles) {
+            let [low, high] = self.problem.parameters[*place].range();
+            found[*place] = low + (high - low) * 0.5 * (1.0 + angle.sin());
+        }
+        found
+    }
+
+    fn or_end<T>(&self, found: Result<T, FitError>) -> Option<T> {
+        found.map_err(|error| *self.ended.borrow_mut() = Some(error)).ok()
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, '_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, angles: &DVector<f64>) {
+        self.angles.copy_from(angles);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.angles.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        self.or_end(self.problem.residuals(&self.coordinates())).map(DVector::from_vec)
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let mut found = self.or_end(self.problem.jacobian(&self.coordinates(), self.free))?;
+        for (column, (place, angle)) in self.free.iter().zip(&self.angles).enumerate() {
+            let [low, high] = self.problem.parameters[*place].range();
+            found.column_mut(column).scale_mut(0.5 * (high - low) * angle.cos());
+        }
+        Some(found)
+    }
+}

@@ -1,0 +1,120 @@
+//! The starts of the search for the least squares, the same in every run.
+
+use crate::FitError;
+use crate::problem::{Minimum, Problem, squares};
+
+/// Samples of the bounds for each free parameter, from which starts are chosen.
+const SAMPLES: usize = 16;
+/// Evaluations for each free parameter before a search from one start gives up.
+const PATIENCE: usize = 150;
+/// Minima whose sums of squares differ by less fit the data equally well.
+const EQUAL: f64 = 1e-6;
+/// Sum of squares for each value below which the data are met to the accuracy of the values.
+const MET: f64 = 1e-20;
+
+/// The minimum with the least squares, and others that fit the data equally well.
+pub(crate) struct Found {
+    pub(crate) best: Minimum,
+    pub(crate) others: Vec<Minimum>,
+}
+
+/// Searches from the start given, and from the best `more` samples within the bounds.
+pub(crate) fn search(problem: &Problem<'_>, more: usize) -> Result<Found, FitError> {
+    let all: Vec<usize> = (0..problem.parameters.len()).collect();
+    let given: Vec<f64> =
+        problem.parameters.iter().map(|parameter| parameter.coordinate(parameter.start)).collect();
+    let mut starts = vec![given.clone()];
+    starts.extend(samples(problem, more)?);
+    let mut minima: Vec<Minimum> = vec![];
+    for start in &starts {
+        problem.watch.state.borrow_mut().starts += 1;
+        // A start without values leads nowhere.
+        if problem.predicted(start).is_ok() {
+            minima.push(problem.minimise(start, &all, PATIENCE)?);
+        }
+    }
+    let usable = |minimum: &Minimum| problem.predicted(&minimum.coordinates).is_ok();
+    minima.retain(usable);
+    // The first of equals, which is nearest to the start given.
+    let best = minima.iter().map(|minimum| minimum.squares).fold(f64::INFINITY, f64::min);
+    let floor = MET * problem.data.len() as f64;
+    let mut equal = minima.into_iter().filter(|m| m.squares <= best * (1.0 + EQUAL) + floor);
+    let Some(best) = equal.next() else {
+        let reason = problem.predicted(&given).err();
+        let reason = reason.unwrap_or(asperity_core::ContactError::NoMeanPlane);
+        return Err(FitError::NoStart { model: problem.model.id().into(), reason });
+    };
+    let mut found = Found { best, others: vec![] };
+    for other in equal {
+        let far = |one: &Minimum| {
+            let distances =
+                one.coordinates.iter().zip(&other.coordinates).map(|(a, b)| (a - b).abs());
+            distances.fold(0.0, f64::max) > 1e-4
+        };
+        if other.converged && far(&found.best) && found.others.iter().all(far) {
+            found.others.push(other);
+        }
+    }
+    Ok(found)
+}
+
+/// The samples with the least squares: of one parameter the local minima of even steps, of several
+/// the best of a low-discrepancy sequence.
+fn samples(problem: &Problem<'_>, most: usize) -> Result<Vec<Vec<f64>>, FitError> {
+    if most == 0 {
+        return Ok(vec![]);
+    }
+    let count = SAMPLES * problem.parameters.len();
+    let place = |k: usize| -> Vec<f64> {
+        let shares = shares(k, count, problem.parameters.len());
+        let coordinate = |(parameter, share): (&crate::Parameter, f64)| {
+            let [low, high] = parameter.range();
+            low + (high - low) * share
+        };
+        problem.parameters.iter().zip(shares).map(coordinate).collect()
+    };
+    let places: Vec<Vec<f64>> = (0..count).map(place).collect();
+    let sizes = places.iter().map(|place| Ok(squares(&problem.residuals(place)?)));
+    let sizes: Vec<f64> = sizes.collect::<Result<_, FitError>>()?;
+    let size = |k: usize| sizes.get(k).copied().unwrap_or(f64::INFINITY);
+    let is_local = |k: &usize| {
+        problem.parameters.len() > 1
+            || size(*k) <= size(k + 1) && size(*k) <= size(k.wrapping_sub(1))
+    };
+    let mut order: Vec<usize> = (0..count).filter(is_local).collect();
+    order.sort_by(|a, b| size(*a).total_cmp(&size(*b)));
+    Ok(order.into_iter().take(most).map(|k| places[k].clone()).collect())
+}
+
+/// Point k of `count` in the unit cube: even steps in one dimension, otherwise Roberts' additive
+/// sequence of the powers of the root of x^(n+1) = x + 1.
+fn shares(k: usize, count: usize, dimensions: usize) -> Vec<f64> {
+    if dimensions == 1 {
+        return vec![(k as f64 + 0.5) / count as f64];
+    }
+    let mut root = 2.0f64;
+    for _ in 0..60 {
+        root = (1.0 + root).powf(1.0 / (dimensions as f64 + 1.0));
+    }
+    let share = |power: usize| (0.5 + k as f64 * root.powi(-(power as i32))).fract();
+    (1..=dimensions).map(share).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_fill_the_cube_evenly() {
+        assert_eq!(shares(0, 2, 1), [0.25]);
+        // The golden section's plastic sibling in two dimensions: no quarter is left empty.
+        for dimensions in [2, 3] {
+            let mut cells = std::collections::BTreeSet::new();
+            for k in 0..16 * dimensions {
+                let shares = shares(k, 0, dimensions);
+                cells.insert(shares.iter().map(|share| (2.0 * share) as u8).collect::<Vec<_>>());
+            }
+            assert_eq!(cells.len(), 1 << dimensions);
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! Checks the links of html files: none dangles, none leads outside but to a DOI.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+
+use anyhow::{Context, Result};
+
+/// The only address outside that a page may link.
+pub const DOI: &str = "https://doi.org/";
+
+/// The violations among the links of these files, each with its page. `elsewhere` are files that
+/// are not checked to exist, such as the explorer where the guide alone was written.
+///
+/// # Errors
+/// A page that cannot be read.
+pub fn violations(pages: &[PathBuf], elsewhere: &[PathBuf]) -> Result<Vec<String>> {
+    let mut ids = HashMap::new();
+    let mut found = vec![];
+    for page in pages {
+        for address in attributes(&read(page)?, &["href", "src"]) {
+            if let Some(reason) = violation(page, &address, elsewhere, &mut ids)? {
+                found.push(format!("{}: {address}: {reason}", page.display()));
+            }
+        }
+    }
+    Ok(found)
+}
+
+fn read(page: &Path) -> Result<String> {
+    fs::read_to_string(page).with_context(|| page.display().to_string())
+}
+
+fn violation(
+    page: &Path,
+    address: &str,
+    elsewhere: &[PathBuf],
+    ids: &mut HashMap<PathBuf, Vec<String>>,
+) -> Result<Option<&'static str>> {
+    if address.starts_with(DOI) || address.starts_with("data:") {
+        return Ok(None);
+    }
+    if address.contains(':') || address.starts_with('/') {
+        return Ok(Some("leads outside"));
+    }
+    let (path, anchor) = address.split_once('#').unwrap_or((address, ""));
+    let path = path.split_once('?').map_or(path, |(path, _)| path);
+    let target =
+        if path.is_empty() { page.to_owned() } else { normal(&page.with_file_name("").join(path)) };
+    if elsewhere.contains(&target) {
+        return Ok(None);
+    }
+    if !target.is_file() {
+        return Ok(Some("no such file"));
+    }
+    if anchor.is_empty() || target.extension().is_none_or(|extension| extension != "html") {
+        return Ok(None);
+    }
+    let ids = match ids.entry(target) {
+        Entry::Occupied(known) => known.into_mut(),
+        Entry::Vacant(new) => {
+            let found = attributes(&read(new.key())?, &["id"]);
+            new.insert(found)
+        }
+    };
+    Ok((!ids.iter().any(|id| id == anchor)).then_some("no such heading"))
+}
+
+/// Without `.` and `..`.
+#[must_use]
+pub fn normal(path: &Path) -> PathBuf {
+    let mut normal = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir => {
+                normal.pop();
+            }
+            part => normal.push(part),
+        }
+    }
+    normal
+}
+
+/// The values of attributes of these names within tags.
+fn attributes(html: &str, names: &[&str]) -> Vec<String> {
+    let mut found = vec![];
+    for tag in html.split('<').skip(1) {
+        let tag = tag.split('>').next().unwrap_or_default();
+        for name in names {
+            for (at, start) in tag.match_indices(&format!("{name}=\"")) {
+                let value = tag[at + start.len()..].split('"').next().unwrap_or_default();
+                if tag[..at].ends_with(char::is_whitespace) {
+                    found.push(value.replace("&amp;", "&"));
+                }
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_kind_of_broken_link_is_found_and_no_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let page = folder.path().join("a.html");
+        let other = "<a href=\"b.html#here\">b</a> <a href=\"https://doi.org/10.1/x\">d</a>\
+            <a href=\"#top\" id=\"top\">t</a> <a href=\"../index.html\">e</a> href=\"text\"";
+        let wrong = "<a href=\"b.html#there\">b</a> <img src=\"c.svg\"> <a href=\"//x.org\">x</a>\
+            <a href=\"https://x.org\">y</a> <a href=\"#nowhere\">z</a>";
+        fs::write(&page, format!("{other}{wrong}")).unwrap();
+        fs::write(folder.path().join("b.html"), "<p id=\"here\">").unwrap();
+        let explorer = normal(&folder.path().join("../index.html"));
+        let found = violations(&[page], &[explorer]).unwrap();
+        let reasons: Vec<&str> =
+            found.iter().map(|text| text.split_once(".html: ").unwrap().1).collect();
+        assert_eq!(
+            reasons,
+            [
+                "b.html#there: no such heading",
+                "c.svg: no such file",
+                "//x.org: leads outside",
+                "https://x.org: leads outside",
+                "#nowhere: no such heading",
+            ]
+        );
+    }
+}

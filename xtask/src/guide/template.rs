@@ -1,0 +1,115 @@
+//! The frame around the text of a page: contents, search, links to the explorer.
+
+use std::fmt::Write as _;
+
+use super::chapters::{Chapter, GROUPS};
+use super::{EXPLORER, site};
+
+/// What a page of the guide may load: its own style, script, pictures and index.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; base-uri 'none'; form-action 'none'";
+
+/// What is the same on all pages.
+pub struct Frame {
+    /// Addresses and names of the documentation beside the guide.
+    pub api: Vec<(&'static str, &'static str)>,
+}
+
+impl Frame {
+    /// A whole page.
+    #[must_use]
+    pub fn page(&self, chapter: &Chapter, body: &str) -> String {
+        let title = escape(chapter.title);
+        let contents = self.contents(chapter);
+        let neighbours = neighbours(chapter);
+        format!(
+            r##"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="referrer" content="no-referrer">
+<title>{title} · asperity</title>
+<link rel="stylesheet" href="guide.css">
+<link rel="icon" href="data:,">
+<script type="module" src="search.js"></script>
+</head>
+<body>
+<a class="skip" href="#text">Skip to the text</a>
+<header>
+<a class="home" href="{EXPLORER}">asperity</a>
+<a href="{EXPLORER}">Explorer</a>
+<a href="index.html">Guide</a>
+<search id="search" hidden>
+<label for="query">Search</label>
+<input id="query" type="search" autocomplete="off" aria-controls="found" placeholder="titles and headings">
+<ul id="found" aria-label="Results" aria-live="polite"></ul>
+</search>
+</header>
+<div class="columns">
+<nav aria-label="Contents">
+<details open>
+<summary>Contents</summary>
+{contents}</details>
+</nav>
+<main id="text">
+<h1>{title}</h1>
+{body}
+{neighbours}</main>
+</div>
+</body>
+</html>
+"##
+        )
+    }
+
+    fn contents(&self, current: &Chapter) -> String {
+        let mut html = String::new();
+        // Writing to a string cannot fail.
+        for group in GROUPS {
+            let _ = writeln!(html, "<h2>{}</h2>\n<ul>", escape(group.title));
+            for chapter in group.chapters {
+                let here = if chapter.slug == current.slug { " aria-current=\"page\"" } else { "" };
+                let (address, title) = (site::address(chapter), escape(chapter.title));
+                let _ = writeln!(html, "<li><a href=\"{address}\"{here}>{title}</a></li>");
+            }
+            html += "</ul>\n";
+        }
+        if !self.api.is_empty() {
+            html += "<h2>Interfaces</h2>\n<ul>\n";
+            for (address, name) in &self.api {
+                let _ = writeln!(html, "<li><a href=\"{address}\">{name}</a></li>");
+            }
+            html += "</ul>\n";
+        }
+        html
+    }
+}
+
+/// Links to the chapters before and after.
+fn neighbours(current: &Chapter) -> String {
+    let all: Vec<&Chapter> = GROUPS.iter().flat_map(|group| group.chapters).collect();
+    let here = all.iter().position(|chapter| chapter.slug == current.slug).unwrap_or_default();
+    let link = |chapter: Option<&&Chapter>, rel: &str, word: &str| {
+        chapter.map_or(String::new(), |chapter| {
+            let (address, title) = (site::address(chapter), escape(chapter.title));
+            format!("<a rel=\"{rel}\" href=\"{address}\">{word}: {title}</a>\n")
+        })
+    };
+    let before = link(here.checked_sub(1).and_then(|at| all.get(at)), "prev", "Before");
+    let after = link(all.get(here + 1), "next", "Next");
+    format!("<nav class=\"neighbours\" aria-label=\"Neighbours\">\n{before}{after}</nav>\n")
+}
+
+/// A picture with the text that stands for it.
+#[must_use]
+pub fn figure(address: &str, alt: &str) -> String {
+    format!("<figure><img src=\"{address}\" alt=\"{}\" loading=\"lazy\"></figure>\n", escape(alt))
+}
+
+/// Text as html, also within an attribute.
+#[must_use]
+pub fn escape(text: &str) -> String {
+    let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    text.replace('"', "&quot;")
+}
