@@ -296,7 +296,8 @@ def test_many_joints_step_at_once_with_exact_tangents(scene: asperity.Scene) -> 
     np.testing.assert_array_equal(after, np.minimum(back, closest))
     for k in np.ndindex(3, 4):
         one = table.step(float(back[k]), float(closest[k]))
-        assert one == (force[k], stiffness[k], after[k]) and type(one[0]) is float
+        assert one == (float(force[k]), float(stiffness[k]), float(after[k]))
+        assert type(one[0]) is float
     # By a stencil that is exact for polynomials up to the eighth degree.
     h = np.array([-4, -3, -2, -1, 1, 2, 3, 4])
     weights = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
