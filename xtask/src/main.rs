@@ -1,5 +1,5 @@
 //! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`,
-//! `cargo xtask docs`, `cargo xtask guide`.
+//! `cargo xtask docs`, `cargo xtask guide`, `cargo xtask page [--serve]` and `cargo xtask dist`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -10,7 +10,7 @@ use xtask::dist::{self, Build};
 use xtask::files;
 use xtask::folder::{figures_folder, target_folder};
 use xtask::report::{self, Scope, throughput};
-use xtask::{docs, guide, truth};
+use xtask::{docs, guide, page, truth};
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -59,6 +59,15 @@ enum Task {
         #[arg(long)]
         api: bool,
     },
+    /// Build the explorer and the guide, which any static server serves: target/page
+    Page {
+        /// Serve it on this machine, and print the address
+        #[arg(long)]
+        serve: bool,
+        /// Keep the module that was built before
+        #[arg(long)]
+        keep_module: bool,
+    },
     #[command(name = throughput::TASK, hide = true)]
     Throughput { model: String, kind: String, count: usize, threads: usize },
 }
@@ -97,6 +106,11 @@ fn main() -> Result<()> {
             }
             println!("{}", guide::write(&page)?.display());
             Ok(())
+        }
+        Task::Page { serve, keep_module } => {
+            let folder = page::write(keep_module)?;
+            println!("{}", folder.join("index.html").display());
+            if serve { page::serve(&folder) } else { Ok(()) }
         }
         Task::Throughput { model, kind, count, threads } => {
             println!("{}", throughput::run(&model, &kind, count, threads)?);

@@ -164,7 +164,7 @@ impl Canvas<'_> {
     pub(crate) fn image(&self, rect: &Rect, address: &str) {
         let Rect { left, top, .. } = rect;
         self.add(&format!(
-            "<image x=\"{left:.2}\" y=\"{top:.2}\" width=\"{:.2}\" height=\"{:.2}\" preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{address}\"/>\n",
+            "<image x=\"{left:.2}\" y=\"{top:.2}\" width=\"{:.2}\" height=\"{:.2}\" preserveAspectRatio=\"none\" image-rendering=\"pixelated\" href=\"{address}\"/>\n",
             rect.width(),
             rect.height()
         ));

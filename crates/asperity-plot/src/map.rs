@@ -247,7 +247,7 @@ mod tests {
         {
             assert!(svg.contains(word), "{word}");
         }
-        assert!(svg.contains("<image ") && svg.contains("image-rendering:pixelated"));
+        assert!(svg.contains("<image ") && svg.contains("image-rendering=\"pixelated\""));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The text of a scene file: its keys and their places.
 
 use std::borrow::Cow;
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
@@ -22,12 +22,25 @@ const MOST_BYTES: u64 = 1 << 20;
 /// The largest depth of a key: `body[2].hardness`, `options.displacement.zeta`.
 const DEEPEST: usize = 3;
 
+/// Files that a scene may name, by name: their bytes.
+pub type HandedFiles = BTreeMap<String, Vec<u8>>;
+
+/// Where the files that a text names are found.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Files<'a> {
+    /// Nowhere: the text is made of keywords, which have no lines.
+    Nowhere,
+    /// Relative paths begin in this folder.
+    In(&'a Path),
+    /// The caller has read them.
+    Handed(&'a HandedFiles),
+}
+
 /// A text in TOML with the places of its keys.
 #[derive(Debug)]
 pub(crate) struct Document<'a> {
     file: Option<&'a Path>,
-    /// Base of relative paths; `None` for keywords, which have no lines.
-    directory: Option<&'a Path>,
+    files: Files<'a>,
     /// The text with plain numbers instead of numbers with units.
     pub(crate) text: Cow<'a, str>,
     /// Every key with its range; a table comes before its keys.
@@ -46,11 +59,10 @@ impl<'a> Document<'a> {
     /// The keys of a text, with its numbers in SI units.
     pub(crate) fn new(
         file: Option<&'a Path>,
-        directory: Option<&'a Path>,
+        files: Files<'a>,
         text: &'a str,
     ) -> Result<Self, SceneError> {
-        let mut document =
-            Self { file, directory, text: text.into(), keys: vec![], stated: vec![] };
+        let mut document = Self { file, files, text: text.into(), keys: vec![], stated: vec![] };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         let (span, table) = (root.span(), root.into_inner());
         let in_si = in_si(text, &table);
@@ -134,13 +146,36 @@ impl<'a> Document<'a> {
 
     fn at(&self, field: &str, offset: usize) -> Box<Place> {
         let before = self.text.bytes().take(offset).filter(|byte| *byte == b'\n');
-        let line = self.directory.map(|_| 1 + before.count());
+        let line = (!matches!(self.files, Files::Nowhere)).then(|| 1 + before.count());
         Box::new(Place { file: self.file.map(Path::to_path_buf), line, field: field.into() })
     }
 
-    /// A path relative to the scene file.
+    /// A path relative to the scene file, or the name of a file that was handed over.
     pub(crate) fn path(&self, path: &Path) -> PathBuf {
-        self.directory.unwrap_or(Path::new("")).join(path)
+        match self.files {
+            Files::In(folder) => folder.join(path),
+            Files::Nowhere | Files::Handed(_) => path.into(),
+        }
+    }
+
+    /// The path that names the same file in a scene elsewhere.
+    pub(crate) fn whole_path(&self, path: &Path) -> PathBuf {
+        let path = self.path(path);
+        match self.files {
+            Files::Handed(_) => path,
+            _ => std::path::absolute(&path).unwrap_or(path),
+        }
+    }
+
+    /// The bytes of a file that was handed over; `None` where files are read from a folder.
+    pub(crate) fn handed(&self, field: &str, path: &Path) -> Result<Option<&'a [u8]>, SceneError> {
+        let Files::Handed(files) = self.files else { return Ok(None) };
+        let found = path.to_str().and_then(|name| files.get(name));
+        found.map(|bytes| Some(bytes.as_slice())).ok_or_else(|| {
+            let at = self.place(field);
+            let at = Box::new(Place { field: format!("{} = {path:?}", at.field), ..*at });
+            SceneError::Unreadable { at, reason: "the file has not been chosen".into() }
+        })
     }
 
     fn range(&self, path: &str) -> Option<&Range<usize>> {
@@ -212,6 +247,25 @@ pub(crate) fn shorten(text: &str) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_are_read_by_the_names_under_which_they_were_handed_over() {
+        let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
+                    poissons_ratio = 0.3\nhardness = 1e9\n[surface]\nasperity_radius = 1e-5\n\
+                    asperity_density = 1e10\nheights = { file = \"a/pdf.csv\" }\n";
+        let mut files = HandedFiles::new();
+        let missing = crate::parse_handed(text, &files).unwrap_err().to_string();
+        let wanted = "line 9: surface.heights.file = \"a/pdf.csv\" cannot be read: the file has not been chosen";
+        assert_eq!(missing, wanted);
+        let table = b"height_m,density_per_m\n-1e-6,0\n0,1e6\n1e-6,0\n";
+        files.insert("a/pdf.csv".into(), table.to_vec());
+        let file = crate::parse_handed(text, &files).unwrap();
+        assert_eq!(file.table.unwrap().points().len(), 3);
+        let scan = text.replace("heights =", "file = \"b.x3p\"\n#").replace("asperity_", "# ");
+        let broken = HandedFiles::from([("b.x3p".into(), vec![])]);
+        let refused = crate::parse_handed(&scan, &broken).unwrap_err().to_string();
+        assert!(refused.starts_with("line 9: surface.file: b.x3p: "), "{refused}");
+    }
 
     #[test]
     fn long_texts_are_cut_between_characters() {

@@ -105,6 +105,9 @@ fn inline_heights(
 /// Reads the table of `heights = { file = "pdf.csv" }`.
 fn read_heights(document: &Document<'_>, file: &Path) -> Result<TabulatedHeights, SceneError> {
     let path = document.path(file);
+    if let Some(bytes) = document.handed("surface.heights.file", file)? {
+        return table(&String::from_utf8_lossy(bytes), &path);
+    }
     let text = read_text(&path, || {
         let at = document.place("surface.heights.file");
         Place { field: format!("{} = {path:?}", at.field), ..*at }

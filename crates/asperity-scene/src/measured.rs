@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity::{ContactError, Diagnostic, ProfileMoments, Surface, TabulatedHeights};
 use asperity_topography::{
     Estimator, HeightDensity, LengthUnit, Level, ReadOptions, Statistics, Topography,
-    TopographyError, read,
+    TopographyError, read, read_bytes,
 };
 use serde::Deserialize;
 
@@ -90,8 +90,13 @@ pub(crate) fn measured(
         return conflict("surface.smooth", "surface.filter", needed);
     }
     let one = |at: &str, path: &Path| {
-        let path = document.path(path);
-        let found = read(&path, &read_options(&keys)).and_then(|read| {
+        let (handed, path) = (document.handed(at, path)?, document.path(path));
+        let options = read_options(&keys);
+        let read = match handed {
+            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, &options),
+            None => read(&path, &options),
+        };
+        let found = read.and_then(|read| {
             let [dx, dy] = read.pixel_size();
             let topography = prepare(read, &keys)?;
             let statistics = topography.statistics(keys.estimator)?;

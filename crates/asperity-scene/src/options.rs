@@ -11,7 +11,7 @@ use asperity::{
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
-use crate::document::Document;
+use crate::document::{Document, Files};
 use crate::scan::ScanSpectrum;
 use crate::{Place, SceneError};
 
@@ -137,7 +137,7 @@ impl ModelOptions {
         values.insert(name.into(), value.clone());
         let line = |(name, value): (String, _)| format!("{} = {value}\n", Value::from(name));
         let text: String = values.into_iter().map(line).collect();
-        let document = Document::new(None, None, &text)?;
+        let document = Document::new(None, Files::Nowhere, &text)?;
         let options: Self = document.keys()?;
         options.check(&document, "")?;
         *self = options;

@@ -13,7 +13,7 @@ use asperity_topography::Topography;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use crate::document::{Document, read_text};
+use crate::document::{Document, Files, HandedFiles, read_text};
 use crate::heights::{HeightKeys, HeightsKey, compare_std};
 use crate::interface::{InterfaceKeys, interface};
 use crate::measured::Asked;
@@ -91,7 +91,7 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     let read = || {
         let text = read_text(path, named)?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        scene_file(&Document::new(Some(path), Some(folder), &text)?, asked)
+        scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
     };
     read().map_err(|error| scan_instead_of_scene(path, error))
 }
@@ -138,7 +138,25 @@ fn scan_instead_of_scene(path: &Path, error: SceneError) -> SceneError {
 /// # Errors
 /// Those of [`load`], without a file's name.
 pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
-    scene_file(&Document::new(None, Some(directory), text)?, Asked::Asperities)
+    scene_file(&Document::new(None, Files::In(directory), text)?, Asked::Asperities)
+}
+
+/// Reads a scene from its text and the bytes of the files that it names: where there is no file
+/// system, as in a browser.
+///
+/// # Errors
+/// Those of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
+pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
+    scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
+}
+
+/// [`parse_handed`] as [`load_scan`] reads, for boundary elements alone.
+///
+/// # Errors
+/// Those of [`parse_handed`], except that of a scan without asperities.
+pub fn parse_handed_scan(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
+    let asked = Asked::Scan { periodic: false };
+    scene_file(&Document::new(None, Files::Handed(files), text)?, asked)
 }
 
 /// The keys at the top of the file; sections have readers of their own.
@@ -165,8 +183,8 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
     let FileKeys { nominal_area, mut options, accept, .. } = document.keys()?;
     options.check(document, "options.")?;
     accept::check(document, &accept)?;
-    let bodies: InterfaceKeys = document.keys()?;
-    let (interface, interface_section) = interface(document, &bodies)?;
+    let interface_keys: InterfaceKeys = document.keys()?;
+    let (interface, interface_section, bodies) = interface(document, &interface_keys)?;
     let HeightKeys { heights, separation_from, mean_plane_offset } = document.surface()?;
     let AsperitiesKey { asperities } = document.surface()?;
     if let Some(asperities) = asperities {
@@ -230,7 +248,7 @@ fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneE
         options,
         separation_from,
         table: heights_table,
-        bodies: bodies.body,
+        bodies,
         measured,
         warnings: warnings.into_iter().collect::<Diagnostics>().silenced(&accept),
         accept,

@@ -149,7 +149,9 @@ mod tests {
             assert_eq!(known, fields, "{section}");
         };
         let body = asperity::Body::elastic(1e9, 0.3);
-        declared("body", serde_json::to_value(body).unwrap(), &[]);
+        let mut body = serde_json::to_value(body).unwrap();
+        body["material"] = "steel-100cr6".into();
+        declared("body", body, &[]);
         let interface = asperity::Interface::new(1e9, 0.3, 1e9);
         declared("interface", serde_json::to_value(interface).unwrap(), &[]);
         let options = crate::ModelOptions { hurst_exponent: Some(0.8), ..Default::default() };

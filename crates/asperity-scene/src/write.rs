@@ -31,8 +31,7 @@ impl Read {
     ) -> Self {
         let whole = |path: &mut Value| {
             if let Value::String(text) = path {
-                let path = document.path(Path::new(text));
-                *text = std::path::absolute(&path).unwrap_or(path).to_string_lossy().into_owned();
+                *text = document.whole_path(Path::new(text)).to_string_lossy().into_owned();
             }
         };
         let mut summits = None;

@@ -17,7 +17,7 @@ impl Topography {
         let heights: Vec<u8> = self.heights().iter().flat_map(|z| z.to_le_bytes()).collect();
         let failed = |error: zip::result::ZipError| TopographyError::Io(error.into());
         let mut archive = ZipWriter::new(Cursor::new(vec![]));
-        let options = SimpleFileOptions::default().large_file(heights.len() >= 1 << 32);
+        let options = SimpleFileOptions::default().large_file(heights.len() as u64 >= 1 << 32);
         let xml = self.main_xml(&format!("{:X}", md5::compute(&heights)));
         let sum = format!("{:x} *main.xml\n", md5::compute(&xml));
         let entries = [

@@ -12,6 +12,7 @@ mod glance;
 mod history;
 mod init;
 mod manual;
+mod materials;
 mod models;
 mod plan;
 mod pull_off;
@@ -32,6 +33,7 @@ pub enum Command {
     Surface(surface::Surface),
     Generate(generate::Generate),
     Check(check::Check),
+    Materials(materials::Materials),
     Models(models::Models),
     Solve(solve::Solve),
     Curve(curve::Curve),
@@ -55,6 +57,7 @@ impl Command {
             Self::Surface(command) => command.run(),
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
+            Self::Materials(command) => command.run(),
             Self::Models(command) => command.run(),
             Self::Solve(command) => command.run(),
             Self::Curve(command) => command.run(),

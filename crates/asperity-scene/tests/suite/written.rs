@@ -64,7 +64,16 @@ fn every_alternative_of_the_template_is_read_and_written() {
             .map(|l| format!("{l}\n"))
             .collect::<String>()
     };
-    let bodies = block("# The softer body", "# ... or, instead");
+    // A material stands instead of the numbers below it.
+    let (material, bodies): (Vec<&str>, Vec<&str>) = lines
+        [lines.iter().position(|line| line.starts_with("[[body]]")).unwrap()..]
+        .iter()
+        .map(|line| line.trim_start_matches("# "))
+        .take_while(|line| !line.starts_with("... or, instead"))
+        .filter(|line| line.contains(" = ") || line.starts_with('['))
+        .partition(|line| line.starts_with("material"));
+    let bodies = bodies.join("\n") + "\n";
+    let material = format!("[[body]]\n{0}\n[[body]]\n{0}\n", material[0]);
     let interface = block("# [interface]", "[surface]");
     let (index, moments) =
         (block("# plasticity_index", "# 3. spectral"), block("# m0 =", "# 4. parameters"));
@@ -74,6 +83,7 @@ fn every_alternative_of_the_template_is_read_and_written() {
     let options = format!("[options]{options}");
     for (interface, surface, kept) in [
         (&bodies, &surface, "[[body]]"),
+        (&material, &surface, "material = \"steel-100cr6\""),
         (&interface, &surface, "[interface]"),
         (&bodies, &index, "plasticity_index = 2e0"),
         (&interface, &moments, "m4 = 5e4"),

@@ -1,0 +1,192 @@
+//! Values of models at loads, as `asperity curve` prints them.
+
+use std::collections::BTreeMap;
+
+use asperity::{
+    At, Contact, ContactError, ContactModel, Described, Diagnostic, Evaluation, Quantity, Request,
+    Response, SeparationUnit, shortest_digits,
+};
+use asperity_scene::SceneFile;
+
+use crate::message::{AnswerCell, AnswerRow, Refusal, SEPARATION, View};
+use crate::shown::shown;
+
+/// The quantities that every scene has.
+const USUAL: [Quantity; 6] = [
+    Quantity::AreaFraction,
+    Quantity::Tangent,
+    Quantity::UnloadingStiffness,
+    Quantity::TangentialStiffness,
+    Quantity::MeanPressure,
+    Quantity::Contacts,
+];
+
+/// The quantities of a scene: conductances where the bodies have the property.
+pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
+    let interface = &file.scene.interface;
+    let thermal = interface.thermal_conductivity.map(|_| Quantity::ThermalConductance);
+    let electrical = interface.electrical_resistivity.map(|_| Quantity::ElectricalConductance);
+    USUAL.into_iter().chain(thermal).chain(electrical).collect()
+}
+
+/// The separation and the quantities, as columns and views.
+pub(crate) fn views(file: &SceneFile) -> Vec<View> {
+    let quantities = quantities(file).into_iter().map(View::of);
+    [View::separation(file.separation_from)].into_iter().chain(quantities).collect()
+}
+
+/// A model on a scene, ready for many loads.
+pub(crate) struct Compiled {
+    name: String,
+    contact: Box<dyn Contact>,
+    had: Vec<Quantity>,
+    /// Why the model has no value of a quantity.
+    refused: BTreeMap<Quantity, String>,
+}
+
+impl Compiled {
+    /// The model of an id with all quantities of the scene that it has.
+    pub(crate) fn new(file: &SceneFile, id: &str) -> Result<Self, Refusal> {
+        let (model, scene) = (file.model(id)?, &file.scene);
+        let compile = |quantities: &[Quantity]| {
+            model.compile(scene, &Request::new(quantities.iter().copied()))
+        };
+        let (name, all) = (model.name().to_string(), quantities(file));
+        let (mut had, mut refused) = (all.clone(), BTreeMap::new());
+        let whole = match compile(&all) {
+            Ok(contact) => return Ok(Self { name, contact, had, refused }),
+            Err(whole) => whole,
+        };
+        had.retain(|quantity| match compile(&[*quantity]) {
+            Ok(_) => true,
+            Err(reason) => {
+                refused.insert(*quantity, reason.to_string());
+                false
+            }
+        });
+        let contact = compile(if had.is_empty() { &[Quantity::Force] } else { &had });
+        Ok(Self { name, contact: contact.map_err(|_: ContactError| whole)?, had, refused })
+    }
+
+    fn respond(&self, at: &[At]) -> Response {
+        let request = Request::new(self.had.iter().copied()).at(at.iter().copied());
+        self.contact.respond(&request)
+    }
+
+    /// The separation in metres from the plane of the scene.
+    fn separation(&self, file: &SceneFile, at: At) -> Result<f64, ContactError> {
+        let separation = self.contact.separation(at)?;
+        let metres = SeparationUnit::Metres;
+        Ok(separation.measured_in(metres, file.separation_from, &file.scene)?.value)
+    }
+
+    /// The values at one load, with warnings about them.
+    pub(crate) fn row(&self, file: &SceneFile, id: &str, at: At) -> (AnswerRow, Vec<Diagnostic>) {
+        let response = self.respond(&[at]);
+        let separation = self.separation(file, at);
+        let separation = cell(SEPARATION, "m", separation.map_err(|e| e.to_string()), None);
+        let value = |quantity: &Quantity| -> Result<Evaluation, String> {
+            if let Some(reason) = self.refused.get(quantity) {
+                return Err(reason.clone());
+            }
+            let column = response.column(*quantity).map_err(|error| error.to_string())?;
+            match column.rows.first() {
+                Some(Ok(value)) => Ok(*value),
+                Some(Err(reason)) => Err(reason.to_string()),
+                None => Err("no value".into()),
+            }
+        };
+        let of = |quantity: Quantity| {
+            let found = value(&quantity);
+            let bound = found.as_ref().ok().map(|value| value.bound(quantity));
+            cell(&quantity.to_string(), quantity.unit(), found.map(|value| value.value()), bound)
+        };
+        let cells = [separation].into_iter().chain(quantities(file).into_iter().map(of)).collect();
+        (AnswerRow { model: id.into(), name: self.name.clone(), cells }, response.warnings)
+    }
+
+    /// The rows at pressures, as a csv without its head; blank where there is no value.
+    pub(crate) fn rows(&self, file: &SceneFile, id: &str, pressures: &[f64]) -> String {
+        let at: Vec<At> = pressures.iter().map(|pressure| At::Pressure(*pressure)).collect();
+        let response = self.respond(&at);
+        let all = quantities(file);
+        let mut text = String::new();
+        for (k, pressure) in pressures.iter().enumerate() {
+            let load = pressure * file.scene.nominal_area;
+            let given = [Some(load), Some(*pressure), self.separation(file, at[k]).ok()];
+            let value = |quantity: &Quantity| {
+                let column = response.column(*quantity).ok()?;
+                column.rows.get(k)?.as_ref().ok().map(Evaluation::value)
+            };
+            let digits = |number: Option<f64>| {
+                number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
+            };
+            let cells: Vec<String> =
+                given.into_iter().chain(all.iter().map(value)).map(digits).collect();
+            text += &format!("{id},{}\n", cells.join(","));
+        }
+        text
+    }
+}
+
+/// The head of [`Compiled::rows`].
+pub(crate) fn head(file: &SceneFile) -> Vec<String> {
+    let given = ["model", "load_N", "pressure_Pa", "separation_m"].map(String::from);
+    given.into_iter().chain(quantities(file).into_iter().map(Quantity::column)).collect()
+}
+
+fn cell(quantity: &str, unit: &str, found: Result<f64, String>, bound: Option<f64>) -> AnswerCell {
+    let quantity = quantity.to_string();
+    match found {
+        Ok(value) => {
+            let digits = Some(shortest_digits(value));
+            AnswerCell { quantity, digits, bound, shown: shown(value, unit) }
+        }
+        Err(reason) => AnswerCell { quantity, digits: None, bound: None, shown: reason },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file() -> SceneFile {
+        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+    }
+
+    #[test]
+    fn rows_and_curves_are_the_answers_of_the_library() {
+        let file = file();
+        let ke = Compiled::new(&file, "ke").unwrap();
+        let (row, _) = ke.row(&file, "ke", At::Pressure(1e6));
+        let request = Request::new(quantities(&file)).at([At::Pressure(1e6)]);
+        let response = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
+        for cell in &row.cells[1..] {
+            let quantity: Quantity = cell.quantity.parse().unwrap();
+            let wanted = response.values(quantity).unwrap()[0];
+            let found: f64 = cell.digits.as_deref().unwrap().parse().unwrap();
+            assert!((found / wanted - 1.0).abs() < 1e-13, "{quantity}: {found} {wanted}");
+            assert!(cell.bound.unwrap() < 1e-9);
+        }
+        let rows = ke.rows(&file, "ke", &[1e6, 2e6]);
+        let first: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+        assert_eq!(first.len(), head(&file).len());
+        let area = head(&file).iter().position(|name| name == "area_fraction").unwrap();
+        // Several loads are evaluated together.
+        let [one, many] = [first[area], row.cells[1].digits.as_deref().unwrap()]
+            .map(|digits| digits.parse::<f64>().unwrap());
+        assert!((one / many - 1.0).abs() < 1e-13, "{one} {many}");
+    }
+
+    #[test]
+    fn a_model_without_a_quantity_has_the_others_and_the_reason() {
+        let file = file();
+        let gao = Compiled::new(&file, "gao").unwrap();
+        let (row, _) = gao.row(&file, "gao", At::Load(100.0));
+        let of = |name: &str| row.cells.iter().find(|cell| cell.quantity == name).unwrap();
+        assert!(of("area-fraction").digits.is_some());
+        let unloading = of("unloading-stiffness");
+        assert!(unloading.digits.is_none() && !unloading.shown.is_empty());
+        assert!(Compiled::new(&file, "dmt").is_err());
+    }
+}

@@ -1,0 +1,139 @@
+//! The calculation of the page as lines for a shell, Python and Rust, and as tables.
+
+use asperity::{At, ContactTable, Quantity, TableFormat, Tolerance, UnitSystem};
+use asperity_scene::SceneFile;
+use serde::Serialize;
+
+use crate::answer::quantities;
+use crate::message::{LoadShown, Refusal};
+use crate::span::Span;
+
+/// Largest error of interpolation in a table.
+const TABLE_ERROR: f64 = 0.01;
+
+/// Lines that give the digits of the page.
+#[derive(Debug, Serialize)]
+pub(crate) struct Code {
+    pub(crate) shell: String,
+    pub(crate) python: String,
+    pub(crate) rust: String,
+}
+
+/// The same models at the same load.
+pub(crate) fn code(file: &SceneFile, ids: &[String], (at, load): (At, &LoadShown)) -> Code {
+    let names: Vec<String> = quantities(file).iter().map(Quantity::to_string).collect();
+    let variants: Vec<String> =
+        quantities(file).iter().map(|quantity| format!("Quantity::{quantity:?}")).collect();
+    let (option, number) = match at {
+        At::Pressure(_) => ("pressure", load.pascals),
+        _ => ("load", load.newtons),
+    };
+    let number = format!("{number:?}");
+    let (ids, words) = (ids.join(","), quoted(ids));
+    let place = match at {
+        At::Pressure(_) => format!("At::Pressure({number})"),
+        _ => format!("At::Load({number})"),
+    };
+    Code {
+        shell: format!(
+            "asperity curve scene.toml --model {ids} --{option} {number} \\\n  --quantity {} --errors --format json\n",
+            names.join(",")
+        ),
+        python: format!(
+            "import asperity\n\nscene = asperity.Scene.from_toml(\"scene.toml\")\nfor name in [{words}]:\n    \
+             answer = asperity.model(name).solve(scene, {option}={number}, quantities=[\"area-fraction\", \"tangent\"])\n    \
+             print(name, answer.area_fraction, answer.tangent)\n"
+        ),
+        rust: format!(
+            "use asperity::{{At, ContactModel, Quantity, Request}};\n\n\
+             fn main() -> Result<(), Box<dyn std::error::Error>> {{\n    \
+             let file = asperity_scene::load(\"scene.toml\")?;\n    \
+             let request = Request::new([{}]).at([{place}]);\n    \
+             for id in [{words}] {{\n        \
+             println!(\"{{id}}: {{:?}}\", file.model(id)?.solve(&file.scene, &request)?);\n    \
+             }}\n    Ok(())\n}}\n",
+            variants.join(", "),
+        ),
+    }
+}
+
+fn quoted(ids: &[String]) -> String {
+    ids.iter().map(|id| format!("{id:?}")).collect::<Vec<_>>().join(", ")
+}
+
+/// A file to take away.
+#[derive(Debug, Serialize)]
+pub(crate) struct TableFile {
+    pub(crate) name: String,
+    pub(crate) text: String,
+}
+
+/// The table of a model over the range of the slider for a finite-element program.
+pub(crate) fn table(
+    file: &SceneFile,
+    id: &str,
+    form: &str,
+    units: &str,
+) -> Result<TableFile, Refusal> {
+    let (format, extension) = match form {
+        "csv" => (TableFormat::Csv, "csv"),
+        "abaqus" => (TableFormat::Abaqus, "inp"),
+        "calculix" => (TableFormat::Calculix, "inp"),
+        "ansys" => (TableFormat::Ansys, "mac"),
+        other => return Err(Refusal::new(format!("{other:?} is no form of a table"))),
+    };
+    let units: UnitSystem = units.parse()?;
+    let (model, span) = (file.model(id)?, Span::of(&file.scene));
+    let [low, high] = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
+    let (scene, tolerance) = (&file.scene, Tolerance::default());
+    let within = |error| {
+        let range = (low, high, 2);
+        ContactTable::within(&model, scene, tolerance, range, error, format.interpolation())
+    };
+    // COMBIN39 takes few nodes.
+    let errors = [TABLE_ERROR, 0.03, 0.1, 0.3];
+    let mut table = within(errors[0]);
+    let mut text = Err(Refusal::new("no table"));
+    for error in errors {
+        if error > errors[0] {
+            table = within(error);
+        }
+        let title = format!("asperity {}, model {id}", env!("CARGO_PKG_VERSION"));
+        text = match &table {
+            Ok(table) => table
+                .text((format, units), scene, file.separation_from, &title)
+                .map_err(Refusal::from),
+            Err(error) => Err(Refusal::new(error)),
+        };
+        if text.is_ok() || form != "ansys" {
+            break;
+        }
+    }
+    Ok(TableFile { name: format!("{id}-{form}.{extension}"), text: text? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::message::LoadKeys;
+
+    #[test]
+    fn tables_and_lines_name_model_and_load() {
+        let text = asperity_scene::template();
+        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
+        for (form, word) in
+            [("csv", "pressure"), ("abaqus", "*"), ("calculix", "*"), ("ansys", "R")]
+        {
+            let found = table(&file, "ke", form, "mm-N-MPa").unwrap();
+            assert!(found.text.contains(word) && found.name.starts_with("ke-"), "{}", found.text);
+        }
+        assert!(table(&file, "ke", "nastran", "SI").is_err());
+        assert!(table(&file, "ke", "csv", "furlong").is_err());
+        let keys = LoadKeys { text: "1.5 kN".into(), ..Default::default() };
+        let (at, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let code = code(&file, &["ke".into(), "jg".into()], (at, &load));
+        assert!(code.shell.contains("--model ke,jg --load 1500.0"), "{}", code.shell);
+        assert!(code.python.contains("load=1500.0"), "{}", code.python);
+        assert!(code.rust.contains("[\"ke\", \"jg\"]"), "{}", code.rust);
+    }
+}

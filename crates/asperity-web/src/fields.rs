@@ -1,0 +1,195 @@
+//! Values of a scene's text by their path, and texts with other values. Comments and order stay.
+
+use std::collections::BTreeMap;
+
+use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, Value};
+
+use crate::message::{Change, Refusal};
+
+/// The values of all keys as typed: texts without their quotes.
+pub(crate) fn fields(text: &str) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    if let Ok(document) = text.parse::<DocumentMut>() {
+        of_table(document.as_table(), "", &mut found);
+    }
+    found
+}
+
+fn of_table(table: &dyn TableLike, path: &str, found: &mut BTreeMap<String, String>) {
+    for (key, item) in table.iter() {
+        let path = if path.is_empty() { key.to_string() } else { format!("{path}.{key}") };
+        match item {
+            Item::Value(Value::String(text)) => _ = found.insert(path, text.value().clone()),
+            Item::Value(value) => {
+                let value = value.clone().decorated("", "");
+                found.insert(path, value.to_string());
+            }
+            Item::Table(table) => of_table(table, &path, found),
+            Item::ArrayOfTables(tables) => {
+                for (k, table) in tables.iter().enumerate() {
+                    of_table(table, &format!("{path}[{}]", k + 1), found);
+                }
+            }
+            Item::None => {}
+        }
+    }
+}
+
+/// The text with other values. A value that reads as TOML is written as it is, any other as text.
+pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
+    let mut document = parsed(text)?;
+    for Change { path, value } in changes {
+        let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
+        let Some(table) = section_of(&mut document, section, value.is_some())? else { continue };
+        match value.as_deref().map(str::trim).filter(|value| !value.is_empty()) {
+            None => _ = table.remove(key),
+            Some(value) => {
+                let mut value = as_value(value);
+                // A comment behind the old value stays.
+                if let Some(old) = table.get(key).and_then(Item::as_value) {
+                    *value.decor_mut() = old.decor().clone();
+                }
+                table.insert(key, Item::Value(value));
+            }
+        }
+    }
+    Ok(document.to_string())
+}
+
+/// The changes that give a body a material or, without an id, the numbers of its material.
+pub(crate) fn material(text: &str, body: usize, id: &str) -> Vec<Change> {
+    let change =
+        |name: &str, value: Option<String>| Change { path: format!("body[{body}].{name}"), value };
+    if !id.is_empty() {
+        let own = ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
+        let own = own.into_iter().map(|name| change(name, None));
+        return own.chain([change("material", Some(id.into()))]).collect();
+    }
+    let old = fields(text).remove(&format!("body[{body}].material"));
+    let old = asperity_scene::materials().iter().find(|known| Some(&known.id) == old.as_ref());
+    let Some(known) = old.map(|material| material.body) else { return vec![] };
+    let numbers = [
+        ("youngs_modulus", Some(known.youngs_modulus)),
+        ("poissons_ratio", Some(known.poissons_ratio)),
+        ("hardness", known.hardness),
+        ("yield_strength", known.yield_strength),
+    ];
+    let numbers = numbers
+        .into_iter()
+        .filter_map(|(name, value)| value.map(|value| change(name, Some(format!("{value:e}")))));
+    numbers.chain([change("material", None)]).collect()
+}
+
+/// The text without the second body, or with it again, alike the first.
+pub(crate) fn with_rigid(text: &str, rigid: bool) -> Result<String, Refusal> {
+    let mut document = parsed(text)?;
+    let bodies = document.get_mut("body").and_then(Item::as_array_of_tables_mut);
+    let bodies = bodies.ok_or_else(|| Refusal::new("the scene has no [[body]]"))?;
+    if rigid {
+        bodies.remove(1);
+        document.insert("rigid_counterface", toml_edit::value(true));
+    } else {
+        if let (1, Some(first)) = (bodies.len(), bodies.get(0).cloned()) {
+            bodies.push(first);
+        }
+        document.remove("rigid_counterface");
+    }
+    Ok(document.to_string())
+}
+
+fn parsed(text: &str) -> Result<DocumentMut, Refusal> {
+    text.parse().map_err(|_| {
+        let reason = "the scene file has a syntax error; correct the text first";
+        Refusal::at("TOML", reason)
+    })
+}
+
+fn as_value(text: &str) -> Value {
+    text.parse().unwrap_or_else(|_| Value::String(Formatted::new(text.to_string())))
+}
+
+/// The table of a section, such as `body[2]`; made if asked for.
+fn section_of<'d>(
+    document: &'d mut DocumentMut,
+    section: &str,
+    make: bool,
+) -> Result<Option<&'d mut dyn TableLike>, Refusal> {
+    let wrong = || Refusal::at(section, format!("{section} is not a section of a scene"));
+    if section.is_empty() {
+        return Ok(Some(document.as_table_mut()));
+    }
+    if let Some((name, rest)) = section.split_once('[') {
+        let number: usize = rest.trim_end_matches(']').parse().map_err(|_| wrong())?;
+        if !document.contains_key(name) && make {
+            document.insert(name, Item::ArrayOfTables(ArrayOfTables::new()));
+        }
+        let Some(tables) = document.get_mut(name).and_then(Item::as_array_of_tables_mut) else {
+            return if make { Err(wrong()) } else { Ok(None) };
+        };
+        if number == tables.len() + 1 && make {
+            tables.push(Table::new());
+        }
+        let table = number.checked_sub(1).and_then(|k| tables.get_mut(k));
+        return match table {
+            Some(table) => Ok(Some(table)),
+            None if make => Err(wrong()),
+            None => Ok(None),
+        };
+    }
+    if !document.contains_key(section) && make {
+        document.insert(section, Item::Table(Table::new()));
+    }
+    match document.get_mut(section) {
+        None => Ok(None),
+        Some(item) => item.as_table_like_mut().map(Some).ok_or_else(wrong),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn change(path: &str, value: Option<&str>) -> Change {
+        Change { path: path.into(), value: value.map(str::to_string) }
+    }
+
+    const TEXT: &str = "nominal_area = 1e-4 # m^2\n\n[[body]] # steel\nhardness = \"7 GPa\" # hard\n\
+                        \n[[body]]\nhardness = 2e9\n\n[surface]\nm0 = 1e-13\n";
+
+    #[test]
+    fn values_are_found_by_path_and_changed_in_place() {
+        let found = fields(TEXT);
+        assert_eq!(found["body[1].hardness"], "7 GPa");
+        assert_eq!((found["body[2].hardness"].as_str(), found.len()), ("2e9", 4));
+        let changes = [
+            change("body[1].hardness", Some("6 GPa")),
+            change("surface.m0", Some("2e-13")),
+            change("options.jg_hardness", Some("cosine")),
+            change("body[2].hardness", None),
+            change("body[3].hardness", None),
+        ];
+        let edited = edit(TEXT, &changes).unwrap();
+        let wanted = TEXT.replace("7 GPa", "6 GPa").replace("1e-13", "2e-13");
+        let wanted = wanted.replace("hardness = 2e9\n", "");
+        assert_eq!(edited, format!("{wanted}\n[options]\njg_hardness = \"cosine\"\n"));
+    }
+
+    #[test]
+    fn a_text_of_a_value_is_never_markup_of_the_file() {
+        let sly = "1\nm2 = 7";
+        let edited = edit(TEXT, &[change("surface.m0", Some(sly))]).unwrap();
+        assert_eq!(fields(&edited)["surface.m0"], sly);
+        assert!(edit("a = = 2", &[change("a", Some("1"))]).is_err());
+        assert!(edit(TEXT, &[change("body[9].hardness", Some("1"))]).is_err());
+        assert!(edit(TEXT, &[change("nominal_area.b", Some("1"))]).is_err());
+    }
+
+    #[test]
+    fn the_counterface_is_rigid_and_back() {
+        let rigid = with_rigid(TEXT, true).unwrap();
+        assert!(rigid.contains("rigid_counterface = true") && !rigid.contains("2e9"), "{rigid}");
+        let back = fields(&with_rigid(&rigid, false).unwrap());
+        assert_eq!(back["body[2].hardness"], "7 GPa");
+        assert!(!back.contains_key("rigid_counterface"));
+    }
+}

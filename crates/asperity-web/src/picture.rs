@@ -1,0 +1,288 @@
+//! Pictures: curves of models, the map of a contact, the law of one asperity.
+
+use std::collections::BTreeMap;
+
+use asperity::bem::{Bem, Solution};
+use asperity::{Described, Quantity, Tolerance, short};
+use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
+use asperity_scene::SceneFile;
+
+use crate::answer::head;
+use crate::message::{LoadShown, Refusal, SEPARATION};
+use crate::shown::shown;
+
+/// Largest side of a drawn map, in pixels.
+const DRAWN: usize = 384;
+/// Names of the band and of boundary elements among the curves.
+const LOWEST: &str = "lowest";
+const HIGHEST: &str = "highest";
+const BEM: &str = "bem";
+
+/// Curves of rows against the load, with the load marked, the spread of the models shaded and
+/// boundary elements as points.
+pub(crate) fn curves(
+    file: &SceneFile,
+    rows: &[String],
+    view: &str,
+    (load, in_pascals): (&LoadShown, bool),
+    solved: &[[f64; 2]],
+) -> Result<String, Refusal> {
+    let head = head(file);
+    let column = match view {
+        SEPARATION => "separation_m".to_string(),
+        _ => view.parse::<Quantity>()?.column(),
+    };
+    let place = |name: &str| head.iter().position(|known| known == name);
+    let k = place(&column).ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
+    let mut csv = head.join(",") + "\n";
+    let mut ids: Vec<&str> = vec![];
+    // The smallest and the largest value at each load.
+    let mut band: BTreeMap<u64, (f64, f64, usize)> = BTreeMap::new();
+    let mut values = vec![];
+    for line in rows.iter().flat_map(|rows| rows.lines()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number = |k: usize| cells.get(k).and_then(|cell| cell.parse::<f64>().ok());
+        if cells.len() != head.len() {
+            return Err(Refusal::new("rows of another scene"));
+        }
+        if ids.last() != Some(&cells[0]) {
+            ids.push(cells[0]);
+        }
+        csv += line;
+        csv.push('\n');
+        if let (Some(pressure), Some(value)) = (number(2), number(k)) {
+            values.push(value);
+            // Positive numbers sort as their bits do.
+            let found = band.entry(pressure.to_bits()).or_insert((value, value, 0));
+            *found = (found.0.min(value), found.1.max(value), found.2 + 1);
+        }
+    }
+    let row = |name: &str, pressure: f64, value: f64| {
+        let given = |known: &String| match known.as_str() {
+            "model" => name.to_string(),
+            "load_N" => (pressure * file.scene.nominal_area).to_string(),
+            "pressure_Pa" => pressure.to_string(),
+            known if known == column => value.to_string(),
+            _ => String::new(),
+        };
+        head.iter().map(given).collect::<Vec<_>>().join(",") + "\n"
+    };
+    let whole = band.iter().filter(|(_, found)| ids.len() > 1 && found.2 == ids.len());
+    let whole: Vec<(f64, f64, f64)> =
+        whole.map(|(bits, found)| (f64::from_bits(*bits), found.0, found.1)).collect();
+    for (pressure, low, _) in &whole {
+        csv += &row(LOWEST, *pressure, *low);
+    }
+    for (pressure, _, high) in &whole {
+        csv += &row(HIGHEST, *pressure, *high);
+    }
+    for [pressure, value] in solved {
+        csv += &row(BEM, *pressure, *value);
+    }
+
+    let x = if in_pascals {
+        ("pressure_Pa", "mean pressure (MPa)", 1e-6)
+    } else {
+        ("load_N", "load (N)", 1.0)
+    };
+    let mut y = Axis::new(&column, &label(view, &values));
+    y.multiply = unit_of(view, &values).0;
+    if !view.parse::<Quantity>().is_ok_and(Quantity::is_absolute) {
+        y.scale = Scale::fitting(&values);
+    }
+    let mut panel = Panel::new(Axis::new(x.0, x.1).times(x.2).log(), y);
+    panel.curve_column = "model".into();
+    // Black is left to boundary elements.
+    panel.curves = ids.iter().zip(1..).map(|(id, look)| Curve::new(look, id, id)).collect();
+    if !solved.is_empty() {
+        panel.curves.push(Curve::points(0, BEM, "boundary elements"));
+    }
+    if !whole.is_empty() {
+        let (lower, upper) = (LOWEST.into(), HIGHEST.into());
+        panel.between.push(Between { lower, upper, look: 9 });
+    }
+    let at = if in_pascals { load.pascals } else { load.newtons };
+    let (low, high) = band.keys().next().zip(band.keys().last()).map_or((0.0, 0.0), |(a, b)| {
+        let [a, b] = [*a, *b].map(f64::from_bits);
+        if in_pascals { (a, b) } else { (a * file.scene.nominal_area, b * file.scene.nominal_area) }
+    });
+    if (low..=high).contains(&at) {
+        panel.verticals.push(Mark::new(at, &load.text));
+    }
+    Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
+}
+
+/// The unit in which a quantity of the picture is legible: a factor and a name.
+fn unit_of(view: &str, values: &[f64]) -> (f64, String) {
+    let unit = match view {
+        SEPARATION => "m",
+        view => view.parse::<Quantity>().map_or("", Quantity::unit),
+    };
+    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let text = shown(largest, unit);
+    let name = text.split_once(' ').map_or("", |(_, name)| name).to_string();
+    let factors = [("G", 1e-9), ("M", 1e-6), ("k", 1e-3), ("m", 1e3), ("µ", 1e6), ("n", 1e9)];
+    let plain = unit.replace("m2", "m²");
+    let prefix = name.strip_suffix(&plain).unwrap_or_default();
+    let factor = factors.into_iter().find(|(known, _)| *known == prefix && !plain.is_empty());
+    (factor.map_or(1.0, |(_, factor)| factor), name)
+}
+
+fn label(view: &str, values: &[f64]) -> String {
+    let name = match view {
+        SEPARATION => "separation",
+        view => view.parse::<Quantity>().map_or("", Quantity::label),
+    };
+    match unit_of(view, values).1.as_str() {
+        "" => name.into(),
+        unit => format!("{name} ({unit})"),
+    }
+}
+
+/// The map of a solved contact.
+pub(crate) fn contact(
+    bem: &Bem,
+    solution: &Solution,
+    hardness: Option<f64>,
+) -> Result<String, Refusal> {
+    let [rows, columns] = bem.map().shape();
+    let [dy, dx] = bem.map().pixel();
+    let size = [columns as f64 * dx, rows as f64 * dy];
+    let top = hardness.unwrap_or_else(|| solution.pressures.iter().copied().fold(0.0, f64::max));
+    let units = [(1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"), (1.0, "Pa")];
+    let (scale, unit) = units.into_iter().find(|(scale, _)| top >= *scale).unwrap_or(units[3]);
+    let lengths = [(1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm")];
+    let (length, of_length) =
+        lengths.into_iter().find(|(scale, _)| size[0] >= *scale).unwrap_or(lengths[3]);
+    let step = rows.max(columns).div_ceil(DRAWN);
+    let (values, columns) = largest_of(&solution.pressures, columns, step);
+    let mut caption = vec![format!(
+        "Mean pressure {}: {} % of the area in {} patches, mean gap {}.",
+        shown(solution.mean_pressure, "Pa"),
+        short(100.0 * solution.area),
+        solution.patches.len(),
+        shown(solution.mean_gap, "m"),
+    )];
+    if hardness.is_some() {
+        let share = short(100.0 * solution.plastic_area);
+        caption.push(format!("Black is plastic: {share} % of the area carries the hardness."));
+    }
+    Ok(draw_map(&Map {
+        title: "Contact pressure".into(),
+        caption,
+        values: values.into_iter().map(|pressure| pressure / scale).collect(),
+        columns,
+        size: size.map(|side| side / length),
+        unit: of_length.into(),
+        label: format!("pressure ({unit})"),
+        top: top / scale,
+        white: "white: no contact".into(),
+        ..Map::default()
+    })?)
+}
+
+/// The largest of every `step` x `step` values, so that no contact disappears, and their number in
+/// a row.
+fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
+    if step <= 1 {
+        return (values.to_vec(), columns);
+    }
+    let wide = columns.div_ceil(step);
+    let rows: Vec<&[f64]> = values.chunks(columns).collect();
+    let of = |block: &[&[f64]]| -> Vec<f64> {
+        let mut most = vec![0.0_f64; wide];
+        for (x, value) in block.iter().flat_map(|row| row.iter().enumerate()) {
+            most[x / step] = most[x / step].max(*value);
+        }
+        most
+    };
+    (rows.chunks(step).flat_map(of).collect(), wide)
+}
+
+/// Interferences over the critical one of the drawn law.
+const FIRST: f64 = 0.1;
+const LAST: f64 = 1000.0;
+const STEPS: u32 = 240;
+
+/// Force and area of one asperity of the scene by a model, against the interference.
+pub(crate) fn law(file: &SceneFile, id: &str) -> Result<String, Refusal> {
+    let model = file.model(id)?;
+    let Some(asperity_model) = model.asperity_model() else {
+        return Err(Refusal::new(format!("{} describes the whole surface", model.name())));
+    };
+    let asperity = file.scene.asperity()?;
+    let critical = asperity.critical_interference()?;
+    let tolerance = Tolerance::default();
+    let force = asperity_model.force(&asperity, tolerance)?;
+    let area = asperity_model.area(&asperity, tolerance)?;
+    let kinks: Vec<f64> =
+        force.kinks().into_iter().map(|x| x * force.interference_unit / critical).collect();
+    let mut at: Vec<f64> =
+        (0..=STEPS).map(|k| FIRST * (LAST / FIRST).powf(f64::from(k) / f64::from(STEPS))).collect();
+    let inside: Vec<f64> = kinks.into_iter().filter(|x| (FIRST..LAST).contains(x)).collect();
+    at.extend(inside.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
+    at.sort_by(f64::total_cmp);
+    let mut csv = "curve,interference,force_N,area_m2\n".to_string();
+    for x in at {
+        let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
+        csv += &format!("{id},{x},{f},{a}\n");
+    }
+    let panel = |column: &str, label: &str| {
+        let x = Axis::new("interference", "interference over critical interference").log();
+        let mut panel = Panel::new(x, Axis::new(column, label).log());
+        panel.curves = vec![Curve::new(2, id, "")];
+        panel.verticals = inside.iter().map(|x| Mark::new(*x, &short(*x))).collect();
+        panel
+    };
+    let panels = vec![panel("force_N", "force (N)"), panel("area_m2", "area (m²)")];
+    let mut figure = Figure::new("", &[], panels);
+    figure.columns = 2;
+    Ok(draw(&figure, &csv)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Compiled;
+
+    fn file() -> SceneFile {
+        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+    }
+
+    #[test]
+    fn curves_have_band_mark_and_points() {
+        let file = file();
+        let pressures = [1e5, 1e6, 1e7, 1e8];
+        let rows =
+            ["gw", "ke"].map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &pressures));
+        let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
+        let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let svg = curves(&file, &rows, "area-fraction", (&load, false), &[[1e6, 1e-3]]).unwrap();
+        for text in ["<polygon", "100 N", "boundary elements", ">ke<", "load (N)"] {
+            assert!(svg.contains(text), "{text}");
+        }
+        assert!(!svg.contains("style="));
+        let alone = curves(&file, &rows[..1], "separation", (&load, true), &[]).unwrap();
+        assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
+        assert!(curves(&file, &["x,1\n".into()], "tangent", (&load, true), &[]).is_err());
+        assert!(curves(&file, &rows, "speed", (&load, true), &[]).is_err());
+    }
+
+    #[test]
+    fn no_contact_is_lost_in_a_smaller_map() {
+        let mut values = vec![0.0; 35];
+        (values[6], values[34]) = (2.0, 3.0);
+        let (small, wide) = largest_of(&values, 7, 3);
+        assert_eq!((wide, small.len()), (3, 6));
+        assert!(small[2] > 1.0 && small[5] > 2.0);
+    }
+
+    #[test]
+    fn laws_are_drawn_with_their_kinks() {
+        let svg = law(&file(), "ke").unwrap();
+        for text in [">6<", ">110<", "force (N)"] {
+            assert!(svg.contains(text), "{text}");
+        }
+        assert!(law(&file(), "persson").unwrap_err().message.contains("whole surface"));
+    }
+}

@@ -1,0 +1,67 @@
+//! Numbers as the page shows them: four digits and a decimal prefix.
+
+use asperity::short;
+
+/// Units that take a prefix.
+const PREFIXED: [&str; 8] = ["N", "Pa", "m", "N/m", "W/K", "S", "W/m2/K", "S/m2"];
+const PREFIXES: [(f64, &str); 7] =
+    [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")];
+
+/// A number with its unit: `12.5 MN/m`, `3.2e-8 m²`; the digits alone for a pure number.
+pub(crate) fn shown(value: f64, unit: &str) -> String {
+    let name = unit.replace("m2", "m²");
+    let size = value.abs();
+    let prefixed = PREFIXED.contains(&unit) && (1e-12..1e15).contains(&size);
+    let least = PREFIXES[PREFIXES.len() - 1];
+    match PREFIXES.into_iter().find(|(factor, _)| size >= *factor).unwrap_or(least) {
+        (factor, prefix) if prefixed => format!("{} {prefix}{name}", short(value / factor)),
+        _ if name.is_empty() => short(value),
+        _ => format!("{} {name}", short(value)),
+    }
+}
+
+/// A number as a scene file and the program take it, rounded to three digits: `126 N`.
+pub(crate) fn typed(value: f64, unit: &str) -> String {
+    let three: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    let (factor, prefix) = PREFIXES
+        .into_iter()
+        .find(|(factor, prefix)| three.abs() >= *factor && *prefix != "m")
+        .unwrap_or((1.0, ""));
+    let small = three.abs() < 1.0;
+    let (factor, prefix) = if small { (1.0, "") } else { (factor, prefix) };
+    format!("{} {prefix}{unit}", short(three / factor))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits_and_a_prefix() {
+        let cases = [
+            (1.234_56e7, "N/m", "12.35 MN/m"),
+            (2.5e-7, "m", "250 nm"),
+            (3.2e-8, "m2", "3.2e-8 m²"),
+            (0.012_345_6, "", "0.01235"),
+            (0.0, "Pa", "0 Pa"),
+            (-3.0, "N", "-3 N"),
+            (1e-30, "N", "1e-30 N"),
+            (1500.0, "W/m2/K", "1.5 kW/m²/K"),
+        ];
+        for (value, unit, wanted) in cases {
+            assert_eq!(shown(value, unit), wanted);
+        }
+    }
+
+    #[test]
+    fn typed_numbers_are_read_back() {
+        for (value, unit, wanted) in
+            [(1259.0, "N", "1.26 kN"), (0.05, "N", "0.05 N"), (2.512e8, "Pa", "251 MPa")]
+        {
+            let text = typed(value, unit);
+            assert_eq!(text, wanted);
+            let read = asperity_scene::quantity(&text, unit).unwrap();
+            assert!((read / value - 1.0).abs() < 5e-3, "{text}");
+        }
+    }
+}

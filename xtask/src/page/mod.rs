@@ -1,0 +1,32 @@
+//! The page: the explorer in `target/page` and the guide below it, with relative links only.
+
+mod copy;
+mod module;
+mod server;
+
+use std::path::PathBuf;
+
+use anyhow::{Result, ensure};
+
+pub use server::serve;
+
+use crate::folder::figures_folder;
+use crate::guide;
+
+/// Writes the page and returns its folder; with `keep_module` without building the module again.
+///
+/// # Errors
+/// A failed build, files that cannot be read or written, and links that dangle or lead outside.
+pub fn write(keep_module: bool) -> Result<PathBuf> {
+    let root = figures_folder();
+    let root = root.parent().unwrap_or(&root);
+    let folder = root.join("target").join("page");
+    copy::write(root, &folder)?;
+    if !keep_module {
+        module::write(root, &folder)?;
+    }
+    guide::write(&folder)?;
+    let violations = guide::links::violations(&[folder.join("index.html")], &[])?;
+    ensure!(violations.is_empty(), "links of the explorer:\n{}", violations.join("\n"));
+    Ok(folder)
+}
