@@ -65,7 +65,7 @@ enum Task {
         #[arg(long)]
         api: bool,
     },
-    /// Build the explorer, which any static server serves: target/page
+    /// Build the explorer and the guide, which any static server serves: target/page
     Page {
         /// Serve it on this machine, and print the address
         #[arg(long)]

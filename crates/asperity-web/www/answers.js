@@ -17,7 +17,7 @@ export function load(shown, typed) {
   if (typed) $("slider").value = shown.position;
   $("slider").setAttribute("aria-valuetext", shown.text);
   $("load-other").textContent = shown.other;
-  field.dataset.newtons = shown.newtons;
+  Object.assign(field.dataset, { newtons: shown.newtons, pascals: shown.pascals });
   error.textContent = "";
   field.removeAttribute("aria-invalid");
 }

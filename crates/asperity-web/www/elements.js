@@ -5,7 +5,7 @@ const HEAD = ["load", "pressure", "area fraction", "mean gap", "plastic share", 
 
 export class Elements {
   constructor(desk, changed) {
-    Object.assign(this, { desk, changed, solved: [], running: 0 });
+    Object.assign(this, { desk, changed, solved: [], shown: null, running: 0 });
     $("stop").addEventListener("click", () => this.stop());
   }
 
@@ -20,6 +20,7 @@ export class Elements {
 
   clear() {
     this.solved = [];
+    this.shown = null;
     $("contact").replaceChildren();
     $("solved").hidden = true;
     $("iterations").textContent = "";
@@ -66,13 +67,22 @@ export class Elements {
       this.solved = this.solved.filter(({ pressure }) => pressure !== event.pressure);
       this.solved.push(event);
       this.solved.sort((a, b) => a.pressure - b.pressure);
-      this.show(event);
+      this.showNear();
       this.table();
       this.changed();
     }
   }
 
-  show({ svg, load }) {
+  // The map at the present load, or at the next heavier one that is solved.
+  showNear() {
+    const present = Number($("load").dataset.pascals);
+    const near = this.solved.find(({ pressure }) => pressure >= present) ?? this.solved.at(-1);
+    if (near && near !== this.shown) this.show(near);
+  }
+
+  show(one) {
+    const { svg, load } = one;
+    this.shown = one;
     picture($("contact"), svg, `contact pressures at ${load}`);
   }
 

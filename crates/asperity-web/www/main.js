@@ -84,6 +84,7 @@ async function answer(current, load) {
     if (desk === desks.quick) {
       state.load = found.load.text;
       answers.load(found.load, load.position === undefined);
+      elements.showNear();
       load = loadKeys();
     }
     answers.table(views, ids.filter((id) => rows.has(id)).map((id) => rows.get(id)));

@@ -32,8 +32,8 @@ const EXPLORER: &str = "../index.html";
 /// The documentation of the interfaces beside the guide, listed where it was written.
 const API: [(&str, &str); 2] =
     [("../rust/index.html", "Rust crates"), ("../python/asperity.html", "Python package")];
-/// Style and search, copied as they are.
-const PARTS: [&str; 2] = ["guide.css", "search.js"];
+/// Style and search, copied as they are; the colours are those of the explorer.
+const PARTS: [&str; 3] = ["www/colours.css", "guide/guide.css", "guide/search.js"];
 
 /// A title or heading that can be searched.
 #[derive(Serialize)]
@@ -78,7 +78,8 @@ pub fn write(page_folder: &Path) -> Result<PathBuf> {
         copy(&root().join(from), &folder.join(to))?;
     }
     for part in PARTS {
-        copy(&root().join("crates/asperity-web/guide").join(part), &folder.join(part))?;
+        let path = root().join("crates/asperity-web").join(part);
+        copy(&path, &folder.join(path.file_name().unwrap_or_default()))?;
     }
     let violations = links::violations(&pages, &[links::normal(&folder.join(EXPLORER))])?;
     ensure!(violations.is_empty(), "links of the guide:\n{}", violations.join("\n"));

@@ -30,6 +30,7 @@ impl Frame {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="referrer" content="no-referrer">
 <title>{title} · asperity</title>
+<link rel="stylesheet" href="colours.css">
 <link rel="stylesheet" href="guide.css">
 <link rel="icon" href="data:,">
 <script type="module" src="search.js"></script>

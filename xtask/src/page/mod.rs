@@ -1,4 +1,4 @@
-//! The page: the explorer in `target/page`, with relative links only.
+//! The page: the explorer in `target/page` and the guide below it, with relative links only.
 
 mod copy;
 mod module;
@@ -6,16 +6,17 @@ mod server;
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 
 pub use server::serve;
 
 use crate::folder::figures_folder;
+use crate::guide;
 
 /// Writes the page and returns its folder; with `keep_module` without building the module again.
 ///
 /// # Errors
-/// A failed build, and files that cannot be read or written.
+/// A failed build, files that cannot be read or written, and links that dangle or lead outside.
 pub fn write(keep_module: bool) -> Result<PathBuf> {
     let root = figures_folder();
     let root = root.parent().unwrap_or(&root);
@@ -24,5 +25,8 @@ pub fn write(keep_module: bool) -> Result<PathBuf> {
     if !keep_module {
         module::write(root, &folder)?;
     }
+    guide::write(&folder)?;
+    let violations = guide::links::violations(&[folder.join("index.html")], &[])?;
+    ensure!(violations.is_empty(), "links of the explorer:\n{}", violations.join("\n"));
     Ok(folder)
 }
