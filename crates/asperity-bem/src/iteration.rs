@@ -135,11 +135,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// Starts at the admissible pressures nearest to `pressures`.
-    fn new(
-        problem: Problem<'a>,
-        mut pressures: Vec<f64>,
-        space: &mut impl Compliance,
-    ) -> Self {
+    fn new(problem: Problem<'a>, mut pressures: Vec<f64>, space: &mut impl Compliance) -> Self {
         let len = pressures.len();
         let all = vec![1.0; len];
         Projection::new(&pressures, &all, 0.0, problem.cap, problem.load)
@@ -228,12 +224,7 @@ impl<'a> Iteration<'a> {
     }
 
     /// One step; false when no direction lowers the energy.
-    fn advance(
-        &mut self,
-        standing: Standing,
-        cold: bool,
-        space: &mut impl Compliance,
-    ) -> bool {
+    fn advance(&mut self, standing: Standing, cold: bool, space: &mut impl Compliance) -> bool {
         let rose = standing.energy > self.energy + RISE * self.energy.abs();
         self.energy = standing.energy;
         // Never two plain steps in a row: they converge slowly.

@@ -187,14 +187,8 @@ impl<'a> Light<'a> {
             let problem = Problem { heights: &candidates, highest, cap, load };
             let start = std::mem::take(&mut self.pressures);
             let mut go_on = |_, _| ControlFlow::Continue(());
-            let (iteration, reached) = Iteration::run(
-                problem,
-                start,
-                !self.checked,
-                goal,
-                &mut coefficients,
-                &mut go_on,
-            )?;
+            let (iteration, reached) =
+                Iteration::run(problem, start, !self.checked, goal, &mut coefficients, &mut go_on)?;
             iterations += reached.iterations;
             let (pressures, deflections) = iteration.into_maps();
             self.pressures = pressures;
@@ -238,7 +232,8 @@ impl<'a> Light<'a> {
         }
         refuse_above(MOST_CANDIDATES, self.pixels.len() + more.len())?;
         let known = self.pixels.iter().copied().zip(self.pressures.iter().copied());
-        let mut all: Vec<(usize, f64)> = known.chain(more.into_iter().map(|at| (at, 0.0))).collect();
+        let mut all: Vec<(usize, f64)> =
+            known.chain(more.into_iter().map(|at| (at, 0.0))).collect();
         all.sort_unstable_by_key(|(at, _)| *at);
         (self.pixels, self.pressures) = all.into_iter().unzip();
         Ok(true)
@@ -289,7 +284,8 @@ fn expected_area(setup: &BoundaryElements, pressure: f64) -> f64 {
     let rows = map.heights().chunks(columns);
     let slopes = rows.flat_map(|row| row.windows(2).map(|pair| ((pair[1] - pair[0]) / dx).powi(2)));
     let square = 2.0 * slopes.sum::<f64>() / map.heights().len() as f64;
-    let elastic = if square > 0.0 { 2.5 * pressure / (setup.modulus() * square.sqrt()) } else { 1.0 };
+    let elastic =
+        if square > 0.0 { 2.5 * pressure / (setup.modulus() * square.sqrt()) } else { 1.0 };
     elastic.max(pressure / setup.cap())
 }
 

@@ -135,10 +135,7 @@ impl ContactModel for Bem {
             notes: vec![],
         };
         // Before anything is solved.
-        request
-            .quantities
-            .iter()
-            .try_for_each(|q| contact.check(*q))?;
+        request.quantities.iter().try_for_each(|q| contact.check(*q))?;
         let given: Vec<LoadCase> =
             request.at.iter().filter_map(|at| contact.given(*at).ok()).collect();
         let all = contact.elements.solve_all(&given, |_| ControlFlow::Continue(()));

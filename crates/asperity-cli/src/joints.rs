@@ -14,11 +14,8 @@ pub const READ_0: &str =
     "are 0: they are below the smallest f64, and far fewer than one asperity touches";
 
 /// The columns of plots, with their labels.
-pub const COLUMNS: [(&str, &str); 3] = [
-    ("force_N", "force (N)"),
-    ("area_m2", "area (m²)"),
-    ("stiffness_N_per_m", "stiffness (N/m)"),
-];
+pub const COLUMNS: [(&str, &str); 3] =
+    [("force_N", "force (N)"), ("area_m2", "area (m²)"), ("stiffness_N_per_m", "stiffness (N/m)")];
 
 pub fn named(scene: &LoadedScene, (id, _): &NamedModel) -> String {
     format!("{}: {id}", scene.name)

@@ -65,15 +65,14 @@ impl Run<'_> {
         let mut lacks = vec![];
         let mut values = |solution: &Solution| -> Vec<Option<f64>> {
             let summary = elements.summary(solution, self.quantities);
-            let mut value = |quantity: &Quantity| {
-                match summary.evaluate(*quantity, &self.scene.file.scene) {
+            let mut value =
+                |quantity: &Quantity| match summary.evaluate(*quantity, &self.scene.file.scene) {
                     Ok(found) => found.map(|found| found.value()),
                     Err(error) => {
                         lacks.push(format!("a {quantity} is blank: {error}"));
                         None
                     }
-                }
-            };
+                };
             self.quantities.iter().map(&mut value).collect()
         };
         let watch = interrupt::watch(|progress| {

@@ -33,7 +33,8 @@ pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
 pub use evidence::{Compared, Deviation, Evidence, EvidenceCase, EvidenceRow, Expected, Nearest};
 pub use recommend::{
-    Comparison, EvidenceAt, Expectation, Recommendation, recommend, recommend_among, usual_reference,
+    Comparison, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
+    usual_reference,
 };
 pub use registry::Model;
 pub use tables::contact_table::{ContactNode, ContactTable};

@@ -127,7 +127,8 @@ fn write_table(
     for (_, holds) in columns {
         let cases = evidence.cases().iter().filter(|case| holds(case));
         let mut each = cases.filter_map(|case| {
-            let unit = if quantity == Compared::MeanGap { 1.0 } else { case.bem.value(quantity)? };
+            let unit =
+                if quantity == Compared::MeanGap { 1.0 } else { case.bem.value(quantity)? };
             Some(100.0 * case.bem.error(quantity)? / unit)
         });
         errors.push(ends(&mut each).map_or("–".into(), |[_, most]| format!("±{most:.0}")));

@@ -168,9 +168,7 @@ fn cases(scope: &Scope) -> Result<Vec<Case>> {
         }
     }
     let place = |(family, ..): &Case| solved::FAMILIES.iter().position(|f| f == *family);
-    all.sort_by(|a, b| {
-        place(a).cmp(&place(b)).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2))
-    });
+    all.sort_by(|a, b| place(a).cmp(&place(b)).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2)));
     Ok(all)
 }
 

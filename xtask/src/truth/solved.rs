@@ -227,7 +227,14 @@ impl Kept {
             || count >= LEAST_SEEDS && (merged || patches >= ENOUGH_PATCHES as f64)
     }
 
-    fn add(&self, family: &Family, pixels: usize, index: f64, seed: u64, all: &[Contact]) -> Result<()> {
+    fn add(
+        &self,
+        family: &Family,
+        pixels: usize,
+        index: f64,
+        seed: u64,
+        all: &[Contact],
+    ) -> Result<()> {
         let path = self.path(family, pixels, index, seed);
         let mut text = fs::read_to_string(&path).unwrap_or_else(|_| format!("{HEAD}\n"));
         all.iter().for_each(|contact| text += &format!("{}\n", contact.line()));
@@ -261,12 +268,19 @@ impl Kept {
                             && self.seeds(family, index, **load).len() as u64 == seed - 1
                             && !self.is_done(family, index, **load)
                     };
-                    let loads: Vec<f64> =
-                        loads.iter().filter(|load| is_carried(hardness, **load)).filter(needed).copied().collect();
+                    let loads: Vec<f64> = loads
+                        .iter()
+                        .filter(|load| is_carried(hardness, **load))
+                        .filter(needed)
+                        .copied()
+                        .collect();
                     if loads.is_empty() {
                         continue;
                     }
-                    progress(&format!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name));
+                    progress(&format!(
+                        "{}, {pixels} pixels, psi {index}, seed {seed}",
+                        family.name
+                    ));
                     let map: &HeightMap = match &mut map {
                         Some(map) => map,
                         none => none.insert(surface.seed(seed).heights(pixels)?),

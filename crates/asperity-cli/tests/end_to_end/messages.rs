@@ -133,8 +133,9 @@ fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
     let run = bench.run("recommend scene.toml --load 1e-9,19000,20000 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(
-        run.messages
-            .contains("note: no boundary-element solution is close at a load of 0.000000001 N: less"),
+        run.messages.contains(
+            "note: no boundary-element solution is close at a load of 0.000000001 N: less"
+        ),
         "{}",
         run.messages
     );

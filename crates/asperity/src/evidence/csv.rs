@@ -52,7 +52,10 @@ pub(crate) fn cases(text: &str) -> Result<Vec<EvidenceCase>, ContactError> {
     let (known, models) = head.split_at(COLUMNS.len().min(head.len()));
     if known != COLUMNS || models.len() % Compared::ALL.len() != 0 {
         let known = COLUMNS.join(",");
-        return Err(refused(1, &format!("the columns {known} and four for each model were required")));
+        return Err(refused(
+            1,
+            &format!("the columns {known} and four for each model were required"),
+        ));
     }
     let ids: Vec<&str> = models.iter().step_by(Compared::ALL.len()).copied().collect();
     let mut cases: Vec<EvidenceCase> = vec![];

@@ -134,8 +134,7 @@ impl Evidence {
             let share = (place - low.place) / (high.place - low.place);
             (low.between(high, share), away(nearest) + BEYOND * beyond)
         };
-        let variance =
-            LEAST.powi(2) + point.error.powi(2) + (PER_DISTANCE * distance).powi(2);
+        let variance = LEAST.powi(2) + point.error.powi(2) + (PER_DISTANCE * distance).powi(2);
         let half = COVERAGE * variance.sqrt();
         let ends = [point.value, point.value - half, point.value + half];
         let [ratio, low, high] = match quantity {
@@ -293,8 +292,7 @@ mod tests {
             }
         }
         halves.sort_by(f64::total_cmp);
-        let (covered, share, half) =
-            (inside / answered, answered / rows, halves[halves.len() / 2]);
+        let (covered, share, half) = (inside / answered, answered / rows, halves[halves.len() / 2]);
         println!("covered {covered:.3}, answered {share:.3}, half-width {half:.3}");
         assert!((0.85..=0.97).contains(&covered), "{covered}");
         assert!(share >= 0.6, "{share}");

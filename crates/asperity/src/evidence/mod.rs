@@ -9,8 +9,8 @@ use std::sync::OnceLock;
 
 use serde::Serialize;
 
-pub use crate::evidence::expected::Expected;
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
+pub use crate::evidence::expected::Expected;
 use crate::{ContactError, HeightDistribution, Scene};
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
@@ -306,7 +306,8 @@ mod tests {
     #[test]
     fn the_solved_cases_are_listed() {
         let solved = Evidence::committed().unwrap().solved();
-        let wanted = "alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 1, 2, 4, p/(E g) from 0.00001 to 0.3";
+        let wanted =
+            "alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 1, 2, 4, p/(E g) from 0.00001 to 0.3";
         assert_eq!(solved, wanted);
     }
 

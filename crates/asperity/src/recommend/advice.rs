@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::{
-    At, Comparison, ContactError, Described, EvidenceAt, Expectation, Nearest, Recommendation, Separation,
-    evidence::NONE, ranking,
+    At, Comparison, ContactError, Described, EvidenceAt, Expectation, Nearest, Recommendation,
+    Separation, evidence::NONE, ranking,
 };
 
 impl Recommendation {
@@ -50,20 +50,21 @@ impl Recommendation {
                 None => all.push((found.clone(), 1)),
             }
         }
-        let line = |(Expectation { model, quantity, expected, .. }, places): &(Expectation, usize)| {
-            let name = self.comparisons.iter().find(|c| c.model.id() == model);
-            let name = name.map_or(model.as_str(), |c| c.model.name());
-            let here = match *places {
-                1 => "here".into(),
-                some => format!("at {some} places"),
+        let line =
+            |(Expectation { model, quantity, expected, .. }, places): &(Expectation, usize)| {
+                let name = self.comparisons.iter().find(|c| c.model.id() == model);
+                let name = name.map_or(model.as_str(), |c| c.model.name());
+                let here = match *places {
+                    1 => "here".into(),
+                    some => format!("at {some} places"),
+                };
+                let lighter = match expected.extrapolated {
+                    true => ", extrapolated to lighter loads",
+                    false => "",
+                };
+                let (words, surfaces) = (expected.words(*quantity), expected.surfaces);
+                format!("{name} {words} {here} (boundary elements on {surfaces} surfaces{lighter})")
             };
-            let lighter = match expected.extrapolated {
-                true => ", extrapolated to lighter loads",
-                false => "",
-            };
-            let (words, surfaces) = (expected.words(*quantity), expected.surfaces);
-            format!("{name} {words} {here} (boundary elements on {surfaces} surfaces{lighter})")
-        };
         all.iter().map(line).collect()
     }
 
