@@ -368,8 +368,11 @@ pub fn asked_anew(text: &str, scope: &Scope) -> Result<String> {
         let same = |case: &&Case| -> bool {
             let (family, index, load) = **case;
             let alpha = family.surface(family.pixels).map(|s| s.moments().bandwidth());
-            [index, load, family.skewness, family.slope_ratio]
-                == [known.plasticity_index, known.load, known.skewness, known.slope_ratio]
+            let place = [index, load, family.skewness, family.slope_ratio];
+            let known_place =
+                [known.plasticity_index, known.load, known.skewness, known.slope_ratio];
+            let equal = |(a, b): (&f64, &f64)| a.total_cmp(b).is_eq();
+            place.iter().zip(&known_place).all(equal)
                 && alpha.is_ok_and(|alpha| (alpha / known.alpha - 1.0).abs() < 1e-3)
         };
         let case = all.iter().find(same).context("a case of another scope")?;
