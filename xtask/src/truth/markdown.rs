@@ -12,6 +12,11 @@ const LIGHT: f64 = 5e-4;
 /// Loads above this are left out of the table of heavier loads, where half of the surface touches.
 const HEAVIEST: f64 = 0.2;
 
+/// Numbers of the table are equal digit by digit.
+fn same(a: f64, b: f64) -> bool {
+    a.total_cmp(&b).is_eq()
+}
+
 /// A column: its head and its cases.
 type Column = (String, Box<dyn Fn(&EvidenceCase) -> bool>);
 
@@ -56,8 +61,8 @@ pub fn table(text: &str) -> Result<String> {
     ]
     .map(|(name, skewness, ratio)| -> Column {
         let holds = move |case: &EvidenceCase| {
-            case.skewness == skewness
-                && case.slope_ratio == ratio
+            same(case.skewness, skewness)
+                && same(case.slope_ratio, ratio)
                 && case.plasticity_index > 0.0
                 && case.load <= HEAVIEST
         };

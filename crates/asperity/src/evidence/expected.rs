@@ -107,7 +107,7 @@ impl Evidence {
         for case in self.plain().filter(|case| with(case)) {
             // Cases are ordered by family.
             match families.last_mut() {
-                Some(family) if family.cases[0].alpha == case.alpha => family.cases.push(case),
+                Some(family) if same(family.cases[0].alpha, case.alpha) => family.cases.push(case),
                 _ => families.push(Family { cases: vec![case] }),
             }
         }
@@ -181,7 +181,7 @@ impl Family<'_> {
         index: f64,
     ) -> Option<Point> {
         let mut points: Vec<Point> = vec![];
-        for case in self.cases.iter().filter(|case| case.plasticity_index == index) {
+        for case in self.cases.iter().filter(|case| same(case.plasticity_index, index)) {
             let model = case.models.iter().find(|(known, _)| known == id);
             let value = model.and_then(|(_, model)| model.value(quantity));
             let bem = case.bem.value(quantity).zip(case.bem.error(quantity));
@@ -201,9 +201,14 @@ impl Family<'_> {
             return None;
         }
         let (low, high, share) = bracket(&loads, load.clamp(first, last))?;
-        let of = |load: f64| points.iter().find(|point| point.place == load).copied();
+        let of = |load: f64| points.iter().find(|point| same(point.place, load)).copied();
         Some(of(low)?.between(of(high)?, share))
     }
+}
+
+/// Numbers of the table are equal digit by digit.
+fn same(a: f64, b: f64) -> bool {
+    a.total_cmp(&b).is_eq()
 }
 
 /// The neighbours of a value in an ascending list, and its place between them in the logarithm;
@@ -280,7 +285,7 @@ mod tests {
                         continue;
                     };
                     rows += 1.0;
-                    let others = |other: &EvidenceCase| other.alpha != case.alpha;
+                    let others = |other: &EvidenceCase| !same(other.alpha, case.alpha);
                     let found = evidence.expected_at(&query, id, quantity, others);
                     let Some(found) = found.filter(|_| plain) else { continue };
                     answered += 1.0;

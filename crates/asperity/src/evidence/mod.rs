@@ -295,34 +295,30 @@ mod tests {
             let area = case.bem.area_fraction.unwrap();
             assert!(low <= area && area <= high && high < 1.0, "{case:?}");
             assert!(case.surfaces >= 4 && (0.0..=1.0).contains(&case.plastic_share), "{case:?}");
-            // Elastic: gw and gw-random; with a hardness all.
-            let of_asperities = match case.plasticity_index > 0.0 {
-                true => Model::all().len() + Model::all_random().len(),
-                false => 2,
-            };
+            // Elastic: gw and gw-random; with a hardness nine of the paper and four random ones.
+            let of_asperities = if case.plasticity_index > 0.0 { 13 } else { 2 };
             assert_eq!(case.models.len(), of_asperities + whole, "{case:?}");
         }
-        assert!(Evidence::CSV.len() < 200_000, "{}", Evidence::CSV.len());
+        assert!(Evidence::CSV.len() < 150_000, "{}", Evidence::CSV.len());
     }
 
     /// Other texts repeat the line of `solved`.
     #[test]
     fn the_solved_cases_are_listed() {
         let solved = Evidence::committed().unwrap().solved();
-        assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, elastic and psi "), "{solved}");
-        assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
+        let wanted =
+            "alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 1, 2, 4, p/(E g) from 0.00001 to 0.3";
+        assert_eq!(solved, wanted);
     }
 
     #[test]
     fn a_case_is_its_own_nearest_and_neighbours_are_found() {
         let evidence = Evidence::committed().unwrap();
-        for case in evidence.plain().filter(|case| {
-            !(0.0..1.0).contains(&case.plasticity_index) || case.plasticity_index <= 0.0
-        }) {
+        for case in evidence.plain() {
             let scene = scene(case.alpha, case.plasticity_index);
             let near = evidence.nearest(&scene, case.load * unit()).unwrap();
             assert_eq!(near.case, case);
-            assert!((near.away - 1.0).abs() < 1e-6, "{}", near.away);
+            assert!((near.away - 1.0).abs() < 1e-3, "{}", near.away);
             let gw = near.deviation("gw").unwrap();
             let model = case.models.iter().find(|(id, _)| id == "gw").unwrap().1;
             let wanted = model.area_fraction.unwrap() / case.bem.area_fraction.unwrap() - 1.0;
@@ -345,7 +341,7 @@ mod tests {
         for (found, field) in [
             (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6"),
             (refused(200.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 200.0; solved range 3.1 to 76.9"),
-            (refused(8.0, 20.0, 0.01), "plasticity_index = 20.0; solved up to "),
+            (refused(8.0, 20.0, 0.01), "plasticity_index = 20.0; solved up to 4.0"),
             (refused(8.0, 2.0, 0.7), "p/(E g) = 7.0e-1"),
         ] {
             assert!(found.starts_with(&format!("{NONE}: {field}")), "{found}");

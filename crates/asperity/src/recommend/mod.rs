@@ -340,7 +340,7 @@ mod tests {
         let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
         let scene = Scene::new(interface, surface, 3e-5);
         let unit = 116e9 * surface.rms_slope();
-        let pressures = [1e-6, 2e-6, 1e-2, 1.05e-2, 1e-1].map(|p| At::Pressure(p * unit));
+        let pressures = [1e-14, 2e-14, 1e-2, 1.05e-2, 1e-1].map(|p| At::Pressure(p * unit));
         let request = Request::new([Quantity::Area]).at(pressures);
         let ke: Model = "ke".parse().unwrap();
         let models = vec![ke.clone(), "jg".parse().unwrap()];
