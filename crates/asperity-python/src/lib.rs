@@ -54,7 +54,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::picture::svg;
     #[pymodule_export]
-    use crate::records::{Asperity, Body, Interface, Surface};
+    use crate::records::{Asperity, Body, Interface, Surface, materials};
     #[pymodule_export]
     use crate::scene::{SceneFile, template};
     #[pymodule_export]

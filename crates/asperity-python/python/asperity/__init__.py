@@ -44,6 +44,7 @@ from asperity._conductance import Correlated, correlated_conductance, gap_conduc
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._laws import AsperityLaws
+from asperity._materials import Material, materials
 from asperity._model import Model, model, models
 from asperity._scene import Scenes
 from asperity._surfaces import Picture, random_surface, read, topography
@@ -65,6 +66,7 @@ __all__ = [
     "Finding",
     "Interface",
     "JointTable",
+    "Material",
     "Model",
     "NotConverged",
     "PartialSlip",
@@ -87,6 +89,7 @@ __all__ = [
     "correlated_conductance",
     "export",
     "gap_conductance",
+    "materials",
     "model",
     "models",
     "plan",
