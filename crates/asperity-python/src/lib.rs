@@ -59,7 +59,7 @@ mod _asperity {
     #[pymodule_export]
     use crate::random_surface::random_surface;
     #[pymodule_export]
-    use crate::records::{Asperity, Body, Interface, Surface};
+    use crate::records::{Asperity, Body, Interface, Surface, materials};
     #[pymodule_export]
     use crate::scene::{SceneFile, template};
     #[pymodule_export]

@@ -35,8 +35,8 @@ const OF_SCANS: [&str; 14] = [
 
 /// The way in which the keys of a text describe the surface.
 pub(crate) fn way(fields: &BTreeMap<String, String>) -> &'static str {
-    let has = |key: &&str| fields.contains_key(&format!("surface.{key}"));
-    let of = |(_, keys): &&(&str, &[&str])| keys.iter().take(2).any(|key| has(&key));
+    let has = |key: &str| fields.contains_key(&format!("surface.{key}"));
+    let of = |(_, keys): &&(&str, &[&str])| keys.iter().take(2).any(|key| has(key));
     WAYS.iter().find(of).map_or("asperities", |(way, _)| way)
 }
 

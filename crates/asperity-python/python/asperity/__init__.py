@@ -45,6 +45,7 @@ from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._fit import Estimate, Fit, Fits, fit
 from asperity._laws import AsperityLaws
+from asperity._materials import Material, materials
 from asperity._model import Model, model, models
 from asperity._scene import Scenes
 from asperity._surfaces import Picture, random_surface, read, topography
@@ -69,6 +70,7 @@ __all__ = [
     "Fits",
     "Interface",
     "JointTable",
+    "Material",
     "Model",
     "NotConverged",
     "PartialSlip",
@@ -92,6 +94,7 @@ __all__ = [
     "export",
     "fit",
     "gap_conductance",
+    "materials",
     "model",
     "models",
     "plan",

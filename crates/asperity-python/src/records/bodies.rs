@@ -1,6 +1,7 @@
 //! `Body` and `Interface`.
 
 use asperity::ContactError;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -55,7 +56,35 @@ record! {
     electrical_resistivity: Option<f64>,
     /// Tangent modulus [Pa], if given.
     tangent_modulus: Option<f64>,
-    {}
+    {
+        /// A material of the list, by its name in scene files; `asperity.materials()` has the list.
+        ///
+        /// >>> import asperity
+        /// >>> asperity.Body.material("stainless-304").youngs_modulus
+        /// 193000000000.0
+        #[staticmethod]
+        fn material(name: &str) -> PyResult<Self> {
+            let all = asperity_scene::materials();
+            let found = all.iter().find(|material| material.id == name).ok_or_else(|| {
+                let near = asperity::nearest_name(name, all.iter().map(|known| &*known.id));
+                let near = asperity::nearest_hint(near);
+                let needed = "a material of asperity.materials() was required";
+                PyValueError::new_err(format!("material is {name:?}{near}: {needed}"))
+            })?;
+            Self::checked(found.body)
+        }
+    }
+}
+
+/// The materials of scene files: name in text, body and source, by their names.
+#[pyfunction]
+pub(crate) fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let all = PyDict::new(py);
+    for material in asperity_scene::materials() {
+        let body = Body::checked(material.body)?;
+        all.set_item(&material.id, (&material.name, body, &material.source))?;
+    }
+    Ok(all)
 }
 
 record! {

@@ -10,7 +10,7 @@ use pyo3::pyclass::boolean_struct::True;
 use pyo3::types::{PyDict, PyTuple};
 
 use crate::convert::numbers::{no_number, number};
-pub(crate) use bodies::{Body, Interface};
+pub(crate) use bodies::{Body, Interface, materials};
 pub(crate) use surface::{Asperity, Surface};
 
 /// An argument.

@@ -144,7 +144,8 @@ impl Model {
     #[must_use]
     pub fn named() -> Vec<Self> {
         let equal = [Self::all(), Self::whole_surface(), Self::adhesive(), Self::hardening()];
-        [equal.concat(), Self::all_random()].concat()
+        let hardening = Self::hardening().iter().map(Self::random).collect();
+        [equal.concat(), Self::all_random(), hardening].concat()
     }
 }
 
