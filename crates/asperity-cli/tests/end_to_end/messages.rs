@@ -133,9 +133,8 @@ fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
     let run = bench.run("recommend scene.toml --load 1e-9,19000,20000 --format csv");
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(
-        run.messages.contains(
-            "note: no boundary-element solution is close at a load of 0.000000001 N: less"
-        ),
+        run.messages
+            .contains("note: no boundary-element solution is close at a load of 1e-9 N: less"),
         "{}",
         run.messages
     );
@@ -150,7 +149,7 @@ fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
         .collect();
     assert!(named.len() > 3 && named.iter().all(|id| ids.contains(id)), "{named:?}");
     let off = cells(&run.out, "area_off_bem");
-    assert!(off.iter().filter(|cell| !cell.is_empty()).count() > 15, "{}", run.out);
+    assert!(off.iter().filter(|cell| !cell.is_empty()).count() > 10, "{}", run.out);
     // gw is near, and yet asperities yield.
     let run =
         bench.run("recommend scene.toml --load 1000 --within 80% --model gw,ceb --format csv");
