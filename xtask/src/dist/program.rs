@@ -51,8 +51,8 @@ fn build_program(build: Build) -> Result<PathBuf> {
     let folder = match build {
         Build::Quick => target_folder().join("debug"),
         Build::Release => {
-            command.args(["--profile", "dist", "--target", TARGET]);
-            target_folder().join(TARGET).join("dist")
+            command.args(["--profile", "program", "--target", TARGET]);
+            target_folder().join(TARGET).join("program")
         }
     };
     run(&mut command)?;
