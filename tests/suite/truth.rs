@@ -3,10 +3,11 @@
 use xtask::table::agree_by;
 use xtask::truth::{FULL, asked_anew, models, small};
 
-/// Numbers of models are whole thousandths, those of boundary elements have four digits; solutions
-/// stop at 1e-6 of Sq, and stiffnesses are differences of gaps 5 % apart.
-fn agree(found: &str, known: &str) -> bool {
-    let whole = |x: f64| x.fract() == 0.0 && x.abs() >= 100.0;
+/// Numbers of models are thousandths, those of boundary elements have four digits; solutions stop at
+/// 1e-6 of Sq, and stiffnesses are differences of gaps 5 % apart. Whole numbers from `rounded` on
+/// may have been rounded to a neighbour.
+fn agree(found: &str, known: &str, rounded: f64) -> bool {
+    let whole = |x: f64| x.fract() == 0.0 && x.abs() >= rounded;
     agree_by(found, known, |a, b| {
         let step = if whole(a) && whole(b) { 1.0 } else { 0.0 };
         (a - b).abs() <= step + 2e-3 * a.abs().max(b.abs())
@@ -17,7 +18,8 @@ fn agree(found: &str, known: &str) -> bool {
 fn a_small_case_is_reproduced() {
     let known = include_str!("../reference/truth_small.csv");
     let found = small().unwrap();
-    assert!(agree(&found, known), "{found}");
+    // Counts of surfaces are below 100.
+    assert!(agree(&found, known, 100.0), "{found}");
     // Elastic and psi 2 at three loads.
     assert_eq!(known.lines().count(), 1 + 2 * 3);
     assert_eq!(known.lines().next().unwrap().split(',').count(), 16 + 4 * models().len());
@@ -36,7 +38,7 @@ fn the_readme_shows_rows_of_the_table() {
     }
 }
 
-/// Every ninth case.
+/// Every 29th case.
 #[test]
 fn models_agree_with_the_committed_table() {
     let known = asperity::Evidence::CSV;
@@ -45,7 +47,8 @@ fn models_agree_with_the_committed_table() {
     let some: Vec<&str> = lines.step_by(29).collect();
     let text = [&[head], &some[..]].concat().join("\n") + "\n";
     let found = asked_anew(&text, &FULL).unwrap();
-    assert!(agree(&found, &text), "{found}");
+    // The counts are those of the table.
+    assert!(agree(&found, &text, 0.0), "{found}");
 }
 
 #[test]

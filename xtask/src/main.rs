@@ -1,5 +1,4 @@
-//! `cargo xtask figures [--check]`, `cargo xtask report [--quick] [--out DIR]`, `cargo xtask truth`,
-//! `cargo xtask docs`, `cargo xtask guide`, `cargo xtask page [--serve]`, `cargo xtask dist`.
+//! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -51,8 +50,8 @@ enum Task {
     },
     /// Write the documentation of all crates, with an index page: target/doc/index.html
     Docs,
-    /// Build and try what users install: target/dist/ with wheel, program, page and checksums. Needs
-    /// Python with venv, and the target x86_64-unknown-linux-musl
+    /// Build and try what users install: target/dist/ with wheel, program, page and checksums.
+    /// Needs Python with venv, and the target x86_64-unknown-linux-musl
     Dist {
         /// Without optimisation, to target/dist-quick: tests the packaging in some minutes
         #[arg(long)]

@@ -124,8 +124,8 @@ impl BoundaryElements {
         self.hardness.unwrap_or(f64::INFINITY)
     }
 
-    /// Unit of the residual \[m\]: Sq or, where that is less, about the deflection of one pixel that
-    /// carries all of the load, the scale of gaps under light loads and on a flat map.
+    /// Unit of the residual \[m\]: Sq or, where that is less, about the deflection of one pixel
+    /// that carries all of the load, the scale of gaps under light loads and on a flat map.
     pub(crate) fn scale(&self, pressure: f64, rms_height: f64) -> f64 {
         let [dy, dx] = self.map.pixel();
         let pressed_in = pressure * self.map.area() / (self.modulus * dx.min(dy));

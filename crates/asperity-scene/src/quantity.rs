@@ -165,8 +165,8 @@ pub fn unit_of(key: &str) -> Option<&'static str> {
     units_of("", key).map(|(si, ..)| si)
 }
 
-/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, m/N, 1/m, 1/m^2, W/(m K) or ohm m), plain or with
-/// another unit of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
+/// A number in the SI unit `si` (Pa, m, m^2, N, J/m^2, m/N, 1/m, 1/m^2, W/(m K) or ohm m), plain or
+/// with another unit of the same dimension: `"5 MPa"`, `"0.2mm"`. Rounded once.
 ///
 /// ```
 /// assert_eq!(asperity_scene::quantity("2.5 kN", "N").unwrap(), 2500.0);

@@ -67,8 +67,8 @@ impl Desk {
         reply(message.and_then(|message| self.answer(message)))
     }
 
-    /// Solves the scan of the scene at mean pressures \[Pa\] of the slider's range, or at one; every
-    /// event is passed on as json.
+    /// Solves the scan of the scene at mean pressures \[Pa\] of the slider's range, or at one;
+    /// every event is passed on as json.
     pub fn press(&self, pressures: &[f64], mut happened: impl FnMut(&str)) -> String {
         let mut run = || {
             let file = self.scene()?;

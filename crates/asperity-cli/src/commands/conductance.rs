@@ -67,8 +67,8 @@ pub struct Conductance {
     /// Temperature-jump distance of the gas, in m, or with a unit: about 0.37um for air at 1 bar
     #[arg(long, value_name = "M", value_parser = length, requires = "gas")]
     gas_parameter: Option<f64>,
-    /// For the correlations: sigma, the standard deviation of the heights of both surfaces together,
-    /// in m, or with a unit
+    /// For the correlations: sigma, the standard deviation of the heights of both surfaces
+    /// together, in m, or with a unit
     #[arg(long, value_name = "S", value_parser = length, requires = "mean_slope")]
     sigma: Option<f64>,
     /// For the correlations: the mean absolute slope of both surfaces together

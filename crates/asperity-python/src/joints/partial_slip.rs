@@ -64,8 +64,8 @@ impl PartialSlip {
         self.over(amplitude, ("amplitude", "m"), joints::PartialSlip::loss_factor)
     }
 
-    /// Amplitude of shift [m] of cycles with these amplitudes of the tangential force [N], which are
-    /// below ``limit``.
+    /// Amplitude of shift [m] of cycles with these amplitudes of the tangential force [N], which
+    /// are below ``limit``.
     fn amplitude_at<'py>(&self, force: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.over(force, ("tangential_force", "N"), joints::PartialSlip::amplitude_at)
     }

@@ -107,8 +107,8 @@ record! {
         }
 
         /// From the standard deviation of the surface heights [m] and the mean absolute slope of
-        /// profiles of an isotropic Gaussian surface, which correlations of conductance use, and the
-        /// density of the summits [1/m^2].
+        /// profiles of an isotropic Gaussian surface, which correlations of conductance use, and
+        /// the density of the summits [1/m^2].
         ///
         /// >>> import asperity
         /// >>> surface = asperity.Surface.from_mean_slope("1 um", 0.1, "4000 1/mm2")

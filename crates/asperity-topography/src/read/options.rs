@@ -5,7 +5,8 @@ use crate::{Distance, LengthUnit, TopographyError};
 /// Properties that a file may not state, and the accepted share of missing points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadOptions {
-    /// Unit of the heights, and of a `pixel_size` without one. A unit stated in the file must agree.
+    /// Unit of the heights, and of a `pixel_size` without one. A unit stated in the file must
+    /// agree.
     pub unit: Option<LengthUnit>,
     /// Distance of neighbouring points along a row and along a column; without a unit of its own in
     /// `unit` (by default in the unit stated in the file). A distance stated in the file must

@@ -156,8 +156,8 @@ impl Evidence {
         self.cases.iter().filter(|case| case.skewness == 0.0 && case.slope_ratio <= 1.0)
     }
 
-    /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic and psi 1, 2, 4, p/(E g) from
-    /// 0.001 to 0.2`.
+    /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic
+    /// and psi 1, 2, 4, p/(E g) from 0.001 to 0.2`.
     #[must_use]
     pub fn solved(&self) -> String {
         let each = |of: fn(&EvidenceCase) -> f64| {

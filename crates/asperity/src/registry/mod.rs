@@ -121,8 +121,8 @@ impl Model {
         PerssonVariance::ALL.map(persson).to_vec()
     }
 
-    /// Elastic asperities with adhesion: they need the scene's work of adhesion. Commands use them by
-    /// name, and by default where the scene has a work of adhesion.
+    /// Elastic asperities with adhesion: they need the scene's work of adhesion. Commands use them
+    /// by name, and by default where the scene has a work of adhesion.
     #[must_use]
     pub fn adhesive() -> Vec<Self> {
         let jkr = |branch| Self::known(JohnsonKendallRoberts { branch });
