@@ -3,9 +3,9 @@
 use xtask::table::agree_by;
 use xtask::truth::{FULL, asked_anew, models, small};
 
-/// Numbers of models are thousandths, those of boundary elements have four digits; solutions stop at
-/// 1e-6 of Sq, and stiffnesses are differences of gaps 5 % apart. Whole numbers from `rounded` on
-/// may have been rounded to a neighbour.
+/// Numbers of models are thousandths, those of boundary elements have four digits; solutions stop
+/// at 1e-6 of Sq, and stiffnesses are differences of gaps 5 % apart. Whole numbers from `rounded`
+/// on may have been rounded to a neighbour.
 fn agree(found: &str, known: &str, rounded: f64) -> bool {
     let whole = |x: f64| x.fract() == 0.0 && x.abs() >= rounded;
     agree_by(found, known, |a, b| {

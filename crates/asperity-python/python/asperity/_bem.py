@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Literal, TypedDict
 
@@ -54,7 +54,7 @@ class BemContacts:
     #: The area of the loads [m^2]: the nominal area of the scene or, without one, that of the scan.
     nominal_area: float
     #: The requested quantities, by name with underscores: ``unloading_stiffness`` [N/m], ...
-    quantities: Mapping[str, Floats] = MappingProxyType({})
+    quantities: Mapping[str, Floats] = field(default_factory=lambda: MappingProxyType({}))
 
     def __repr__(self) -> str:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
