@@ -11,7 +11,7 @@ use asperity_core::{
 };
 
 use crate::continuation::taken_part;
-use crate::summary::{ContactSummary, known};
+use crate::summary::{ContactSummary, NAME, known, refused};
 use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
 /// Loads with a smaller relative difference are equal within rounding.
@@ -98,13 +98,9 @@ impl Bem {
     }
 }
 
-pub(crate) fn refused(error: BemError) -> ContactError {
-    ContactError::Refused { model: SOURCE.name.into(), reason: error.to_string() }
-}
-
 const SOURCE: Citation = Citation {
     id: Bem::ID,
-    name: "BEM",
+    name: NAME,
     authors: "Polonsky & Keer",
     year: 1999,
     title: "A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques",

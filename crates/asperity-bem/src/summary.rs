@@ -2,7 +2,6 @@
 
 use asperity_core::{ContactError, Evaluation, Quantity, Scene};
 
-use crate::model::refused;
 use crate::{BemError, BoundaryElements, Solution};
 
 /// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
@@ -40,6 +39,14 @@ impl BoundaryElements {
 #[must_use]
 pub(crate) fn known(quantity: Quantity) -> bool {
     quantity.follows_from_totals() || quantity.is_of_joint()
+}
+
+/// The name of the model.
+pub(crate) const NAME: &str = "BEM";
+
+/// An error of boundary elements as one of the model.
+pub(crate) fn refused(error: BemError) -> ContactError {
+    ContactError::Refused { model: NAME.into(), reason: error.to_string() }
 }
 
 impl ContactSummary {

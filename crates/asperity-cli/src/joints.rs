@@ -1,10 +1,11 @@
-//! Plots and messages shared by `unload` and its histories.
+//! What `unload`, `slip` and their variants share.
 
-use anyhow::Result;
-use asperity::joints::{EnergyGain, Joint, Work};
-use asperity::{At, ContactError};
+use anyhow::{Result, bail};
+use asperity::joints::{EnergyGain, Joint, PartialSlip, Work};
+use asperity::{At, ContactError, SeparationUnit};
 use asperity_plot::{Axis, Curve};
 
+use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::table::{Cell, Table};
 use crate::scene::{LoadedScene, NamedModel};
@@ -64,4 +65,34 @@ pub fn picture(table: &Table, x: &Axis, id: &str, joints: &[Joint]) -> Result<St
         })
         .collect();
     plot::against(&by_law, x, &COLUMNS, &curves)
+}
+
+/// The amplitude of shift under an amplitude of the tangential force.
+pub fn amplitude_at(slip: &PartialSlip, force: f64) -> Result<f64> {
+    let limit = slip.limit()?;
+    if force >= limit {
+        let [force, limit] = [force, limit].map(rounded);
+        bail!("a tangential force of {force} N is not below mu F = {limit} N: the joint slides");
+    }
+    Ok(slip.amplitude_at(force)?)
+}
+
+/// The given preload in its columns, with blank results.
+pub fn blank_cycle(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
+    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
+    let mut numbers = [None; 8];
+    match place {
+        At::Load(load) => {
+            [numbers[0], numbers[1]] = [Some(load), Some(load / contact.nominal_area)];
+        }
+        At::Pressure(pressure) => {
+            [numbers[0], numbers[1]] = [Some(pressure * contact.nominal_area), Some(pressure)];
+        }
+        At::Separation(closest) => {
+            let closest = closest.measured_in(SeparationUnit::Sigma, from, contact);
+            numbers[2] = closest.ok().map(|closest| closest.value);
+        }
+        _ => {}
+    }
+    numbers
 }

@@ -2,7 +2,7 @@
 
 use asperity_core::{At, Datum, Quantity, Separation, nearest_name};
 
-use crate::data::{LOAD, PRESSURE, SEPARATION};
+use crate::observation::{LOAD, PRESSURE, SEPARATION};
 use crate::{DataColumn, FitError, Measured, Observation};
 
 /// The largest number of rows.

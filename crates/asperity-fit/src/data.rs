@@ -3,68 +3,11 @@
 use std::mem::discriminant;
 use std::ops::Deref;
 
-use asperity_core::{At, Datum, Quantity, Separation};
+use asperity_core::{At, Datum, Separation};
 
 use crate::FitError;
 use crate::columns::{Columns, STD};
-
-/// What a measured value is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Measured {
-    /// A quantity of the contact.
-    Quantity(Quantity),
-    /// The reading of a separation \[m\] under a load.
-    Separation,
-}
-
-impl Observation {
-    /// The column of the place (`load_N`, `pressure_Pa` or `separation_m`), and its number.
-    #[must_use]
-    pub fn place(&self) -> (&'static str, f64) {
-        let column = match self.at {
-            At::Load(_) => LOAD,
-            At::Pressure(_) => PRESSURE,
-            _ => SEPARATION,
-        };
-        (column, number(self.at))
-    }
-}
-
-impl Measured {
-    /// The column of a table, unit included: `area_m2`, `separation_m`.
-    #[must_use]
-    pub fn column(self) -> String {
-        match self {
-            Self::Quantity(quantity) => quantity.column(),
-            Self::Separation => SEPARATION.into(),
-        }
-    }
-
-    /// Whether residuals are differences, for lack of a logarithm.
-    pub(crate) fn is_difference(self) -> bool {
-        match self {
-            Self::Quantity(quantity) => quantity.is_absolute(),
-            Self::Separation => true,
-        }
-    }
-}
-
-/// One measured value.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Observation {
-    /// The row of the table, counted from 1.
-    pub row: usize,
-    /// The load, pressure, or reading of the separation.
-    pub at: At,
-    /// What was measured.
-    pub measured: Measured,
-    /// The value, in SI units.
-    pub value: f64,
-    /// Its standard deviation, if known.
-    pub std: Option<f64>,
-}
+use crate::observation::{DataColumn, Observation, number};
 
 /// Measured values, all with a standard deviation or all without.
 ///
@@ -91,13 +34,6 @@ impl Deref for Data {
         &self.observations
     }
 }
-
-pub(crate) const LOAD: &str = "load_N";
-pub(crate) const PRESSURE: &str = "pressure_Pa";
-pub(crate) const SEPARATION: &str = "separation_m";
-
-/// A column of a table of measurements; a missing number is none.
-pub type DataColumn = (String, Vec<Option<f64>>);
 
 impl Data {
     /// The measured values of a table whose columns are named as those of `asperity curve`:
@@ -179,13 +115,5 @@ impl Data {
     /// The plane of the separations.
     pub(crate) fn datum(&self) -> Datum {
         self.from
-    }
-}
-
-/// The number of a place.
-fn number(at: At) -> f64 {
-    match at {
-        At::Load(x) | At::Pressure(x) | At::Separation(Separation { value: x, .. }) => x,
-        _ => f64::NAN,
     }
 }

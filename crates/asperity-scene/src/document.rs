@@ -13,7 +13,7 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 use toml::{Table, Value};
 
-use crate::quantity::{QuantityError, in_si};
+use crate::quantity::{QuantityError, in_si, joined};
 use crate::template::{counterface_keys, keys_of};
 use crate::{Place, SceneError};
 
@@ -238,11 +238,6 @@ fn decimal_comma(line: &str) -> bool {
     let parts = value.split_once(',');
     parts.is_some_and(|(whole, rest)| digit(whole.chars().last()) && digit(rest.chars().next()))
         && digit(value.chars().next())
-}
-
-pub(crate) fn joined(section: &str, key: &str) -> String {
-    let dot = if section.is_empty() || key.is_empty() { "" } else { "." };
-    format!("{section}{dot}{key}")
 }
 
 /// The text of a file; `place` gives its place in an error.

@@ -4,7 +4,8 @@ use asperity::nearest_name;
 use toml::de::Error;
 
 use crate::SceneError;
-use crate::document::{Document, joined, shorten};
+use crate::document::{Document, shorten};
+use crate::quantity::joined;
 use crate::template::key;
 
 impl Document<'_> {

@@ -6,7 +6,6 @@ use std::ops::Range;
 use asperity::nearest_hint;
 use toml::de::{DeTable, DeValue};
 
-use crate::document::joined;
 use crate::template::key;
 
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
@@ -100,6 +99,12 @@ pub(crate) fn in_si(
     }
     rewritten.push_str(text.get(done..).unwrap_or_default());
     Ok((rewritten, paths))
+}
+
+/// A key behind its section.
+pub(crate) fn joined(section: &str, key: &str) -> String {
+    let dot = if section.is_empty() || key.is_empty() { "" } else { "." };
+    format!("{section}{dot}{key}")
 }
 
 fn collect(

@@ -4,7 +4,7 @@ use asperity::{At, Described, Diagnostics, Quantity, Request, Severity};
 use asperity_scene::SceneFile;
 use serde::Serialize;
 
-use crate::message::Refusal;
+use crate::refusal::Refusal;
 
 /// Largest deviation of a simpler model from the reference.
 const WITHIN: f64 = 0.1;

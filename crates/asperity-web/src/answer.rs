@@ -8,7 +8,8 @@ use asperity::{
 };
 use asperity_scene::SceneFile;
 
-use crate::message::{AnswerCell, AnswerRow, Refusal, SEPARATION, View};
+use crate::message::{AnswerCell, AnswerRow, SEPARATION, View};
+use crate::refusal::Refusal;
 use crate::shown::shown;
 
 /// The quantities that every scene has.

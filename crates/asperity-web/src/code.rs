@@ -5,7 +5,8 @@ use asperity_scene::SceneFile;
 use serde::Serialize;
 
 use crate::answer::quantities;
-use crate::message::{LoadShown, Refusal};
+use crate::message::LoadShown;
+use crate::refusal::Refusal;
 use crate::span::Span;
 
 /// Largest error of interpolation in a table.

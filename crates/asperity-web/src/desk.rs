@@ -10,10 +10,9 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
-use crate::message::{
-    Answer, LoadKeys, MaterialShown, Message, ModelShown, NumberShown, Refusal, Shown,
-};
+use crate::message::{Answer, LoadKeys, MaterialShown, Message, ModelShown, NumberShown, Shown};
 use crate::press::{Event, press, scan};
+use crate::refusal::Refusal;
 use crate::shown::shown;
 use crate::{advice, code, fields, link, picture, span, surface_keys};
 

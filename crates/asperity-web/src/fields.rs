@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, Value};
 
-use crate::message::{Change, Refusal};
+use crate::message::Change;
+use crate::refusal::Refusal;
 
 /// The values of all keys as typed: texts without their quotes.
 pub(crate) fn fields(text: &str) -> BTreeMap<String, String> {

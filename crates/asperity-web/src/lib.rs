@@ -14,6 +14,7 @@ mod message;
 mod picture;
 mod press;
 mod random;
+mod refusal;
 mod shown;
 mod span;
 mod surface_keys;

@@ -9,8 +9,8 @@ use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 use serde::{Deserialize, Serialize};
 
-use crate::message::Refusal;
 use crate::random::RandomKeys;
+use crate::refusal::Refusal;
 
 /// The version of links that this page writes and reads.
 const VERSION: u32 = 1;

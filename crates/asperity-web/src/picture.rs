@@ -8,7 +8,8 @@ use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw,
 use asperity_scene::SceneFile;
 
 use crate::answer::head;
-use crate::message::{LoadShown, Refusal, SEPARATION};
+use crate::message::{LoadShown, SEPARATION};
+use crate::refusal::Refusal;
 use crate::shown::shown;
 
 /// Largest side of a drawn map, in pixels.

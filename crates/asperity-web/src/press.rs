@@ -7,12 +7,11 @@ use asperity::{Diagnostic, shortest_digits};
 use asperity_scene::{HandedFiles, SceneFile, parse_handed_scan};
 use serde::Serialize;
 
-use crate::message::{AnswerCell, Refusal, ScanShown};
+use crate::message::{AnswerCell, ScanShown};
 use crate::picture;
+use crate::random::MOST_PIXELS;
+use crate::refusal::Refusal;
 use crate::shown::shown;
-
-/// Most pixels on a side.
-pub(crate) const MOST_PIXELS: usize = 1024;
 
 /// What happens during a solution.
 #[derive(Debug, Serialize)]

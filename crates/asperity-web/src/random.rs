@@ -4,8 +4,10 @@ use asperity::bem::RandomSurface;
 use asperity_topography::Topography;
 use serde::{Deserialize, Serialize};
 
-use crate::message::Refusal;
-use crate::press::MOST_PIXELS;
+use crate::refusal::Refusal;
+
+/// Most pixels on a side of a map that is solved in the page.
+pub(crate) const MOST_PIXELS: usize = 1024;
 
 /// What a random surface is made of; lengths are typed with a unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -3,7 +3,8 @@
 use asperity::{At, Scene};
 use asperity_scene::quantity;
 
-use crate::message::{LoadKeys, LoadShown, Refusal};
+use crate::message::{LoadKeys, LoadShown};
+use crate::refusal::Refusal;
 use crate::shown::typed;
 
 /// Pressures of a curve.

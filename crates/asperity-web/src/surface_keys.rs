@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use asperity::short;
 use asperity_scene::SceneFile;
 
-use crate::message::{Change, Refusal};
+use crate::message::Change;
+use crate::refusal::Refusal;
 
 /// Ways with their keys. The first key of each tells it from the others.
 const WAYS: [(&str, &[&str]); 5] = [

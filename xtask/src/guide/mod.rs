@@ -1,8 +1,8 @@
 //! The guide: READMEs, definitions and chapters of the repository as html, with a search over
 //! titles and headings.
 //!
-//! [`chapters`] lists the pages, [`source`] reads their text, [`markdown`] writes it as html,
-//! [`site`] knows where each file and heading went, [`laws`] draws the models, and [`links`] checks
+//! [`chapters`] lists the pages, `source` reads their text, `markdown` writes it as html,
+//! `site` knows where each file and heading went, `laws` draws the models, and `links` checks
 //! the result.
 
 pub mod api;

@@ -7,9 +7,9 @@ use asperity_plot::{Axis, Curve, Scale};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
-use super::slip_forces::amplitude_at;
 use crate::input::args::{Closed, DrawnArgs, tolerance};
 use crate::input::numbers::{Numbers, all, friction, length, load};
+use crate::joints::{amplitude_at, blank_cycle};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::print_message;
@@ -272,26 +272,6 @@ fn check_amplitude(amplitude: f64, sliding: f64) {
             ),
         );
     }
-}
-
-/// The given preload in its columns, with blank results.
-pub(super) fn blank_cycle(scene: &LoadedScene, place: At) -> [Option<f64>; 8] {
-    let (contact, from) = (&scene.file.scene, scene.file.separation_from);
-    let mut numbers = [None; 8];
-    match place {
-        At::Load(load) => {
-            [numbers[0], numbers[1]] = [Some(load), Some(load / contact.nominal_area)];
-        }
-        At::Pressure(pressure) => {
-            [numbers[0], numbers[1]] = [Some(pressure * contact.nominal_area), Some(pressure)];
-        }
-        At::Separation(closest) => {
-            let closest = closest.measured_in(SeparationUnit::Sigma, from, contact);
-            numbers[2] = closest.ok().map(|closest| closest.value);
-        }
-        _ => {}
-    }
-    numbers
 }
 
 /// The plot of the first shift and the whole loop.

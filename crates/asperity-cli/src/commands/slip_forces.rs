@@ -5,7 +5,8 @@ use asperity::joints::{PartialSlip, Unloading};
 use asperity::{At, SeparationUnit};
 use asperity_plot::{Axis, Curve, Scale};
 
-use super::slip::{Slip, blank_cycle};
+use super::slip::Slip;
+use crate::joints::{amplitude_at, blank_cycle};
 use crate::output::number::rounded;
 use crate::output::plot;
 use crate::output::print_message;
@@ -78,16 +79,6 @@ fn under(
         slip.loss(amplitude)?.value(),
         slip.loss_factor(amplitude)?,
     ])
-}
-
-/// The amplitude of shift under an amplitude of the tangential force.
-pub(super) fn amplitude_at(slip: &PartialSlip, force: f64) -> Result<f64> {
-    let limit = slip.limit()?;
-    if force >= limit {
-        let [force, limit] = [force, limit].map(rounded);
-        bail!("a tangential force of {force} N is not below mu F = {limit} N: the joint slides");
-    }
-    Ok(slip.amplitude_at(force)?)
 }
 
 /// The plot of cycles against their amplitudes of force, a curve for each preload.

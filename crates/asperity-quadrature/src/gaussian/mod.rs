@@ -3,6 +3,7 @@
 
 mod any_scale;
 mod column;
+mod fill;
 mod moments;
 mod nearby;
 mod patch;

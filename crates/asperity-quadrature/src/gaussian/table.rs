@@ -7,7 +7,7 @@ use std::sync::{LazyLock, OnceLock};
 use fearless_simd::{Simd, SimdBase, SimdSplit, f64x4};
 
 use super::column::{Column, ColumnAccuracy, ROUNDED};
-use super::shifted::ShiftedGaussian;
+use super::moments::Moments;
 use crate::chebyshev::polynomial::powers;
 use crate::{chebyshev_roots, chebyshev_terms};
 
@@ -57,6 +57,9 @@ impl Unit {
 
 /// A unit that has not been made.
 pub(crate) static NOT_MADE: Unit = Unit::NONE;
+
+/// The integral and its slope at s; none where it is refused.
+type Integral<'i> = dyn Fn(f64) -> Option<Moments> + 'i;
 
 /// The units of values and of slopes, made when they are first needed.
 #[derive(Debug)]
@@ -120,14 +123,9 @@ impl Unit {
 
 impl Table {
     /// A unit of values or slopes, made if need be; none outside of the table.
-    pub(crate) fn unit(
-        &self,
-        unit: usize,
-        integral: &ShiftedGaussian,
-        slope: bool,
-    ) -> Option<&Unit> {
+    pub(crate) fn unit(&self, unit: usize, slope: bool, integral: &Integral<'_>) -> Option<&Unit> {
         let cell = self.0[usize::from(slope)].get(unit)?;
-        Some(cell.get_or_init(|| Box::new(Unit::new(unit, integral, slope))))
+        Some(cell.get_or_init(|| Box::new(Unit::new(unit, slope, integral))))
     }
 }
 
@@ -137,11 +135,11 @@ fn centre(step: usize) -> f64 {
 }
 
 impl Unit {
-    fn new(unit: usize, integral: &ShiftedGaussian, slope: bool) -> Self {
+    fn new(unit: usize, slope: bool, integral: &Integral<'_>) -> Self {
         let mut made = Self::NONE;
         let known = made.steps.iter_mut().zip(&mut made.accuracies).enumerate();
         for (k, (step, accuracy)) in known {
-            if let Some(found) = through(centre(unit * STEPS + k), integral, slope) {
+            if let Some(found) = through(centre(unit * STEPS + k), slope, integral) {
                 (*step, *accuracy) = found;
             }
         }
@@ -180,7 +178,7 @@ fn unit_vector<const N: usize>(k: usize) -> [f64; N] {
 
 /// The polynomial of the step around `centre`, if it is as good as its samples, which are normal
 /// numbers of one sign.
-fn through(centre: f64, integral: &ShiftedGaussian, slope: bool) -> Option<(Step, StepAccuracy)> {
+fn through(centre: f64, slope: bool, integral: &Integral<'_>) -> Option<(Step, StepAccuracy)> {
     let Sampling { points, terms, powers } = &*SAMPLING;
     let column = Column { shift: 0.0, slope, factor: 1.0 };
     let mut samples = [0.0; POINTS];
@@ -188,7 +186,7 @@ fn through(centre: f64, integral: &ShiftedGaussian, slope: bool) -> Option<(Step
     let (mut least, mut mildest) = (f64::INFINITY, f64::INFINITY);
     for (sample, point) in samples.iter_mut().zip(points) {
         let s = centre + 0.5 * point / STEPS as f64;
-        let moments = integral.at(s).ok()?;
+        let moments = integral(s)?;
         let (number, accuracy) = column.number(s, &moments);
         if !accuracy.normal {
             return None;

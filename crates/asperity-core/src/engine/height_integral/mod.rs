@@ -1,15 +1,21 @@
 //! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g.
 
-use std::sync::{Arc, LazyLock, OnceLock};
+mod exponential;
+mod other;
+mod overlap;
+mod slope;
 
 use asperity_quadrature::{
-    Cells, Column, ColumnAccuracy, Curvature, Density, Moments, Nearby, Overlap, QuadratureError,
-    ShiftedGaussian, Weight,
+    Column, ColumnAccuracy, Curvature, Density, Moments, Overlap, QuadratureError, ShiftedGaussian,
 };
 
 use crate::engine::onset::Onset;
-use crate::heights::OtherHeights;
 use crate::{HeightDistribution, Law, Scene};
+use exponential::{EXPONENTIAL, Exponential};
+use other::Other;
+use overlap::{Extent, OverlapIntegral};
+
+pub(crate) use slope::{SLOPES_CANCEL, with_slope_within};
 
 /// The integral of one density over one kind of heights, for all s: I(s), and -dI/ds by the
 /// dimensionless s.
@@ -39,14 +45,9 @@ impl HeightIntegral {
                 let integral = ShiftedGaussian::new(density.clone(), scale, tolerance);
                 HeightKind::Gaussian(Gaussian { integral, density, scale, tolerance })
             }
-            HeightDistribution::Exponential => HeightKind::Exponential(Exponential {
-                density: density.clone(),
-                scale,
-                below: OverlapIntegral::new(Overlap::new(density, scale, tolerance)),
-                finer: OnceLock::new(),
-                above: OnceLock::new(),
-                tolerance,
-            }),
+            HeightDistribution::Exponential => {
+                HeightKind::Exponential(Exponential::new(density, scale, tolerance))
+            }
             HeightDistribution::Weibull(heights) => HeightKind::Other(Other {
                 integral: OverlapIntegral::new(Overlap::new(density, scale, tolerance)),
                 height_std: 1.0,
@@ -171,60 +172,6 @@ impl HeightIntegral {
     }
 }
 
-/// The extent of a request to an integral.
-#[derive(Debug, Clone, Copy)]
-struct Extent {
-    slope: bool,
-    /// Whether requests at other s will follow.
-    many: bool,
-}
-
-/// Below this s a slope is a small difference of large integrals: with a finer law and a finer
-/// integral by [`FINER_BELOW`], enough digits are left down to about s = -64.
-pub(crate) const SLOPES_CANCEL: f64 = -8.0;
-const FINER_BELOW: f64 = 0.01;
-/// No law that is sampled is better than this.
-const FINEST_LAW: f64 = 1e-13;
-
-/// `found`, an integral at s with its slope, or a finer integral if its slope misses the tolerance
-/// and the finer one meets it.
-#[inline(always)]
-pub(crate) fn with_slope_within(
-    found: Moments,
-    density: impl Fn() -> Density,
-    (scale, s): (f64, f64),
-    tolerance: f64,
-) -> Moments {
-    if s >= SLOPES_CANCEL || found.slope_within(s, tolerance).is_ok() {
-        return found;
-    }
-    finer(&density(), (scale, s), tolerance).unwrap_or(found)
-}
-
-#[cold]
-fn finer(density: &Density, (scale, s): (f64, f64), tolerance: f64) -> Option<Moments> {
-    let finer = FINER_BELOW * tolerance;
-    let made = Nearby::new(&density.finer(finer), scale, s, finer).map(|made| made.at(s));
-    // Farther down, derivatives of the law are averaged instead: those of samples err by as much
-    // more than the samples as s is deep.
-    let derived = || {
-        let weight = GAUSSIAN.as_ref().map_err(Clone::clone)?;
-        let finer = (0.1 * tolerance / (1.0 - s)).max(FINEST_LAW);
-        let own = if density.knows_slope() { 0.0 } else { finer * (1.0 - s) };
-        let made = Overlap::new(density.finer(finer), scale, tolerance).at(weight, s, true)?;
-        Ok::<_, QuadratureError>(Moments { error: made.error + own, ..made })
-    };
-    let within = |made: &Moments| made.slope_within(s, tolerance).is_ok();
-    made.ok().filter(within).or_else(|| derived().ok().filter(within))
-}
-
-/// exp(-z²/2)/√(2π).
-static GAUSSIAN: LazyLock<Result<Arc<Weight>, QuadratureError>> = LazyLock::new(|| {
-    let ln = |z: f64| -0.5 * z * z - 0.5 * (2.0 * std::f64::consts::PI).ln();
-    let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
-    Weight::new("the Gaussian density", ln, everywhere, &[], 0.0).map(Arc::new)
-});
-
 /// The integral over Gaussian heights.
 #[derive(Debug)]
 struct Gaussian {
@@ -240,125 +187,6 @@ impl Gaussian {
         let found = self.integral.at(s)?;
         let Self { density, scale, tolerance, .. } = self;
         Ok(with_slope_within(found, || density.clone(), (*scale, s), *tolerance))
-    }
-}
-
-/// An integral over heights with any density, directly or by its cells.
-#[derive(Debug)]
-pub(crate) struct OverlapIntegral {
-    overlap: Arc<Overlap>,
-    cells: OnceLock<Cells>,
-}
-
-impl OverlapIntegral {
-    fn new(overlap: Overlap) -> Self {
-        Self { overlap: Arc::new(overlap), cells: OnceLock::new() }
-    }
-
-    fn at(&self, weight: &Arc<Weight>, d: f64, extent: Extent) -> Result<Moments, QuadratureError> {
-        let Extent { slope, many } = extent;
-        if many {
-            let make = || Cells::new(self.overlap.clone(), weight.clone());
-            self.cells.get_or_init(make).at(d, slope)
-        } else {
-            self.overlap.at(weight, d, slope)
-        }
-    }
-}
-
-/// exp(-ζ) on ζ ≥ 0.
-static EXPONENTIAL: LazyLock<Result<Arc<Weight>, QuadratureError>> = LazyLock::new(|| {
-    let ln = |z: f64| if z < 0.0 { f64::NEG_INFINITY } else { -z };
-    Weight::new("the exponential density", ln, (0.0, f64::INFINITY), &[], 0.0).map(Arc::new)
-});
-
-/// Tolerance of an integral over that of its slope, a difference of two integrals far below 0: a
-/// separation of a thousand σ_z takes away as much.
-const FINER: f64 = 1e-3;
-
-/// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
-#[derive(Debug)]
-pub(crate) struct Exponential {
-    density: Density,
-    scale: f64,
-    below: OverlapIntegral,
-    /// For slopes that are small differences of the values of `below`.
-    finer: OnceLock<OverlapIntegral>,
-    above: OnceLock<Result<Moments, QuadratureError>>,
-    tolerance: f64,
-}
-
-impl Exponential {
-    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
-        let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
-        if s < 0.0 {
-            return self.below(weight, s, extent);
-        }
-        let at_zero = self.above.get_or_init(|| self.below.overlap.at(weight, 0.0, false));
-        let Moments { value, sizes: [size, _], ln_scale, error, .. } =
-            *at_zero.as_ref().map_err(Clone::clone)?;
-        Ok(Moments { value, slope: value, sizes: [size; 2], ln_scale: ln_scale - s, error })
-    }
-
-    fn below(
-        &self,
-        weight: &Arc<Weight>,
-        s: f64,
-        extent: Extent,
-    ) -> Result<Moments, QuadratureError> {
-        if !extent.slope || self.density.knows_slope() {
-            return self.below.at(weight, s, extent);
-        }
-        let found = self.by_parts(&self.below, weight, s, extent)?;
-        if found.slope_within(s, self.tolerance).is_ok() {
-            return Ok(found);
-        }
-        let finer = || Overlap::new(self.density.clone(), self.scale, FINER * self.tolerance);
-        let finer = self.finer.get_or_init(|| OverlapIntegral::new(finer()));
-        self.by_parts(finer, weight, s, extent)
-    }
-
-    /// The slope by parts: it includes the lowest asperity, at -s.
-    fn by_parts(
-        &self,
-        integral: &OverlapIntegral,
-        weight: &Arc<Weight>,
-        s: f64,
-        extent: Extent,
-    ) -> Result<Moments, QuadratureError> {
-        let found = integral.at(weight, s, Extent { slope: false, ..extent })?;
-        let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
-        let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
-        Ok(Moments { slope: found.value - lowest, sizes, ..found })
-    }
-}
-
-/// Any other heights: in metres, or in units of σ_z.
-#[derive(Debug)]
-pub(crate) struct Other {
-    integral: OverlapIntegral,
-    /// σ_z in the unit of the heights.
-    height_std: f64,
-    heights: Arc<OtherHeights>,
-    error: f64,
-    tolerance: f64,
-}
-
-impl Other {
-    fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
-        let found = self.integral.at(&self.heights.weight()?, s * self.height_std, extent)?;
-        let error = found.error + self.error;
-        // Far out, the logarithm of a density that falls as steeply as exp(-z^30) has no digits.
-        if error.is_infinite() {
-            let (asked, evaluations) = (self.tolerance, 0);
-            return Err(QuadratureError::NotConverged { reached: error, asked, evaluations });
-        }
-        Ok(Moments {
-            slope: found.slope * self.height_std,
-            sizes: [found.sizes[0], found.sizes[1] * self.height_std],
-            error,
-            ..found
-        })
     }
 }
 
