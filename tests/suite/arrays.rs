@@ -110,3 +110,22 @@ fn refused_arrays_name_the_separation() {
         assert!(found.contains(wanted), "{found}");
     }
 }
+
+#[test]
+fn arrays_refuse_the_separations_that_single_values_refuse() {
+    let scene = with_index(2.0);
+    for id in ["gw", "ke", "gao"] {
+        let model: Model = id.parse().unwrap();
+        let contact = model.compile(&scene, &Request::new([Quantity::Force])).unwrap();
+        for wrong in [-1.000_000_1e6, -1e9, f64::NAN, f64::NEG_INFINITY, 2e9] {
+            for length in [1, 16, 2000] {
+                let mut s = vec![1.0; length];
+                s[length / 2] = wrong;
+                let refused = filled(&*contact, &[Quantity::Force], &s);
+                assert!(refused.is_err(), "{id} {wrong} in {length}");
+            }
+        }
+        let (columns, _) = filled(&*contact, &[Quantity::Force], &[-1e6; 16]).unwrap();
+        assert!(columns[0].iter().all(|force| *force > 0.0), "{id}");
+    }
+}

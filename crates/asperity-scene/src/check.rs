@@ -23,8 +23,6 @@ pub struct Measured {
 /// Ranges of skewness and kurtosis of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
 const KURTOSIS: [f64; 2] = [2.0, 5.0];
-/// Range of rms slopes of scans, from polished to blasted surfaces.
-const SLOPE: [f64; 2] = [5e-4, 1.0];
 
 /// Fields of findings about the asperities.
 const ASPERITY_FIELDS: [&str; 6] = [
@@ -215,13 +213,7 @@ impl SceneFile {
                 )
             }));
         }
-        let slope = (2.0 * statistics.m2).sqrt();
-        if !(SLOPE[0]..=SLOPE[1]).contains(&slope) {
-            let severity = if slope > SLOPE[1] { Severity::Error } else { Severity::Warning };
-            let advice = format!("check unit and pixel_size ({pixel_size:e} m)");
-            let steep = Diagnostic::warning("slope", "measured_slope", slope).severity(severity);
-            found.push(steep.usual(SLOPE).advice(advice));
-        }
+        found.extend(statistics.unusual_slope(*pixel_size));
         found
     }
 

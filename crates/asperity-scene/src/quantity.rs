@@ -185,15 +185,17 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
     if let Ok(value) = text.trim().parse() {
         return Ok(value);
     }
-    let units = UNITS.into_iter().find(|(known, ..)| *known == si);
-    units.and_then(|units| read(text, units)).ok_or_else(|| {
+    let Some(units) = UNITS.into_iter().find(|(known, ..)| *known == si) else {
+        let number = text.trim().strip_suffix(si).unwrap_or(text).trim().parse();
+        return number.map_err(|_| format!("{text:?} is not a number in {si}: write it in {si}"));
+    };
+    read(text, units).ok_or_else(|| {
         if let Some(same) = converted(text, si) {
             let same = same.replace(' ', "");
             return format!("{text:?} is not a number in {si}: write {same}, which is the same");
         }
-        let (_, example, names) = units.unwrap_or((si, "", &[]));
-        let near = units.and_then(|units| in_other_case(text, units));
-        let near = nearest_hint(near);
+        let (_, example, names) = units;
+        let near = nearest_hint(in_other_case(text, units));
         let (example, names) = (example.replace(' ', ""), list(names));
         format!(
             "{text:?} is not a number in {si}{near}: write {example}, for example (units: {names})"

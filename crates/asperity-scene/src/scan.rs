@@ -48,12 +48,15 @@ impl SceneFile {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = &self.scan else {
             let one = "boundary elements (bem) need the scan of one surface";
-            let needed = match self.measured {
-                Some(_) => format!("{one}, or two scans with aligned = true"),
-                None => format!(
-                    "{one}: replace the numbers in [surface] by file = \"scan.x3p\", with unit and pixel_size if the file does not state them"
-                ),
-            };
+            if self.measured.is_some() {
+                let reason = format!(
+                    "{one}, or scans of both with aligned = true; here heights of two surfaces are known by their moments only"
+                );
+                return Err(SceneError::Measured { at, reason });
+            }
+            let needed = format!(
+                "{one}: replace the numbers in [surface] by file = \"scan.x3p\", with unit and pixel_size if the file does not state them"
+            );
             return Err(SceneError::Missing { at, needed });
         };
         let map = whole_map(scan, "boundary elements need");
@@ -270,10 +273,11 @@ mod tests {
         let other = file.with_numbers(interface, rougher, nominal_area).unwrap();
         let two = scene("files = [\"scan.txt\", \"scan.txt\"]");
         for (none, end) in
-            [(other, "if the file does not state them"), (two, "two scans with aligned = true")]
+            [(other, "if the file does not state them"), (two, "known by their moments only")]
         {
             let refused = none.bem(None, false).unwrap_err().to_string();
-            assert!(refused.starts_with("surface.file is missing: boundary elements"), "{refused}");
+            assert!(refused.starts_with("surface.file"), "{refused}");
+            assert!(refused.contains(": boundary elements (bem) need the scan"), "{refused}");
             assert!(refused.ends_with(end), "{refused}");
         }
     }

@@ -1,8 +1,8 @@
 //! Warnings about scans.
 
-use asperity_core::{Diagnostic, Surface};
+use asperity_core::{Diagnostic, Severity, Surface};
 
-use crate::{Level, Outliers, Topography, TopographyError};
+use crate::{Level, Outliers, Statistics, Topography, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
@@ -53,6 +53,8 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Diagnostic {
         .advice(reason.to_string())
 }
 
+/// Range of rms slopes of scans, from polished to blasted surfaces.
+const SLOPE: [f64; 2] = [5e-4, 1.0];
 const FOLLOWS: &str = "the result depends on the pixel size; smooth the scan, or use a pixel size suited to the contact";
 
 /// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
@@ -133,6 +135,20 @@ pub(crate) fn anisotropic(slope_x: f64, slope_y: f64) -> Option<Diagnostic> {
         .fact(format!("the rms slope is {slope_x:.4e} along rows and {slope_y:.4e} along columns"))
         .advice("models assume isotropic asperities; compare with boundary elements (bem)");
     (ratio > APART).then_some(found)
+}
+
+impl Statistics {
+    /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
+    #[must_use]
+    pub fn unusual_slope(&self, pixel_size: f64) -> Option<Diagnostic> {
+        let slope = (2.0 * self.m2).sqrt();
+        let severity = if slope > SLOPE[1] { Severity::Error } else { Severity::Warning };
+        let found = Diagnostic::warning("slope", "measured_slope", slope)
+            .severity(severity)
+            .usual(SLOPE)
+            .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
+        (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
+    }
 }
 
 impl Level {

@@ -35,7 +35,8 @@ with the scene's asperities. holds: yes where the contacts are of that kind (if 
 power law is within 2.1 % of the theory that it was fitted to (p/H of 1e-6 to 0.023,
 sqrt(2) p/(E m) of 1e-5 to 0.012).
 With --model, the models and correlations of the list only.
-All values are for contacts in vacuum; the models neglect their thermal interaction.
+Values of models and correlations are for contacts in vacuum; the models neglect their
+thermal interaction.
 
 Examples:
   asperity conductance scene.toml --conductivity 50 --pressure 1e5:1e7:5:log
@@ -81,7 +82,12 @@ pub struct Conductance {
 impl Conductance {
     pub fn run(self) -> Result<()> {
         self.output.check("conductance");
-        let mut scene = LoadedScene::load(&self.scene)?;
+        let asked = |formula: &Formula| match formula {
+            Formula::Model(id) => Some(id.clone()),
+            Formula::Correlation(_) => None,
+        };
+        let ids: Vec<String> = self.models.iter().filter_map(asked).collect();
+        let mut scene = LoadedScene::load_for(&self.scene, &ids)?;
         let known = &mut scene.file.scene.interface.thermal_conductivity;
         *known = self.conductivity.or(*known);
         if known.is_none() {
@@ -112,11 +118,6 @@ impl Conductance {
 
         self.check_gas();
 
-        let asked = |formula: &Formula| match formula {
-            Formula::Model(id) => Some(id.clone()),
-            Formula::Correlation(_) => None,
-        };
-        let ids: Vec<String> = self.models.iter().filter_map(asked).collect();
         let wanted = |correlation: &Correlation| {
             ids.is_empty() && self.models.is_empty()
                 || self.models.contains(&Formula::Correlation(correlation.id()))

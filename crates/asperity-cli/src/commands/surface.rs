@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
-use asperity::Diagnostics;
+use asperity::{Diagnostics, Severity};
 use asperity_plot::draw_surface;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography,
@@ -134,7 +134,11 @@ impl Surface {
             let of = || name.clone();
             let statistics = surface.statistics(self.estimator).with_context(of)?;
             let seam = asperity_scene::open_seam(surface).into_iter();
-            let of_scan = seam.chain(statistics.warnings.iter().cloned());
+            let [dx, dy] = surface.pixel_size();
+            // An error of a scene: statistics without a contact have no wrong answer.
+            let slope = statistics.unusual_slope(dx.max(dy));
+            let slope = slope.map(|found| found.severity(Severity::Warning));
+            let of_scan = seam.chain(slope).chain(statistics.warnings.iter().cloned());
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if self.heights.is_some() {

@@ -88,7 +88,7 @@ struct Place {
 impl Closed {
     /// The scene and the model.
     pub fn open(&self) -> Result<(LoadedScene, NamedModel)> {
-        let scene = LoadedScene::load(&self.scene)?;
+        let scene = LoadedScene::load_for(&self.scene, self.model.as_slice())?;
         let model = scene.reference(self.model.as_deref())?;
         Ok((scene, model))
     }

@@ -6,6 +6,7 @@ use crate::engine::averages::Averages;
 use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
 use crate::request::quantity_table::Derivation;
+use crate::request::separation::LOWEST;
 use crate::response::row_check::CANCELLED;
 use crate::{At, Contact, ContactError, Quantity};
 
@@ -114,7 +115,9 @@ fn multiple(
         channel.total.fill(separations, column, values)?;
     // The factor is a product of two or three numbers.
     let report = FillReport { bound: error + f64::EPSILON, condition };
-    (normal && !(slope && lowest < SLOPES_CANCEL)).then_some(report)
+    // Near the lowest separation, rows are checked one by one; `lowest` includes the onset.
+    let deep = lowest < 0.5 * LOWEST || slope && lowest < SLOPES_CANCEL;
+    (normal && !deep).then_some(report)
 }
 
 /// The law, whether the slope is required, and the factor, for a multiple of an integral.

@@ -160,7 +160,15 @@ impl Surface {
     /// [`from_surface_std`](Self::from_surface_std).
     pub fn from_iso25178(sq: f64, spd: f64, spc: f64) -> Result<Self, ContactError> {
         let (sq, spd) = (positive("sq", sq)?, positive("spd", spd)?);
-        Self::from_surface_std(1.0 / positive("spc", spc)?, spd, sq)
+        let made = Self::from_surface_std(1.0 / positive("spc", spc)?, spd, sq);
+        made.map_err(|error| match error {
+            ContactError::OutOfRange { field: "roughness_parameter", value, .. } => {
+                let required =
+                    "at least 0.02493, as of every isotropic Gaussian surface (a larger sq or spd, a smaller spc),";
+                ContactError::OutOfRange { field: "sq (times spd/spc)", value, required }
+            }
+            error => error,
+        })
     }
 
     /// The moments of the profiles of an isotropic Gaussian surface with these asperities: what

@@ -123,7 +123,7 @@ fn every_way_gives_the_surface_of_the_library() {
         (format!("{SURFACE}mean_slope = 0.1"), "asperity_density and surface_height_std with it"),
         (format!("{iso}\nmean_slope = 0.1"), "asperity_density and surface_height_std with it"),
         // Too little roughness for so many peaks.
-        (iso.replace("1 um", "1 nm"), "roughness_parameter is 4.44e-5"),
+        (iso.replace("1 um", "1 nm"), "sq (times spd/spc) is 4.44e-5"),
     ] {
         let found = message(&text("", INTERFACE, &surface));
         assert!(found.contains(wanted), "{found}");
