@@ -87,7 +87,9 @@ pub(crate) fn with_rigid(text: &str, rigid: bool) -> Result<String, Refusal> {
     let bodies = document.get_mut("body").and_then(Item::as_array_of_tables_mut);
     let bodies = bodies.ok_or_else(|| Refusal::new("the scene has no [[body]]"))?;
     if rigid {
-        bodies.remove(1);
+        if bodies.len() > 1 {
+            bodies.remove(1);
+        }
         document.insert("rigid_counterface", toml_edit::value(true));
     } else {
         if let (1, Some(first)) = (bodies.len(), bodies.get(0).cloned()) {
@@ -156,6 +158,14 @@ mod tests {
 
     const TEXT: &str = "nominal_area = 1e-4 # m^2\n\n[[body]] # steel\nhardness = \"7 GPa\" # hard\n\
                         \n[[body]]\nhardness = 2e9\n\n[surface]\nm0 = 1e-13\n";
+
+    #[test]
+    fn a_rigid_counterface_takes_the_second_body_if_there_is_one() {
+        let rigid = with_rigid(TEXT, true).unwrap();
+        assert_eq!(rigid.matches("[[body]]").count(), 1);
+        assert_eq!(with_rigid(&rigid, true).unwrap(), rigid);
+        assert_eq!(with_rigid(&rigid, false).unwrap().matches("[[body]]").count(), 2);
+    }
 
     #[test]
     fn values_are_found_by_path_and_changed_in_place() {
