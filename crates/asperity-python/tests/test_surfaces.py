@@ -258,7 +258,11 @@ def test_two_surfaces_add_as_moments_and_aligned_scans_as_heights() -> None:
 def test_what_a_file_lacks_is_named_as_an_argument(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
     path.write_text("1 2 3 4\n4 5 6 1\n7 8 10 2\n2 1 2 9\n")
-    for arguments, lacking in [({}, "give unit"), ({"unit": "nm"}, "give pixel_size")]:
+    cases: list[tuple[dict[str, Any], str]] = [
+        ({}, "give unit"),
+        ({"unit": "nm"}, "give pixel_size"),
+    ]
+    for arguments, lacking in cases:
         with pytest.raises(ValueError, match=lacking) as raised:
             asperity.read(path, **arguments)
         assert "--" not in str(raised.value)
