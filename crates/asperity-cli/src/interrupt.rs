@@ -23,7 +23,7 @@ pub fn end(done: usize, all: usize) -> ! {
     end_with(&format!("{done} of {all} loads are solved"))
 }
 
-/// Ends the program after any other interrupted list; `state` says what is done.
+/// Ends the program after any other interrupted list; `state` describes the rows that are done.
 pub fn end_with(state: &str) -> ! {
     print_message("error", &format!("interrupted: {state}"));
     process::exit(ENDED)

@@ -11,8 +11,8 @@ use super::moments::Moments;
 use crate::chebyshev::polynomial::powers;
 use crate::{chebyshev_roots, chebyshev_terms};
 
-/// Steps in a unit of s, each with a polynomial: none is in two ranges of the rules, which end at
-/// multiples of 1/2.
+/// Steps in a unit of s, each with its polynomial. Ranges of the rules end at multiples of 1/2, so
+/// that each step lies in one range.
 pub(crate) const STEPS: usize = 32;
 /// The table extends from minus this to this s.
 const REACH: f64 = 16.0;
