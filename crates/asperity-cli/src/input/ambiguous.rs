@@ -12,9 +12,8 @@ pub fn refuse_decimal_comma(text: &str) -> Result<(), String> {
     let two = match is_exponent {
         true if first.trim_start_matches(['-', '+']).len() == 1 => format!("{first}.0,{second}"),
         // 0,100nm begins a list.
-        false if !unit.is_empty() && !(first == "0" && mantissa.trim().ends_with('0')) => {
-            format!("{first}{unit},{second}")
-        }
+        false if first == "0" && mantissa.trim().ends_with('0') => return Ok(()),
+        false if !unit.is_empty() => format!("{first}{unit},{second}"),
         _ => return Ok(()),
     };
     Err(format!("{text} is ambiguous; write {one} for one value, or {two} for two"))

@@ -290,6 +290,10 @@ fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
     let (before, rest) = template.split_once("asperity_radius = 2e-4").unwrap();
     let (_, after) = rest.split_once("# 2.").unwrap();
     let iso = "sq = \"3 um\"\nspd = \"200 1/mm2\"\nspc = \"15 1/mm\"\n# 2.";
+    // Separations, areas and stiffnesses of a surface with other asperities.
+    let arguments = "--pressure 1e5:1e7:6:log --quantity unloading-stiffness,area";
+    let data = bench.data(&format!("curve scene.toml --model ke {arguments}"));
+    bench.write("data.csv", &data);
     bench.write("scene.toml", &format!("{before}{iso}{after}"));
     let run = bench.run(&format!("{fit} sq"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
