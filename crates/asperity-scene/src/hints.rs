@@ -54,7 +54,7 @@ impl Document<'_> {
             None => nearest_name(name, keys.iter().copied()),
             Some(_) => None,
         };
-        if let Some((other, difference)) = synonym(name).filter(|_| near.is_none()) {
+        if let Some((other, difference)) = synonym(name) {
             near = Some(other);
             // A single body has no work of adhesion.
             elsewhere = key("", other).filter(|_| !keys.contains(&other));
@@ -86,6 +86,10 @@ fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
         "yield_stress" | "yield" | "sy" | "rp02" => ("yield_strength", ""),
         "e" | "young_modulus" | "elastic_modulus" => ("youngs_modulus", ""),
         "nu" | "poisson_ratio" | "poisson" => ("poissons_ratio", ""),
+        "sdq" | "rdq" | "rms_slope" => (
+            "mean_slope",
+            "it is Sdq/sqrt(pi) of an isotropic Gaussian surface, beside surface_height_std (Sq) and asperity_density (Spd); ",
+        ),
         "ra" | "rq" | "sa" | "rms" => (
             "surface_height_std",
             "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ",
