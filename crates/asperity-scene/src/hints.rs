@@ -86,10 +86,7 @@ fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
         "yield_stress" | "yield" | "sy" | "rp02" => ("yield_strength", ""),
         "e" | "young_modulus" | "elastic_modulus" => ("youngs_modulus", ""),
         "nu" | "poisson_ratio" | "poisson" => ("poissons_ratio", ""),
-        "sdq" | "rdq" | "rms_slope" => (
-            "mean_slope",
-            "it is Sdq/sqrt(pi) of an isotropic Gaussian surface, beside surface_height_std (Sq) and asperity_density (Spd); ",
-        ),
+        "rdq" | "rms_slope" | "rms_gradient" => ("sdq", "it is the rms gradient of the surface; "),
         "ra" | "rq" | "sa" | "rms" => (
             "surface_height_std",
             "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ",
