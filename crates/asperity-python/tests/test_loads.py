@@ -227,7 +227,7 @@ def test_a_loop_over_loads_warns_once_for_each_cause() -> None:
     shown = []
     for action in ("default", "always"):
         with warnings.catch_warnings(record=True) as said:
-            warnings.simplefilter(action)  # type: ignore[arg-type]
+            warnings.simplefilter(action)
             loop()
         shown.append([str(one.message) for one in said])
     first, every = shown
