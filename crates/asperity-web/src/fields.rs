@@ -214,10 +214,13 @@ mod tests {
 
     #[test]
     fn a_material_becomes_own_values_with_all_its_numbers_and_back() {
-        let text = edit(TEXT, &material(TEXT, 1, "copper")).unwrap();
-        assert_eq!(fields(&text)["body[1].material"], "copper");
+        let text = edit(TEXT, &material(TEXT, 1, "copper-cold-worked")).unwrap();
+        assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
         let own = edit(&text, &material(&text, 1, "")).unwrap();
-        let known = asperity_scene::materials().iter().find(|known| known.id == "copper").unwrap();
+        let known = asperity_scene::materials()
+            .iter()
+            .find(|known| known.id == "copper-cold-worked")
+            .unwrap();
         for (key, wanted) in [
             ("youngs_modulus", Some(known.body.youngs_modulus)),
             ("thermal_conductivity", known.body.thermal_conductivity),
@@ -227,7 +230,7 @@ mod tests {
             assert_eq!(found.parse::<f64>().ok(), wanted, "{key}");
         }
         // Another material takes all of them away.
-        let again = edit(&own, &material(&own, 1, "copper")).unwrap();
+        let again = edit(&own, &material(&own, 1, "copper-cold-worked")).unwrap();
         assert_eq!(fields(&again), fields(&text));
         assert!(material(TEXT, 1, "").is_empty());
     }
