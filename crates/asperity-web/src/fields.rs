@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use asperity::Body;
 use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, Value};
 
 use crate::message::Change;
@@ -36,6 +37,32 @@ fn of_table(table: &dyn TableLike, path: &str, found: &mut BTreeMap<String, Stri
     }
 }
 
+/// The names of all files of a text, each once.
+pub(crate) fn files(text: &str) -> Vec<String> {
+    fn walk(table: &dyn TableLike, found: &mut Vec<String>) {
+        for (key, item) in table.iter() {
+            if let Some(tables) = item.as_array_of_tables() {
+                tables.iter().for_each(|table| walk(table, found));
+            } else if let Some(table) = item.as_table_like() {
+                walk(table, found);
+            }
+            let one = item.as_str().filter(|_| key == "file");
+            let several = item.as_array().filter(|_| key == "files");
+            let several = several.into_iter().flatten().filter_map(Value::as_str);
+            for name in one.into_iter().chain(several) {
+                if !found.iter().any(|known| known == name) {
+                    found.push(name.into());
+                }
+            }
+        }
+    }
+    let mut found = vec![];
+    if let Ok(document) = text.parse::<DocumentMut>() {
+        walk(document.as_table(), &mut found);
+    }
+    found
+}
+
 /// The text with other values. A value that reads as TOML is written as it is, any other as text.
 pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
     let mut document = parsed(text)?;
@@ -59,26 +86,26 @@ pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
 
 /// The changes that give a body a material or, without an id, the numbers of its material.
 pub(crate) fn material(text: &str, body: usize, id: &str) -> Vec<Change> {
-    let change =
-        |name: &str, value: Option<String>| Change { path: format!("body[{body}].{name}"), value };
-    if !id.is_empty() {
-        let own = ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
-        let own = own.into_iter().map(|name| change(name, None));
-        return own.chain([change("material", Some(id.into()))]).collect();
-    }
-    let old = fields(text).remove(&format!("body[{body}].material"));
+    let path = |name: &str| format!("body[{body}].{name}");
+    let old = fields(text).remove(&path("material"));
     let old = asperity_scene::materials().iter().find(|known| Some(&known.id) == old.as_ref());
-    let Some(known) = old.map(|material| material.body) else { return vec![] };
-    let numbers = [
-        ("youngs_modulus", Some(known.youngs_modulus)),
-        ("poissons_ratio", Some(known.poissons_ratio)),
-        ("hardness", known.hardness),
-        ("yield_strength", known.yield_strength),
-    ];
-    let numbers = numbers
-        .into_iter()
-        .filter_map(|(name, value)| value.map(|value| change(name, Some(format!("{value:e}")))));
-    numbers.chain([change("material", None)]).collect()
+    let old = old.filter(|_| id.is_empty()).map(|material| &material.body);
+    if id.is_empty() && old.is_none() {
+        return vec![];
+    }
+    let number = |of: fn(&Body) -> Option<f64>| old.and_then(of).map(|value| format!("{value:e}"));
+    // Of another material nothing stays.
+    [
+        ("material", (!id.is_empty()).then(|| id.to_string())),
+        ("youngs_modulus", number(|body| Some(body.youngs_modulus))),
+        ("poissons_ratio", number(|body| Some(body.poissons_ratio))),
+        ("hardness", number(|body| body.hardness)),
+        ("yield_strength", number(|body| body.yield_strength)),
+        ("thermal_conductivity", number(|body| body.thermal_conductivity)),
+        ("electrical_resistivity", number(|body| body.electrical_resistivity)),
+    ]
+    .map(|(name, value)| Change { path: path(name), value })
+    .into()
 }
 
 /// The text without the second body, or with it again, alike the first.
