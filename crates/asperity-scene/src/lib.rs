@@ -4,6 +4,7 @@
 
 mod accept;
 mod check;
+mod decimal_comma;
 mod document;
 mod error;
 mod fit;
@@ -27,6 +28,7 @@ mod template;
 mod write;
 
 pub use check::Measured;
+pub use decimal_comma::with_decimal_point;
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};
 pub use fit::{Free, unit_of_free};

@@ -6,6 +6,7 @@ use std::ops::Range;
 use asperity::nearest_hint;
 use toml::de::{DeTable, DeValue};
 
+use crate::decimal_comma::with_decimal_point;
 use crate::template::key;
 
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
@@ -130,9 +131,13 @@ fn collect(
                     let path = format!("{section}{dot}{name}");
                     let Some(number) = read(given, units) else {
                         let ((si, example, _), known) = (units, list(units.2));
-                        let needed = match converted(given, si) {
-                            Some(same) => format!("\"{same}\", which is the same,"),
-                            None => format!(
+                        let with_point = with_decimal_point(given);
+                        let needed = match (converted(given, si), with_point) {
+                            (Some(same), _) => {
+                                format!("a known unit, as in \"{same}\", which is the same,")
+                            }
+                            (_, Some(same)) => format!("a decimal point, as in \"{same}\","),
+                            _ => format!(
                                 "a number in {si} without quotes, or with a unit, for example \"{example}\" (units: {known}),"
                             ),
                         };
@@ -193,6 +198,9 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
         if let Some(same) = converted(text, si) {
             let same = same.replace(' ', "");
             return format!("{text:?} is not a number in {si}: write {same}, which is the same");
+        }
+        if let Some(same) = with_decimal_point(text) {
+            return format!("{text:?} has a decimal comma: write {same}");
         }
         let (_, example, names) = units;
         let near = nearest_hint(in_other_case(text, units));
