@@ -48,8 +48,9 @@ pub struct BemCommand {
     places: Places,
     #[command(flatten)]
     way: Way,
-    /// Add quantities of joints: unloading-stiffness, tangential-stiffness, thermal-conductance,
-    /// electrical-conductance (-per-area), or any other that follows from load and area
+    /// Add tangent (or stiffness, the same: the slope of first loading, by two more solutions),
+    /// quantities of joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
+    /// electrical-conductance, -per-area), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Add the results on every second pixel, to show their dependence on the grid
