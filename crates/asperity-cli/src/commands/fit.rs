@@ -261,7 +261,7 @@ fn table(ranking: &Ranking) -> Table {
 
 /// A wanted value: the column of the quantity, and the value in its unit.
 fn target(text: &str) -> Result<(String, f64), String> {
-    let example = "write <quantity>=<value>, for example area_fraction=2%";
+    let example = "write <quantity>=<value> with a decimal point, for example area_fraction=0.4%";
     let (name, value) = text.split_once('=').ok_or(example)?;
     let names = Quantity::ALL.into_iter().find(|quantity| quantity.column() == name.trim());
     let quantity = names.map_or_else(|| name.parse::<Quantity>(), Ok);
