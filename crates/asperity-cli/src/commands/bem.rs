@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use asperity::bem::{Bem, Continuation, LoadCase};
 use asperity::{ContactModel, Diagnostics, Quantity, Request};
 use asperity_plot::{draw_map, map_png};
@@ -153,11 +153,14 @@ impl BemCommand {
             errors: vec![],
             found: Diagnostics::default(),
         };
+        // Before the hours of the whole grid.
+        let half_grid = self.refine.then(|| bem.half_grid()).transpose();
+        let half_grid = half_grid.context(REFINE)?;
         let keep = self.map.is_some() || self.picture.is_some();
         let mut whole = run.solve(&bem, keep)?;
-        let mut half = match self.refine && !interrupt::requested() {
-            true => Some(run.solve(&bem.half_grid()?, false)?),
-            false => None,
+        let mut half = match half_grid.filter(|_| !interrupt::requested()) {
+            Some(half) => Some(run.solve(&half, false)?),
+            None => None,
         };
         if interrupt::requested() {
             // Loads without a result are left out, not blank.
@@ -283,6 +286,10 @@ fn table(
     }
     table
 }
+
+/// Why a grid cannot be halved.
+const REFINE: &str =
+    "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
 
 const COLUMNS: [&str; 9] = [
     "load_N",

@@ -25,6 +25,19 @@ pub fn bench() -> Bench {
 }
 
 #[test]
+fn an_odd_grid_is_not_refined() {
+    let bench = Bench::new();
+    bench.write("scan.toml", SCAN);
+    let scan =
+        |rows: usize| (0..rows).map(|y| format!("{} 1 0 2 1 0\n", y % 3)).collect::<String>();
+    bench.write("scan.txt", &scan(7));
+    let run = bench.run("bem scan.toml --pressure 1e7 --refine");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    let how = "--refine needs an even number of rows and columns; crop the scan, or leave --refine out: rows is 7";
+    assert!(run.messages.contains(how), "{}", run.messages);
+}
+
+#[test]
 fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
     let bench = bench();
     let scan = bench.read("scan.txt");
