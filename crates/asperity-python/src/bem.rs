@@ -20,13 +20,13 @@ use crate::scene::SceneFile;
 use crate::topography::Topography;
 
 /// The scan of a scene, or a topography with the two bodies and the form to remove.
-enum Scan<'a> {
+pub(crate) enum Scan<'a> {
     Scene(&'a asperity_scene::SceneFile),
     Topography(&'a Topography, asperity::Interface, Option<&'a str>),
 }
 
 impl<'a> Scan<'a> {
-    fn new(
+    pub(crate) fn new(
         surface: &'a Bound<'_, PyAny>,
         interface: Option<&Bound<'_, PyAny>>,
         level: Option<&'a str>,
@@ -52,7 +52,7 @@ impl<'a> Scan<'a> {
         Ok(Self::Topography(topography.get(), interface, level))
     }
 
-    fn bem(
+    pub(crate) fn bem(
         &self,
         py: Python<'_>,
         boundary: Option<&str>,
@@ -101,7 +101,7 @@ impl<'a> Scan<'a> {
     }
 
     /// The area of the loads: the nominal area of a scene, or that of a topography.
-    fn area(&self, bem: &Bem) -> f64 {
+    pub(crate) fn area(&self, bem: &Bem) -> f64 {
         match self {
             Self::Scene(file) => file.scene.nominal_area,
             Self::Topography(..) => bem.map().area(),

@@ -12,6 +12,7 @@
 
 mod ask;
 mod bem;
+mod bem_unloading;
 mod check;
 mod conductance;
 mod contact_table;
@@ -38,6 +39,8 @@ mod _asperity {
     use crate::ask::values::{answer, separations, shares};
     #[pymodule_export]
     use crate::bem::{bem, truth};
+    #[pymodule_export]
+    use crate::bem_unloading::bem_unloading;
     #[pymodule_export]
     use crate::check::{check, findings, pull_off};
     #[pymodule_export]

@@ -38,7 +38,15 @@ from asperity._asperity import (
     UnsupportedFormat,
     template,
 )
-from asperity._bem import BemContacts, TruthRow, TruthRows, bem, truth
+from asperity._bem import (
+    BemContacts,
+    BemUnloading,
+    TruthRow,
+    TruthRows,
+    bem,
+    bem_unloading,
+    truth,
+)
 from asperity._check import Check, Finding
 from asperity._conductance import Correlated, correlated_conductance, gap_conductance
 from asperity._curve import Curve
@@ -57,6 +65,7 @@ __all__ = [
     "Asperity",
     "AsperityLaws",
     "BemContacts",
+    "BemUnloading",
     "Body",
     "Check",
     "Contact",
@@ -90,6 +99,7 @@ __all__ = [
     "Unloading",
     "UnsupportedFormat",
     "bem",
+    "bem_unloading",
     "correlated_conductance",
     "export",
     "fit",

@@ -507,6 +507,14 @@ def bem(
     str,
     float,
 ]: ...
+def bem_unloading(
+    scan: tuple[Topography | Scene, Interface | None, str | None],
+    given: tuple[str, _Float],
+    elastic: bool,
+    boundary: str | None,
+    retreats: Sequence[_Float] | None,
+    points: int,
+) -> tuple[dict[str, _Floats], float, str, float]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
