@@ -6,6 +6,7 @@ mod accept;
 mod check;
 mod document;
 mod error;
+mod evidence;
 mod fit;
 mod heights;
 mod hints;

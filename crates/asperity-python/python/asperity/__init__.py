@@ -41,6 +41,7 @@ from asperity._asperity import (
 from asperity._bem import BemContacts, TruthRow, TruthRows, bem, truth
 from asperity._check import Check, Finding
 from asperity._conductance import Correlated, correlated_conductance, gap_conductance
+from asperity._corrected import CorrectedCurve
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._fit import Estimate, Fit, Fits, fit
@@ -63,6 +64,7 @@ __all__ = [
     "ContactTable",
     "ContactWarning",
     "Correlated",
+    "CorrectedCurve",
     "Curve",
     "Estimate",
     "Finding",
