@@ -34,6 +34,8 @@ pub struct Corrected {
     contact: Box<dyn Contact>,
     /// Counts contacts, if the model can.
     counted: Option<Box<dyn Contact>>,
+    /// Quantities that the model does not have, and why.
+    lacking: Vec<(Quantity, ContactError)>,
     shape: Option<SurfaceShape>,
 }
 
@@ -61,17 +63,36 @@ impl Corrected {
     /// The model on a scene whose surface has this shape; without one, it is taken as isotropic and
     /// must have Gaussian heights.
     ///
+    /// A quantity that the model does not have is refused in every row, the others are answered.
+    ///
     /// # Errors
-    /// Those of the model.
+    /// Those of the model, if it has none of the quantities.
     pub fn new(
         model: &Model,
         scene: &Scene,
         shape: Option<SurfaceShape>,
         request: &Request,
     ) -> Result<Self, ContactError> {
-        let contact = compile(model, scene, request)?;
+        let mut lacking = vec![];
+        let contact = match compile(model, scene, request) {
+            Ok(contact) => contact,
+            Err(whole) => {
+                let asked = |quantity| Request::new([quantity]).within(request.tolerance);
+                let refusal = |q: &Quantity| model.compile(scene, &asked(*q)).err();
+                let all = request.quantities.iter();
+                lacking = all.filter_map(|q| Some((*q, refusal(q)?))).collect();
+                let others = request.quantities.iter().copied();
+                let others = others.filter(|q| !lacking.iter().any(|(lacks, _)| lacks == q));
+                let others: Vec<Quantity> = others.collect();
+                if others.is_empty() {
+                    return Err(whole);
+                }
+                let others = Request::new(others).within(request.tolerance);
+                compile(model, scene, &others.at(request.at.iter().copied()))?
+            }
+        };
         let counted = model.compile(scene, &Request::new([Quantity::Contacts])).ok();
-        Ok(Self { id: format!("{}-corrected", model.id()), contact, counted, shape })
+        Ok(Self { id: format!("{}-corrected", model.id()), contact, counted, lacking, shape })
     }
 
     /// The id of the model with `-corrected`.
@@ -121,6 +142,9 @@ impl CorrectedRow<'_> {
     /// that the solved surfaces do not determine here; errors of the model.
     pub fn value(&self, quantity: Quantity) -> Result<CorrectedValue, ContactError> {
         let contact = &*self.of.contact;
+        if let Some((_, lacks)) = self.of.lacking.iter().find(|(lacks, _)| *lacks == quantity) {
+            return Err(lacks.clone());
+        }
         let value = contact.evaluate(quantity, self.at)?.value();
         if matches!(quantity, Quantity::Force | Quantity::Pressure) {
             // Loads are given.
@@ -227,6 +251,14 @@ mod tests {
             refused.starts_with("ke-corrected: contacts has no counterpart in boundary elements"),
             "{refused}"
         );
+        // Inclined contacts have no radii.
+        let mut inclined = self::scene(3e8);
+        inclined.interface.equivalent_shear_modulus = Some(41e9);
+        let asked = Request::new([Quantity::UnloadingStiffness, Quantity::Area]);
+        let gao = Corrected::new(&"gao".parse().unwrap(), &inclined, None, &asked).unwrap();
+        let row = gao.at(At::Load(1e3)).unwrap();
+        assert!(row.value(Quantity::Area).is_ok());
+        assert!(row.value(Quantity::UnloadingStiffness).is_err());
         let refused = ke.at(At::from(2.0)).unwrap_err().to_string();
         assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
         let broad = corrected("ke", &self::scene(3e11));
