@@ -10,8 +10,9 @@ use std::ops::ControlFlow;
 use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::height_map::positive;
 use crate::iteration::{Iteration, Problem};
+use crate::solution::corrected_area;
 use crate::unloading::even_approach;
-use crate::{BemError, Boundary, BoundaryElements, EDGE_SHARE};
+use crate::{BemError, Boundary, BoundaryElements};
 
 /// Most candidates: two matrices of 200 MB.
 const MOST_CANDIDATES: usize = 5000;
@@ -255,11 +256,11 @@ impl<'a> Light<'a> {
         let pixels = self.setup.map().heights().len() as f64;
         let plastic = self.pressures.iter().filter(|p| **p >= self.setup.cap()).count();
         let (patches, edges) = patches_and_edges(&self.pixels, self.setup.map().shape());
-        let count = self.pixels.len() as f64;
+        let (count, force) = (self.pixels.len(), self.pressures.iter().sum::<f64>());
         LightContact {
-            mean_pressure: self.pressures.iter().sum::<f64>() / pixels,
-            area: (count - EDGE_SHARE * edges as f64).max(0.0) / pixels,
-            pixel_area: count / pixels,
+            mean_pressure: force / pixels,
+            area: corrected_area(count, edges, force, self.setup.cap()) / pixels,
+            pixel_area: count as f64 / pixels,
             plastic_area: plastic as f64 / pixels,
             mean_gap,
             mean_open_gap: mean_gap + depth,

@@ -142,6 +142,10 @@ impl<'c> Columns<'c> {
                 let required = "a number above 0, or its standard deviation,";
                 return Err(refused(column, row, value, required));
             }
+            if *quantity == Quantity::AreaFraction && value > 1.0 {
+                let required = "at most 1 (a number in per cent over 100)";
+                return Err(refused(column, row, value, required));
+            }
             let Some(at) = at else {
                 let required = "a load or a separation beside it";
                 return Err(refused(column, row, value, required));

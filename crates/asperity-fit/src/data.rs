@@ -112,6 +112,11 @@ impl Data {
         Self { observations: curves.iter().flat_map(curve).collect(), from: self.from }
     }
 
+    /// The same data with other numbers.
+    pub(crate) fn scaled(&self, each: impl Fn(&Observation) -> Observation) -> Self {
+        Self { observations: self.observations.iter().map(each).collect(), from: self.from }
+    }
+
     /// The plane of the separations.
     pub(crate) fn datum(&self) -> Datum {
         self.from

@@ -8,6 +8,8 @@ use nalgebra::DVector;
 
 use crate::combinations::undetermined;
 use crate::forward::Forward;
+use crate::limits::limits;
+use crate::misfit::{misfit, rms};
 use crate::problem::{MakeScene, Minimum, Problem, Watch, squares};
 use crate::reach::unreachable;
 use crate::search::{Found, search};
@@ -16,8 +18,6 @@ use crate::{Data, Estimate, FitError, Fitted, Parameter, Residual};
 
 /// Residuals below this, relative, are errors of the values: they read 0 and rank no model.
 const ACCURACY: f64 = 1e-12;
-/// A coordinate this near a bound, relative to the range, is at the bound.
-const AT_BOUND: f64 = 1e-6;
 
 /// The state of a running fit.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -154,11 +154,16 @@ impl<'f> Fit<'f> {
         let freedom = self.data.len().saturating_sub(rank);
         let chi = squares(&residuals) / freedom as f64;
         let mut undetermined = free.unwrap_or_default();
-        let notes = self.notes(found, &estimates, freedom, &mut undetermined);
+        let limits = limits(problem, best);
+        let notes = self.notes(found, &estimates, freedom, &mut undetermined, &limits);
+        let rms = rms(self.data, &values);
+        // As many parameters as values: each value is reached, or named as unreachable.
+        let is_exact = self.data.len() == self.parameters.len();
         Ok(Fitted {
             model: problem.model.id().into(),
             converged: best.converged,
-            rms: self.rms(&values),
+            rms: rms.map(|rms| if rms < ACCURACY { 0.0 } else { rms }),
+            misfit: misfit(problem, rms.filter(|_| !is_exact), &limits)?,
             reduced_chi_squared: Some(chi).filter(|chi| self.data.has_std() && chi.is_finite()),
             bic: self.bic(squares(&residuals), rank),
             correlation: count.clone().map(correlation).collect(),
@@ -166,6 +171,7 @@ impl<'f> Fit<'f> {
             condition: spread.as_ref().and_then(Spread::condition),
             undetermined,
             unreachable: unreachable(problem, best, &scene, &values),
+            limits,
             notes,
             residuals: self.residuals(&values, &residuals),
             evaluations: 0,
@@ -184,17 +190,6 @@ impl<'f> Fit<'f> {
         .collect()
     }
 
-    /// Root mean square of the logarithms of fitted over measured values.
-    fn rms(&self, values: &[f64]) -> Option<f64> {
-        let logarithm = |(one, value): (&crate::Observation, &f64)| {
-            let ratio = (value / one.value).ln();
-            Some(ratio).filter(|ratio| !one.measured.is_difference() && ratio.is_finite())
-        };
-        let ratios: Vec<f64> = self.data.iter().zip(values).filter_map(logarithm).collect();
-        let rms = (squares(&ratios) / ratios.len() as f64).sqrt();
-        (!ratios.is_empty()).then_some(if rms < ACCURACY { 0.0 } else { rms })
-    }
-
     /// The Bayesian information criterion, for normal residuals of known or unknown deviation.
     fn bic(&self, squares: f64, rank: usize) -> Option<f64> {
         let count = self.data.len() as f64;
@@ -208,33 +203,23 @@ impl<'f> Fit<'f> {
         Some(misfit + rank as f64 * count.ln())
     }
 
-    /// Remarks on intervals, bounds and other minima.
+    /// Remarks on intervals and other minima.
     fn notes(
         &self,
         found: &Found,
         estimates: &[Estimate],
         freedom: usize,
         undetermined: &mut Vec<String>,
+        limits: &[String],
     ) -> Vec<String> {
         let mut notes = vec![];
         let combined = undetermined.join(" ");
-        for ((parameter, estimate), coordinate) in
-            self.parameters.iter().zip(estimates).zip(&found.best.coordinates)
-        {
-            let (name, [low, high]) = (&parameter.name, parameter.range());
-            let near = |bound: f64| (coordinate - bound).abs() < AT_BOUND * (high - low);
-            for (bound, word, value) in
-                [(low, "lower", parameter.bounds[0]), (high, "upper", parameter.bounds[1])]
-            {
-                if near(bound) {
-                    let value = parameter.shown(value);
-                    notes.push(format!("{name} is at its {word} bound of {value}"));
-                }
-            }
+        for (parameter, estimate) in self.parameters.iter().zip(estimates) {
+            let (name, [low, high]) = (&parameter.name, parameter.bounds);
+            let stops = limits.iter().any(|limit| limit.starts_with(&format!("{name} ")));
             let open = estimate.lower.is_none() && estimate.upper.is_none();
             let known = freedom > 0 || self.data.has_std();
-            if open && known && !combined.contains(name.as_str()) {
-                let [low, high] = parameter.bounds;
+            if open && known && !stops && !combined.contains(name.as_str()) {
                 undetermined.push(format!(
                     "{name} is not determined: 95 % intervals include all values from {} to {}",
                     short(low),

@@ -31,7 +31,12 @@ pub struct Fitted {
     pub undetermined: Vec<String>,
     /// Measured values that cannot be reached, each with the reason.
     pub unreachable: Vec<String>,
-    /// Remarks on bounds and other values of the parameters that fit as well.
+    /// Bounds, and ends of the range in which scene and model have values, at which parameters stop.
+    pub limits: Vec<String>,
+    /// If no values within the bounds describe the data (an rms above 1): by how much, and the unit
+    /// that explains it.
+    pub misfit: Option<String>,
+    /// Remarks on intervals and other values of the parameters that fit as well.
     pub notes: Vec<String>,
     /// Every measured value beside the fitted one.
     pub residuals: Vec<Residual>,

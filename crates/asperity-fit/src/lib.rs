@@ -7,6 +7,8 @@ mod error;
 mod fit;
 mod fitted;
 mod forward;
+mod limits;
+mod misfit;
 mod observation;
 mod parameter;
 mod problem;

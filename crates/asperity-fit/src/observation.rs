@@ -30,6 +30,19 @@ impl Observation {
         };
         (column, number(self.at))
     }
+
+    /// The same value at a load or reading that is larger by a factor.
+    pub(crate) fn moved(self, factor: f64) -> Self {
+        let at = match self.at {
+            At::Load(load) => At::Load(load * factor),
+            At::Pressure(pressure) => At::Pressure(pressure * factor),
+            At::Separation(reading) => {
+                Separation { value: reading.value * factor, ..reading }.into()
+            }
+            other => other,
+        };
+        Self { at, ..self }
+    }
 }
 
 impl Measured {

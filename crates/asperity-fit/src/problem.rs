@@ -15,7 +15,7 @@ use crate::{Data, FitError, Parameter, Progress, Role};
 /// from values good to 1e-14.
 const STEP: f64 = 2e-5;
 /// The residual of a value that the model does not have, larger than that of any start.
-const NO_VALUE: f64 = 1e10;
+pub(crate) const NO_VALUE: f64 = 1e10;
 
 /// A function from the values of the parameters with [`Role::Scene`] to the scene.
 pub type MakeScene<'f> = dyn Fn(&[f64]) -> Result<Scene, ContactError> + 'f;
@@ -27,7 +27,7 @@ pub(crate) struct Problem<'f> {
     pub(crate) data: &'f Data,
     pub(crate) parameters: &'f [Parameter],
     pub(crate) scene: &'f MakeScene<'f>,
-    pub(crate) watch: &'f Watch<'f>,
+    pub(crate) watch: &'f dyn Watched,
 }
 
 /// A caller that sees the progress of a fit, and may end it.
@@ -37,6 +37,26 @@ pub type Observer<'f> = dyn FnMut(&Progress) -> ControlFlow<()> + 'f;
 pub(crate) struct Watch<'f> {
     pub(crate) progress: RefCell<&'f mut Observer<'f>>,
     pub(crate) state: RefCell<Progress>,
+}
+
+/// What the search tells the caller.
+pub(crate) trait Watched {
+    /// Counts a start of the search.
+    fn start(&self);
+    /// Counts an evaluation, and asks whether to go on.
+    fn evaluation(&self) -> ControlFlow<()>;
+}
+
+impl Watched for Watch<'_> {
+    fn start(&self) {
+        self.state.borrow_mut().starts += 1;
+    }
+
+    fn evaluation(&self) -> ControlFlow<()> {
+        let mut state = self.state.borrow_mut();
+        state.evaluations += 1;
+        (self.progress.borrow_mut())(&state)
+    }
 }
 
 /// A minimum of the residuals.
@@ -71,7 +91,9 @@ impl Problem<'_> {
 
     /// The residuals: differences of logarithms, or differences over the standard deviations.
     pub(crate) fn residuals(&self, coordinates: &[f64]) -> Result<Vec<f64>, FitError> {
-        self.count()?;
+        if self.watch.evaluation().is_break() {
+            return Err(FitError::Interrupted);
+        }
         let made = self.at(coordinates);
         let predicted = made.map(|(scene, rig)| self.forward.predict(&scene, rig));
         let Ok(predicted) = predicted else { return Ok(vec![NO_VALUE; self.data.len()]) };
@@ -85,16 +107,6 @@ impl Problem<'_> {
             if found.is_finite() { found } else { NO_VALUE }
         };
         Ok(self.data.iter().zip(predicted).map(residual).collect())
-    }
-
-    /// Counts an evaluation, and asks whether to go on.
-    fn count(&self) -> Result<(), FitError> {
-        let mut state = self.watch.state.borrow_mut();
-        state.evaluations += 1;
-        match (self.watch.progress.borrow_mut())(&state) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(FitError::Interrupted),
-        }
     }
 
     /// The derivatives of the residuals by coordinates, one column for each of `free`.
@@ -115,8 +127,18 @@ impl Problem<'_> {
                 self.residuals(&moved)
             };
             let [below, above] = [at(ends[0])?, at(ends[1])?];
+            let missing = |residual: &f64| *residual >= NO_VALUE;
+            let is_edge = below.iter().any(missing) != above.iter().any(missing);
+            let here = if is_edge { Some(self.residuals(coordinates)?) } else { None };
             for (row, (below, above)) in below.iter().zip(&above).enumerate() {
-                found[(row, column)] = (above - below) / (ends[1] - ends[0]);
+                // One-sided where values end.
+                let here = here.as_ref().and_then(|here| here.get(row)).copied();
+                let slope = match (missing(below), missing(above), here) {
+                    (true, false, Some(here)) => (above - here) / (ends[1] - middle),
+                    (false, true, Some(here)) => (here - below) / (middle - ends[0]),
+                    _ => (above - below) / (ends[1] - ends[0]),
+                };
+                found[(row, column)] = if slope.is_finite() { slope } else { NO_VALUE };
             }
         }
         Ok(found)

@@ -27,7 +27,7 @@ pub(crate) fn search(problem: &Problem<'_>, more: usize) -> Result<Found, FitErr
     starts.extend(samples(problem, more)?);
     let mut minima: Vec<Minimum> = vec![];
     for start in &starts {
-        problem.watch.state.borrow_mut().starts += 1;
+        problem.watch.start();
         // A start without values leads nowhere.
         if problem.predicted(start).is_ok() {
             minima.push(problem.minimise(start, &all, PATIENCE)?);

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, SVD};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 use crate::FitError;
-use crate::problem::{Minimum, Problem};
+use crate::problem::{Minimum, NO_VALUE, Problem};
 
 /// Singular values below this share of the largest are 0 within the errors of the derivatives.
 const RANK: f64 = 1e-7;
@@ -203,6 +203,8 @@ impl Profile<'_, '_> {
                 (far, rise, place) = (next, found, others);
             }
         }
-        Ok(Some(middle + far))
+        // Where values end, an interval has no end within the bounds either.
+        let is_missing = rise * self.target.sqrt() >= 0.5 * NO_VALUE;
+        Ok((!is_missing).then_some(middle + far))
     }
 }

@@ -186,6 +186,13 @@ impl Canvas<'_> {
         }
     }
 
+    /// A rectangle that shows a text, and a line within it, only under the pointer.
+    pub(crate) fn reading(&self, rect: &Rect, x: f64, text: &str) {
+        let Rect { left, top, bottom, .. } = rect;
+        let (width, height) = (rect.width(), rect.height());
+        self.add(&format!("<g class=\"reading\"><title>{}</title><rect x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" fill-opacity=\"0\"/><line x1=\"{x:.2}\" x2=\"{x:.2}\" y1=\"{top:.2}\" y2=\"{bottom:.2}\" stroke=\"#555555\" stroke-opacity=\"0\"/></g>\n", escaped(text)));
+    }
+
     /// A line of text with its baseline at a point.
     pub(crate) fn text(&self, text: &str, (x, y): Point, face: Type) {
         let Type { size, colour, anchor, bold, upward } = face;

@@ -68,6 +68,9 @@ pub struct Panel {
     pub verticals: Vec<Mark>,
     /// Horizontal reference lines, labelled inside at the right.
     pub horizontals: Vec<Mark>,
+    /// Texts for places along x: elements of the class `reading`, each with a line at its place,
+    /// invisible, and the text as its title. Viewers show it under the pointer.
+    pub readings: Vec<Mark>,
 }
 
 impl Panel {
@@ -86,6 +89,7 @@ impl Panel {
             strips: vec![],
             verticals: vec![],
             horizontals: vec![],
+            readings: vec![],
         }
     }
 }

@@ -111,6 +111,23 @@ mod tests {
     }
 
     #[test]
+    fn readings_share_the_width_and_have_their_text() {
+        let mut figure = figure(&["a", "b"], true);
+        let reading = |at: f64| Mark::new(at, &format!("at {at}\na < b"));
+        figure.panels[0].readings = [2.0, 0.0, 1.0, 7.0].map(reading).into();
+        let svg = draw(&figure, CSV).unwrap();
+        let readings: Vec<&str> = svg.lines().filter(|line| line.contains("reading")).collect();
+        assert_eq!(readings.len(), 3, "the one outside is left out");
+        assert!(svg.contains("<title>at 0\na &lt; b</title>"));
+        let number = |text: &str, key: &str| -> f64 {
+            text.split_once(key).unwrap().1.split('"').next().unwrap().parse().unwrap()
+        };
+        let widths: Vec<f64> =
+            svg.split("class=\"reading\"").skip(1).map(|part| number(part, "width=\"")).collect();
+        assert!((widths[1] / widths[0] - 2.0).abs() < 1e-3, "{widths:?}");
+    }
+
+    #[test]
     fn marked_rows_have_the_markers_and_no_line() {
         let mut figure = figure(&["a"], false);
         let tag = "transform=\"translate(";

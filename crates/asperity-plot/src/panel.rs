@@ -106,7 +106,24 @@ impl<'a> Plot<'a> {
         if self.legend == Legend::Direct {
             direct::draw(canvas, frame, &self.series, &traces, &markers);
         }
+        self.readings(canvas, frame);
         Ok(())
+    }
+
+    /// The readings over all else, each from half-way after the one before to half-way to the next.
+    fn readings(&self, canvas: &Canvas, frame: &Rect) {
+        let inside = self.panel.readings.iter().filter(|mark| self.x.holds(mark.at));
+        let mut places: Vec<(f64, &str)> =
+            inside.map(|mark| (self.x.share(mark.at), mark.label.as_str())).collect();
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut start = 0.0;
+        for (k, (share, text)) in places.iter().enumerate() {
+            let end = places.get(k + 1).map_or(1.0, |(next, _)| 0.5 * (share + next));
+            let ((left, bottom), (right, top)) = (frame.at((start, 0.0)), frame.at((end, 1.0)));
+            let middle = frame.at((*share, 0.0)).0;
+            canvas.reading(&Rect { left, top, right, bottom }, middle, text);
+            start = end;
+        }
     }
 
     fn strip(&self, strip: &Strip, frame: &Rect) -> Rect {

@@ -106,3 +106,15 @@ def test_a_model_written_in_python_is_fitted() -> None:
 def test_bad_data_and_parameters_are_refused(data: object, free: object, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         asperity.fit(SCENE, data, free)  # type: ignore[arg-type]
+
+
+def test_data_in_another_unit_and_a_bound_are_a_warning() -> None:
+    data = made("ke")
+    data = {name: data[name] for name in ("pressure_Pa", "unloading_stiffness_N_per_m")}
+    with pytest.warns(asperity.ContactWarning, match="ke: asperity_height_std is at its lower bound"):
+        found = asperity.fit(SCENE, data, {"asperity_height_std": ("2 um", "9 um")}).best
+    assert found.limits and found.misfit is None
+    data["pressure_Pa"] = 1e-6 * np.asarray(data["pressure_Pa"])
+    with pytest.warns(asperity.ContactWarning, match="pressure_Pa = .* looks like MPa") as said:
+        found = asperity.fit(SCENE, data, "asperity_height_std").best
+    assert found.misfit and [str(one.message) for one in said] == [f"ke: {found.misfit}"]

@@ -13,6 +13,7 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue, Error};
 use toml::{Table, Value};
 
+use crate::decimal_comma::with_decimal_point;
 use crate::quantity::{QuantityError, in_si, joined};
 use crate::template::{counterface_keys, keys_of};
 use crate::{Place, SceneError};
@@ -161,7 +162,9 @@ impl<'a> Document<'a> {
         let at = self.at("TOML", error.span().map_or(0, |span| span.start));
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
         let reason = error.message().replace('\n', ", ");
-        let advice = if decimal_comma(found) { "write a decimal point, as in 0.3; " } else { "" };
+        let advice = decimal_point(found)
+            .map(|same| format!("write a decimal point, as in {same}; "))
+            .unwrap_or_default();
         let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
         SceneError::Syntax { at, reason }
     }
@@ -231,13 +234,10 @@ impl<'a> Document<'a> {
     }
 }
 
-/// Whether the value of a line is a number with a decimal comma.
-fn decimal_comma(line: &str) -> bool {
-    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
-    let digit = |text: Option<char>| text.is_some_and(|c| c.is_ascii_digit());
-    let parts = value.split_once(',');
-    parts.is_some_and(|(whole, rest)| digit(whole.chars().last()) && digit(rest.chars().next()))
-        && digit(value.chars().next())
+/// The number of a line with a decimal comma, with a decimal point.
+fn decimal_point(line: &str) -> Option<String> {
+    let (_, value) = line.split_once('=')?;
+    with_decimal_point(value.split('#').next()?)
 }
 
 /// The text of a file; `place` gives its place in an error.

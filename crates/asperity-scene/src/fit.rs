@@ -6,7 +6,7 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, Measured, Observation, Parameter, Progress, Rig, Role,
     USUAL_FACTOR, predict,
 };
-use asperity::{At, Model, Quantity, Separation, short};
+use asperity::{At, Interface, Model, Quantity, Separation, short};
 
 use crate::{Place, SceneError, SceneFile, key_of_input, quantity, unit_of};
 
@@ -100,6 +100,7 @@ impl SceneFile {
             _ => {
                 let input = self.inputs([free.name.as_str()])?;
                 let value = input.first().and_then(|input| self.value_of(*input));
+                let value = value.or_else(|| self.derived(&free.name));
                 let usual = value.filter(|value| *value > 0.0);
                 let usual = usual.map(|value| [value / USUAL_FACTOR, value * USUAL_FACTOR]);
                 let (usual, scale) = match key_of_input(&free.name) {
@@ -123,6 +124,27 @@ impl SceneFile {
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
+    }
+
+    /// A hardness that follows from the yield strength of the same body or interface, or that
+    /// strength from the hardness.
+    fn derived(&self, name: &str) -> Option<f64> {
+        let key = key_of_input(name);
+        let body = match name.strip_suffix(key) {
+            Some("body1_") => self.bodies.first(),
+            Some("body2_") => self.bodies.get(1),
+            _ => None,
+        };
+        let mut scene = self.scene.clone();
+        if let Some(body) = body {
+            scene.interface = Interface::against_rigid(body).ok()?;
+        }
+        let asperity = scene.asperity().ok()?;
+        match key {
+            "hardness" => asperity.hardness,
+            "yield_strength" => asperity.yield_strength,
+            _ => None,
+        }
     }
 
     /// A model fitted to data from this scene; `progress` is called before every evaluation and may

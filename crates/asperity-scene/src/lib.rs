@@ -4,6 +4,7 @@
 
 mod accept;
 mod check;
+mod decimal_comma;
 mod document;
 mod error;
 mod evidence;
@@ -23,11 +24,13 @@ mod options;
 mod quantity;
 mod scan;
 mod scene_file;
+mod sides;
 mod surface;
 mod template;
 mod write;
 
 pub use check::Measured;
+pub use decimal_comma::with_decimal_point;
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};
 pub use fit::{Free, unit_of_free};

@@ -8,7 +8,8 @@ use crate::document::{read_text, shorten};
 use crate::{Place, SceneError};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
-/// are skipped. The columns `model` and `separation_over_sigma` of `asperity curve` are left out.
+/// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
+/// commas. The columns `model` and `separation_over_sigma` of `asperity curve` are left out.
 ///
 /// # Errors
 /// [`SceneError`] with the file, the line, the column, the value found and the value needed.
@@ -20,13 +21,15 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
     let text = read_text(path, || *place(None, "the data"))?;
     // A spreadsheet's mark of UTF-8.
     let text = text.trim_start_matches('\u{feff}');
+    let delimiter = delimiter(text);
     let mut reader = csv::ReaderBuilder::new();
-    let mut reader =
-        reader.comment(Some(b'#')).trim(csv::Trim::All).flexible(true).from_reader(text.as_bytes());
+    reader.delimiter(delimiter).comment(Some(b'#')).trim(csv::Trim::All).flexible(true);
+    let mut reader = reader.from_reader(text.as_bytes());
     let syntax =
         |line: Option<usize>, reason: String| SceneError::Syntax { at: place(line, "CSV"), reason };
     let head = reader.headers().map_err(|error| syntax(None, error.to_string()))?.clone();
-    if head.iter().all(|name| name.parse::<f64>().is_ok()) {
+    let number = |text: &str| number(text, delimiter);
+    if head.iter().all(|name| number(name).is_some()) {
         let found = head.iter().collect::<Vec<_>>().join(",");
         let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
         return Err(SceneError::value(place(Some(1), "the header"), shorten(&found), needed));
@@ -38,9 +41,10 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         let line = record.position().map(|position| position.line() as usize);
         if record.len() != columns.len() {
             let reason = format!(
-                "{} cells under a header of {} columns: one cell for each column was required",
+                "{} cells under a header of {} columns: one cell for each column was required{}",
                 record.len(),
-                columns.len()
+                columns.len(),
+                if record.len() == 2 * columns.len() { DECIMAL_COMMAS } else { "" }
             );
             return Err(syntax(line, reason));
         }
@@ -53,8 +57,8 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                     }
                     None
                 }
-                number => Some(number.parse().map_err(|_| {
-                    SceneError::value(place(line, name), shorten(number), "a number, or nothing")
+                given => Some(number(given).ok_or_else(|| {
+                    SceneError::value(place(line, name), shorten(given), "a number, or nothing")
                 })?),
             });
         }
@@ -66,6 +70,29 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
     }
     columns.retain(|(name, _)| name != "model" && name != "separation_over_sigma");
     Ok(columns)
+}
+
+/// Advice where twice as many cells as columns look like decimal commas.
+const DECIMAL_COMMAS: &str =
+    "; numbers with decimal commas are read where semicolons or tabs separate the columns";
+
+/// The delimiter of the header, the first line that is no comment.
+fn delimiter(text: &str) -> u8 {
+    let head = text.lines().find(|line| !line.is_empty() && !line.starts_with('#'));
+    let has = |delimiter: char| head.is_some_and(|head| head.contains(delimiter));
+    match (has(';'), has('\t')) {
+        (true, _) => b';',
+        (_, true) => b'\t',
+        _ => b',',
+    }
+}
+
+/// A number; its comma is a decimal comma where commas do not separate cells.
+fn number(text: &str, delimiter: u8) -> Option<f64> {
+    text.parse().ok().or_else(|| {
+        let is_decimal = delimiter != b',' && text.matches(',').count() == 1 && !text.contains('.');
+        is_decimal.then(|| text.replace(',', ".").parse().ok()).flatten()
+    })
 }
 
 #[cfg(test)]
@@ -88,6 +115,25 @@ mod tests {
         let columns = read(text).unwrap();
         let wanted = [("load_N", [Some(1.0), Some(3.0)]), ("area_m2", [Some(2e-9), None])];
         assert_eq!(columns, wanted.map(|(name, values)| (name.to_string(), values.to_vec())));
+    }
+
+    #[test]
+    fn semicolons_and_tabs_separate_numbers_with_decimal_commas() {
+        let wanted = [("load_N", [Some(1500.5), Some(3.0)]), ("area_m2", [Some(2e-9), None])];
+        let wanted = wanted.map(|(name, values)| (name.to_string(), values.to_vec()));
+        for text in [
+            "# made by hand\nload_N;area_m2\n1500,5;2e-9\n3;\n",
+            "load_N; area_m2\r\n1500.5; 0,2e-8\r\n3,0;\r\n",
+            "load_N\tarea_m2\n1500,5\t2,0E-9\n3\t\n",
+        ] {
+            assert_eq!(read(text).unwrap(), wanted, "{text:?}");
+        }
+        for text in ["load_N;area_m2\n1.500,5;2e-9\n", "load_N;area_m2\n1,5,0;2e-9\n"] {
+            let refused = read(text).unwrap_err();
+            assert!(refused.contains("a number, or nothing was required"), "{refused}");
+        }
+        let refused = read("load_N,area_m2\n1,5,2,0e-9\n").unwrap_err();
+        assert!(refused.ends_with("where semicolons or tabs separate the columns"), "{refused}");
     }
 
     #[test]

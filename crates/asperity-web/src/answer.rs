@@ -136,7 +136,13 @@ pub(crate) fn head(file: &SceneFile) -> Vec<String> {
     given.into_iter().chain(quantities(file).into_iter().map(Quantity::column)).collect()
 }
 
-fn cell(quantity: &str, unit: &str, found: Result<f64, String>, bound: Option<f64>) -> AnswerCell {
+/// A value of a quantity as shown, or the reason why there is none.
+pub(crate) fn cell(
+    quantity: &str,
+    unit: &str,
+    found: Result<f64, String>,
+    bound: Option<f64>,
+) -> AnswerCell {
     let quantity = quantity.to_string();
     match found {
         Ok(value) => {

@@ -2,34 +2,26 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Described, Model, shortest_digits};
-use asperity_plot::{ScanPicture, draw_scan};
-use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
-use asperity_topography::Glance;
+use asperity::{Diagnostic, Severity};
+use asperity_scene::{HandedFiles, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
-use crate::message::{Answer, LoadKeys, MaterialShown, Message, ModelShown, NumberShown, Shown};
-use crate::press::{Event, press, scan};
+use crate::message::{Answer, LoadKeys, Message, Shown};
+use crate::press::{Event, press};
 use crate::refusal::Refusal;
-use crate::shown::shown;
-use crate::{advice, code, fields, link, picture, span, surface_keys};
+use crate::{
+    advice, code, fields, law, link, picture, read_scene, scan_report, span, surface_keys,
+};
 
-/// The longest text of a scene, in bytes, as for scene files.
-const MOST_TEXT: usize = 1 << 20;
-/// The longest file, in bytes.
-const MOST_FILE: usize = 512 << 20;
-/// Most points of a drawn scan on a side.
-const DRAWN: usize = 400;
-/// Models whose laws take long to prepare.
-const SLOW: [&str; 4] = ["gao", "at", "at-additive", "at-overlap"];
+/// The longest file, in bytes: each worker that solves the scene holds it.
+const MOST_FILE: u64 = 128 << 20;
 
 /// A scene with the files that it names, and its compiled models.
 #[derive(Default)]
 pub struct Desk {
     files: HandedFiles,
-    text: String,
     file: Option<SceneFile>,
     compiled: BTreeMap<String, Result<Compiled, String>>,
 }
@@ -39,17 +31,7 @@ impl Desk {
     /// refusal.
     pub fn hand(&mut self, name: &str, bytes: Vec<u8>) -> String {
         let handed = || {
-            if bytes.is_empty() {
-                let reason = format!("{name} is empty (0 bytes): choose another file");
-                return Err(Refusal::at("surface.file", reason));
-            }
-            if bytes.len() > MOST_FILE {
-                let most = MOST_FILE >> 20;
-                let reason = format!(
-                    "{name} is larger than {most} MB: use the program, asperity surface {name}"
-                );
-                return Err(Refusal::at("surface.file", reason));
-            }
+            admit(name, bytes.len() as u64)?;
             Ok(json!({ "name": name, "checksum": link::checksum(&bytes) }))
         };
         let answer = handed();
@@ -76,13 +58,19 @@ impl Desk {
             let tell = |event: &Event| {
                 happened(&serde_json::to_string(event).unwrap_or_default());
             };
-            press(&self.text, &self.files, pressures, tell)
+            press(file, pressures, tell)
         };
         reply(run())
     }
 
+    /// The bytes of a file of the scene.
+    #[must_use]
+    pub fn file(&self, name: &str) -> Option<&[u8]> {
+        self.files.get(name).map(Vec::as_slice)
+    }
+
     fn forget(&mut self) {
-        (self.file, self.text) = (None, String::new());
+        self.file = None;
         self.compiled.clear();
     }
 
@@ -103,7 +91,7 @@ impl Desk {
 
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
         match message {
-            Message::Show { text } => json(self.show(text)),
+            Message::Show { text } => json(self.show(&text)),
             Message::Edit { text, changes } => {
                 let rigid = changes.iter().find(|change| change.path == "rigid_counterface");
                 let text = match rigid {
@@ -113,7 +101,8 @@ impl Desk {
                 json(text)
             }
             Message::Materials => {
-                json(asperity_scene::materials().iter().map(material).collect::<Vec<_>>())
+                let all = asperity_scene::materials().iter();
+                json(all.map(read_scene::material).collect::<Vec<_>>())
             }
             Message::Material { text, body, changes } => {
                 let id = changes.first().and_then(|change| change.value.as_deref());
@@ -122,11 +111,9 @@ impl Desk {
             Message::Surface { text, way } => {
                 json(fields::edit(&text, &surface_keys::changes(&way, self.scene()?)?)?)
             }
-            Message::UseScan { text, name } => {
-                let periodic =
-                    if name.starts_with("random-") { &[("periodic", "true")][..] } else { &[] };
-                json(fields::edit(&text, &surface_keys::scan(&name, periodic))?)
-            }
+            Message::UseScan { text, name } => json(surface_keys::with_scan(&text, &name)?),
+            Message::Admit { name, size } => json(admit(&name, size)?),
+            Message::RandomKeys { typed } => json(typed.keys()?),
             Message::Random { keys } => {
                 let (name, bytes) = (keys.name(), keys.file()?);
                 let checksum = link::checksum(&bytes);
@@ -149,9 +136,9 @@ impl Desk {
             Message::Draw { rows, view, load, solved } => {
                 let file = self.scene()?;
                 let (_, shown) = span::load(&load, &file.scene)?;
-                json(picture::curves(file, &rows, &view, (&shown, load.unit == "Pa"), &solved)?)
+                json(picture::curves(file, &rows, &view, &shown, &solved)?)
             }
-            Message::Scan => json(self.scan_picture()?),
+            Message::Scan => json(scan_report::report(self.scene()?)?),
             Message::Check { models, load } => {
                 let file = self.scene()?;
                 json(advice::check(file, &models, span::load(&load, &file.scene)?.0)?)
@@ -168,50 +155,18 @@ impl Desk {
                 let (at, shown) = span::load(&load, &file.scene)?;
                 json(code::code(file, &models, (at, &shown)))
             }
-            Message::Law { model } => json(picture::law(self.scene()?, &model)?),
+            Message::Law { model } => json(law::law(self.scene()?, &model)?),
             Message::Link { state } => json(link::link(&state)?),
             Message::Unlink { link } => json(link::unlink(&link)?),
         }
     }
 
-    /// Reads a text, whose scene answers later messages.
-    fn show(&mut self, text: String) -> Shown {
+    /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
+    fn show(&mut self, text: &str) -> Shown {
         self.forget();
-        let mut found = Shown {
-            fields: BTreeMap::new(),
-            way: "asperities",
-            files: vec![],
-            error: None,
-            findings: Default::default(),
-            numbers: vec![],
-            models: vec![],
-            views: vec![],
-            scan: None,
-        };
-        if text.len() > MOST_TEXT {
-            let reason =
-                format!("the scene file is longer than {MOST_TEXT} bytes: shorten the text");
-            found.error = Some(Refusal::at("the scene file", reason));
-            return found;
-        }
-        found.fields = fields::fields(&text);
-        found.way = surface_keys::way(&found.fields);
-        found.files = found.fields.get("surface.file").cloned().into_iter().collect();
-        let file = match parse_handed(&text, &self.files) {
-            Ok(file) => file,
-            Err(error) => {
-                found.error = Some(error.into());
-                return found;
-            }
-        };
-        if let Ok(check) = file.check(None) {
-            found.numbers = check.numbers.iter().map(number).collect();
-        }
-        found.findings = file.warnings.iter().cloned().chain(file.findings()).collect();
-        found.findings = file.accepted(std::mem::take(&mut found.findings));
-        (found.models, found.views) = (models(&file), answer::views(&file));
-        found.scan = scan(&file);
-        (self.text, self.file) = (text, Some(file));
+        let (found, file) = read_scene::read(text, &self.files);
+        self.files.retain(|name, _| found.files.contains(name));
+        self.file = file;
         found
     }
 
@@ -219,7 +174,7 @@ impl Desk {
         self.compile(models)?;
         let file = self.scene()?;
         let (at, load) = span::load(load, &file.scene)?;
-        let (mut rows, mut findings) = (vec![], vec![]);
+        let (mut rows, mut findings) = (vec![], Vec::<Diagnostic>::new());
         for id in models {
             if let Some(Ok(compiled)) = self.compiled.get(id) {
                 let (row, found) = compiled.row(file, id, at);
@@ -227,86 +182,23 @@ impl Desk {
                 findings.extend(found);
             }
         }
+        let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
         Ok(Answer { load, views: answer::views(file), rows, findings })
     }
-
-    /// The picture and the numbers of the scan.
-    fn scan_picture(&self) -> Result<Value, Refusal> {
-        let file = self.scene()?;
-        let (Some(scan), Some(measured)) = (&file.scan, &file.measured) else {
-            return Err(Refusal::new("the scene has no scan"));
-        };
-        let level = asperity_topography::Level::usual(scan.is_periodic());
-        let glance = Glance::new(scan, level, [None; 2], scan)?;
-        let (heights, columns) = scan.coarse(DRAWN);
-        let [dx, dy] = scan.pixel_size();
-        let picture = ScanPicture {
-            heights,
-            columns,
-            size: [scan.columns() as f64 * dx, scan.rows() as f64 * dy],
-            marks: glance.roll_off.into_iter().chain(glance.cut_off).collect(),
-            law: glance.hurst.map(|hurst| format!("power law, H = {hurst:.2}")).unwrap_or_default(),
-            ..Default::default()
-        };
-        let svg = draw_scan(&picture, &scan.curves_csv(&glance))?;
-        let moments: Vec<Value> = scan
-            .scale_dependence()
-            .iter()
-            .map(|at| serde_json::to_value(at).unwrap_or_default())
-            .collect();
-        Ok(json!({
-            "svg": svg,
-            "statistics": &measured.statistics,
-            "caption": scan.caption(&glance),
-            "scales": moments,
-        }))
-    }
 }
 
-/// The models of a scene, those that it does not allow with the reason.
-fn models(file: &SceneFile) -> Vec<ModelShown> {
-    let (allowed, left_out) = file.models_beside_bem();
-    let shown = |model: &Model, reason: Option<String>| {
-        let citation = model.citation();
-        ModelShown {
-            id: model.id().into(),
-            name: model.name().into(),
-            source: format!("{} ({})", citation.authors, citation.year),
-            slow: SLOW.contains(&model.id()),
-            reason,
-        }
+/// Refuses a file without bytes and one that is too large.
+fn admit(name: &str, size: u64) -> Result<(), Refusal> {
+    let reason = match size {
+        0 => format!("{name} is empty (0 bytes): choose another file"),
+        1..=MOST_FILE => return Ok(()),
+        _ => format!(
+            "{name} has {} MB, and the page reads at most {} MB: use the program, asperity surface {name}",
+            size >> 20,
+            MOST_FILE >> 20
+        ),
     };
-    let mut all: Vec<ModelShown> = allowed.iter().map(|model| shown(model, None)).collect();
-    all.extend(left_out.iter().filter_map(|left_out| {
-        Some(shown(&left_out.id.parse().ok()?, Some(left_out.reason.to_string())))
-    }));
-    all
-}
-
-fn material(material: &'static Material) -> MaterialShown {
-    let body = &material.body;
-    let numbers = [
-        ("E", Some(body.youngs_modulus), "Pa"),
-        ("ν", Some(body.poissons_ratio), ""),
-        ("H", body.hardness, "Pa"),
-        ("yield", body.yield_strength, "Pa"),
-        ("k", body.thermal_conductivity, "W/(m K)"),
-        ("ρ", body.electrical_resistivity, "Ω m"),
-    ];
-    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
-        value.map(|value| format!("{name} {}", shown(value, unit)))
-    };
-    let shown = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
-    MaterialShown { id: &material.id, name: &material.name, shown, source: &material.source }
-}
-
-fn number(number: &asperity::DerivedNumber) -> NumberShown {
-    NumberShown {
-        name: number.name.replace('_', " "),
-        digits: shortest_digits(number.value),
-        shown: shown(number.value, number.unit),
-        meaning: number.meaning.to_string(),
-    }
+    Err(Refusal::at("surface.file", reason))
 }
 
 fn json(value: impl Serialize) -> Result<Value, Refusal> {
@@ -359,11 +251,24 @@ mod tests {
         let refused = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
         assert!(refused["error"]["message"].as_str().unwrap().contains("correct it first"));
         assert!(call(&mut desk, json!({ "call": "fly" }))["error"]["message"].is_string());
-        let long = "#".repeat(MOST_TEXT + 1);
-        let shown = call(&mut desk, json!({ "call": "show", "text": long }));
-        assert!(shown["ok"]["error"]["message"].as_str().unwrap().contains("longer than"));
         let empty: Value = serde_json::from_str(&desk.hand("a.x3p", vec![])).unwrap();
         assert!(empty["error"]["message"].as_str().unwrap().starts_with("a.x3p is empty"));
+        let large = json!({ "call": "admit", "name": "b.x3p", "size": 2_u64 << 30 });
+        let large = call(&mut desk, large)["error"]["message"].to_string();
+        assert!(large.contains("b.x3p has 2048 MB, and the page reads at most 128 MB"), "{large}");
+        let right = json!({ "call": "admit", "name": "b.x3p", "size": MOST_FILE });
+        assert!(call(&mut desk, right)["ok"].is_null());
+    }
+
+    #[test]
+    fn only_the_files_of_the_scene_are_kept() {
+        let mut desk = Desk::default();
+        for name in ["a.txt", "b.txt"] {
+            desk.hand(name, b"1 2".to_vec());
+        }
+        let text = "[surface]\nfiles = [\"b.txt\"]\n";
+        call(&mut desk, json!({ "call": "show", "text": text }));
+        assert_eq!((desk.file("a.txt"), desk.file("b.txt")), (None, Some(&b"1 2"[..])));
     }
 
     #[test]

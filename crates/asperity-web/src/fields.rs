@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use asperity::Body;
 use toml_edit::{ArrayOfTables, DocumentMut, Formatted, Item, Table, TableLike, Value};
 
 use crate::message::Change;
@@ -36,6 +37,32 @@ fn of_table(table: &dyn TableLike, path: &str, found: &mut BTreeMap<String, Stri
     }
 }
 
+/// The names of all files of a text, each once.
+pub(crate) fn files(text: &str) -> Vec<String> {
+    fn walk(table: &dyn TableLike, found: &mut Vec<String>) {
+        for (key, item) in table.iter() {
+            if let Some(tables) = item.as_array_of_tables() {
+                tables.iter().for_each(|table| walk(table, found));
+            } else if let Some(table) = item.as_table_like() {
+                walk(table, found);
+            }
+            let one = item.as_str().filter(|_| key == "file");
+            let several = item.as_array().filter(|_| key == "files");
+            let several = several.into_iter().flatten().filter_map(Value::as_str);
+            for name in one.into_iter().chain(several) {
+                if !found.iter().any(|known| known == name) {
+                    found.push(name.into());
+                }
+            }
+        }
+    }
+    let mut found = vec![];
+    if let Ok(document) = text.parse::<DocumentMut>() {
+        walk(document.as_table(), &mut found);
+    }
+    found
+}
+
 /// The text with other values. A value that reads as TOML is written as it is, any other as text.
 pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
     let mut document = parsed(text)?;
@@ -59,26 +86,26 @@ pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
 
 /// The changes that give a body a material or, without an id, the numbers of its material.
 pub(crate) fn material(text: &str, body: usize, id: &str) -> Vec<Change> {
-    let change =
-        |name: &str, value: Option<String>| Change { path: format!("body[{body}].{name}"), value };
-    if !id.is_empty() {
-        let own = ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
-        let own = own.into_iter().map(|name| change(name, None));
-        return own.chain([change("material", Some(id.into()))]).collect();
-    }
-    let old = fields(text).remove(&format!("body[{body}].material"));
+    let path = |name: &str| format!("body[{body}].{name}");
+    let old = fields(text).remove(&path("material"));
     let old = asperity_scene::materials().iter().find(|known| Some(&known.id) == old.as_ref());
-    let Some(known) = old.map(|material| material.body) else { return vec![] };
-    let numbers = [
-        ("youngs_modulus", Some(known.youngs_modulus)),
-        ("poissons_ratio", Some(known.poissons_ratio)),
-        ("hardness", known.hardness),
-        ("yield_strength", known.yield_strength),
-    ];
-    let numbers = numbers
-        .into_iter()
-        .filter_map(|(name, value)| value.map(|value| change(name, Some(format!("{value:e}")))));
-    numbers.chain([change("material", None)]).collect()
+    let old = old.filter(|_| id.is_empty()).map(|material| &material.body);
+    if id.is_empty() && old.is_none() {
+        return vec![];
+    }
+    let number = |of: fn(&Body) -> Option<f64>| old.and_then(of).map(|value| format!("{value:e}"));
+    // Of another material nothing stays.
+    [
+        ("material", (!id.is_empty()).then(|| id.to_string())),
+        ("youngs_modulus", number(|body| Some(body.youngs_modulus))),
+        ("poissons_ratio", number(|body| Some(body.poissons_ratio))),
+        ("hardness", number(|body| body.hardness)),
+        ("yield_strength", number(|body| body.yield_strength)),
+        ("thermal_conductivity", number(|body| body.thermal_conductivity)),
+        ("electrical_resistivity", number(|body| body.electrical_resistivity)),
+    ]
+    .map(|(name, value)| Change { path: path(name), value })
+    .into()
 }
 
 /// The text without the second body, or with it again, alike the first.
@@ -183,6 +210,37 @@ mod tests {
         let wanted = TEXT.replace("7 GPa", "6 GPa").replace("1e-13", "2e-13");
         let wanted = wanted.replace("hardness = 2e9\n", "");
         assert_eq!(edited, format!("{wanted}\n[options]\njg_hardness = \"cosine\"\n"));
+    }
+
+    #[test]
+    fn a_material_becomes_own_values_with_all_its_numbers_and_back() {
+        let text = edit(TEXT, &material(TEXT, 1, "copper-cold-worked")).unwrap();
+        assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
+        let own = edit(&text, &material(&text, 1, "")).unwrap();
+        let known = asperity_scene::materials()
+            .iter()
+            .find(|known| known.id == "copper-cold-worked")
+            .unwrap();
+        for (key, wanted) in [
+            ("youngs_modulus", Some(known.body.youngs_modulus)),
+            ("thermal_conductivity", known.body.thermal_conductivity),
+            ("electrical_resistivity", known.body.electrical_resistivity),
+        ] {
+            let found = &fields(&own)[&format!("body[1].{key}")];
+            assert_eq!(found.parse::<f64>().ok(), wanted, "{key}");
+        }
+        // Another material takes all of them away.
+        let again = edit(&own, &material(&own, 1, "copper-cold-worked")).unwrap();
+        assert_eq!(fields(&again), fields(&text));
+        assert!(material(TEXT, 1, "").is_empty());
+    }
+
+    #[test]
+    fn the_files_of_a_text_are_found_wherever_they_are_named() {
+        let text = "[surface]\nfiles = [\"a.x3p\", \"b.x3p\"]\n\
+                    counterface = { file = \"c.sur\" }\nheights = { file = \"d.csv\" }\n";
+        assert_eq!(files(text), ["a.x3p", "b.x3p", "c.sur", "d.csv"]);
+        assert!(files(TEXT).is_empty() && files("file = ").is_empty());
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Diagnostic, Diagnostics, Quantity};
+use asperity::{Diagnostics, Quantity};
 use serde::{Deserialize, Serialize};
 
 use crate::link::PageState;
-use crate::random::RandomKeys;
+use crate::random::{RandomKeys, RandomTyped};
 use crate::refusal::Refusal;
 
 /// What the page asks.
@@ -25,6 +25,10 @@ pub(crate) enum Message {
     Surface { text: String, way: String },
     /// The text whose surface is a file that was handed over.
     UseScan { text: String, name: String },
+    /// Whether a file of this size \[bytes\] can be handed over, before its bytes are read.
+    Admit { name: String, size: u64 },
+    /// The keys of a random surface from texts as typed.
+    RandomKeys { typed: RandomTyped },
     /// Makes a random surface and hands it over.
     Random { keys: RandomKeys },
     /// The values of models at one load.
@@ -66,9 +70,12 @@ pub(crate) struct LoadKeys {
     pub(crate) text: String,
     #[serde(default)]
     pub(crate) position: Option<f64>,
-    /// `N` or `Pa`, for the slider and the axis.
+    /// `N` or `Pa`, of a plain number and of the slider.
     #[serde(default)]
     pub(crate) unit: String,
+    /// The unit in which the load is shown, if it is another one.
+    #[serde(default)]
+    pub(crate) show: Option<String>,
 }
 
 /// A material of the list.
@@ -117,6 +124,8 @@ pub(crate) struct ModelShown {
     pub(crate) source: String,
     /// Whether its laws take long to prepare.
     pub(crate) slow: bool,
+    /// Whether it describes the whole surface, without a law of one asperity.
+    pub(crate) whole: bool,
     pub(crate) reason: Option<String>,
 }
 
@@ -144,14 +153,16 @@ pub(crate) struct Answer {
     pub(crate) views: Vec<View>,
     pub(crate) rows: Vec<AnswerRow>,
     /// Warnings of the answers.
-    pub(crate) findings: Vec<Diagnostic>,
+    pub(crate) findings: Diagnostics,
 }
 
 /// A load on the scene.
 #[derive(Debug, Clone, Serialize)]
 pub(crate) struct LoadShown {
-    /// As it was typed, or the text for the slider.
+    /// As it was typed, with its unit, or the text for the slider.
     pub(crate) text: String,
+    /// `N` or `Pa`.
+    pub(crate) unit: &'static str,
     pub(crate) newtons: f64,
     pub(crate) pascals: f64,
     /// The load in the other unit.
@@ -169,7 +180,7 @@ pub(crate) struct AnswerRow {
 }
 
 /// A value, or the reason why there is none.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 pub(crate) struct AnswerCell {
     pub(crate) quantity: String,
     /// All digits, in SI units.

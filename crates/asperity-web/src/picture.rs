@@ -1,9 +1,9 @@
-//! Pictures: curves of models, the map of a contact, the law of one asperity.
+//! Pictures: curves of models, and the map of a contact.
 
 use std::collections::BTreeMap;
 
 use asperity::bem::{Bem, Solution};
-use asperity::{Described, Quantity, Tolerance, short};
+use asperity::{Quantity, short};
 use asperity_plot::{Axis, Between, Curve, Figure, Map, Mark, Panel, Scale, draw, draw_map};
 use asperity_scene::SceneFile;
 
@@ -25,7 +25,7 @@ pub(crate) fn curves(
     file: &SceneFile,
     rows: &[String],
     view: &str,
-    (load, in_pascals): (&LoadShown, bool),
+    load: &LoadShown,
     solved: &[[f64; 2]],
 ) -> Result<String, Refusal> {
     let head = head(file);
@@ -35,11 +35,15 @@ pub(crate) fn curves(
     };
     let place = |name: &str| head.iter().position(|known| known == name);
     let k = place(&column).ok_or_else(|| Refusal::new(format!("the scene has no {view}")))?;
+    let in_pascals = load.unit == "Pa";
     let mut csv = head.join(",") + "\n";
     let mut ids: Vec<&str> = vec![];
     // The smallest and the largest value at each load.
     let mut band: BTreeMap<u64, (f64, f64, usize)> = BTreeMap::new();
     let mut values = vec![];
+    // The values of all models at each load, for the pointer.
+    let mut readings: BTreeMap<u64, Vec<String>> = BTreeMap::new();
+    let unit = unit(view);
     for line in rows.iter().flat_map(|rows| rows.lines()) {
         let cells: Vec<&str> = line.split(',').collect();
         let number = |k: usize| cells.get(k).and_then(|cell| cell.parse::<f64>().ok());
@@ -56,6 +60,8 @@ pub(crate) fn curves(
             // Positive numbers sort as their bits do.
             let found = band.entry(pressure.to_bits()).or_insert((value, value, 0));
             *found = (found.0.min(value), found.1.max(value), found.2 + 1);
+            let said = format!("{} {}", cells[0], shown(value, unit));
+            readings.entry(pressure.to_bits()).or_default().push(said);
         }
     }
     let row = |name: &str, pressure: f64, value: f64| {
@@ -79,6 +85,8 @@ pub(crate) fn curves(
     }
     for [pressure, value] in solved {
         csv += &row(BEM, *pressure, *value);
+        let said = format!("boundary elements {}", shown(*value, unit));
+        readings.entry(pressure.to_bits()).or_default().push(said);
     }
 
     let x = if in_pascals {
@@ -110,15 +118,31 @@ pub(crate) fn curves(
     if (low..=high).contains(&at) {
         panel.verticals.push(Mark::new(at, &load.text));
     }
+    let reading = |(bits, said): (u64, Vec<String>)| {
+        let pascals = f64::from_bits(bits);
+        let newtons = pascals * file.scene.nominal_area;
+        let (at, name) = if in_pascals {
+            (pascals, shown(pascals, "Pa"))
+        } else {
+            (newtons, shown(newtons, "N"))
+        };
+        Mark::new(at, &format!("{name}\n{}", said.join("\n")))
+    };
+    panel.readings = readings.into_iter().map(reading).collect();
     Ok(draw(&Figure::new("", &[], vec![panel]), &csv)?)
+}
+
+/// The SI unit of a view.
+fn unit(view: &str) -> &'static str {
+    match view {
+        SEPARATION => "m",
+        view => view.parse::<Quantity>().map_or("", Quantity::unit),
+    }
 }
 
 /// The unit in which a quantity of the picture is legible: a factor and a name.
 fn unit_of(view: &str, values: &[f64]) -> (f64, String) {
-    let unit = match view {
-        SEPARATION => "m",
-        view => view.parse::<Quantity>().map_or("", Quantity::unit),
-    };
+    let unit = unit(view);
     let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let text = shown(largest, unit);
     let name = text.split_once(' ').map_or("", |(_, name)| name).to_string();
@@ -200,47 +224,6 @@ fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) 
     (rows.chunks(step).flat_map(of).collect(), wide)
 }
 
-/// Interferences over the critical one of the drawn law.
-const FIRST: f64 = 0.1;
-const LAST: f64 = 1000.0;
-const STEPS: u32 = 240;
-
-/// Force and area of one asperity of the scene by a model, against the interference.
-pub(crate) fn law(file: &SceneFile, id: &str) -> Result<String, Refusal> {
-    let model = file.model(id)?;
-    let Some(asperity_model) = model.asperity_model() else {
-        return Err(Refusal::new(format!("{} describes the whole surface", model.name())));
-    };
-    let asperity = file.scene.asperity()?;
-    let critical = asperity.critical_interference()?;
-    let tolerance = Tolerance::default();
-    let force = asperity_model.force(&asperity, tolerance)?;
-    let area = asperity_model.area(&asperity, tolerance)?;
-    let kinks: Vec<f64> =
-        force.kinks().into_iter().map(|x| x * force.interference_unit / critical).collect();
-    let mut at: Vec<f64> =
-        (0..=STEPS).map(|k| FIRST * (LAST / FIRST).powf(f64::from(k) / f64::from(STEPS))).collect();
-    let inside: Vec<f64> = kinks.into_iter().filter(|x| (FIRST..LAST).contains(x)).collect();
-    at.extend(inside.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
-    at.sort_by(f64::total_cmp);
-    let mut csv = "curve,interference,force_N,area_m2\n".to_string();
-    for x in at {
-        let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
-        csv += &format!("{id},{x},{f},{a}\n");
-    }
-    let panel = |column: &str, label: &str| {
-        let x = Axis::new("interference", "interference over critical interference").log();
-        let mut panel = Panel::new(x, Axis::new(column, label).log());
-        panel.curves = vec![Curve::new(2, id, "")];
-        panel.verticals = inside.iter().map(|x| Mark::new(*x, &short(*x))).collect();
-        panel
-    };
-    let panels = vec![panel("force_N", "force (N)"), panel("area_m2", "area (m²)")];
-    let mut figure = Figure::new("", &[], panels);
-    figure.columns = 2;
-    Ok(draw(&figure, &csv)?)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -258,15 +241,22 @@ mod tests {
             ["gw", "ke"].map(|id| Compiled::new(&file, id).unwrap().rows(&file, id, &pressures));
         let keys = crate::message::LoadKeys { text: "100 N".into(), ..Default::default() };
         let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
-        let svg = curves(&file, &rows, "area-fraction", (&load, false), &[[1e6, 1e-3]]).unwrap();
+        let svg = curves(&file, &rows, "area-fraction", &load, &[[1e6, 1e-3]]).unwrap();
         for text in ["<polygon", "100 N", "boundary elements", ">ke<", "load (N)"] {
             assert!(svg.contains(text), "{text}");
         }
         assert!(!svg.contains("style="));
-        let alone = curves(&file, &rows[..1], "separation", (&load, true), &[]).unwrap();
+        // The load at 1 MPa, with the values of both models and of boundary elements.
+        let reading = svg.split("<title>").find(|part| part.starts_with("100 N\n")).unwrap();
+        let said: Vec<&str> = reading.split("</title>").next().unwrap().lines().collect();
+        assert_eq!((said.len(), said[3]), (4, "boundary elements 0.001"), "{said:?}");
+        assert!(said[1] == "gw 3.868e-4" && said[2] == "ke 6.645e-4", "{said:?}");
+        let keys = crate::message::LoadKeys { text: "1 MPa".into(), ..Default::default() };
+        let (_, load) = crate::span::load(&keys, &file.scene).unwrap();
+        let alone = curves(&file, &rows[..1], "separation", &load, &[]).unwrap();
         assert!(alone.contains("separation (µm)") && alone.contains("mean pressure (MPa)"));
-        assert!(curves(&file, &["x,1\n".into()], "tangent", (&load, true), &[]).is_err());
-        assert!(curves(&file, &rows, "speed", (&load, true), &[]).is_err());
+        assert!(curves(&file, &["x,1\n".into()], "tangent", &load, &[]).is_err());
+        assert!(curves(&file, &rows, "speed", &load, &[]).is_err());
     }
 
     #[test]
@@ -276,14 +266,5 @@ mod tests {
         let (small, wide) = largest_of(&values, 7, 3);
         assert_eq!((wide, small.len()), (3, 6));
         assert!(small[2] > 1.0 && small[5] > 2.0);
-    }
-
-    #[test]
-    fn laws_are_drawn_with_their_kinks() {
-        let svg = law(&file(), "ke").unwrap();
-        for text in [">6<", ">110<", "force (N)"] {
-            assert!(svg.contains(text), "{text}");
-        }
-        assert!(law(&file(), "persson").unwrap_err().message.contains("whole surface"));
     }
 }

@@ -1,32 +1,36 @@
 //! Boundary elements on the scan of a scene, load by load.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use asperity::bem::{BemError, LoadCase};
-use asperity::{Diagnostic, shortest_digits};
-use asperity_scene::{HandedFiles, SceneFile, parse_handed_scan};
+use asperity::bem::{BemError, LoadCase, Solution};
+use asperity::{Diagnostic, Quantity, Separation, SeparationUnit};
+use asperity_scene::SceneFile;
 use serde::Serialize;
 
-use crate::message::{AnswerCell, ScanShown};
+use crate::answer::cell;
+use crate::message::{AnswerCell, SEPARATION, ScanShown};
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
 use crate::shown::shown;
 
 /// What happens during a solution.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub(crate) enum Event {
     /// An iteration was made.
-    Progress { index: usize, done: usize, count: usize, iterations: usize, residual: f64 },
+    Progress { index: usize, done: usize, count: usize, iterations: usize, text: String },
     /// A load was solved.
     Solved {
         index: usize,
         pressure: f64,
-        area: f64,
-        gap: f64,
         load: String,
+        /// Names of the cells and what they mean.
+        head: Vec<(&'static str, String)>,
         cells: Vec<AnswerCell>,
+        /// Values beside the curves, by view.
+        points: BTreeMap<String, f64>,
         svg: String,
         notes: Vec<Diagnostic>,
     },
@@ -50,14 +54,12 @@ pub(crate) fn scan(file: &SceneFile) -> Option<ScanShown> {
 
 /// Solves the contact of a scene's scan at mean pressures, the heaviest first.
 pub(crate) fn press(
-    text: &str,
-    files: &HandedFiles,
+    file: &SceneFile,
     pressures: &[f64],
     mut happened: impl FnMut(&Event),
 ) -> Result<(), Refusal> {
-    let file = parse_handed_scan(text, files)?;
     let bem = file.bem(None, false)?;
-    if let Some(refused) = scan(&file).and_then(|scan| scan.refused) {
+    if let Some(refused) = scan(file).and_then(|scan| scan.refused) {
         return Err(Refusal::at("surface.file", refused));
     }
     let interface = &file.scene.interface;
@@ -66,42 +68,18 @@ pub(crate) fn press(
     let happened = std::cell::RefCell::new(&mut happened);
     let tell = |event: &Event| (happened.borrow_mut())(event);
     let watch = |progress: &asperity::bem::Progress| {
-        tell(&Event::Progress {
-            index: progress.index,
-            done: progress.done,
-            count: given.len(),
-            iterations: progress.iterations,
-            residual: progress.residual,
-        });
+        tell(&Event::progress(progress, given.len()));
         ControlFlow::Continue(())
     };
     elements.solve_each(&given, watch, |index, solved| {
-        let failed = |message: String| Event::Failed { index, message };
         tell(&match solved {
             Err(BemError::Cancelled) => return,
-            Err(error) => failed(error.to_string()),
+            Err(error) => Event::Failed { index, message: error.to_string() },
             Ok(solution) => match picture::contact(&bem, &solution, hardness) {
-                Err(error) => failed(error.message),
+                Err(error) => Event::Failed { index, message: error.message },
                 Ok(svg) => {
                     let pressure = pressures.get(index).copied().unwrap_or(solution.mean_pressure);
-                    let load = pressure * file.scene.nominal_area;
-                    let cell = |quantity: &str, unit: &str, value: f64| AnswerCell {
-                        quantity: quantity.into(),
-                        digits: Some(shortest_digits(value)),
-                        bound: None,
-                        shown: shown(value, unit),
-                    };
-                    let cells = vec![
-                        cell("load", "N", load),
-                        cell("pressure", "Pa", pressure),
-                        cell("area-fraction", "", solution.area),
-                        cell("separation", "m", solution.mean_gap),
-                        cell("plastic-fraction", "", solution.plastic_area),
-                        cell("patches", "", solution.patches.len() as f64),
-                    ];
-                    let (area, gap) = (solution.area, solution.mean_gap);
-                    let (load, notes) = (shown(load, "N"), solution.notes);
-                    Event::Solved { index, pressure, area, gap, load, cells, svg, notes }
+                    Event::solved(index, pressure, file, svg, solution)
                 }
             },
         });
@@ -109,38 +87,107 @@ pub(crate) fn press(
     Ok(())
 }
 
+impl Event {
+    fn progress(progress: &asperity::bem::Progress, count: usize) -> Self {
+        let asperity::bem::Progress { index, done, iterations, residual, .. } = *progress;
+        let mut text = format!("load {done} of {count} done; iteration {iterations}");
+        // A first iteration has none.
+        if residual.is_finite() {
+            text += &format!(", residual {residual:.0e}");
+        }
+        Self::Progress { index, done, count, iterations, text }
+    }
+
+    fn solved(
+        index: usize,
+        pressure: f64,
+        file: &SceneFile,
+        svg: String,
+        solution: Solution,
+    ) -> Self {
+        // From the plane of the models' separations, so that both are in one picture.
+        let gap = Separation::metres(solution.mean_gap).from_surface_mean();
+        let from = file.separation_from;
+        let separation = gap.measured_in(SeparationUnit::Metres, from, &file.scene);
+        let separation = separation.map(|found| found.value).map_err(|error| error.to_string());
+        let load = pressure * file.scene.nominal_area;
+        let cell = |quantity: &str, unit: &str, value: f64| cell(quantity, unit, Ok(value), None);
+        let shown = shown(load, "N");
+        let area = solution.area;
+        let mut points = BTreeMap::from([(Quantity::AreaFraction.to_string(), area)]);
+        points.extend(separation.iter().map(|value| (SEPARATION.to_string(), *value)));
+        let cells = vec![
+            cell("load", "N", load),
+            cell("pressure", "Pa", pressure),
+            cell("area-fraction", "", area),
+            cell("mean-gap", "m", solution.mean_gap),
+            self::cell(SEPARATION, "m", separation, None),
+            cell("plastic-fraction", "", solution.plastic_area),
+            cell("patches", "", solution.patches.len() as f64),
+        ];
+        let head = vec![
+            ("load", String::new()),
+            ("pressure", "Mean pressure on the nominal area.".into()),
+            ("area fraction", "Real area of contact over the area of the scan.".into()),
+            ("mean gap", "Distance of the mean planes of the two deformed surfaces.".into()),
+            (
+                "separation",
+                format!("The mean gap, measured from {from} as the models' separation."),
+            ),
+            ("plastic share", "Share of the pixels that carry the hardness.".into()),
+            ("patches", "Number of connected contacts.".into()),
+        ];
+        Self::Solved {
+            index,
+            pressure,
+            load: shown,
+            head,
+            cells,
+            points,
+            svg,
+            notes: solution.notes,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
+    use asperity_scene::{HandedFiles, parse_handed};
+
     use super::*;
     use crate::random::example;
+    use crate::surface_keys::with_scan;
 
-    fn scene(name: &str) -> String {
-        asperity_scene::template()
-            .replace("asperity_radius =", "# ")
-            .replace("asperity_density =", "# ")
-            .replace(
-                "asperity_height_std = 1e-6            # m, of",
-                &format!("file = \"{name}\"\nperiodic = true # "),
-            )
+    fn pressed(text: &str, pressures: &[f64]) -> (SceneFile, Vec<Event>) {
+        let keys = example();
+        let files = HandedFiles::from([(keys.name(), keys.file().unwrap())]);
+        let text = with_scan(text, &keys.name()).unwrap();
+        let file = parse_handed(&text, &files).unwrap();
+        let mut events = vec![];
+        press(&file, pressures, |event| events.push(event.clone())).unwrap();
+        (file, events)
     }
 
     #[test]
     fn loads_are_solved_with_progress_as_the_library_solves_them() {
-        let keys = example();
-        let files = HandedFiles::from([(keys.name(), keys.file().unwrap())]);
-        let text = scene(&keys.name());
+        let (file, events) = pressed(asperity_scene::template(), &[1e8, 4e8]);
         let (mut iterations, mut areas) = (0, vec![]);
-        press(&text, &files, &[1e8, 4e8], |event| match event {
-            Event::Progress { count, .. } => iterations += usize::from(*count == 2),
-            Event::Solved { pressure, area, svg, cells, .. } => {
-                assert!(svg.contains("white: no contact") && cells.len() == 6);
-                areas.push((*pressure, *area));
+        for event in events {
+            match event {
+                Event::Progress { count, text, .. } => {
+                    assert!(text.starts_with("load ") && !text.contains("NaN"), "{text}");
+                    iterations += usize::from(count == 2);
+                }
+                Event::Solved { pressure, svg, cells, head, points, .. } => {
+                    assert!(svg.contains("white: no contact") && cells.len() == head.len());
+                    areas.push((pressure, points["area-fraction"]));
+                }
+                Event::Failed { message, .. } => panic!("{message}"),
             }
-            Event::Failed { message, .. } => panic!("{message}"),
-        })
-        .unwrap();
+        }
         assert!(iterations > 4, "{iterations}");
-        let file = asperity_scene::parse_handed(&text, &files).unwrap();
         let elements = file.bem(None, false).unwrap().elements(&file.scene.interface).unwrap();
         let all = elements
             .solve_all(&[4e8, 1e8].map(LoadCase::MeanPressure), |_| ControlFlow::Continue(()));
@@ -150,9 +197,33 @@ mod tests {
     }
 
     #[test]
+    fn the_separation_has_the_plane_of_the_models_and_the_mean_gap_its_own() {
+        let mut gaps = vec![];
+        for plane in ["asperity-mean", "surface-mean"] {
+            let wanted = format!("separation_from = \"{plane}\"");
+            let text =
+                asperity_scene::template().replace("separation_from = \"asperity-mean\"", &wanted);
+            let (file, events) = pressed(&text, &[2e8]);
+            let Some(Event::Solved { cells, points, .. }) = events.last() else {
+                panic!("{plane}")
+            };
+            let of = |name: &str| -> f64 {
+                let cell = cells.iter().find(|cell| cell.quantity == name).unwrap();
+                cell.digits.as_deref().unwrap().parse().unwrap()
+            };
+            let offset = file.scene.mean_plane_offset();
+            let above = if plane == "asperity-mean" { offset } else { 0.0 };
+            assert!((of("separation") + above - of("mean-gap")).abs() < 1e-15 && offset > 1e-8);
+            assert_eq!(points["separation"].to_bits(), of("separation").to_bits());
+            gaps.push(of("mean-gap").to_bits());
+        }
+        assert_eq!(gaps[0], gaps[1]);
+    }
+
+    #[test]
     fn a_scene_without_a_scan_is_refused_with_what_to_do() {
-        let refused = press(asperity_scene::template(), &HandedFiles::new(), &[1e6], |_| {});
-        let refused = refused.unwrap_err();
+        let file = asperity_scene::parse(asperity_scene::template(), Path::new(".")).unwrap();
+        let refused = press(&file, &[1e6], |_| {}).unwrap_err();
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
         assert!(refused.message.contains("file = \"scan.x3p\""), "{}", refused.message);
     }

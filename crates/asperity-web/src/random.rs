@@ -1,5 +1,7 @@
 //! Random surfaces as scans.
 
+use std::str::FromStr;
+
 use asperity::bem::RandomSurface;
 use asperity_topography::Topography;
 use serde::{Deserialize, Serialize};
@@ -8,6 +10,9 @@ use crate::refusal::Refusal;
 
 /// Most pixels on a side of a map that is solved in the page.
 pub(crate) const MOST_PIXELS: usize = 1024;
+
+/// The beginning of the names of random surfaces.
+pub(crate) const RANDOM: &str = "random-";
 
 /// What a random surface is made of; lengths are typed with a unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -24,17 +29,49 @@ pub(crate) struct RandomKeys {
     pub(crate) seed: u64,
 }
 
+/// The keys as typed into fields.
+#[derive(Debug, Clone, Deserialize)]
+pub(crate) struct RandomTyped {
+    pixels: String,
+    side: String,
+    longest: String,
+    shortest: String,
+    hurst: String,
+    sq: String,
+    seed: String,
+}
+
+impl RandomTyped {
+    /// The keys, with numbers where numbers are needed.
+    pub(crate) fn keys(self) -> Result<RandomKeys, Refusal> {
+        fn number<N: FromStr>(key: &str, text: &str, kind: &str) -> Result<N, Refusal> {
+            let field = format!("random.{key}");
+            let wrong = |_| format!("{field} is {:?}: {kind} was required", text.trim());
+            text.trim().parse().map_err(wrong).map_err(|reason| Refusal::at(&field, reason))
+        }
+        Ok(RandomKeys {
+            pixels: number("pixels", &self.pixels, "a whole number of pixels such as 256")?,
+            hurst: number("hurst", &self.hurst, "a number from 0 to 1 such as 0.8")?,
+            seed: number("seed", &self.seed, "a whole number such as 1")?,
+            side: self.side,
+            longest: self.longest,
+            shortest: self.shortest,
+            sq: self.sq,
+        })
+    }
+}
+
 impl RandomKeys {
     /// The name under which the surface is handed over.
     pub(crate) fn name(&self) -> String {
-        format!("random-{}.x3p", self.seed)
+        format!("{RANDOM}{}.x3p", self.seed)
     }
 
     /// The surface as the bytes of an X3P file, which states unit and pixel size.
     pub(crate) fn file(&self) -> Result<Vec<u8>, Refusal> {
         let length = |field: &str, text: &str| {
             let length = asperity_scene::quantity(text, "m");
-            length.map_err(|error| Refusal::at(field, error))
+            length.map_err(|error| Refusal::at(field, format!("{field}: {error}")))
         };
         if self.pixels > MOST_PIXELS {
             let required = format!("at most {MOST_PIXELS} pixels on a side were required");
@@ -82,6 +119,29 @@ mod tests {
         assert_eq!((read.rows(), read.columns(), read.pixel_size()), (64, 64, [1e-6; 2]));
         let square: f64 = read.heights().iter().map(|z| z * z).sum();
         assert!(((square / 4096.0).sqrt() / 0.5e-6 - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn typed_numbers_are_checked_at_their_field() {
+        let typed = |pixels: &str, seed: &str| RandomTyped {
+            pixels: pixels.into(),
+            side: "64 um".into(),
+            longest: "32 um".into(),
+            shortest: "4 um".into(),
+            hurst: "0.8".into(),
+            sq: "0.5 um".into(),
+            seed: seed.into(),
+        };
+        assert_eq!(typed(" 64 ", "3").keys().unwrap(), example());
+        for (keys, field, text) in [
+            (typed("abc", "3"), "random.pixels", "abc"),
+            (typed("64", "-1"), "random.seed", "-1"),
+            (typed("1e9", "3"), "random.pixels", "1e9"),
+        ] {
+            let refused = keys.keys().unwrap_err();
+            assert_eq!(refused.field.as_deref(), Some(field));
+            assert!(refused.message.contains(text), "{}", refused.message);
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Numbers as the page shows them: four digits and a decimal prefix.
 
-use asperity::short;
+use asperity::{short, shortest_digits};
 
 /// Units that take a prefix.
 const PREFIXED: [&str; 8] = ["N", "Pa", "m", "N/m", "W/K", "S", "W/m2/K", "S/m2"];
@@ -32,6 +32,17 @@ pub(crate) fn typed(value: f64, unit: &str) -> String {
     format!("{} {prefix}{unit}", short(three / factor))
 }
 
+/// A number as [`typed`], with all digits but the last, in which conversions differ: `1.2345 kN`.
+pub(crate) fn exactly(value: f64, unit: &str) -> String {
+    let size = value.abs();
+    let (factor, prefix) = PREFIXES
+        .into_iter()
+        .find(|(factor, _)| size >= *factor && *factor >= 1.0)
+        .unwrap_or((1.0, ""));
+    let number = format!("{:.14e}", value / factor);
+    format!("{} {prefix}{unit}", number.parse().map_or(number, shortest_digits))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -50,6 +61,23 @@ mod tests {
         ];
         for (value, unit, wanted) in cases {
             assert_eq!(shown(value, unit), wanted);
+        }
+    }
+
+    #[test]
+    fn exact_numbers_are_read_back_to_fifteen_digits() {
+        for (value, unit, wanted) in [
+            (2e7, "Pa", "20 MPa"),
+            (2e7 * 1e-4, "N", "2 kN"),
+            (0.123_456_789_012_3, "N", "0.1234567890123 N"),
+            (1e-9, "N", "1e-9 N"),
+            (0.0, "Pa", "0 Pa"),
+            (0.1 + 0.2, "Pa", "0.3 Pa"),
+        ] {
+            let text = exactly(value, unit);
+            assert_eq!(text, wanted);
+            let read = asperity_scene::quantity(&text, unit).unwrap();
+            assert!((read - value).abs() <= 1e-15 * value, "{text}");
         }
     }
 

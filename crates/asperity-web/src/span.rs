@@ -5,8 +5,11 @@ use asperity_scene::quantity;
 
 use crate::message::{LoadKeys, LoadShown};
 use crate::refusal::Refusal;
-use crate::shown::typed;
+use crate::shown::{exactly, shown, typed};
 
+/// The units of loads.
+const NEWTON: &str = "N";
+const PASCAL: &str = "Pa";
 /// Pressures of a curve.
 const POINTS: u32 = 120;
 /// Decades of the slider.
@@ -55,39 +58,52 @@ impl Span {
     }
 }
 
-/// A load as typed or slid to, on a scene.
+/// A load as typed or slid to, on a scene. Its text has a unit, so that it says the same without
+/// the unit beside it.
 pub(crate) fn load(keys: &LoadKeys, scene: &Scene) -> Result<(At, LoadShown), Refusal> {
     let (span, area) = (Span::of(scene), scene.nominal_area);
-    let text = match keys.position {
-        Some(position) if keys.unit == "Pa" => typed(span.pressure(position), "Pa"),
-        Some(position) => typed(span.pressure(position) * area, "N"),
-        None => keys.text.clone(),
-    };
+    let in_pascals = |unit: &str| unit == PASCAL;
     let wrong = |reason: String| Refusal::at("load", format!("load: {reason}"));
-    let at = match (quantity(&text, "N"), quantity(&text, "Pa")) {
+    let (mut text, mut pressure) = (keys.text.trim().to_string(), None);
+    if let Some(position) = keys.position {
+        let slid = span.pressure(position);
+        pressure = Some(in_pascals(&keys.unit));
+        text = match in_pascals(&keys.unit) {
+            true => typed(slid, PASCAL),
+            false => typed(slid * area, NEWTON),
+        };
+    }
+    let (newtons, pascals) = match (quantity(&text, NEWTON), quantity(&text, PASCAL)) {
         // A plain number has the unit beside it.
-        (Ok(_), Ok(pressure)) if keys.unit == "Pa" => At::Pressure(pressure),
-        (Ok(load), _) => At::Load(load),
-        (Err(_), Ok(pressure)) => At::Pressure(pressure),
+        (Ok(number), Ok(_)) => {
+            let unit = if in_pascals(&keys.unit) { PASCAL } else { NEWTON };
+            pressure = Some(in_pascals(unit));
+            text = format!("{text} {unit}");
+            if in_pascals(unit) { (number * area, number) } else { (number, number / area) }
+        }
+        (Ok(newtons), Err(_)) => (newtons, newtons / area),
+        (Err(_), Ok(pascals)) => {
+            pressure = Some(true);
+            (pascals * area, pascals)
+        }
         (Err(reason), Err(_)) => {
             return Err(wrong(format!("{reason}, or a pressure such as 5MPa")));
         }
     };
-    let (newtons, pascals) = match at {
-        At::Load(load) => (load, load / area),
-        At::Pressure(pressure) => (pressure * area, pressure),
-        At::Separation(_) => return Err(wrong("a load or a pressure was required".into())),
-        _ => return Err(wrong("a load or a pressure was required".into())),
-    };
     if !newtons.is_finite() || !pascals.is_finite() {
         return Err(wrong(format!("{text:?}: a finite number was required")));
     }
-    let other = match at {
-        At::Load(_) => crate::shown::shown(pascals, "Pa"),
-        _ => crate::shown::shown(newtons, "N"),
+    let mut pressure = pressure.unwrap_or(false);
+    if let Some(unit) = keys.show.as_deref().filter(|unit| in_pascals(unit) != pressure) {
+        pressure = in_pascals(unit);
+        text = if pressure { exactly(pascals, PASCAL) } else { exactly(newtons, NEWTON) };
+    }
+    let (at, unit, other) = match pressure {
+        true => (At::Pressure(pascals), PASCAL, shown(newtons, NEWTON)),
+        false => (At::Load(newtons), NEWTON, shown(pascals, PASCAL)),
     };
     let position = if pascals > 0.0 { span.position(pascals) } else { 0.0 };
-    Ok((at, LoadShown { text, newtons, pascals, other, position }))
+    Ok((at, LoadShown { text, unit, newtons, pascals, other, position }))
 }
 
 #[cfg(test)]
@@ -106,6 +122,7 @@ mod tests {
             text: text.into(),
             position,
             unit: unit.into(),
+            show: None,
         };
         let of = |keys: &LoadKeys| load(keys, &scene).unwrap();
         assert_eq!(of(&keys("2 kN", None, "N")).0, At::Load(2000.0));
@@ -118,9 +135,33 @@ mod tests {
             let (_, again) = of(&keys(&slid.text, None, unit));
             assert!((again.pascals / slid.pascals - 1.0).abs() < 1e-15);
         }
+        // A plain number says its unit from then on.
+        assert_eq!(of(&keys("2e6", None, "Pa")).1.text, "2e6 Pa");
+        assert_eq!(of(&keys("2e6 Pa", None, "N")).0, At::Pressure(2e6));
         let refused = load(&keys("2 kg", None, "N"), &scene).unwrap_err();
         assert!(refused.message.contains("2kN, for example"), "{}", refused.message);
         assert!(load(&keys("1e999", None, "N"), &scene).is_err());
+    }
+
+    #[test]
+    fn another_unit_shows_the_same_load() {
+        let scene = scene();
+        for text in ["2 kN", "123.4 N", "0.7 mN", "1.7e-3 N"] {
+            let keys = LoadKeys { text: text.into(), ..LoadKeys::default() };
+            let (_, first) = load(&keys, &scene).unwrap();
+            let show = |text: &str, unit: &str| {
+                let keys =
+                    LoadKeys { text: text.into(), show: Some(unit.into()), ..LoadKeys::default() };
+                load(&keys, &scene).unwrap().1
+            };
+            assert_eq!(show(text, "N").text, text);
+            let other = show(text, "Pa");
+            assert!(other.text.ends_with("Pa") && other.unit == "Pa", "{other:?}");
+            let back = show(&other.text, "N");
+            for (found, wanted) in [(other.newtons, first.newtons), (back.newtons, first.newtons)] {
+                assert!((found / wanted - 1.0).abs() < 2e-15, "{found} {wanted}");
+            }
+        }
     }
 
     #[test]

@@ -1,11 +1,14 @@
 //! The ways to describe a surface, and a scene's surface in another of them.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use asperity::short;
 use asperity_scene::SceneFile;
 
+use crate::fields::{edit, fields, files};
 use crate::message::Change;
+use crate::random::RANDOM;
 use crate::refusal::Refusal;
 
 /// Ways with their keys. The first key of each tells it from the others.
@@ -16,11 +19,10 @@ const WAYS: [(&str, &[&str]); 5] = [
     ("index", &["plasticity_index", "roughness_parameter", "asperity_height_std"]),
     ("asperities", &["asperity_radius", "asperity_density", "asperity_height_std"]),
 ];
-/// Keys of a scan alone, or of a surface that it replaces.
-const OF_SCANS: [&str; 14] = [
-    "unit",
-    "pixel_size",
-    "channel",
+/// Keys that say how a file of a kind is read.
+const OF_FILES: [&str; 3] = ["unit", "pixel_size", "channel"];
+/// Other keys of a scan alone, or of a surface that it replaces.
+const OF_SCANS: [&str; 12] = [
     "estimator",
     "level",
     "filter",
@@ -29,6 +31,7 @@ const OF_SCANS: [&str; 14] = [
     "max_missing",
     "fill_missing",
     "despike",
+    "aligned",
     "surface_height_std",
     "heights",
     "mean_plane_offset",
@@ -65,16 +68,34 @@ pub(crate) fn changes(way: &str, file: &SceneFile) -> Result<Vec<Change>, Refusa
     Ok(changes)
 }
 
-/// The changes that make a file the surface, with these keys to read it.
-pub(crate) fn scan(name: &str, keys: &[(&str, &str)]) -> Vec<Change> {
-    let mut changes = removals(&[]);
-    let all = [("file", name)].into_iter().chain(keys.iter().copied());
-    changes.extend(all.map(|(key, value)| {
-        // In quotes, so that no name of a file reads as anything else.
-        let value = if key == "file" { quoted(value) } else { value.into() };
-        Change { path: format!("surface.{key}"), value: Some(value) }
-    }));
-    changes
+/// The text whose surface is a file. In place of another file it is treated alike: levelled and
+/// filtered with the same keys, and read with the same if it is of the same kind.
+pub(crate) fn with_scan(text: &str, name: &str) -> Result<String, Refusal> {
+    if files(text).iter().any(|known| known == name) {
+        return Ok(text.into());
+    }
+    let fields = fields(text);
+    let old = fields.get("surface.file").map(String::as_str);
+    let kind = |name: &str| Path::new(name).extension().map(|end| end.to_ascii_lowercase());
+    let mut kept = if old.is_some() { [&["file"], &OF_SCANS[..]].concat() } else { vec![] };
+    if old.map(kind) == Some(kind(name)) {
+        kept.extend(OF_FILES);
+    }
+    // Random surfaces are periodic, and what takes their place may not be.
+    if is_random(name) || old.is_some_and(is_random) {
+        kept.retain(|key| *key != "periodic");
+    }
+    let mut changes = removals(&kept);
+    // In quotes, so that no name of a file reads as anything else.
+    changes.push(Change { path: "surface.file".into(), value: Some(quoted(name)) });
+    if is_random(name) {
+        changes.push(Change { path: "surface.periodic".into(), value: Some("true".into()) });
+    }
+    edit(text, &changes)
+}
+
+fn is_random(name: &str) -> bool {
+    name.starts_with(RANDOM) && name.ends_with(".x3p")
 }
 
 fn quoted(name: &str) -> String {
@@ -87,7 +108,7 @@ fn known(way: &str) -> Result<(&'static str, &'static [&'static str]), Refusal> 
 }
 
 fn removals(kept: &[&str]) -> Vec<Change> {
-    let all = WAYS.into_iter().flat_map(|(_, keys)| keys).copied().chain(OF_SCANS);
+    let all = WAYS.into_iter().flat_map(|(_, keys)| keys).copied().chain(OF_SCANS).chain(OF_FILES);
     let removed = all.filter(|key| !kept.contains(key));
     removed.map(|key| Change { path: format!("surface.{key}"), value: None }).collect()
 }
@@ -109,7 +130,6 @@ fn short_digits(number: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fields::{edit, fields};
 
     #[test]
     fn a_surface_is_the_same_in_every_way() {
@@ -127,10 +147,25 @@ mod tests {
             near(found.asperity_density, wanted.asperity_density);
             near(found.asperity_height_std, wanted.asperity_height_std);
         }
-        let scanned = edit(text, &scan("a \"b\".x3p", &[("periodic", "true")])).unwrap();
-        let found = fields(&scanned);
+        let found = fields(&with_scan(text, "a \"b\".x3p").unwrap());
         assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
-        assert!(!found.contains_key("surface.m0") && found["surface.periodic"] == "true");
+        assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
         assert!(changes("scan", &file).is_err() && changes("x", &file).is_err());
+    }
+
+    #[test]
+    fn another_file_is_treated_as_the_one_before() {
+        let text = "[surface]\nfile = \"a.txt\"\nunit = \"um\"\nfilter = 8e-4\nlevel = \"mean\"\n";
+        let of = |text: &str, name: &str| fields(&with_scan(text, name).unwrap());
+        let same = of(text, "b.TXT");
+        assert_eq!((same["surface.file"].as_str(), same["surface.unit"].as_str()), ("b.TXT", "um"));
+        assert_eq!(same["surface.filter"], "8e-4");
+        let other = of(text, "b.x3p");
+        assert!(!other.contains_key("surface.unit") && other["surface.level"] == "mean");
+        assert_eq!(with_scan(text, "a.txt").unwrap(), text);
+        assert!(with_scan(text, "b.txt").unwrap().starts_with("[surface]\nfile = \"b.txt\"\n"));
+        let random = with_scan(text, "random-1.x3p").unwrap();
+        assert_eq!(fields(&random)["surface.periodic"], "true");
+        assert!(!of(&random, "c.x3p").contains_key("surface.periodic"));
     }
 }

@@ -30,6 +30,12 @@ impl JsDesk {
         self.desk.call(message)
     }
 
+    /// See [`Desk::file`](crate::Desk::file); empty for a file that is not there.
+    #[must_use]
+    pub fn file(&self, name: &str) -> Vec<u8> {
+        self.desk.file(name).unwrap_or_default().to_vec()
+    }
+
     /// See [`Desk::press`](crate::Desk::press).
     pub fn press(&self, pressures: &[f64], happened: &js_sys::Function) -> String {
         self.desk.press(pressures, |event| {

@@ -1,24 +1,27 @@
-// The load, the table of values and the curves.
-import { $, cell, element, options, picture } from "./page.js";
+// The load, the table of values, the curves and what is found about them.
+import { $, cell, element, heading, noPicture, options, picture, put } from "./page.js";
 
-// Columns: quantities; rows: models. The first answer that comes decides the columns.
-export function table(views, rows) {
+// Columns: quantities; rows: models, those without values yet with dots.
+export function table(views, ids, values) {
   const [head, body] = [$("answers").tHead, $("answers").tBodies[0]];
-  const row = element("tr", {}, element("th", { scope: "col" }, "model"));
-  row.append(...views.map(({ label, definition }) => element("th", { scope: "col", title: definition }, label)));
-  head.replaceChildren(row);
-  body.replaceChildren(...rows.map(({ model, name, cells }) =>
-    element("tr", {}, element("th", { scope: "row", title: name }, model), ...cells.map((value) => cell(value, model)))));
+  head.replaceChildren(element("tr", {}, heading("model"), ...views.map(({ label, definition }) => heading(label, definition))));
+  const waiting = () => views.map(() => element("td", { className: "none", title: "being calculated" }, "…"));
+  body.replaceChildren(...ids.map((id) => {
+    const row = values.get(id);
+    const name = element("th", { scope: "row", title: row?.name ?? id }, id);
+    return element("tr", {}, name, ...(row ? row.cells.map((value) => cell(value, id)) : waiting()));
+  }));
 }
 
 export function load(shown, typed) {
-  const [field, error] = [$("load"), $("load-error")];
-  if (field.value.trim() !== shown.text) field.value = shown.text;
+  const field = $("load");
+  put(field, shown.text);
   if (typed) $("slider").value = shown.position;
   $("slider").setAttribute("aria-valuetext", shown.text);
+  $("unit").value = shown.unit;
   $("load-other").textContent = shown.other;
   Object.assign(field.dataset, { newtons: shown.newtons, pascals: shown.pascals });
-  error.textContent = "";
+  $("load-error").textContent = "";
   field.removeAttribute("aria-invalid");
 }
 
@@ -30,6 +33,7 @@ export function refuseLoad(message) {
 // The list of models with what each lacks.
 export function models(list, chosen, changed) {
   const box = $("models");
+  const focused = box.contains(document.activeElement) && document.activeElement.value;
   box.replaceChildren(...list.map(({ id, name, source, reason }) => {
     const check = element("input", { type: "checkbox", value: id, checked: chosen.includes(id) && !reason, disabled: Boolean(reason) });
     check.addEventListener("change", () => changed([...box.querySelectorAll("input:checked")].map((one) => one.value)));
@@ -38,8 +42,11 @@ export function models(list, chosen, changed) {
     if (reason) label.setAttribute("aria-disabled", "true");
     return label;
   }));
-  $("model-box").querySelector("summary").textContent = `Models: ${chosen.join(", ")}`;
+  if (focused) box.querySelector(`[value="${focused}"]`)?.focus();
+  names(chosen);
 }
+
+export const names = (chosen) => { $("model-box").querySelector("summary").textContent = `Models: ${chosen.join(", ")}`; };
 
 export function views(list, chosen) {
   options($("view"), list.map(({ id, label }) => [id, label]), chosen);
@@ -49,13 +56,33 @@ export function curve(svg, ids, view) {
   picture($("curve"), svg, `${view} against the load by ${ids.join(", ")}`);
 }
 
+let listed = [];
+
 export function findings(list) {
+  listed = list;
   $("findings").hidden = list.length === 0;
   $("findings").querySelector("ul").replaceChildren(
     ...list.map(({ severity, message, code }) => element("li", { className: severity, data: { code } }, `${severity}: ${message}`)));
 }
 
+// More findings, without those that are there.
+export function addFindings(list) {
+  const known = new Set(listed.map(({ message }) => message));
+  findings([...listed, ...list.filter(({ message }) => !known.has(message))]);
+}
+
 export function numbers(list) {
   $("numbers").replaceChildren(...list.map(({ name, digits, shown, meaning }) =>
     element("tr", {}, element("th", { scope: "row" }, name), element("td", { title: digits }, shown), element("td", {}, meaning))));
+}
+
+// No values, no curves; the place of the curves says why.
+export function clear(why) {
+  table([], [], new Map());
+  findings([]);
+  numbers([]);
+  noPicture($("curve"), why);
+  $("load-other").textContent = "";
+  $("load-error").textContent = "";
+  for (const key of ["newtons", "pascals"]) delete $("load").dataset[key];
 }

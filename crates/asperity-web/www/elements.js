@@ -1,50 +1,59 @@
 // Boundary elements in a worker of their own, load by load. Stopping ends the worker.
-import { $, cell, element, picture, tell } from "./page.js";
+import { $, cell, element, heading, noPicture, picture, tell } from "./page.js";
+import { desks, page, work } from "./state.js";
 
-const HEAD = ["load", "pressure", "area fraction", "mean gap", "plastic share", "patches"];
+const NO_SCAN = "They need the heights of a surface: drop a scan or make a random surface.";
 
-export class Elements {
-  constructor(desk, changed) {
-    Object.assign(this, { desk, changed, solved: [], shown: null, running: 0 });
-    $("stop").addEventListener("click", () => this.stop());
-  }
+class Elements {
+  solved = [];
+  shown = null;
+  // The run under way; events of an older one are not shown.
+  run = null;
+  changed = () => {};
 
-  // What the scene allows, after every change of it.
-  allow(scan) {
-    if (this.running) this.stop();
-    this.clear();
-    const refused = scan ? scan.refused : "They need the heights of a surface: drop a scan or make a random surface.";
+  // What the scene allows, after every change of it; null for a scene with an error.
+  allow(scan, error = !page.shown || page.shown.error) {
+    const refused = error ? "" : scan ? scan.refused : NO_SCAN;
     $("elements-note").textContent = refused ?? `${scan.rows} × ${scan.columns} pixels, solved in this tab.`;
-    $("solve").disabled = $("solve-load").disabled = Boolean(refused);
+    $("solve").disabled = $("solve-load").disabled = refused !== null;
   }
 
-  clear() {
-    this.solved = [];
-    this.shown = null;
-    $("contact").replaceChildren();
-    $("solved").hidden = true;
+  // Nothing of an older scene stays.
+  drop() {
+    if (this.run) this.stop("");
+    [this.solved, this.shown] = [[], null];
+    noPicture($("contact"));
+    $("solved").hidden = $("solved-notes").hidden = true;
     $("iterations").textContent = "";
   }
 
-  async solve(pressures) {
-    const run = ++this.running;
-    this.busy(true);
-    try {
-      await this.desk.press(pressures, (event) => run === this.running && this.happened(event));
-    } catch (error) {
-      if (run === this.running && error.message !== "stopped") tell(error.message);
-    }
-    if (run === this.running) {
-      this.running = 0;
-      this.busy(false);
-    }
+  solve(pressures) {
+    const run = {};
+    const { text } = page;
+    return work("solver", "press", async () => {
+      if (text !== page.text) return;
+      this.run = run;
+      this.busy(true);
+      try {
+        await desks.solver.press(text, pressures, (event) => this.run === run && this.happened(event));
+        if (this.run === run) $("iterations").textContent = "";
+      } catch (error) {
+        if (this.run === run) throw error;
+      } finally {
+        if (this.run === run) this.end();
+      }
+    });
   }
 
-  stop() {
-    this.running = 0;
-    this.desk.restart("stopped");
+  stop(why = "stopped") {
+    this.end();
+    desks.solver.end("stopped");
+    $("iterations").textContent = why;
+  }
+
+  end() {
+    this.run = null;
     this.busy(false);
-    $("iterations").textContent = "stopped";
   }
 
   busy(busy) {
@@ -52,21 +61,18 @@ export class Elements {
     $("solve").disabled = $("solve-load").disabled = busy;
     document.documentElement.dataset.elements = busy ? "busy" : "ready";
     if (busy) $("iterations").textContent = "starting";
-    else if ($("iterations").textContent !== "stopped") $("iterations").textContent = "";
   }
 
   happened(event) {
     if (event.event === "progress") {
-      const { done, count, iterations, residual } = event;
-      $("progress").max = count;
-      $("progress").value = done;
-      $("iterations").textContent = `load ${done} of ${count} done; iteration ${iterations}, residual ${residual.toExponential(0)}`;
+      Object.assign($("progress"), { max: event.count, value: event.done });
+      $("iterations").textContent = event.text;
     } else if (event.event === "failed") {
       tell(event.message);
     } else {
       this.solved = this.solved.filter(({ pressure }) => pressure !== event.pressure);
       this.solved.push(event);
-      this.solved.sort((a, b) => a.pressure - b.pressure);
+      this.solved.sort((a, b) => (a.pressure < b.pressure ? -1 : 1));
       this.showNear();
       this.table();
       this.changed();
@@ -75,21 +81,20 @@ export class Elements {
 
   // The map at the present load, or at the next heavier one that is solved.
   showNear() {
-    const present = Number($("load").dataset.pascals);
+    const present = page.load?.pascals;
     const near = this.solved.find(({ pressure }) => pressure >= present) ?? this.solved.at(-1);
     if (near && near !== this.shown) this.show(near);
   }
 
   show(one) {
-    const { svg, load } = one;
     this.shown = one;
-    picture($("contact"), svg, `contact pressures at ${load}`);
+    picture($("contact"), one.svg, `contact pressures at ${one.load}`);
   }
 
   table() {
-    const table = $("solved");
+    const [table, notes] = [$("solved"), $("solved-notes")];
     table.hidden = false;
-    table.tHead.replaceChildren(element("tr", {}, ...HEAD.map((name) => element("th", { scope: "col" }, name)), element("th", {}, "map")));
+    table.tHead.replaceChildren(element("tr", {}, ...this.solved[0].head.map(([name, definition]) => heading(name, definition)), heading("map")));
     table.tBodies[0].replaceChildren(...this.solved.map((one) => {
       const row = element("tr", { data: { pressure: one.pressure } }, ...one.cells.map((value) => cell(value, "bem")));
       const button = element("button", { type: "button", onclick: () => this.show(one) }, "show");
@@ -97,11 +102,21 @@ export class Elements {
       row.append(element("td", {}, button));
       return row;
     }));
+    // What several loads have in common is said once, for the lightest.
+    const said = new Map();
+    for (const { load, notes } of this.solved) for (const { code, severity, message } of notes) {
+      if (!said.has(code)) said.set(code, { text: `${severity}: ${message}`, also: [] });
+      else said.get(code).also.push(load);
+    }
+    notes.hidden = said.size === 0;
+    notes.replaceChildren(...[...said.values()].map(({ text, also }) =>
+      element("li", {}, also.length > 0 ? `${text} (also at ${also.join(", ")})` : text)));
   }
 
   // The points of a quantity that boundary elements give.
   points(view) {
-    const of = { "area-fraction": "area", separation: "gap" }[view];
-    return of ? this.solved.map((one) => [one.pressure, one[of]]) : [];
+    return this.solved.filter(({ points }) => points[view] !== undefined).map(({ pressure, points }) => [pressure, points[view]]);
   }
 }
+
+export const elements = new Elements();

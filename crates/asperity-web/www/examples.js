@@ -1,5 +1,9 @@
-// Scenes to start from: the examples of the scene files.
-import { randomKeys } from "./scans.js";
+// Scenes to start from: the examples of the scene files, and what to try on the first.
+import { $, element } from "./page.js";
+import { desks, page, state, work } from "./state.js";
+import { answer, edit, setModels, setScene, setView } from "./scene.js";
+import { elements } from "./elements.js";
+import { usualRandom, useScan } from "./scans.js";
 
 export const EXAMPLES = [
   ["ground-steel", "Ground steel, with a surface made here"],
@@ -8,20 +12,36 @@ export const EXAMPLES = [
   ["elastomer-on-glass", "Elastomer on glass"],
   ["lapped-seal", "Lapped seal"],
 ];
+const FIRST = EXAMPLES[0][0];
 
-export async function openExample(name, { desks, state, setScene }) {
+const TRIES = [
+  ["How stiff is it when it is unloaded?", "Show the unloading stiffness", () => setView("unloading-stiffness")],
+  ["What does a body of copper change?", "Second body: copper", () => edit([{ path: "body[2].material", value: "copper-cold-worked" }], 2)],
+  ["Do inclined asperities change the answer? Gao and AT take some seconds.", "Add Gao and AT", () => setModels([...state.models, ...["gao", "at"].filter((id) => !state.models.includes(id))])],
+  ["Is the area that boundary elements find at this load that of the models?", "Solve this load", () => page.load && elements.solve([page.load.pascals])],
+];
+
+export function tries() {
+  $("tries").replaceChildren(...TRIES.map(([question, act, does]) =>
+    element("li", {}, `${question} `, element("button", { type: "button", onclick: does }, act))));
+}
+
+export async function exampleText(name) {
   const response = await fetch(`examples/${name}.toml`);
-  if (!response.ok) throw new Error(`the example ${name} could not be loaded`);
-  let text = await response.text();
-  Object.assign(state, { load: "", scan: null, random: null });
-  if (name === EXAMPLES[0][0]) {
+  if (!response.ok) throw new Error(`the example ${name} could not be loaded: reload the page`);
+  return response.text();
+}
+
+export const openExample = (name, kind = "example") => work("page", "example", async () => {
+  let text = await exampleText(name);
+  let [scan, random] = [null, null];
+  if (name === FIRST) {
     // A realisation of that surface, for boundary elements.
-    const keys = randomKeys();
-    const made = await Promise.all(Object.values(desks).map((desk) => desk.hand("", { keys })));
-    Object.assign(state, { scan: made[0], random: keys });
-    text = await desks.quick.call("use-scan", { text, name: made[0].name });
+    ({ text, scan, random } = await useScan(text, { typed: usualRandom() }));
     const changes = ["asperities", "separation_from"].map((key) => ({ path: `surface.${key}`, value: null }));
     text = await desks.quick.call("edit", { text, changes });
   }
-  await setScene(text);
-}
+  Object.assign(state, { load: "", scan, random });
+  $("try").hidden = name !== FIRST;
+  setScene(text, kind).then(() => page.shown?.scan && !page.shown.scan.refused && elements.solve([]));
+});

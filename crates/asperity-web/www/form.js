@@ -1,5 +1,5 @@
 // The form: a view of the text of the scene. An edited field is a change of the text.
-import { $, element } from "./page.js";
+import { $, element, put, typing } from "./page.js";
 
 const BODY = [
   ["youngs_modulus", "Young's modulus E", "210 GPa"],
@@ -64,11 +64,14 @@ export function field(path, label, hint, edit) {
 
 function body(k, edit, materials) {
   const box = element("div", { className: "body" }, element("h3", {}, k === 1 ? "First body" : "Second body"));
-  const pick = element("select", { id: `material-${k}` });
+  const path = `body[${k}].material`;
+  const pick = element("select", { id: `material-${k}`, data: { path } });
   pick.append(element("option", { value: "" }, "own values"));
   pick.append(...materials.map(({ id, name }) => element("option", { value: id }, name)));
-  pick.addEventListener("change", () => edit([{ path: `body[${k}].material`, value: pick.value }], k));
+  pick.addEventListener("change", () => edit([{ path, value: pick.value }], k));
+  pick.setAttribute("aria-describedby", `${pick.id}-note`);
   box.append(element("div", { className: "row wide" }, element("label", { htmlFor: pick.id }, "Material"), pick));
+  box.append(element("p", { id: `${pick.id}-note`, className: "note", hidden: true }));
   box.append(element("p", { className: "source", id: `source-${k}`, hidden: true }));
   box.append(...BODY.map(([key, label, hint]) => field(`body[${k}].${key}`, label, hint, edit)));
   return box;
@@ -84,6 +87,9 @@ export function fill(shown, edit, materials) {
   const kind = [has("interface."), rigid, way].join();
   if (kind !== built) {
     built = kind;
+    // Another form keeps the place of the user, and what is being typed there.
+    const { dataset: { path } = {}, value } = document.activeElement ?? {};
+    const typed = typing.has(document.activeElement);
     const bodies = $("bodies");
     bodies.replaceChildren(element("legend", {}, "Bodies"));
     if (has("interface.")) {
@@ -98,19 +104,22 @@ export function fill(shown, edit, materials) {
     bodies.append(field("nominal_area", "Nominal area", "1 cm2", edit));
     const keys = [...WAYS[way], ...EVERY];
     $("surface-fields").replaceChildren(...keys.map(([key, label, hint]) => field(`surface.${key}`, label, hint, edit)));
+    const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
+    if (again && typed) {
+      again.value = value;
+      typing.add(again);
+    }
+    again?.focus();
   }
   $("way").value = way;
   for (const input of document.querySelectorAll("[data-path]")) {
-    const value = fields[input.dataset.path] ?? "";
-    if (input !== document.activeElement || input.value.trim() !== value) input.value = value;
+    put(input, fields[input.dataset.path] ?? "");
   }
   for (const k of [1, 2]) {
-    const pick = $(`material-${k}`);
-    if (!pick) continue;
-    const id = fields[`body[${k}].material`] ?? "";
-    pick.value = materials.some((material) => material.id === id) ? id : "";
-    const material = materials.find((material) => material.id === id);
     const source = $(`source-${k}`);
+    if (!source) continue;
+    const material = materials.find(({ id }) => id === fields[`body[${k}].material`]);
+    $(`material-${k}`).value = material?.id ?? "";
     source.hidden = !material;
     source.textContent = material ? `${material.shown}. Source: ${material.source}` : "";
     for (const [key] of BODY.slice(0, 4)) {

@@ -1,39 +1,68 @@
-// The state of the page in its address, so that a copied link, back and forward restore all of it.
+// The state of the page in its address: a copied link, back and forward restore all of it.
 import { $, tell } from "./page.js";
+import { desks, files, state, work } from "./state.js";
 
-let written = "";
+// What the user did since the address was written, and what it was written for last.
+let [done, last, written] = ["open", "open", ""];
 
-// Writes the state behind the address, without a new entry in the history.
-export async function keepLink(desk, state) {
+// While the user slides or types, one entry of the history is enough.
+const ONE_ENTRY = ["slide", "type"];
+
+export function note(kind) {
+  done = kind;
+}
+
+// The next movement of the slider, or the next typing, is an entry of its own.
+export function rest() {
+  last = null;
+}
+
+export const writeLink = () => work("page", "link", async () => {
+  const kind = done;
+  done = null;
   const { text, models, load, view, scan, random } = state;
   try {
-    const link = await desk.call("link", { state: { scene: text, models, load, view, scan, random } });
-    written = `#s=${link}`;
-    history.replaceState(null, "", written);
+    const hash = `#s=${await desks.quick.call("link", { state: { scene: text, models, load, view, scan, random } })}`;
+    if (hash === location.hash) return;
+    const again = kind === null || kind === "open" || (kind === last && ONE_ENTRY.includes(kind));
+    history[again ? "replaceState" : "pushState"](null, "", hash);
+    written = hash;
+    last = kind ?? last;
   } catch {
     // The address stays as it is; the page goes on.
   }
+});
+
+// Opens the state of the address; whether there was one, and a message if it was not opened.
+export async function openLink(setScene) {
+  const { hash } = location;
+  if (!hash.startsWith("#s=") || hash === written) return { opened: false };
+  let found;
+  try {
+    found = await desks.quick.call("unlink", { link: hash.slice(3) });
+  } catch (error) {
+    return { opened: false, message: error.message };
+  }
+  written = hash;
+  const { scene, models, load, view, scan, random } = found;
+  Object.assign(state, { models, load, view, scan, random });
+  if (random && scan && files.get(scan.name)?.checksum !== scan.checksum) files.set(scan.name, { keys: random, checksum: scan.checksum });
+  await setScene(scene, "open");
+  asked = scan && files.get(scan.name)?.checksum !== scan.checksum ? scan : null;
+  if (asked) tell(`The link was made with the scan ${scan.name} (checksum ${scan.checksum}), which it does not contain: choose or drop that file.`);
+  return { opened: true };
 }
 
-// Opens the state of the address; the message of a link that was not opened, null without a link.
-export async function openLink({ desks, state, setScene, slider }) {
-  const hash = location.hash;
-  if (!hash.startsWith("#s=") || hash === written) return null;
-  try {
-    const found = await desks.quick.call("unlink", { link: hash.slice(3) });
-    const { scene, models, load, view, scan, random } = found;
-    Object.assign(state, { models, load, view, scan, random });
-    state.unit = load.trim().endsWith("Pa") ? "Pa" : "N";
-    slider();
-    written = hash;
-    if (random) await Promise.all(Object.values(desks).map((desk) => desk.hand("", { keys: random })));
-    await setScene(scene);
-    if (scan && !random && !desks.quick.files.has(scan.name)) {
-      tell(`The link was made with the scan ${scan.name} (checksum ${scan.checksum}), which it does not contain: choose or drop that file.`);
-    }
-    return "";
-  } catch (error) {
-    tell(error.message);
-    return error.message;
+// The scan that a link asks for, until it is given; under whatever name.
+let asked = null;
+
+// What there is to say about a file that was given: null if it is the one that was asked for.
+export function given(scan) {
+  const wanted = asked;
+  if (wanted?.checksum !== scan.checksum) {
+    const other = wanted && `${scan.name} is not the file of the link: its checksum is ${scan.checksum}, that of the link ${wanted.checksum}; it is used in its place.`;
+    return { name: scan.name, message: other };
   }
+  asked = null;
+  return { name: wanted.name, message: null };
 }

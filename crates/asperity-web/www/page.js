@@ -12,13 +12,46 @@ export function element(name, properties = {}, ...children) {
   return made;
 }
 
-// A picture of the desk, with a text that says what it shows.
+// The fields with text that was typed and not yet taken: an answer must not overwrite them.
+export const typing = new WeakSet();
+addEventListener("input", ({ target }) => typing.add(target), true);
+for (const done of ["change", "focusout"]) addEventListener(done, ({ target }) => typing.delete(target), true);
+
+// Gives a field its value, unless somebody types there.
+export function put(field, value) {
+  if (!typing.has(field) && field.value !== value) field.value = value;
+}
+
+// A picture of the desk, with a text that says what it shows. Values that come with it are shown
+// under the pointer by `readings`.
 export function picture(figure, svg, label) {
   const made = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
   made.setAttribute("role", "img");
   made.setAttribute("aria-label", label);
+  for (const reading of made.querySelectorAll(".reading")) {
+    const title = reading.querySelector("title");
+    reading.dataset.reading = title.textContent;
+    title.remove();
+  }
+  figure.tabIndex = 0;
+  figure.setAttribute("aria-label", label);
   figure.replaceChildren(document.importNode(made, true));
   figure.dataset.svg = svg;
+}
+
+// A picture that is no longer that of the scene goes, and its place says why.
+export function noPicture(figure, why = "") {
+  figure.removeAttribute("tabindex");
+  delete figure.dataset.svg;
+  figure.replaceChildren(...(why ? [element("p", { className: "none" }, why)] : []));
+}
+
+export function readings(figure, output) {
+  figure.addEventListener("pointerover", ({ target }) => {
+    const reading = target.closest?.(".reading")?.dataset.reading;
+    if (reading) output.replaceChildren(...reading.split("\n").map((line) => element("span", {}, line)));
+  });
+  figure.addEventListener("pointerleave", () => output.replaceChildren());
 }
 
 // A cell with a number as shown, and with all digits.
@@ -28,6 +61,8 @@ export function cell({ quantity, digits, bound, shown }, model) {
   if (bound !== undefined) data.bound = bound;
   return element("td", { data, title: digits }, shown);
 }
+
+export const heading = (name, definition = "") => element("th", { scope: "col", title: definition }, name);
 
 export function options(select, list, chosen = select.value) {
   select.replaceChildren(...list.map(([value, text]) => element("option", { value }, text)));
@@ -40,10 +75,9 @@ export function download(name, content, type) {
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
-// A message above the page, with an action if there is one.
-export function tell(text, action, act) {
+// A message above the page.
+export function tell(text) {
   const box = $("message");
   box.hidden = !text;
   box.replaceChildren(text ?? "");
-  if (action) box.append(element("button", { type: "button", onclick: act }, action));
 }

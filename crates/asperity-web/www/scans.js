@@ -1,7 +1,9 @@
-// Scans: chosen, dropped or made here.
-import { $, element, options, picture, tell } from "./page.js";
+// Scans: chosen, dropped or made here, and the report of the scene's scan.
+import { $, download, element, heading, noPicture, picture, tell } from "./page.js";
+import { desks, files, page, state, work } from "./state.js";
+import { setScene } from "./scene.js";
+import { given as found } from "./link.js";
 
-const LARGEST = 512 * 1024 * 1024;
 const RANDOM = [
   ["pixels", "Pixels on a side", "256"],
   ["side", "Length of a side", "200 um"],
@@ -11,81 +13,79 @@ const RANDOM = [
   ["sq", "Sq", "0.4 um"],
   ["seed", "Seed", "1"],
 ];
-const NUMBERS = ["pixels", "hurst", "seed"];
 
-export const randomKeys = () => Object.fromEntries(RANDOM.map(([key, , value]) => [key, NUMBERS.includes(key) ? Number(value) : value]));
+// Makes a file of the computer, or a random surface, the surface of a text: the text and the scan.
+export async function useScan(text, { file, typed }) {
+  const given = typed ? { keys: await desks.quick.call("random-keys", { typed }) } : { file };
+  const { name, checksum } = await desks.quick.hand(file?.name ?? "", given);
+  const { name: named, message } = found({ name, checksum });
+  files.set(named, Object.assign(given, { checksum }));
+  const made = await desks.quick.call("use-scan", { text, name: named });
+  return { text: made, scan: { name: named, checksum }, random: given.keys ?? null, message };
+}
 
-export function scans({ desks, state, setScene }) {
-  const all = Object.values(desks);
+export const usualRandom = () => Object.fromEntries(RANDOM.map(([key, , value]) => [key, value]));
+const typedRandom = () => Object.fromEntries(RANDOM.map(([key]) => [key, $(`random-${key}`).value]));
+
+function use(source) {
+  tell("");
+  return work("page", null, async () => {
+    let [before, used] = [];
+    do {
+      before = state.text;
+      used = await useScan(before, source);
+    } while (state.text !== before);
+    const { text, scan, random, message } = used;
+    Object.assign(state, { scan, random });
+    const shown = setScene(text, "scan");
+    if (message && !random) shown.then(() => tell(message));
+  });
+}
+
+export function scans() {
   $("random-fields").append(...RANDOM.map(([key, label, value]) => {
     const input = element("input", { id: `random-${key}`, type: "text", value });
     return element("div", { className: "row" }, element("label", { htmlFor: input.id }, label), input);
   }));
-
-  async function use(name, scan, random) {
-    const asked = state.scan;
-    Object.assign(state, { scan, random });
-    // The file that the scene already names.
-    const named = desks.quick.text && state.text.includes(JSON.stringify(name));
-    const text = named ? state.text : await desks.quick.call("use-scan", { text: state.text, name });
-    await setScene(text);
-    if (asked && asked.name === name && asked.checksum !== scan.checksum) {
-      tell(`${name} is not the file of the link: its checksum is ${scan.checksum}, that of the link ${asked.checksum}.`);
-    }
-  }
-
-  async function take(file) {
-    tell("");
-    try {
-      if (file.size > LARGEST) throw new Error(`${file.name} is larger than 512 MB: use the program, asperity surface.`);
-      const bytes = await file.arrayBuffer();
-      const { name, checksum } = await desks.quick.hand(file.name, { bytes });
-      await Promise.all([desks.slow, desks.solver].map((desk) => desk.hand(name, { bytes })));
-      await use(name, { name, checksum }, null);
-    } catch (error) {
-      tell(`${file.name}: ${error.message}`);
-    }
-  }
-
-  async function make(keys) {
-    const made = await Promise.all(all.map((desk) => desk.hand("", { keys })));
-    await use(made[0].name, made[0], keys);
-  }
-
-  $("scan").addEventListener("change", () => $("scan").files[0] && take($("scan").files[0]));
+  $("scan").addEventListener("change", () => {
+    const [file] = $("scan").files;
+    // The same file can be chosen again.
+    $("scan").value = "";
+    if (file) use({ file });
+  });
   const drop = $("drop");
   addEventListener("dragover", (event) => { event.preventDefault(); drop.classList.add("over"); });
   addEventListener("dragleave", () => drop.classList.remove("over"));
   addEventListener("drop", (event) => {
     event.preventDefault();
     drop.classList.remove("over");
-    if (event.dataTransfer.files[0]) take(event.dataTransfer.files[0]);
+    const [file] = event.dataTransfer.files;
+    if (file) use({ file });
   });
-  $("make-random").addEventListener("click", async () => {
-    const value = ([key]) => [key, NUMBERS.includes(key) ? Number($(`random-${key}`).value) : $(`random-${key}`).value];
-    try {
-      await make(Object.fromEntries(RANDOM.map(value)));
-      tell("");
-    } catch (error) {
-      tell(error.message);
-    }
-  });
+  $("make-random").addEventListener("click", () => use({ typed: typedRandom() }));
+  $("save-scan").addEventListener("click", () => work("page", null, async () => {
+    const [name] = page.shown?.files ?? [];
+    if (name) download(name, new Blob([await desks.quick.file(page.text, name)]), "application/octet-stream");
+  }));
+}
 
-  // The report of the scene's scan.
-  async function show(there) {
-    $("scan-report").hidden = !there;
-    if (!there) return;
-    try {
-      const { svg, scales } = await desks.slow.call("scan");
-      picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
-      const heads = Object.keys(scales[0] ?? {});
-      const head = element("tr", {}, ...heads.map((name) => element("th", { scope: "col" }, name.replaceAll("_", " "))));
-      $("scales").replaceChildren(element("caption", {}, "Moments at several point distances"), head,
-        ...scales.map((row) => element("tr", {}, ...heads.map((name) => element("td", {}, String(row[name] ?? "–"))))));
-    } catch (error) {
-      $("scan-report").hidden = true;
-    }
-  }
+// The report of the scene's scan, if it has one.
+export function scanReport(there) {
+  $("scan-report").hidden = $("save-scan").hidden = !there;
+  noPicture($("scan-picture"));
+  if (there) work("slow", "scan", report);
+}
 
-  return { show, make };
+async function report() {
+  const { text, shown } = page;
+  if (!shown?.scan) return;
+  const { svg, caption, scales, numbers } = await desks.slow.ask(text, "scan");
+  if (page.shown !== shown) return;
+  picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
+  $("scan-caption").replaceChildren(...caption.map((text) => element("p", {}, text)));
+  $("scan-numbers").replaceChildren(...numbers.map(({ name, digits, shown, meaning }) =>
+    element("tr", {}, element("th", { scope: "row", title: meaning }, name), element("td", { title: digits }, shown))));
+  const head = element("tr", {}, ...scales.head.map((name) => heading(name)));
+  $("scales").replaceChildren(element("caption", {}, "Slopes and curvatures at several point distances"), head,
+    ...scales.rows.map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text)))));
 }

@@ -1,16 +1,13 @@
 // Files and lines to take away.
-import { $, download, options, picture, tell } from "./page.js";
+import { $, download, element, options, picture, noPicture } from "./page.js";
+import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
+import { writeLink } from "./link.js";
 
-export function takeAway({ desks, state, page, loadKeys, chosen }) {
-  const guard = (act) => async () => {
-    try {
-      await act();
-    } catch (error) {
-      tell(error.message);
-    }
-  };
-  const on = (id, act) => $(id).addEventListener("click", guard(act));
+const on = (id, act) => $(id).addEventListener("click", () => work("page", null, act));
+const deskOf = (id) => (isSlow(id) ? desks.slow : desks.quick);
+const loadKeys = () => ({ text: state.load });
 
+function saves() {
   on("save-csv", () => {
     const rows = chosen().map((id) => page.rows.get(id) ?? "");
     download("asperity.csv", `${page.head}\n${rows.join("")}`, "text/csv");
@@ -20,54 +17,89 @@ export function takeAway({ desks, state, page, loadKeys, chosen }) {
     const image = new Image();
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent($("curve").dataset.svg)}`;
     await image.decode();
-    const canvas = document.createElement("canvas");
-    canvas.width = image.naturalWidth;
-    canvas.height = image.naturalHeight;
+    const canvas = element("canvas", { width: image.naturalWidth, height: image.naturalHeight });
     canvas.getContext("2d").drawImage(image, 0, 0);
     canvas.toBlob((blob) => download("asperity.png", blob, "image/png"));
   });
-  on("save-scene", () => download("scene.toml", state.text, "text/plain"));
-  on("copy-link", async () => {
+  $("save-scene").addEventListener("click", () => download("scene.toml", state.text, "text/plain"));
+  $("save-table").addEventListener("click", () => {
+    const [model, form, units] = ["export-model", "export-form", "export-units"].map((id) => $(id).value);
+    work(isSlow(model) ? "slow" : "page", null, async () => {
+      const { name, text } = await ask(deskOf(model), "export", { model, form, units });
+      download(name, text, "text/plain");
+    });
+  });
+}
+
+// Where the browser gives no clipboard, as without https, the link stands in a field.
+async function copyLink() {
+  await writeLink();
+  const field = $("link");
+  field.value = location.href;
+  try {
     await navigator.clipboard.writeText(location.href);
     $("status").textContent = "link copied";
-  });
-  on("save-table", async () => {
-    const [model, form, units] = ["export-model", "export-form", "export-units"].map((id) => $(id).value);
-    const desk = page.shown.models.find(({ id }) => id === model)?.slow ? desks.slow : desks.quick;
-    const { name, text } = await desk.call("export", { model, form, units });
-    download(name, text, "text/plain");
-  });
-  on("advise", async () => {
-    $("advice").replaceChildren("comparing the models takes some seconds");
-    const { summary } = await desks.slow.call("advise", { load: loadKeys() });
-    $("advice").replaceChildren(...summary.map((text) => Object.assign(document.createElement("li"), { textContent: text })));
-  });
-
-  async function code() {
-    if (!$("code").open) return;
-    const found = await desks.quick.call("code", { models: chosen(), load: loadKeys() });
-    for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = found[language];
+  } catch {
+    field.hidden = false;
+    field.select();
   }
-  async function law() {
-    if (!$("law").open || !$("law-model").value) return;
-    const model = $("law-model").value;
-    const known = page.shown.models.find(({ id }) => id === model);
-    $("law-source").textContent = `${known.name}: ${known.source}`;
-    $("law-picture").replaceChildren();
-    const svg = await (known.slow ? desks.slow : desks.quick).call("law", { model });
-    picture($("law-picture"), svg, `force and area of one asperity by ${model} against the interference`);
-  }
-  $("code").addEventListener("toggle", guard(code));
-  $("law").addEventListener("toggle", guard(law));
-  $("law-model").addEventListener("change", guard(law));
-
-  return {
-    models(all, ids) {
-      const allowed = all.filter(({ reason }) => !reason).map(({ id }) => [id, id]);
-      options($("export-model"), ids.map((id) => [id, id]));
-      options($("law-model"), allowed, $("law-model").value || ids[0]);
-      $("advice").replaceChildren();
-      guard(code)();
-    },
-  };
 }
+
+function advise() {
+  $("advice").replaceChildren(element("li", {}, "Comparing the models takes some seconds."));
+  work("slow", "advice", async () => {
+    const { text } = page;
+    const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys() }).catch((error) => {
+      $("advice").replaceChildren();
+      throw error;
+    });
+    if (text === page.text) $("advice").replaceChildren(...summary.map((line) => element("li", {}, line)));
+  });
+}
+
+async function code() {
+  if (!$("code").open || !answers() || !state.load) return;
+  const found = await ask(desks.quick, "code", { models: chosen(), load: loadKeys() });
+  for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = found[language];
+}
+
+function law() {
+  const model = $("law-model").value;
+  if (!$("law").open || !model || !answers()) return;
+  const lane = isSlow(model) ? "slow" : "page";
+  work(lane, "law", async () => {
+    const { text, shown } = page;
+    if (!answers()) return;
+    const { svg, source, guide } = await ask(deskOf(model), "law", { model });
+    if (text !== page.text || shown !== page.shown || $("law-model").value !== model) return;
+    $("law-source").replaceChildren(`${source} `, element("a", { href: guide }, "Equations and range"));
+    picture($("law-picture"), svg, `force and area of one asperity by ${model} against the interference`);
+  });
+}
+
+export const takeAway = {
+  start() {
+    saves();
+    $("copy-link").addEventListener("click", copyLink);
+    $("advise").addEventListener("click", advise);
+    $("code").addEventListener("toggle", takeAway.code);
+    $("law").addEventListener("toggle", law);
+    $("law-model").addEventListener("change", law);
+  },
+  // The code of the present load.
+  code: () => work("page", "code", code),
+  // The models of the scene; none for a scene with an error.
+  models(all, ids) {
+    // Theories of the whole surface have no law of one asperity.
+    const allowed = all.filter(({ reason, whole }) => !reason && !whole).map(({ id }) => [id, id]);
+    options($("export-model"), ids.map((id) => [id, id]));
+    options($("law-model"), allowed, $("law-model").value || ids[0]);
+    for (const id of ["save-csv", "save-svg", "save-png", "save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
+    $("advice").replaceChildren();
+    if (ids.length === 0) {
+      noPicture($("law-picture"));
+      $("law-source").replaceChildren();
+      for (const language of ["shell", "python", "rust"]) $(`code-${language}`).textContent = "";
+    } else law();
+  },
+};

@@ -9,6 +9,7 @@ onmessage = async ({ data: { id, kind, message } }) => {
     let answer;
     if (kind === "hand") answer = desk.hand(message.name, new Uint8Array(message.bytes));
     else if (kind === "press") answer = desk.press(message.pressures, (event) => postMessage({ id, event }));
+    else if (kind === "file") return postMessage({ id, file: desk.file(message.name) });
     else answer = desk.call(message);
     postMessage({ id, answer });
   } catch (error) {

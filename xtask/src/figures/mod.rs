@@ -5,7 +5,7 @@ mod joints;
 mod laws;
 mod metals;
 pub(crate) mod models;
-mod paper;
+pub(crate) mod paper;
 mod readings;
 mod shares;
 mod slip;

@@ -11,9 +11,9 @@ use crate::table::{Field, Table};
 use asperity_plot::{Axis, Curve, Figure, Panel};
 
 /// σ_z of figures 4, 6 and 8 [m]; assumed, because the paper does not give it.
-const ROUGHNESSES: [f64; 4] = [0.5e-6, 1.0e-6, 1.5e-6, 2.0e-6];
+pub const ROUGHNESSES: [f64; 4] = [0.5e-6, 1.0e-6, 1.5e-6, 2.0e-6];
 /// σ_z of figures 5, 7 and 9 [m]; assumed.
-const ROUGHNESS: f64 = 1.0e-6;
+pub const ROUGHNESS: f64 = 1.0e-6;
 /// Far below the width of a line, and below the guard of 1e-7.
 const TOLERANCE: f64 = 1e-9;
 

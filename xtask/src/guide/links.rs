@@ -54,7 +54,11 @@ fn violation(
     if !target.is_file() {
         return Ok(Some("no such file"));
     }
-    if anchor.is_empty() || target.extension().is_none_or(|extension| extension != "html") {
+    // What opens a state of the explorer is no place in its page.
+    if anchor.is_empty()
+        || anchor.starts_with("s=")
+        || target.extension().is_none_or(|extension| extension != "html")
+    {
         return Ok(None);
     }
     let ids = match ids.entry(target) {

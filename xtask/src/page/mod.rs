@@ -1,6 +1,7 @@
 //! The page: the explorer in `target/page` and the guide below it, with relative links only.
 
 mod copy;
+mod gallery;
 mod module;
 mod server;
 
@@ -22,11 +23,13 @@ pub fn write(keep_module: bool) -> Result<PathBuf> {
     let root = root.parent().unwrap_or(&root);
     let folder = root.join("target").join("page");
     copy::write(root, &folder)?;
+    gallery::write(&folder)?;
     if !keep_module {
         module::write(root, &folder)?;
     }
     guide::write(&folder)?;
-    let violations = guide::links::violations(&[folder.join("index.html")], &[])?;
+    let pages = ["index.html", "gallery.html", "models.html"].map(|name| folder.join(name));
+    let violations = guide::links::violations(&pages, &[])?;
     ensure!(violations.is_empty(), "links of the explorer:\n{}", violations.join("\n"));
     Ok(folder)
 }

@@ -16,6 +16,7 @@ mod reference;
 mod steps;
 mod surfaces;
 mod unloading;
+mod yielding;
 
 use asperity_bem::{HeightMap, RandomSurface};
 

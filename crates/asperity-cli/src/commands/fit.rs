@@ -107,7 +107,13 @@ impl FitCommand {
         if interrupted {
             interrupt::end_with(&format!("{done} of {} models are fitted", models.len()));
         }
-        Ok(())
+        match &ranking.models[..] {
+            [first, ..] if ranking.models.iter().all(|one| one.misfit.is_some()) => {
+                let reason = first.misfit.as_deref().unwrap_or_default();
+                bail!("{}: {}: {reason}", scene.name, first.model)
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The fitted models, and whether Ctrl-C ended the list.
@@ -171,6 +177,7 @@ impl FitCommand {
     fn print_notes(&self, scene: &LoadedScene, ranking: &Ranking) {
         let usual = ranking.models.first().map(|one| scene.file.notes_on_bounds(&self.free, one));
         usual.iter().flatten().for_each(|note| print_message("note", note));
+        let hopeless = ranking.models.iter().all(|one| one.misfit.is_some());
         for one in &ranking.models {
             let say = |kind: &str, texts: &[String]| {
                 texts
@@ -182,10 +189,17 @@ impl FitCommand {
                 say("warning", &[text.into()]);
             }
             say("warning", &one.unreachable);
+            // Parameters of a fit without meaning have neither intervals nor limits.
+            if let Some(misfit) = &one.misfit {
+                say("warning", if hopeless { &[] } else { std::slice::from_ref(misfit) });
+                continue;
+            }
             say("warning", &one.undetermined);
+            // The nearest value to an unreachable one is given with its place.
+            say("warning", if one.unreachable.is_empty() { &one.limits } else { &[] });
             say("note", &one.notes);
         }
-        if ranking.models.iter().any(|one| one.bic.is_some()) {
+        if !hopeless && ranking.models.iter().any(|one| one.bic.is_some()) {
             print_message("note", &ranking.summary);
         }
     }
@@ -255,7 +269,12 @@ fn target(text: &str) -> Result<(String, f64), String> {
         (_, "m2") => of_unit(value, "m^2"),
         (_, unit) => of_unit(value, unit),
     };
-    Ok((quantity.column(), number?))
+    let number = number?;
+    if quantity == Quantity::AreaFraction && number > 1.0 {
+        let how = if value.contains('%') { "" } else { "; 2 % is written 2%" };
+        return Err(format!("{value} is above 1, and an area fraction is at most 1{how}"));
+    }
+    Ok((quantity.column(), number))
 }
 
 /// A separation with its unit: a plain number would mean multiples of sigma elsewhere.
@@ -281,6 +300,9 @@ mod tests {
         for (text, name, value) in found {
             assert_eq!(target(text), Ok((name.to_string(), value)), "{text}");
         }
+        let above = target("area_fraction=2").unwrap_err();
+        assert_eq!(above, "2 is above 1, and an area fraction is at most 1; 2 % is written 2%");
+        assert!(target("area_fraction=120%").is_err());
         for bad in ["area", "aera=1e-6", "area=big", "area=1 N", "area_fraction=%", "area=nan"] {
             assert!(target(bad).is_err(), "{bad}");
         }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::{Diagnostics, Severity};
 use asperity_plot::draw_surface;
+use asperity_scene::with_decimal_point;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Statistics, Topography,
     TopographyError,
@@ -17,7 +18,7 @@ use toml::Value;
 use crate::commands::glance;
 use crate::commands::scales::Scales;
 use crate::input::args::OutputArgs;
-use crate::input::numbers::{length, number};
+use crate::input::numbers::{have_units, length, share_or_0};
 use crate::output::table::{Format, Table};
 use crate::output::{self, print_message, progress, report};
 
@@ -73,8 +74,8 @@ pub struct Surface {
     /// Treat the surface as periodic beyond its edges
     #[arg(long)]
     periodic: bool,
-    /// Largest accepted share of missing points
-    #[arg(long, value_name = "SHARE", value_parser = number, default_value = "0.1")]
+    /// Largest accepted share of missing points, for example 0.2 or 20%
+    #[arg(long, value_name = "SHARE", value_parser = share_or_0, default_value = "0.1")]
     max_missing: f64,
     /// Fill missing points, up to 5 % of all, from their surroundings (harmonic: each point is the
     /// mean of its neighbours)
@@ -104,8 +105,10 @@ pub struct Surface {
 }
 
 fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
+    have_units(text, length)?;
     let sizes = text.split(',').map(str::parse).collect::<Result<Vec<Distance>, _>>();
-    match sizes.map_err(|error| error.to_string())?[..] {
+    let point = || with_decimal_point(text).map(|one| format!("; write {one} for one value"));
+    match sizes.map_err(|error| format!("{error}{}", point().unwrap_or_default()))?[..] {
         [both] => Ok([both; 2]),
         [across, down] => Ok([across, down]),
         ref sizes => Err(format!("{} values; write DX or DX,DY", sizes.len())),

@@ -123,7 +123,7 @@ mod tests {
             assert!((found.values.last().unwrap() / last - 1.0).abs() < 1e-15, "{text}");
         }
         for (bad, part) in [
-            ("1,2um", "1 has no unit"),
+            ("1,2um", "write 1.2um for one value"),
             ("1:2um:3", "1 has no unit"),
             ("1,two", "\"two\" is not a number"),
             ("2um:1um:3", "A must be below B"),

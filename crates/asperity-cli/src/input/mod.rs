@@ -1,5 +1,6 @@
 //! Parsing of the command line: arguments, numbers, separations.
 
+pub mod ambiguous;
 pub mod args;
 pub mod distances;
 pub mod numbers;

@@ -4,6 +4,9 @@ use std::str::FromStr;
 
 use asperity::joints::coefficient_of_friction;
 use asperity::{linspace, shortest_digits};
+use asperity_scene::with_decimal_point;
+
+use crate::input::ambiguous::refuse_decimal_comma;
 
 /// The largest number of values in one range.
 const MOST: usize = 1_000_000;
@@ -35,9 +38,10 @@ impl Numbers {
         have_units(text, number)?;
         if !text.contains(':') {
             let values = text.split(',').map(number).collect::<Result<_, _>>().map(Self);
-            return values.map_err(|error| match is_range(text) {
-                true => format!("{error}; a range is written A:B:N, for example 1kN:50kN:6"),
-                false => error,
+            return values.map_err(|error| match (is_range(text), with_decimal_point(text)) {
+                (true, _) => format!("{error}; a range is written A:B:N, for example 1kN:50kN:6"),
+                (_, Some(one)) => format!("{error}; write {one} for one value"),
+                _ => error,
             });
         }
         let Span { first, last, count, log } = Span::read(text, number)?;
@@ -108,6 +112,9 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
         true => text.split(':').take(2).collect(),
         false => text.split(',').collect(),
     };
+    if !text.contains(':') {
+        refuse_decimal_comma(text)?;
+    }
     let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
     let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
     let units = parts.iter().any(has_unit);
@@ -194,7 +201,10 @@ pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("{text} is not finite")),
-        Err(_) => Err(format!("{text:?} is not a number such as 2, -0.5 or 1e-6")),
+        Err(_) => Err(match with_decimal_point(text) {
+            Some(same) => format!("{text:?} has a decimal comma; write {same}"),
+            None => format!("{text:?} is not a number such as 2, -0.5 or 1e-6"),
+        }),
     }
 }
 
@@ -216,6 +226,14 @@ pub fn share(text: &str) -> Result<f64, String> {
             Err(format!("{share} means {} %; write {share}% or {}", 100.0 * share, share / 100.0))
         }
     })
+}
+
+/// A share, or 0.
+pub fn share_or_0(text: &str) -> Result<f64, String> {
+    match number(text.trim().trim_end_matches('%').trim_end())? {
+        0.0 => Ok(0.0),
+        _ => share(text),
+    }
 }
 
 /// A relative error, "1%" or "0.01".
@@ -262,7 +280,9 @@ mod tests {
         let span = Span::even("0:4", number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range(load)("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
-        for (mixed, part) in [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has")] {
+        for (mixed, part) in
+            [("1:20kN:5", "1 has"), ("1kN:20:5", "20 has"), ("1kN,2", "2 has"), ("1, 2kN", "1 has")]
+        {
             let refused = [all(load)(mixed).unwrap_err(), all(load_or_tension)(mixed).unwrap_err()];
             assert!(refused.iter().all(|r| r.contains(part)), "{mixed}: {refused:?}");
         }
@@ -322,6 +342,7 @@ mod tests {
         );
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
+        assert_eq!([share_or_0("0"), share_or_0("95%")], [Ok(0.0), Ok(0.95)]);
         assert!(share("500%").is_err() && share("0").is_err() && share("-5%").is_err());
         assert!(positive_number("0").is_err() && positive_number("-1").is_err());
         assert!(Span::even("1:3:4:log", number).is_err());

@@ -244,11 +244,11 @@ fn rows_without_a_value_are_blank_with_one_message() {
     assert_eq!(run.messages.lines().count(), 2, "{}", run.messages);
     assert!(run.messages.contains("ke: no value in 2 of 3 rows, first: load is 1e30 N"));
     assert!(run.messages.contains("a load above 0 and at most"), "{}", run.messages);
-    let json = bench.run("curve scene.toml --model ke --load 5,1e30 --format json");
+    let json = bench.run("curve scene.toml --model ke --load 5.0,1e30 --format json");
     let rows: serde_json::Value = serde_json::from_str(&json.out).unwrap();
     assert!(rows[0]["area_m2"].is_f64() && rows[1]["area_m2"].is_null());
     assert!(rows[1]["separation_m"].is_null() && rows[1]["load_N"].as_f64() == Some(1e30));
-    let separations = bench.run("curve scene.toml --model ke --separation 1,2e9");
+    let separations = bench.run("curve scene.toml --model ke --separation 1.0,2e9");
     assert_eq!(separations.code, Some(0));
     assert_eq!(cells(&separations.out, "force_N")[1], "");
     assert!(separations.messages.contains("no value in 1 of 2 rows"), "{}", separations.messages);
@@ -260,7 +260,7 @@ fn a_load_is_the_abscissa_of_its_picture() {
     for (arguments, label) in [
         ("--load 1:100:20:log", ">load (N)<"),
         ("--load 1:100:20", ">load (N)<"),
-        ("--load 1,1e30", ">load (N)<"),
+        ("--load 1.0,1e30", ">load (N)<"),
         ("--pressure 1e4,1e5,1e6", ">pressure (Pa)<"),
         ("--pressure 1e4,1e5,1e6 --quantity pressure", ">pressure (Pa)<"),
         (

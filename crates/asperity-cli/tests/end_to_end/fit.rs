@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::bench::{Bench, cells, column, column_of};
+use crate::bench::{Bench, Run, cells, column, column_of};
 
 /// Areas and stiffnesses of KE on the scene with other numbers, as `curve` writes them.
 fn measured(bench: &Bench, change: (&str, &str), quantities: &str) -> String {
@@ -145,6 +145,10 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ("load_N,area_m2\n1,nan\n", "row 1: area_m2 is NaN: a finite number was required"),
         ("load_N,area_m2\ninf,1\n", "row 1: load_N is inf: a finite number was required"),
         (
+            "load_N,area_fraction\n1,2.5\n",
+            "row 1: area_fraction is 2.5: at most 1 (a number in per cent over 100) was required",
+        ),
+        (
             "load_N,area_m2\n,1\n",
             "row 1: area_m2 is 1.0: a load or a separation beside it was required",
         ),
@@ -213,6 +217,7 @@ fn bad_parameters_are_refused_by_name() {
         "data.csv --free =1:2",
         "--free hardness",
         "--free hardness --target area=1e-9",
+        "--free hardness --target area_fraction=120% --load 1",
         "--free hardness --target aera=1e-9 --load 1",
         "--free hardness --target area=1e-9 --separation 2",
         "data.csv --free hardness --target area=1e-9 --load 1",
@@ -235,4 +240,114 @@ fn a_model_without_the_quantity_is_left_out_among_others() {
     assert!(run.messages.contains("warning: left out: gao has no value for the data"));
     let run = bench.run(&format!("{fit} gao"));
     assert!(run.code == Some(1) && run.messages.contains("gao has no value for the data at any"));
+}
+
+/// Stiffnesses of KE on the template against the pressure.
+fn stiffness_rows(bench: &Bench) -> Vec<[f64; 2]> {
+    let data = bench.data(
+        "curve scene.toml --model ke --pressure 1e5:1e7:6:log --quantity unloading-stiffness",
+    );
+    let stiffness = column(&data, "unloading_stiffness_N_per_m");
+    column(&data, "pressure_Pa").into_iter().zip(stiffness).map(|(p, k)| [p, k]).collect()
+}
+
+fn write_rows(bench: &Bench, rows: impl IntoIterator<Item = [f64; 2]>) {
+    let rows: String = rows.into_iter().map(|[p, k]| format!("{p:e},{k:e}\n")).collect();
+    bench.write("data.csv", &format!("pressure_Pa,unloading_stiffness_N_per_m\n{rows}"));
+}
+
+#[test]
+fn data_in_another_unit_are_an_error_with_the_unit() {
+    let bench = Bench::new();
+    let rows = stiffness_rows(&bench);
+    let fit = "fit scene.toml data.csv --format csv --free asperity_height_std";
+    for (factors, wanted) in [
+        ([1e-6, 1.0], "pressure_Pa = 10 looks like MPa; 10 MPa is 1e7 Pa"),
+        ([1.0, 1e-6], " = 3716 looks like N/um; 3716 N/um is 3.716e9 N/m"),
+        ([1e-5, 1e-7], "check the columns and their units, and the other numbers of the scene"),
+    ] {
+        write_rows(&bench, rows.iter().map(|[p, k]| [p * factors[0], k * factors[1]]));
+        let run = bench.run(&format!("{fit},hardness --model ke"));
+        assert_eq!(run.code, Some(1), "{}", run.messages);
+        let why = "error: scene.toml: ke: no values within the bounds describe the data, which are off by a factor of ";
+        assert!(run.messages.contains(why) && run.messages.contains(wanted), "{}", run.messages);
+        // The values are meaningless, and nothing else is said of them.
+        assert!(!run.messages.contains("warning"), "{}", run.messages);
+        assert_eq!(column(&run.out, "value").len(), 2);
+    }
+}
+
+#[test]
+fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
+    let bench = Bench::new();
+    write_rows(&bench, stiffness_rows(&bench));
+    let fit = "fit scene.toml data.csv --format csv --free";
+    let run = bench.run(&format!("{fit} asperity_height_std=2um:9um"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let bound = "warning: ke: asperity_height_std is at its lower bound of 2e-6 m";
+    assert!(run.messages.contains(bound), "{}", run.messages);
+    let template = asperity_scene::template();
+    let (before, rest) = template.split_once("asperity_radius = 2e-4").unwrap();
+    let (_, after) = rest.split_once("# 2.").unwrap();
+    let iso = "sq = \"3 um\"\nspd = \"200 1/mm2\"\nspc = \"15 1/mm\"\n# 2.";
+    // Separations, areas and stiffnesses of a surface with other asperities.
+    let arguments = "--pressure 1e5:1e7:6:log --quantity unloading-stiffness,area";
+    let data = bench.data(&format!("curve scene.toml --model ke {arguments}"));
+    bench.write("data.csv", &data);
+    bench.write("scene.toml", &format!("{before}{iso}{after}"));
+    let run = bench.run(&format!("{fit} sq"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let limit = "warning: ke: sq stops at 1.87e-6 m: below it, sq (times spd/spc) would be ";
+    assert!(run.messages.contains(limit), "{}", run.messages);
+    assert!(run.messages.contains("whose bandwidth is at least 1.5"), "{}", run.messages);
+    assert!(!run.messages.contains("not determined"), "{}", run.messages);
+}
+
+#[test]
+fn a_hardness_starts_from_the_yield_strength() {
+    let bench = Bench::new();
+    write_rows(&bench, stiffness_rows(&bench));
+    let scene = asperity_scene::template().replace("hardness = 2e9 ", "yield_strength = 7e8 ");
+    bench.write("scene.toml", &scene.replace("hardness = 2e9\n", "yield_strength = 7e8\n"));
+    for free in ["hardness", "body1_hardness"] {
+        let run = bench.run(&format!("fit scene.toml data.csv --free {free} --format csv"));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+        let varied = format!("note: {free} is varied from 6.533e7 to 5.88e10 Pa");
+        assert!(run.messages.contains(&varied), "{}", run.messages);
+    }
+}
+
+#[test]
+fn a_spreadsheet_with_decimal_commas_gives_the_same() {
+    let bench = Bench::new();
+    let rows = stiffness_rows(&bench);
+    write_rows(&bench, rows.iter().copied());
+    let fit = "fit scene.toml data.csv --free asperity_height_std --format csv";
+    let wanted = bench.data(fit);
+    let text = bench.read("data.csv").replace(',', ";").replace('.', ",");
+    bench.write("data.csv", &text);
+    assert_eq!(bench.data(fit), wanted);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_fit_keeps_the_models_that_are_done() {
+    let bench = Bench::new();
+    let grid = (0..20_000).map(|k| 1e5 * (1.0 + 1e-3 * f64::from(k)));
+    write_rows(&bench, grid.map(|pressure| [pressure, 5e2 * pressure]));
+    let arguments = "fit scene.toml data.csv --free asperity_height_std,hardness --model ke,jg";
+    let mut command = bench.command();
+    command.args(arguments.split(' ')).stdout(std::process::Stdio::piped());
+    let child = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.unwrap().success());
+    let run = Run::of(child.wait_with_output().unwrap());
+    assert_eq!(run.code, Some(130), "{}", run.messages);
+    assert!(
+        run.messages.contains("error: interrupted: 0 of 2 models are fitted"),
+        "{}",
+        run.messages
+    );
+    assert!(run.out.is_empty(), "{}", run.out);
 }

@@ -216,7 +216,7 @@ fn missing_and_invalid_input_is_refused() {
         ("scan.txt --unit furlong --pixel-size 1", 2, "m, cm, mm, um, nm"),
         ("scan.txt --unit um --pixel-size 0", 2, "a length above 0 in the unit"),
         ("scan.txt --unit um --pixel-size 1,2,3", 2, "DX or DX,DY"),
-        ("scan.txt --unit um --pixel-size 1 --max-missing 2", 1, "max_missing is 2.0: a share"),
+        ("scan.txt --unit um --pixel-size 1 --max-missing 2", 2, "2 means 200 %; write 2% or"),
         ("scan.txt scan.txt scan.txt --unit um", 2, "error"),
         (
             "scan.txt scan.txt --unit um --pixel-size 0.5 --estimator summits",

@@ -45,7 +45,7 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
         ("curve scene.toml --separation 1:4:5:lgo", "only :log may follow"),
         ("curve scene.toml --separation 0:4:5:log", "begin above 0"),
         ("curve scene.toml --load 0:100:5", "0 is neither a load"),
-        ("curve scene.toml --separation 1,2um", "1 has no unit"),
+        ("curve scene.toml --separation 1,2um", "write 1.2um for one value, or 1um,2um for two"),
         ("unload scene.toml --model ke --load -5", "-5 is not above 0"),
         ("unload scene.toml --model ke --history 1,2 --closest 1", "cannot be used with"),
         ("slip scene.toml --model ke --load 5 --amplitude 1um --friction 25", "20 % is 0.2"),

@@ -164,7 +164,7 @@ impl Surface {
         made.map_err(|error| match error {
             ContactError::OutOfRange { field: "roughness_parameter", value, .. } => {
                 let required =
-                    "at least 0.02493, as of every isotropic Gaussian surface (a larger sq or spd, a smaller spc),";
+                    "at least 0.02493, as of every isotropic Gaussian surface, whose bandwidth is at least 1.5 (a larger sq or spd, a smaller spc),";
                 ContactError::OutOfRange { field: "sq (times spd/spc)", value, required }
             }
             error => error,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,9 +12,10 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import one_scene
-from asperity._asperity import ContactWarning, Engine, Scene, floats
+from asperity._asperity import Engine, Scene, floats
 from asperity._model import Model
 from asperity._scene import Floats
+from asperity._warn import warn
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,11 @@ class Fit:
     undetermined: tuple[str, ...]
     #: Measured values that cannot be reached, with the reasons.
     unreachable: tuple[str, ...]
-    #: Remarks on bounds, and other values that fit as well.
+    #: Bounds, and ends of the range of scene and model, at which parameters stop.
+    limits: tuple[str, ...]
+    #: If no values within the bounds describe the data: by how much, and the unit that explains it.
+    misfit: str | None
+    #: Remarks on intervals, and other values that fit as well.
     notes: tuple[str, ...]
     #: Row and column of the data, and the measured value, the fitted one and the residual of each.
     residuals: tuple[dict[str, Any], ...]
@@ -130,8 +134,9 @@ def fit(
     model : str, Model or a sequence of these, optional
         By default ke, or gw without a hardness.
 
-    A ``ContactWarning`` names data that cannot be reached, combinations of parameters that the data
-    do not determine, and searches that did not converge.
+    A ``ContactWarning`` names data that cannot be reached or described, with the unit that explains
+    them, parameters at a bound, combinations of parameters that the data do not determine, and
+    searches that did not converge.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -157,11 +162,16 @@ def fit(
     found = _asperity.fit(scene, _columns(data), _free(free), engines)
     fits = tuple(_fit(one, scene) for one in found["models"])
     for one in fits:
-        said = [*one.unreachable, *one.undetermined]
+        if one.misfit is not None:
+            said = [*one.unreachable, one.misfit]
+        else:
+            # The nearest value to an unreachable one is given with its place.
+            limits = () if one.unreachable else one.limits
+            said = [*one.unreachable, *one.undetermined, *limits]
         if not one.converged:
             said.append("the search did not converge: the values are the best that it found")
         for text in said:
-            warnings.warn(f"{one.model}: {text}", ContactWarning, stacklevel=2)
+            warn(f"{one.model}: {text}", 1)
     return Fits(fits, found["summary"])
 
 
@@ -221,6 +231,8 @@ def _fit(found: dict[str, Any], scene: Scene) -> Fit:
         condition=found["condition"],
         undetermined=tuple(found["undetermined"]),
         unreachable=tuple(found["unreachable"]),
+        limits=tuple(found["limits"]),
+        misfit=found["misfit"],
         notes=tuple(found["notes"]),
         residuals=tuple(found["residuals"]),
         scene=scene.replace(**numbers),

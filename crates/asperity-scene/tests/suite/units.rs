@@ -174,11 +174,12 @@ fn a_likely_unit_is_within_the_usual_range_beside_it() {
 #[test]
 fn commas_brackets_and_other_units_are_explained() {
     for (from, to, wanted) in [
-        ("0.3", "0,3", "write a decimal point, as in 0.3"),
+        ("0.3", "0,31", "write a decimal point, as in 0.31"),
+        ("\"400 MPa\"", "\"0,4 GPa\"", "is \"0,4 GPa\": a decimal point, as in \"0.4 GPa\", was"),
         (
             "\"400 MPa\"",
             "\"58 ksi\"",
-            "body[1].yield_strength is \"58 ksi\": \"399.9 MPa\", which is the same,",
+            "body[1].yield_strength is \"58 ksi\": a known unit, as in \"399.9 MPa\", which is the",
         ),
     ] {
         let body = format!("{STEEL}\npoissons_ratio = 0.3\nyield_strength = \"400 MPa\"");

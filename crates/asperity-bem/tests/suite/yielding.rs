@@ -1,0 +1,62 @@
+//! Areas of contacts that yield, against finer grids.
+
+use std::f64::consts::PI;
+
+use asperity_bem::{Boundary, BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
+
+use crate::{MODULUS, UNIT, close};
+
+/// Waves of at least 1/16 of the side, on n x n pixels.
+fn surface(n: usize) -> HeightMap {
+    let surface = RandomSurface::new(2.0, 4.0, 16.0).unwrap().gradient(0.1).unwrap();
+    surface.side(1e-4).unwrap().seed(1).heights(n).unwrap()
+}
+
+/// No pressure exceeds H: the contact is at least F/H, and at least its plastic part.
+#[track_caller]
+fn carries(solution: &Solution, hardness: f64) {
+    let least = solution.mean_pressure / hardness;
+    assert!(solution.area >= least * (1.0 - 1e-12), "{} < {least}", solution.area);
+    assert!(solution.area <= solution.pixel_area * (1.0 + 1e-12));
+    assert!(solution.plastic_area <= solution.area * (1.0 + 1e-12));
+}
+
+/// From 35 to 99 % plastic, at 8, 16 and 64 pixels per shortest wave.
+#[test]
+fn yielded_contacts_keep_the_area_of_finer_grids() {
+    for hardness in [0.05, 0.1, 0.15, 0.2, 0.3, 0.6] {
+        let given = LoadCase::MeanPressure(0.01 * UNIT);
+        let solve = |n| {
+            let solver = BoundaryElements::new(surface(n), MODULUS).unwrap();
+            let solver = solver.hardness(hardness * UNIT).unwrap().tolerance(1e-6).unwrap();
+            let solution = solver.solve(given).unwrap();
+            carries(&solution, hardness * UNIT);
+            solution
+        };
+        let fine = solve(512).area;
+        for (n, within) in [(128, 0.02), (256, 0.015)] {
+            close(solve(n).area, fine, within);
+        }
+    }
+}
+
+/// Where all of a sphere's contact yields it carries H on F/H.
+#[test]
+fn a_soft_sphere_carries_the_hardness() {
+    let (radius, hardness) = (1e-3, 1e-3 * MODULUS);
+    for [pixels, within] in [[8.0, 0.02], [16.0, 0.01]] {
+        let contact = 1e-4;
+        let n = 65;
+        let step = contact / pixels;
+        let at = |i: usize| (i as f64 - 32.0) * step;
+        let heights = (0..n * n).map(|i| -(at(i / n).powi(2) + at(i % n).powi(2)) / (2.0 * radius));
+        let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+        let nominal = map.area();
+        let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
+        let solver = solver.hardness(hardness).unwrap();
+        let load = PI * contact.powi(2) * hardness;
+        let solution = solver.solve(LoadCase::Load(load)).unwrap();
+        carries(&solution, hardness);
+        close(solution.area * nominal, load / hardness, within);
+    }
+}

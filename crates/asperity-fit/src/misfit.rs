@@ -1,0 +1,151 @@
+//! Data that no values of the parameters describe, and the unit in which they may be written.
+
+use asperity_core::{Quantity, short};
+
+use crate::problem::{Problem, squares};
+use crate::search::search;
+use crate::{Data, FitError, Measured, Observation};
+
+/// Data are not described where the root mean square of ln(fitted/measured) is above this.
+const HOPELESS: f64 = 1.0;
+/// Another unit explains the misfit if it leaves less than this share of it, and less than
+/// [`EXPLAINED`].
+const SHARE: f64 = 0.25;
+const EXPLAINED: f64 = 0.5;
+
+/// Units in which data are usually recorded, with their size in the SI unit of the column.
+const UNITS: [(&str, &[(&str, f64)]); 9] = [
+    ("N", &[("kN", 1e3), ("MN", 1e6), ("mN", 1e-3), ("uN", 1e-6)]),
+    ("Pa", &[("MPa", 1e6), ("kPa", 1e3), ("bar", 1e5), ("GPa", 1e9)]),
+    ("m", &[("um", 1e-6), ("nm", 1e-9), ("mm", 1e-3)]),
+    ("m2", &[("mm2", 1e-6), ("um2", 1e-12), ("cm2", 1e-4)]),
+    ("N/m", &[("N/um", 1e6), ("N/mm", 1e3), ("N/nm", 1e9)]),
+    ("W/K", &[("mW/K", 1e-3), ("kW/K", 1e3)]),
+    ("W/(m2 K)", &[("kW/(m2 K)", 1e3), ("W/(cm2 K)", 1e4)]),
+    ("1/ohm", &[("kS", 1e3), ("mS", 1e-3)]),
+    ("", &[("%", 0.01)]),
+];
+
+/// Root mean square of the logarithms of fitted over measured values.
+pub(crate) fn rms(data: &Data, values: &[f64]) -> Option<f64> {
+    let logarithm = |(one, value): (&Observation, &f64)| {
+        let ratio = (value / one.value).ln();
+        Some(ratio).filter(|ratio| !one.measured.is_difference() && ratio.is_finite())
+    };
+    let ratios: Vec<f64> = data.iter().zip(values).filter_map(logarithm).collect();
+    let rms = (squares(&ratios) / ratios.len() as f64).sqrt();
+    (!ratios.is_empty()).then_some(rms)
+}
+
+/// A sentence about data that are not described, with the unit that explains them.
+pub(crate) fn misfit(
+    problem: &Problem<'_>,
+    found: Option<f64>,
+    limits: &[String],
+) -> Result<Option<String>, FitError> {
+    let Some(rms) = found.filter(|rms| *rms > HOPELESS) else { return Ok(None) };
+    let advice = match likely_unit(problem, rms)? {
+        Some(unit) => unit,
+        None => {
+            let check = "check the columns and their units, and the other numbers of the scene";
+            [limits, &[check.to_string()]].concat().join("; ")
+        }
+    };
+    Ok(Some(format!(
+        "no values within the bounds describe the data, which are off by a factor of {} (root mean square); {advice}",
+        short(rms.exp())
+    )))
+}
+
+/// The column and the unit that explain the data best.
+fn likely_unit(problem: &Problem<'_>, rms_here: f64) -> Result<Option<String>, FitError> {
+    let mut columns: Vec<Column> = vec![];
+    for one in problem.data.iter() {
+        let place = Column::Place(one.place().0);
+        for column in [place, Column::Measured(one.measured)] {
+            if !columns.contains(&column) {
+                columns.push(column);
+            }
+        }
+    }
+    let (mut least, mut likely) = (EXPLAINED.min(SHARE * rms_here), None);
+    for column in columns {
+        for (unit, factor) in column.units() {
+            let data = problem.data.scaled(|one| column.scaled(one, *factor));
+            let Ok(forward) = crate::forward::Forward::new(problem.model, &data) else { continue };
+            let other = Problem { data: &data, forward: &forward, ..*problem };
+            let values = match search(&other, 0) {
+                Ok(found) => other.predicted(&found.best.coordinates),
+                Err(error @ FitError::Interrupted) => return Err(error),
+                Err(_) => continue,
+            };
+            if let Some(rms) = values.ok().and_then(|values| rms(&data, &values))
+                && rms < least
+            {
+                least = rms;
+                likely = Some((column, *unit, *factor));
+            }
+        }
+    }
+    Ok(likely.map(|(column, unit, factor)| {
+        let values = problem.data.iter().filter_map(|one| column.value(one));
+        let largest = values.fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        let (name, si) = (column.name(), column.si());
+        let gap = if si.is_empty() { "" } else { " " };
+        let [given, meant] = [largest, largest * factor].map(short);
+        format!("{name} = {given} looks like {unit}; {given} {unit} is {meant}{gap}{si}")
+    }))
+}
+
+/// A column of the data: a place, or measured values.
+#[derive(Clone, Copy, PartialEq)]
+enum Column {
+    Place(&'static str),
+    Measured(Measured),
+}
+
+impl Column {
+    fn name(self) -> String {
+        match self {
+            Self::Place(name) => name.into(),
+            Self::Measured(measured) => measured.column(),
+        }
+    }
+
+    fn si(self) -> &'static str {
+        match self {
+            Self::Place(name) => name.rsplit('_').next().unwrap_or_default(),
+            Self::Measured(Measured::Separation) => "m",
+            Self::Measured(Measured::Quantity(quantity)) => quantity.unit(),
+        }
+    }
+
+    /// The other units of the column; of pure numbers, only fractions are recorded in per cent.
+    fn units(self) -> &'static [(&'static str, f64)] {
+        let is_fraction = self == Self::Measured(Measured::Quantity(Quantity::AreaFraction));
+        let si = self.si();
+        let known = UNITS.iter().find(|(known, _)| *known == si && (is_fraction || !si.is_empty()));
+        known.map_or(&[], |(_, units)| units)
+    }
+
+    fn value(self, one: &Observation) -> Option<f64> {
+        match self {
+            Self::Place(name) => Some(one.place()).filter(|(known, _)| *known == name).map(|p| p.1),
+            Self::Measured(measured) => Some(one.value).filter(|_| one.measured == measured),
+        }
+    }
+
+    /// The observation with this column in another unit.
+    fn scaled(self, one: &Observation, factor: f64) -> Observation {
+        let mut one = *one;
+        match self {
+            Self::Place(name) if one.place().0 == name => one = one.moved(factor),
+            Self::Measured(measured) if one.measured == measured => {
+                one.value *= factor;
+                one.std = one.std.map(|std| std * factor);
+            }
+            _ => {}
+        }
+        one
+    }
+}

@@ -1,0 +1,112 @@
+//! The law of one asperity by a model: its picture, its kinks, its range and its source.
+
+use asperity::{Described, Tolerance, short};
+use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw};
+use asperity_scene::SceneFile;
+use serde::Serialize;
+
+use crate::refusal::Refusal;
+
+/// Interferences over the critical one of the drawn law.
+const FIRST: f64 = 0.1;
+const LAST: f64 = 1000.0;
+const STEPS: u32 = 240;
+
+/// The law of a model on the asperity of a scene.
+#[derive(Debug, Serialize)]
+pub(crate) struct Law {
+    pub(crate) svg: String,
+    /// Name and source of the model.
+    pub(crate) source: String,
+    /// The interferences over the critical one at which the law has a kink or a jump.
+    pub(crate) kinks: Vec<String>,
+    /// What the law holds for.
+    pub(crate) range: String,
+    /// The page of the guide with its equations.
+    pub(crate) guide: String,
+}
+
+/// The page of the guide about a model.
+fn guide(id: &str) -> String {
+    let chapter = match id.split('-').collect::<Vec<_>>()[..] {
+        [.., "random"] => "random",
+        ["dmt" | "jkr", ..] => "adhesion",
+        [first, ..] => first,
+        [] => "models",
+    };
+    format!("guide/{chapter}.html")
+}
+
+/// Force and area of one asperity of the scene by a model, against the interference.
+pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
+    let model = file.model(id)?;
+    let Some(asperity_model) = model.asperity_model() else {
+        return Err(Refusal::new(format!("{} describes the whole surface", model.name())));
+    };
+    let asperity = file.scene.asperity()?;
+    let critical = asperity.critical_interference()?;
+    let tolerance = Tolerance::default();
+    let force = asperity_model.force(&asperity, tolerance)?;
+    let area = asperity_model.area(&asperity, tolerance)?;
+    let kinks: Vec<f64> =
+        force.kinks().into_iter().map(|x| x * force.interference_unit / critical).collect();
+    let mut at: Vec<f64> =
+        (0..=STEPS).map(|k| FIRST * (LAST / FIRST).powf(f64::from(k) / f64::from(STEPS))).collect();
+    let inside: Vec<f64> = kinks.into_iter().filter(|x| (FIRST..LAST).contains(x)).collect();
+    at.extend(inside.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
+    at.sort_by(f64::total_cmp);
+    let mut csv = "curve,interference,force_N,area_m2\n".to_string();
+    for x in at {
+        let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
+        csv += &format!("{id},{x},{f},{a}\n");
+    }
+    let panel = |column: &str, label: &str| {
+        let x = Axis::new("interference", "interference over critical interference").log();
+        let mut panel = Panel::new(x, Axis::new(column, label).log());
+        panel.curves = vec![Curve::new(2, id, "")];
+        panel.verticals = inside.iter().map(|x| Mark::new(*x, &short(*x))).collect();
+        panel
+    };
+    let panels = vec![panel("force_N", "force (N)"), panel("area_m2", "area (m²)")];
+    let mut figure = Figure::new("", &[], panels);
+    figure.columns = 2;
+    let (citation, validity) = (model.citation(), model.validity());
+    let to = validity.holds_to.map(|to| format!("holds to {} w_c", short(to)));
+    let words = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
+    let defect = validity.known_defect.map(|defect| defect.summary.to_string());
+    Ok(Law {
+        svg: draw(&figure, &csv)?,
+        source: format!("{}: {} ({})", model.name(), citation.authors, citation.year),
+        kinks: inside.iter().map(|x| short(*x)).collect(),
+        range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
+        guide: guide(id),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file() -> SceneFile {
+        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
+    }
+
+    #[test]
+    fn laws_are_drawn_with_their_kinks_and_have_a_page() {
+        let found = law(&file(), "ke").unwrap();
+        for text in [">6<", ">110<", "force (N)"] {
+            assert!(found.svg.contains(text), "{text}");
+        }
+        assert_eq!(
+            (&found.kinks[..], found.guide.as_str()),
+            (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
+        );
+        assert!(found.source.contains("(2002)"), "{}", found.source);
+        assert!(law(&file(), "persson").unwrap_err().message.contains("whole surface"));
+        for (id, page) in
+            [("jg-cosine", "jg"), ("ke-random", "random"), ("jkr-separation", "adhesion")]
+        {
+            assert_eq!(guide(id), format!("guide/{page}.html"));
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! A text as the page shows it: fields, findings, models and numbers of its scene.
+
+use std::collections::BTreeMap;
+
+use asperity::{Described, Model, shortest_digits};
+use asperity_scene::{HandedFiles, Material, SceneFile, parse_handed};
+
+use crate::message::{MaterialShown, ModelShown, NumberShown, Shown};
+use crate::refusal::Refusal;
+use crate::shown::shown;
+use crate::{answer, fields, press, surface_keys};
+
+/// The longest text of a scene, in bytes, as for scene files.
+const MOST_TEXT: usize = 1 << 20;
+/// Models whose laws take long to prepare.
+const SLOW: [&str; 4] = ["gao", "at", "at-additive", "at-overlap"];
+
+/// Reads a text; the scene is missing where it has an error.
+pub(crate) fn read(text: &str, files: &HandedFiles) -> (Shown, Option<SceneFile>) {
+    let mut found = Shown {
+        fields: BTreeMap::new(),
+        way: "asperities",
+        files: vec![],
+        error: None,
+        findings: Default::default(),
+        numbers: vec![],
+        models: vec![],
+        views: vec![],
+        scan: None,
+    };
+    if text.len() > MOST_TEXT {
+        let reason = format!("the scene file is longer than {MOST_TEXT} bytes: shorten the text");
+        found.error = Some(Refusal::at("the scene file", reason));
+        return (found, None);
+    }
+    found.fields = fields::fields(text);
+    found.way = surface_keys::way(&found.fields);
+    found.files = fields::files(text);
+    let file = match parse_handed(text, files) {
+        Ok(file) => file,
+        Err(error) => {
+            found.error = Some(error.into());
+            return (found, None);
+        }
+    };
+    if let Ok(check) = file.check(None) {
+        found.numbers = check.numbers.iter().map(number).collect();
+    }
+    let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
+    found.findings = file.accepted(findings);
+    (found.models, found.views) = (models(&file), answer::views(&file));
+    found.scan = press::scan(&file);
+    (found, Some(file))
+}
+
+/// The models of a scene, those that it does not allow with the reason.
+fn models(file: &SceneFile) -> Vec<ModelShown> {
+    let (allowed, left_out) = file.models_beside_bem();
+    let shown = |model: &Model, reason: Option<String>| {
+        let citation = model.citation();
+        ModelShown {
+            id: model.id().into(),
+            name: model.name().into(),
+            source: format!("{} ({})", citation.authors, citation.year),
+            slow: SLOW.contains(&model.id()),
+            whole: model.asperity_model().is_none(),
+            reason,
+        }
+    };
+    let mut all: Vec<ModelShown> = allowed.iter().map(|model| shown(model, None)).collect();
+    all.extend(left_out.iter().filter_map(|left_out| {
+        Some(shown(&left_out.id.parse().ok()?, Some(left_out.reason.to_string())))
+    }));
+    all
+}
+
+pub(crate) fn material(material: &'static Material) -> MaterialShown {
+    let body = &material.body;
+    let numbers = [
+        ("E", Some(body.youngs_modulus), "Pa"),
+        ("ν", Some(body.poissons_ratio), ""),
+        ("H", body.hardness, "Pa"),
+        ("yield", body.yield_strength, "Pa"),
+        ("k", body.thermal_conductivity, "W/(m K)"),
+        ("ρ", body.electrical_resistivity, "Ω m"),
+    ];
+    let number = |(name, value, unit): (&str, Option<f64>, &str)| {
+        value.map(|value| format!("{name} {}", shown(value, unit)))
+    };
+    let shown = numbers.into_iter().filter_map(number).collect::<Vec<_>>().join(", ");
+    MaterialShown { id: &material.id, name: &material.name, shown, source: &material.source }
+}
+
+pub(crate) fn number(number: &asperity::DerivedNumber) -> NumberShown {
+    NumberShown {
+        name: number.name.replace('_', " "),
+        digits: shortest_digits(number.value),
+        shown: shown(number.value, number.unit),
+        meaning: number.meaning.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_has_fields_models_and_files_and_a_wrong_one_its_error() {
+        let (found, file) = read(asperity_scene::template(), &HandedFiles::new());
+        assert!(file.is_some() && found.error.is_none());
+        assert!(found.models.iter().any(|model| model.id == "at" && model.slow));
+        let gw = found.models.iter().find(|model| model.id == "gw").unwrap();
+        assert!(!gw.slow && gw.reason.is_none() && gw.source.contains("(1966)"));
+        let (found, file) = read("[surface]\nfile = \"a.x3p\"\n", &HandedFiles::new());
+        assert!(file.is_none() && found.error.is_some());
+        assert_eq!((found.way, found.files), ("scan", vec!["a.x3p".to_string()]));
+        let (found, _) = read(&"#".repeat(MOST_TEXT + 1), &HandedFiles::new());
+        assert!(found.error.unwrap().message.contains("longer than"));
+    }
+
+    #[test]
+    fn materials_are_shown_with_their_numbers_and_source() {
+        let all: Vec<_> = asperity_scene::materials().iter().map(material).collect();
+        assert!(all.len() >= 25);
+        assert!(all.iter().all(|one| one.shown.starts_with("E ") && !one.source.is_empty()));
+    }
+}

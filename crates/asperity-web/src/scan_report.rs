@@ -1,0 +1,127 @@
+//! The scan of a scene: its picture, its statistics, and its slopes at several distances.
+
+use asperity::shortest_digits;
+use asperity_plot::{ScanPicture, draw_scan};
+use asperity_scene::SceneFile;
+use asperity_topography::{AtDistance, Glance, Level, Statistics, Topography};
+use serde::Serialize;
+
+use crate::message::NumberShown;
+use crate::refusal::Refusal;
+use crate::shown::shown;
+
+/// Most points of a drawn scan on a side.
+const DRAWN: usize = 400;
+
+/// What the page shows of a scan.
+#[derive(Debug, Serialize)]
+pub(crate) struct ScanReport {
+    pub(crate) svg: String,
+    pub(crate) caption: Vec<String>,
+    pub(crate) numbers: Vec<NumberShown>,
+    pub(crate) scales: Scales,
+}
+
+/// Slopes and curvatures, each row at one distance of points.
+#[derive(Debug, Serialize)]
+pub(crate) struct Scales {
+    pub(crate) head: [&'static str; 5],
+    pub(crate) rows: Vec<[String; 5]>,
+}
+
+/// The report of the scan of a scene.
+pub(crate) fn report(file: &SceneFile) -> Result<ScanReport, Refusal> {
+    let (Some(scan), Some(measured)) = (&file.scan, &file.measured) else {
+        return Err(Refusal::new("the scene has no scan"));
+    };
+    let level = Level::usual(scan.is_periodic());
+    let glance = Glance::new(scan, level, [None; 2], scan)?;
+    let (heights, columns) = scan.coarse(DRAWN);
+    let [dx, dy] = scan.pixel_size();
+    let picture = ScanPicture {
+        heights,
+        columns,
+        size: [scan.columns() as f64 * dx, scan.rows() as f64 * dy],
+        marks: glance.roll_off.into_iter().chain(glance.cut_off).collect(),
+        law: glance.hurst.map(|hurst| format!("power law, H = {hurst:.2}")).unwrap_or_default(),
+        ..Default::default()
+    };
+    let rows = scan.scale_dependence();
+    Ok(ScanReport {
+        svg: draw_scan(&picture, &scan.curves_csv(&glance))?,
+        caption: scan.caption(&glance),
+        numbers: numbers(&measured.statistics),
+        scales: Scales {
+            head: [
+                "distance",
+                "slope, rows",
+                "slope, columns",
+                "curvature, rows",
+                "curvature, columns",
+            ],
+            rows: rows.iter().map(|at| row(scan, at)).collect(),
+        },
+    })
+}
+
+fn row(scan: &Topography, at: &AtDistance) -> [String; 5] {
+    let text = |value: Option<f64>, unit| value.map_or("–".into(), |value| shown(value, unit));
+    let [dx, _] = scan.pixel_size();
+    [
+        shown(at.step as f64 * dx, "m"),
+        text(at.slope_rows, ""),
+        text(at.slope_columns, ""),
+        text(at.curvature_rows, "1/m"),
+        text(at.curvature_columns, "1/m"),
+    ]
+}
+
+fn numbers(of: &Statistics) -> Vec<NumberShown> {
+    let list = [
+        ("Sq", Some(of.sq), "m", "standard deviation of the heights"),
+        ("Ssk", Some(of.ssk), "", "skewness of the heights"),
+        ("Sku", Some(of.sku), "", "kurtosis of the heights, 3 for a Gaussian surface"),
+        ("m0", Some(of.m0), "m2", "mean of z² of profiles"),
+        ("m2", Some(of.m2), "", "mean of z′² of profiles"),
+        ("m4", Some(of.m4), "1/m2", "mean of z″² of profiles"),
+        ("bandwidth α", Some(of.alpha), "", "m0 m4/m2²"),
+        ("asperity density η", of.asperity_density, "1/m2", "by the estimator of the scene"),
+        ("asperity radius R", of.asperity_radius, "m", "by the estimator of the scene"),
+        ("asperity height std σ_z", of.asperity_height_std, "m", "by the estimator of the scene"),
+        ("missing or filled", Some(of.missing_share), "", "share of the points"),
+        ("replaced outliers", Some(of.despiked as f64), "", "number of points"),
+    ];
+    let number = |(name, value, unit, meaning): (&str, Option<f64>, &str, &str)| {
+        value.map(|value| NumberShown {
+            name: name.into(),
+            digits: shortest_digits(value),
+            shown: shown(value, unit),
+            meaning: meaning.into(),
+        })
+    };
+    list.into_iter().filter_map(number).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use asperity_scene::{HandedFiles, parse_handed};
+
+    #[test]
+    fn a_scan_has_picture_caption_statistics_and_scales() {
+        let keys = crate::random::example();
+        let files = HandedFiles::from([(keys.name(), keys.file().unwrap())]);
+        let text = asperity_scene::template();
+        let text = crate::surface_keys::with_scan(text, &keys.name()).unwrap();
+        let file = parse_handed(&text, &files).unwrap();
+        let found = report(&file).unwrap();
+        assert!(found.svg.starts_with("<svg") && found.caption[0].contains("64 x 64 points"));
+        assert_eq!(
+            (found.numbers[0].name.as_str(), found.numbers[0].shown.as_str()),
+            ("Sq", "500 nm")
+        );
+        assert_eq!(found.scales.rows[0][0], "1 µm");
+        let plain = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
+        assert!(report(&plain.unwrap()).is_err());
+    }
+}

@@ -1,0 +1,187 @@
+// From the text of the scene to everything that the page shows of it.
+import { $, tell, typing } from "./page.js";
+import { answers, ask, chosen, desks, isSlow, page, report, state, work } from "./state.js";
+import { note, writeLink } from "./link.js";
+import * as blocks from "./answers.js";
+import * as editor from "./editor.js";
+import * as form from "./form.js";
+import { elements } from "./elements.js";
+import { scanReport } from "./scans.js";
+import { takeAway } from "./takeaway.js";
+
+// The place of the slider for a scene without a load.
+const USUAL = 0.6;
+
+// Another text of the scene; `kind` names what the user did, for the history.
+export function setScene(text, kind = "edit") {
+  state.text = text;
+  editor.write(text);
+  note(kind);
+  forgive();
+  return work("page", "scene", showScene);
+}
+
+// Another scene may succeed where the last one did not.
+const forgive = () => Object.values(desks).forEach((desk) => desk.forgive());
+
+// A change of the text by `make`, after the changes before it: none is lost. What is typed
+// meanwhile is kept, and changed too.
+export function change(make, kind) {
+  return work("page", null, async () => {
+    let [text, made] = [];
+    do {
+      text = state.text;
+      made = await make(text);
+    } while (state.text !== text);
+    setScene(made, kind);
+  });
+}
+
+const tools = (call, keys) => desks.quick.sure(() => desks.quick.call(call, keys));
+
+// Changes by paths; a material replaces the numbers of its body.
+export const edit = (changes, body) => change((text) => tools(body === undefined ? "edit" : "material", { text, changes, body }));
+
+async function showScene() {
+  const text = state.text;
+  elements.drop();
+  try {
+    Object.assign(page, { shown: await desks.quick.sure(() => desks.quick.show(text)), text, failure: "" });
+  } catch (error) {
+    Object.assign(page, { shown: null, text, failure: error.message });
+    clear("The calculation failed.");
+    throw error;
+  } finally {
+    page.rows.clear();
+    page.values.clear();
+  }
+  const { shown } = page;
+  form.fill(shown, edit, page.materials);
+  form.mark(shown.error, shown.findings);
+  editor.number(shown.error);
+  writeLink();
+  if (shown.error) return clear("The scene has an error: correct it to see its curves.");
+  tell("");
+  blocks.views(shown.views, state.view);
+  state.view = $("view").value;
+  if (chosen().length === 0) state.models = shown.models.filter((model) => !model.reason && !model.slow).slice(0, 3).map((model) => model.id);
+  blocks.models(shown.models, chosen(), setModels);
+  blocks.numbers(shown.numbers);
+  takeAway.models(shown.models, chosen());
+  elements.allow(shown.scan);
+  scanReport(Boolean(shown.scan));
+  await values(state.load ? { text: state.load } : { position: USUAL });
+}
+
+// Nothing of another scene stays on the page.
+function clear(why) {
+  page.load = null;
+  blocks.clear(why);
+  elements.allow(null);
+  scanReport(false);
+  takeAway.models([], []);
+}
+
+// The values at another load, after those of the load before.
+export const answer = (load) => work("page", "answer", () => values(load));
+
+async function values(keys) {
+  if (!answers()) return;
+  const ids = chosen();
+  const models = ids.filter((id) => !isSlow(id));
+  let found;
+  try {
+    found = await ask(desks.quick, "answer", { models, load: keys });
+  } catch (error) {
+    if (error.field !== "load") throw error;
+    if (page.load) return blocks.refuseLoad(error.message);
+    // A load that a link brought: the scene is shown at another.
+    await values({ position: USUAL });
+    return tell(error.message);
+  }
+  page.load = found.load;
+  state.load = found.load.text;
+  blocks.load(found.load, keys.position === undefined);
+  elements.showNear();
+  page.values = new Map(found.rows.map((row) => [row.model, row]));
+  blocks.table(found.views, ids, page.values);
+  await curves(desks.quick, models);
+  await draw();
+  const findings = await check(desks.quick, models);
+  blocks.findings(findings);
+  blocks.addFindings(found.findings);
+  form.mark(null, findings);
+  takeAway.code();
+  if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown, found.views));
+}
+
+// The rows of curves that are not there yet.
+async function curves(desk, models) {
+  const missing = models.filter((id) => !page.rows.has(id));
+  if (missing.length === 0 && page.head) return;
+  const { head, rows } = await ask(desk, "curve", { models: missing });
+  page.head = head;
+  Object.entries(rows).forEach(([id, text]) => page.rows.set(id, text));
+}
+
+const check = (desk, models) => ask(desk, "check", { models, load: { text: state.load } });
+
+// Models whose laws take seconds, in a worker of their own: they appear when they are ready.
+async function slowValues(shown, views) {
+  const current = () => page.shown === shown;
+  const models = chosen().filter(isSlow);
+  if (!current() || models.length === 0) return;
+  const load = state.load;
+  const found = await ask(desks.slow, "answer", { models, load: { text: load } });
+  if (!current()) return;
+  // A later load has a piece of its own.
+  if (state.load === load) {
+    found.rows.forEach((row) => page.values.set(row.model, row));
+    blocks.table(views, chosen(), page.values);
+  }
+  await curves(desks.slow, models);
+  if (!current()) return page.rows.clear();
+  work("page", "draw", draw);
+  const findings = await check(desks.slow, models);
+  if (current() && state.load === load) blocks.addFindings([...found.findings, ...findings]);
+}
+
+export const redraw = () => work("page", "draw", draw);
+
+async function draw() {
+  if (!answers() || !page.load) return;
+  const ids = chosen().filter((id) => page.rows.has(id));
+  const rows = ids.map((id) => page.rows.get(id));
+  const svg = await ask(desks.quick, "draw", { rows, view: state.view, load: { text: state.load }, solved: elements.points(state.view) });
+  blocks.curve(svg, ids, $("view").selectedOptions[0]?.textContent ?? "");
+}
+
+export function setModels(ids) {
+  state.models = ids;
+  note("models");
+  takeAway.models(page.shown.models, chosen());
+  answer({ text: state.load });
+  writeLink();
+}
+
+export function setView(view) {
+  state.view = view;
+  note("view");
+  redraw();
+  writeLink();
+}
+
+// Typed text of the scene is shown after a pause; it counts at once.
+export function typed(text) {
+  state.text = text;
+  page.typing = true;
+  report();
+}
+
+export function typingEnds() {
+  page.typing = false;
+  note("type");
+  typing.delete($("scene"));
+  forgive();
+  return work("page", "scene", showScene);
+}

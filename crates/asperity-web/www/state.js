@@ -1,0 +1,37 @@
+// What the page shows, and the work that is under way.
+import { Desk } from "./desk.js";
+import { Turns } from "./turns.js";
+import { $, tell } from "./page.js";
+
+// The files of the page by name; desks read them when a scene names them.
+export const files = new Map();
+export const desks = { quick: new Desk(files), slow: new Desk(files), solver: new Desk(files) };
+
+// What a link restores. The load is typed, with its unit.
+export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null };
+
+// What the desks said: the scene as read from a text, the load on it, values and rows of models.
+export const page = { opened: false, typing: false, failure: "", materials: [], text: "", shown: null, load: null, values: new Map(), head: "", rows: new Map() };
+
+// The page and its quick models, slow models, and boundary elements each have a lane.
+export const turns = new Turns(report);
+
+// The state follows from the work that is under way and from what it found.
+export function report() {
+  const broken = page.failure || page.shown?.error || Object.values(desks).some((desk) => desk.broken);
+  const phase = !page.opened && !broken ? "loading" : turns.busy || page.typing ? "busy" : broken ? "failed" : "ready";
+  document.documentElement.dataset.state = phase;
+  const words = { loading: "loading", busy: "calculating", failed: "failed", ready: "ready" };
+  $("status").textContent = phase === "failed" && page.shown?.error ? "the scene has an error" : words[phase];
+}
+
+// Runs a piece of work in a lane; an error is told.
+export function work(lane, kind, piece) {
+  return turns.add(lane, kind, piece).catch((error) => tell(error.message));
+}
+
+export const ask = (desk, call, keys) => desk.ask(page.text, call, keys);
+// Whether the scene has models that answer.
+export const answers = () => Boolean(page.shown && !page.shown.error);
+export const isSlow = (id) => page.shown.models.some((model) => model.id === id && model.slow);
+export const chosen = () => state.models.filter((id) => page.shown?.models.some((model) => model.id === id && !model.reason));
