@@ -60,7 +60,8 @@ impl Ratio {
                 format!("overestimates {name} by {} {unit}", range(low, high))
             }
             [low, high] if high <= 0.0 => {
-                format!("underestimates {name} by {} {unit}", range(-high, -low))
+                // Without a negative zero.
+                format!("underestimates {name} by {} {unit}", range(0.0 - high, 0.0 - low))
             }
             [low, high] if quantity == Compared::MeanGap => {
                 format!("differs in {name} by {low:+} to {high:+} {unit}")
@@ -123,6 +124,7 @@ mod tests {
         let of = |low, high| Ratio { ratio: 0.5 * (low + high), low, high };
         assert_eq!(of(0.88, 0.95).words(Compared::Area), "underestimates the area by 5 to 12 %");
         assert_eq!(of(1.1, 1.3).words(Compared::Area), "overestimates the area by 10 to 30 %");
+        assert_eq!(of(0.88, 1.003).words(Compared::Area), "underestimates the area by 0 to 12 %");
         assert_eq!(of(0.997, 1.12).words(Compared::Area), "overestimates the area by 0 to 12 %");
         assert_eq!(Ratio::exactly(0.88).words(Compared::Area), "underestimates the area by 12 %");
         assert_eq!(Ratio::exactly(1.002).words(Compared::Area), "agrees in the area within 0.5 %");
