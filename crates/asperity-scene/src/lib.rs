@@ -7,6 +7,7 @@ mod check;
 mod decimal_comma;
 mod document;
 mod error;
+mod evidence;
 mod fit;
 mod heights;
 mod hints;

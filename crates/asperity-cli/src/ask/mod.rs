@@ -1,5 +1,7 @@
 //! Evaluates models on a scene, row by row; each warning is printed once.
 
+mod corrected;
+
 use std::mem::discriminant;
 
 use anyhow::{Context, Result, bail};
