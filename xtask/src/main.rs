@@ -44,6 +44,9 @@ enum Task {
         /// Solve only the small case of the tests: tests/reference/truth_small.csv
         #[arg(long)]
         small: bool,
+        /// Solve all cases that target/truth does not hold, those of the committed table too
+        #[arg(long, conflicts_with_all = ["quick", "small", "models"])]
+        anew: bool,
         /// Evaluate the models anew, keep the committed boundary-element solutions, and draw
         #[arg(long, conflicts_with = "small")]
         models: bool,
@@ -81,12 +84,12 @@ fn main() -> Result<()> {
     match Task::parse() {
         Task::Figures { check, names } => figures(check, &names),
         Task::Report { quick: false, .. } if cfg!(debug_assertions) => run_in_release(),
-        Task::Truth { small, models, quick, kept } => {
+        Task::Truth { small, models, quick, kept, anew } => {
             print(match (small, models) {
                 (true, _) => truth::write_small()?,
                 (_, true) => truth::update_models(&figures_folder())?,
                 _ if quick => truth::write_quick()?,
-                _ => truth::write(&figures_folder(), !kept)?,
+                _ => truth::write(&figures_folder(), !kept, anew)?,
             });
             Ok(())
         }

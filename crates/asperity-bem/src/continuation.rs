@@ -4,7 +4,7 @@ use std::fmt;
 
 use asperity_core::Diagnostic;
 
-use crate::seam::LARGEST_STEP;
+use crate::seam::{LARGEST_KINK, LARGEST_STEP};
 use crate::{Boundary, HeightMap};
 
 /// How a scan continues beyond its edges.
@@ -78,4 +78,18 @@ pub(crate) fn taken_part(step: f64) -> Diagnostic {
         .advice(
             "its periodic component is used; boundary \"periodic\", or periodic = true, uses the scan with this step, boundary \"free\" without repetition",
         )
+}
+
+/// A note that a map is repeated by default although its slopes change at the edges by this
+/// [kink](HeightMap::seam_kink); `None` where they do not.
+pub(crate) fn repeated(kink: f64) -> Option<Diagnostic> {
+    let note = Diagnostic::note("repeated", "seam_kink", kink).usual([0.0, LARGEST_KINK]).fact(
+        format!(
+            "the edges of the scan match, but its slope changes there {kink:.0} times as much as inside"
+        ),
+    );
+    let note = note.advice(
+        "the scan is repeated, and each copy is pressed by its neighbours; boundary \"free\" takes a single body, periodic = true accepts the repetition",
+    );
+    (kink > LARGEST_KINK).then_some(note)
 }

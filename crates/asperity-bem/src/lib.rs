@@ -59,11 +59,11 @@
 
 mod continuation;
 mod error;
-
 mod half_space;
 mod height_map;
 mod iteration;
 mod light;
+mod loading;
 mod model;
 mod note;
 mod parallel;
@@ -79,7 +79,6 @@ mod unloading_path;
 
 pub use continuation::Continuation;
 pub use error::BemError;
-
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
 pub use light::LightContact;

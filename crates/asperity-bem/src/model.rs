@@ -10,7 +10,7 @@ use asperity_core::{
     Validity,
 };
 
-use crate::continuation::taken_part;
+use crate::continuation::{repeated, taken_part};
 use crate::summary::{ContactSummary, NAME, known, refused};
 use crate::{BemError, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
@@ -26,8 +26,8 @@ pub struct Bem {
     map: HeightMap,
     continuation: Continuation,
     elastic: bool,
-    /// The step at the edges, where the periodic component is used by default.
-    seam: Option<f64>,
+    /// What the default continuation does at the edges, where they do not match.
+    note: Option<Diagnostic>,
 }
 
 impl Bem {
@@ -39,13 +39,16 @@ impl Bem {
 
     /// `elastic` leaves the hardness of scenes out. Without a continuation the map is repeated, and
     /// its [periodic component](HeightMap::periodic_part) is used where its edges do not match,
-    /// with a [note](Self::note).
+    /// with a [note](Self::note), as where only its slopes do not.
     #[must_use]
     pub fn new(map: HeightMap, continuation: Option<Continuation>, elastic: bool) -> Self {
-        let usual = continuation.is_none().then(|| Continuation::of(&map));
-        let seam = (usual == Some(Continuation::PeriodicPart)).then(|| map.seam_step());
-        let continuation = continuation.or(usual).unwrap_or(Continuation::Periodic);
-        Self { map: continuation.applied(map), continuation, elastic, seam }
+        let note = match continuation.is_none().then(|| Continuation::of(&map)) {
+            Some(Continuation::PeriodicPart) => Some(taken_part(map.seam_step())),
+            Some(_) => repeated(map.seam_kink()),
+            None => None,
+        };
+        let continuation = continuation.unwrap_or_else(|| Continuation::of(&map));
+        Self { map: continuation.applied(map), continuation, elastic, note }
     }
 
     /// The map that is solved.
@@ -60,10 +63,10 @@ impl Bem {
         self.continuation
     }
 
-    /// A note where the periodic component is used by default.
+    /// A note where the edges of the scan do not match and no continuation is declared.
     #[must_use]
     pub fn note(&self) -> Option<Diagnostic> {
-        self.seam.map(taken_part)
+        self.note.clone()
     }
 
     /// The same on every second pixel: see [`HeightMap::half_grid`].

@@ -1,6 +1,7 @@
 //! The seam of a periodic map: its step, and the periodic component of a map without the step.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_fft::{Complex64, Fft};
@@ -9,23 +10,46 @@ use crate::HeightMap;
 
 /// Edges match where the step at the seam is less than this many steps between neighbours.
 pub(crate) const LARGEST_STEP: f64 = 3.0;
+/// Slopes match where they change at the seam by less than this many changes between neighbours.
+pub(crate) const LARGEST_KINK: f64 = 5.0;
 
 impl HeightMap {
     /// Root mean square step over the seam, relative to that between neighbours inside, along rows
     /// or along columns, whichever is larger: about 1 where the map is periodic.
     #[must_use]
     pub fn seam_step(&self) -> f64 {
+        self.at_seam(1, |[here, next, _]| next - here)
+    }
+
+    /// The same of the change of slope: large where a single body, such as a sphere, fills the map.
+    #[must_use]
+    pub fn seam_kink(&self) -> f64 {
+        self.at_seam(2, |[here, next, second]| here - 2.0 * next + second)
+    }
+
+    /// Root mean square of a difference of heights that follow each other, over the seam relative
+    /// to inside. The difference at the last `over` lines goes over the seam.
+    fn at_seam(&self, over: usize, difference: impl Fn([f64; 3]) -> f64) -> f64 {
         let [rows, columns] = self.shape();
         let height = |i: usize, j: usize| self.heights()[(i % rows) * columns + j % columns];
-        // Squared steps from each of n lines to the next: the last one goes over the seam.
-        let ratio = |n: usize, along: usize, step: &dyn Fn(usize, usize) -> f64| {
-            let line = |k| (0..along).map(|l| step(k, l).powi(2)).sum::<f64>();
-            let inside = (0..n - 1).map(line).sum::<f64>() / (n - 1) as f64;
-            let seam = line(n - 1);
-            if seam > 0.0 { (seam / inside).sqrt() } else { 0.0 }
+        let ratio = |n: usize, along: usize, height: &dyn Fn(usize, usize) -> f64| {
+            let square = |k: usize, l: usize| {
+                difference([height(k, l), height(k + 1, l), height(k + 2, l)]).powi(2)
+            };
+            let lines = |lines: Range<usize>| {
+                let count = lines.len() as f64;
+                lines
+                    .flat_map(|k| (0..along).map(move |l| (k, l)))
+                    .map(|(k, l)| square(k, l))
+                    .sum::<f64>()
+                    / count
+            };
+            let inner = n.saturating_sub(over);
+            let seam = lines(inner..n);
+            if seam > 0.0 { (seam / lines(0..inner)).sqrt() } else { 0.0 }
         };
-        let down = ratio(rows, columns, &|i, j| height(i + 1, j) - height(i, j));
-        let across = ratio(columns, rows, &|j, i| height(i, j + 1) - height(i, j));
+        let down = ratio(rows, columns, &height);
+        let across = ratio(columns, rows, &|j, i| height(i, j));
         down.max(across)
     }
 
@@ -146,6 +170,12 @@ mod tests {
         assert!(part.seam_step() > 5.0 && !part.edges_meet());
         let flat = HeightMap::new(vec![1.0; 12], [3, 4], [1.0; 2]).unwrap();
         assert!(flat.seam_step() <= 0.0 && flat.edges_meet());
+        // A sphere's edges match, its slopes do not.
+        assert!((0.5..2.0).contains(&wide().seam_kink()), "{}", wide().seam_kink());
+        let at = |k: usize| (k as f64 - 32.0).powi(2);
+        let sphere = (0..65 * 65).map(|k| -at(k / 65) - at(k % 65)).collect();
+        let sphere = HeightMap::new(sphere, [65, 65], [1.0; 2]).unwrap();
+        assert!(sphere.edges_meet() && sphere.seam_kink() > 30.0, "{}", sphere.seam_kink());
     }
 
     #[test]

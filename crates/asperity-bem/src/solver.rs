@@ -210,7 +210,7 @@ impl BoundaryElements {
 }
 
 /// A list being solved.
-struct Run<'a> {
+pub(crate) struct Run<'a> {
     setup: &'a BoundaryElements,
     space: HalfSpace,
     rms_height: f64,
@@ -225,6 +225,12 @@ impl<'a> Run<'a> {
             HalfSpace::new(&setup.map, setup.modulus, setup.boundary.unwrap_or_default());
         let resolution = note::of_map(&setup.map, setup.boundary, &mut space);
         Self { setup, space, rms_height: setup.map.rms_height(), resolution, last: None }
+    }
+
+    /// Goes on from the pressures of a solution of this map.
+    pub(crate) fn after(setup: &'a BoundaryElements, solution: &Solution) -> Self {
+        let last = Some((solution.pressures.clone(), solution.mean_pressure));
+        Self { last, ..Self::new(setup) }
     }
 
     fn solve(&mut self, given: LoadCase, watch: Watch<'_>) -> Result<Solution, BemError> {
@@ -248,7 +254,7 @@ impl<'a> Run<'a> {
     }
 
     /// Contact at a mean pressure.
-    fn press(&mut self, pressure: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
+    pub(crate) fn press(&mut self, pressure: f64, watch: Watch<'_>) -> Result<Fields, BemError> {
         let map = &self.setup.map;
         let (cap, heights) = (self.setup.cap(), map.heights());
         if pressure >= cap {

@@ -7,6 +7,8 @@ use crate::{BemError, BoundaryElements, Solution};
 /// Relative error at the usual tolerance: of the contact of these pixels, not of the surface
 /// between them.
 const ERROR: f64 = 1e-6;
+/// Of the slope of loading, a difference.
+const SLOPE_ERROR: f64 = 2e-3;
 
 /// The numbers of a contact from which its quantities follow.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +23,9 @@ pub struct ContactSummary {
     /// Stiffness at [fixed contact](BoundaryElements::fixed_contact) \[Pa/m\]; `None` if no
     /// quantity needs it.
     pub stiffness: Option<Result<f64, BemError>>,
+    /// [Slope of first loading](BoundaryElements::loading_stiffness) \[Pa/m\]; `None` if no quantity
+    /// needs it.
+    pub loading_stiffness: Option<Result<f64, BemError>>,
 }
 
 impl BoundaryElements {
@@ -30,15 +35,23 @@ impl BoundaryElements {
         let fixed = || self.fixed_contact(solution).map(|fixed| fixed.stiffness);
         let Solution { mean_pressure, area, mean_gap, .. } = *solution;
         let stiffness = quantities.iter().any(|quantity| quantity.is_of_joint()).then(fixed);
-        ContactSummary { mean_pressure, area, mean_gap, stiffness }
+        let loading = || self.loading_stiffness(solution);
+        let loading_stiffness = quantities.iter().any(|quantity| is_slope(*quantity)).then(loading);
+        ContactSummary { mean_pressure, area, mean_gap, stiffness, loading_stiffness }
     }
 }
 
-/// Whether boundary elements give a quantity: force, area and what follows from them; stiffnesses
-/// and conductances of joints.
+/// Whether this is the slope of first loading: the stiffness of a model is its tangent where no
+/// paper defines another.
+fn is_slope(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::Tangent | Quantity::Stiffness)
+}
+
+/// Whether boundary elements give a quantity: force, area and what follows from them; the slope of
+/// loading; stiffnesses and conductances of joints.
 #[must_use]
 pub(crate) fn known(quantity: Quantity) -> bool {
-    quantity.follows_from_totals() || quantity.is_of_joint()
+    quantity.follows_from_totals() || quantity.is_of_joint() || is_slope(quantity)
 }
 
 /// The name of the model.
@@ -52,13 +65,14 @@ pub(crate) fn refused(error: BemError) -> ContactError {
 impl ContactSummary {
     /// Surfaces apart by this mean gap \[m\].
     pub(crate) fn open(mean_gap: f64) -> Self {
-        Self { mean_pressure: 0.0, area: 0.0, mean_gap, stiffness: Some(Ok(0.0)) }
+        let [stiffness, loading_stiffness] = [Some(Ok(0.0)), Some(Ok(0.0))];
+        Self { mean_pressure: 0.0, area: 0.0, mean_gap, stiffness, loading_stiffness }
     }
 
-    /// A quantity on the nominal area of `scene`, for which the map stands. Stiffnesses and
-    /// conductances of joints are those of the stiffness at fixed contact: interaction included,
-    /// contacts of any shape; shear in stick as if they were circles. `None` for a quantity that
-    /// boundary elements lack.
+    /// A quantity on the nominal area of `scene`, for which the map stands. Stiffness and tangent
+    /// are the slope of first loading against the mean gap. Stiffnesses and conductances of joints
+    /// are those of the stiffness at fixed contact: interaction included, contacts of any shape;
+    /// shear in stick as if they were circles. `None` for a quantity that boundary elements lack.
     ///
     /// # Errors
     /// [`ContactError::Missing`] for a property of the interface that the quantity needs,
@@ -69,8 +83,12 @@ impl ContactSummary {
         scene: &Scene,
     ) -> Result<Option<Evaluation>, ContactError> {
         let nominal = scene.nominal_area;
-        match &self.stiffness {
-            Some(stiffness) if quantity.is_of_joint() => {
+        match (&self.stiffness, &self.loading_stiffness) {
+            (_, Some(slope)) if is_slope(quantity) => {
+                let slope = slope.clone().map_err(refused)?;
+                Ok(Some(Evaluation::new(slope * nominal, SLOPE_ERROR)))
+            }
+            (Some(stiffness), _) if quantity.is_of_joint() => {
                 let stiffness = stiffness.clone().map_err(refused)?;
                 let sum = stiffness * nominal / (2.0 * scene.interface.equivalent_modulus);
                 Evaluation::of_contact_radii(quantity, sum, scene, ERROR)

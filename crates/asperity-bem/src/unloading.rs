@@ -4,7 +4,7 @@
 
 use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::parallel::{inside, number, sum, update};
-use crate::{BemError, BoundaryElements, HeightMap, Solution};
+use crate::{BemError, Boundary, BoundaryElements, HeightMap, Solution};
 
 /// Relative residual, root mean square over the contact, at which the iteration ends.
 const TOLERANCE: f64 = 1e-11;
@@ -16,8 +16,12 @@ const MOST_ITERATIONS: usize = 1000;
 #[non_exhaustive]
 pub struct FixedContact {
     /// Change of the mean pressure on the area of the map over the approach \[Pa/m\]. Periodic: the
-    /// approach of the mean planes; free: that of the rigid surface and distant points.
+    /// approach of the mean planes; free: that of the rigid surface to distant points of the
+    /// half-space, which the half-space under the map as a whole gives way to. K/(1 -
+    /// [`mean_deflection`](Self::mean_deflection)) is the change over the fall of the mean gap.
     pub stiffness: f64,
+    /// Change of the mean deflection of the map over the approach: 0 if periodic.
+    pub mean_deflection: f64,
     /// Changes of the pressures over the approach \[Pa/m\], row after row; 0 outside the contact.
     pub pressures: Vec<f64>,
     /// Root mean square over the contact of the deviation from an even approach, over the approach.
@@ -30,7 +34,7 @@ impl BoundaryElements {
     /// The stiffness of `solution` at fixed contact: pixels that touch, elastic or plastic, respond
     /// elastically and follow an even approach, K p = 1 on them.
     ///
-    /// For elastic contacts it is the slope of load over mean gap. For yielded ones it is the slope
+    /// For elastic periodic contacts it is the slope of load over mean gap. For yielded ones it is the slope
     /// at the start of unloading, which exceeds that of loading. By Barber's analogy the
     /// constriction conductance of the same contacts is k_s/E times the stiffness. \[derived\]
     ///
@@ -45,7 +49,16 @@ impl BoundaryElements {
         }
         let mut space = HalfSpace::new(self.map(), self.modulus(), self.boundary_condition());
         let contact: Vec<f64> = solution.pressures.iter().map(|p| number(*p > 0.0)).collect();
-        inside(|| even_approach(&contact, found as f64, &mut space))
+        inside(|| {
+            let mut fixed = even_approach(&contact, found as f64, &mut space)?;
+            if self.boundary_condition() == Boundary::Free {
+                let mut deflections = fixed.pressures.clone();
+                space.apply(Filter::Deflect, &mut deflections);
+                let [total] = sum([&deflections], |[deflection]| [deflection]);
+                fixed.mean_deflection = total / found as f64;
+            }
+            Ok(fixed)
+        })
     }
 
     /// The same contact with the surface that `solution` leaves: its plastic depths are taken off
@@ -84,7 +97,14 @@ pub(crate) fn even_approach(
         if residual <= TOLERANCE {
             let [total] = sum([&pressures], |[pressure]| [pressure]);
             let stiffness = total / pixels;
-            return Ok(FixedContact { stiffness, pressures, residual, iterations });
+            let mean_deflection = 0.0;
+            return Ok(FixedContact {
+                stiffness,
+                mean_deflection,
+                pressures,
+                residual,
+                iterations,
+            });
         }
         // The preconditioned remainder.
         response.copy_from_slice(&remainder);

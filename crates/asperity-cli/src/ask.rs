@@ -24,6 +24,8 @@ pub struct Question<'s> {
     /// Whether the separations are the defaults of the command.
     pub at_defaults: bool,
     warnings: Vec<String>,
+    /// Ids of models without tension, where one is asked for.
+    without_tension: Vec<String>,
     /// Ids of models, and the quantities without a value with the reason.
     lacking: Vec<(String, String)>,
     /// Diagnostics of the results.
@@ -46,6 +48,7 @@ impl<'s> Question<'s> {
             all: false,
             at_defaults: false,
             warnings: vec![],
+            without_tension: vec![],
             lacking: vec![],
             found: Diagnostics::default(),
         }
@@ -122,7 +125,7 @@ impl<'s> Question<'s> {
         }
         let tension = |at: &At| at.load(scene).is_some_and(|load| load < 0.0);
         if self.request.at.iter().any(tension) && !adhesive {
-            self.warnings.push(format!("{id} carries no tension; use dmt, jkr or jkr-separation"));
+            self.without_tension.push(id.clone());
         }
         self.warnings.extend(reasons.into_iter().map(|(count, (partly, reason))| {
             let hint = match reason {
@@ -228,6 +231,13 @@ impl<'s> Question<'s> {
         }
         for (reason, ids) in lacking {
             print_message("warning", &format!("{}: {reason}", ids.join(", ")));
+        }
+        if !self.without_tension.is_empty() {
+            let ids = once(&self.without_tension);
+            let verb = if ids.len() == 1 { "carries" } else { "carry" };
+            let text =
+                format!("{} {verb} no tension; use dmt, jkr or jkr-separation", ids.join(", "));
+            print_message("warning", &text);
         }
         once(&self.warnings).iter().for_each(|text| print_message("warning", text));
         self.scene.report(self.found.clone());

@@ -83,7 +83,8 @@ impl LoadedScene {
         report(&self.file.findings().at_least(Severity::Warning));
     }
 
-    fn open(path: &Path) -> Result<Self> {
+    /// Reads the file, and reports nothing.
+    pub fn open(path: &Path) -> Result<Self> {
         output::keep(path);
         Ok(Self { file: asperity_scene::load(path)?, name: path.display().to_string() })
     }

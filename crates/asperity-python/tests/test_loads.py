@@ -215,3 +215,26 @@ def test_a_scene_that_never_yields_is_held_against_greenwood_and_williamson() ->
     rubber = asperity.Interface.against_rigid(asperity.Body(2e6, 0.5))
     soft = asperity.Scene(rubber, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
     assert asperity.recommend(soft, 2.0).reference == "gw"
+
+
+def test_a_loop_over_loads_warns_once_for_each_cause() -> None:
+    model, scene = asperity.model("gw"), asperity.Scene.parse(asperity.template())
+
+    def loop() -> None:
+        for load in (5e3, 1e4, 2e4, 4e4):
+            model.solve(scene, load=load)
+
+    shown = []
+    for action in ("default", "always"):
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter(action)
+            loop()
+        shown.append([str(one.message) for one in said])
+    first, every = shown
+    assert len(every) == 4 * len(first) > 0, shown
+    assert first == every[: len(first)]
+    # Anew in another context, as Python's own.
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("default")
+        loop()
+    assert [str(one.message) for one in said] == first

@@ -54,7 +54,7 @@ impl Document<'_> {
             None => nearest_name(name, keys.iter().copied()),
             Some(_) => None,
         };
-        if let Some((other, difference)) = synonym(name).filter(|_| near.is_none()) {
+        if let Some((other, difference)) = synonym(name) {
             near = Some(other);
             // A single body has no work of adhesion.
             elsewhere = key("", other).filter(|_| !keys.contains(&other));
@@ -86,6 +86,7 @@ fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
         "yield_stress" | "yield" | "sy" | "rp02" => ("yield_strength", ""),
         "e" | "young_modulus" | "elastic_modulus" => ("youngs_modulus", ""),
         "nu" | "poisson_ratio" | "poisson" => ("poissons_ratio", ""),
+        "rdq" | "rms_slope" | "rms_gradient" => ("sdq", "it is the rms gradient of the surface; "),
         "ra" | "rq" | "sa" | "rms" => (
             "surface_height_std",
             "it is Sq, which for Gaussian heights is 1.25 Sa; Ra or Rq alone does not describe a surface; ",

@@ -45,7 +45,7 @@ impl BodyKeys {
                     ("yield_strength", self.yield_strength),
                 ];
                 if let Some((name, _)) = given.into_iter().find(|(_, value)| value.is_some()) {
-                    let needed = "either a material or its own numbers";
+                    let needed = "the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed,";
                     return Err(document.conflict(&path("material"), &path(name), needed));
                 }
                 named(id).map(|material| material.body).ok_or_else(|| {
@@ -171,7 +171,7 @@ mod tests {
             let refused =
                 with(&format!("material = \"brass-naval\"\n{key} = {value}")).unwrap_err();
             let wanted = format!(
-                "line 4: body[1].material and body[1].{key} (line 5) exclude each other: either a material or its own numbers was required"
+                "line 4: body[1].material and body[1].{key} (line 5) exclude each other: the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed, was required"
             );
             assert_eq!(refused, wanted);
         }

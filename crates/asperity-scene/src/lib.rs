@@ -23,6 +23,7 @@ mod options;
 mod quantity;
 mod scan;
 mod scene_file;
+mod sides;
 mod surface;
 mod template;
 mod write;

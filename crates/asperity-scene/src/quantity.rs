@@ -7,6 +7,7 @@ use asperity::nearest_hint;
 use toml::de::{DeTable, DeValue};
 
 use crate::decimal_comma::with_decimal_point;
+use crate::sides;
 use crate::template::key;
 
 type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
@@ -252,15 +253,25 @@ fn in_other_case(given: &str, units: Units) -> Option<String> {
 
 /// The text without ignored characters, in ASCII.
 fn plain(given: &str) -> String {
-    let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
+    let left_out = |c: char| c.is_whitespace() || "^\u{b7}".contains(c);
     let text: String = given.chars().filter(|c| !left_out(*c)).collect();
+    // Between units; between numbers it is a product.
+    let is_product = |(_, rest): (&str, &str)| rest.starts_with(|c: char| c.is_ascii_digit());
+    let text = match text.split_once('*').is_some_and(is_product) {
+        true => text,
+        false => text.replace('*', ""),
+    };
     let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "2");
     text.replace('\u{207b}', "-").replace(['\u{3a9}', '\u{2126}'], "ohm")
 }
 
 /// A number with one of the units.
-fn read(given: &str, (_, _, units): Units) -> Option<f64> {
+fn read(given: &str, (si, _, units): Units) -> Option<f64> {
     let text = plain(given);
+    if si == "m^2" && text.contains(['x', 'X', '\u{d7}', '*']) {
+        let lengths = UNITS.iter().find(|(known, ..)| *known == "m")?.2;
+        return sides::area(&text, lengths, units);
+    }
     let value_in = |unit: &str, power| scale(text.strip_suffix(unit)?, power);
     units.iter().find_map(|(unit, power)| {
         // 1/mm2 may be written /mm2 or mm-2.
@@ -274,7 +285,7 @@ fn read(given: &str, (_, _, units): Units) -> Option<f64> {
 }
 
 /// A decimal number times a power of ten, rounded once.
-fn scale(number: &str, power: i32) -> Option<f64> {
+pub(crate) fn scale(number: &str, power: i32) -> Option<f64> {
     let (digits, own) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let is_number = digits.chars().all(|c| c.is_ascii_digit() || "+-._".contains(c));
     let exponent = own.parse::<i32>().ok()?.checked_add(power)?;

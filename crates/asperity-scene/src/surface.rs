@@ -1,5 +1,7 @@
 //! `[surface]`: the asperities, in exactly one of five ways, of one rough surface or of two.
 
+use std::f64::consts::PI;
+
 use asperity::{Diagnostic, Interface, ProfileMoments, Surface};
 use serde::Deserialize;
 
@@ -17,6 +19,8 @@ const WAYS: [&[&str]; 5] = [
     &["sq", "spd", "spc"],
     &["file", "files"],
 ];
+/// Index of the way by parameters of ISO 25178.
+const ISO: usize = 3;
 /// Index of the way by measured files.
 const MEASURED: usize = WAYS.len() - 1;
 const STD: &str = "asperity_height_std";
@@ -24,6 +28,9 @@ const STD: &str = "asperity_height_std";
 const SURFACE_STD: &str = "surface_height_std";
 /// The alternative to the radius, with `SURFACE_STD` and the density.
 const MEAN_SLOPE: &str = "mean_slope";
+
+/// The alternative to `spc`, with `sq` and `spd`.
+const GRADIENT: &str = "sdq";
 
 /// The units, SI first, in which instruments report ISO 25178 parameters.
 const ISO_UNITS: [(&str, [(&str, f64); 3]); 3] = [
@@ -80,6 +87,7 @@ struct NumberKeys {
     sq: Option<f64>,
     spd: Option<f64>,
     spc: Option<f64>,
+    sdq: Option<f64>,
 }
 
 /// A surface described by numbers.
@@ -188,6 +196,10 @@ fn numbers(
     if has(&&MEAN_SLOPE) && (way > 0 || key == "asperity_radius") {
         return conflict(MEAN_SLOPE, key, "asperity_density and surface_height_std with it");
     }
+    if has(&&GRADIENT) && (way != ISO || has(&&"spc")) {
+        let other = if way == ISO { "spc" } else { key };
+        return conflict(GRADIENT, other, "sq and spd with it");
+    }
     if has(&&SURFACE_STD) && has(&&STD) {
         return conflict(SURFACE_STD, STD, "one of the two, which determines the other,");
     }
@@ -222,9 +234,13 @@ fn numbers(
             let m0 = needed("m0", keys.m0)?;
             Some(Roughness::Moments([m0, needed("m2", keys.m2)?, needed("m4", keys.m4)?]))
         }
-        3 => {
-            let sq = needed("sq", keys.sq)?;
-            Some(Roughness::Iso25178([sq, needed("spd", keys.spd)?, needed("spc", keys.spc)?]))
+        ISO => {
+            let (sq, spd) = (needed("sq", keys.sq)?, needed("spd", keys.spd)?);
+            Some(match keys.sdq {
+                // The mean absolute slope of profiles of an isotropic Gaussian surface.
+                Some(sdq) => Roughness::MeanSlope([sq, sdq / PI.sqrt(), spd]),
+                None => Roughness::Iso25178([sq, spd, needed("spc", keys.spc)?]),
+            })
         }
         _ => None,
     };

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use asperity::{Diagnostic, Severity};
 use asperity_scene::{HandedFiles, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -173,7 +174,7 @@ impl Desk {
         self.compile(models)?;
         let file = self.scene()?;
         let (at, load) = span::load(load, &file.scene)?;
-        let (mut rows, mut findings) = (vec![], vec![]);
+        let (mut rows, mut findings) = (vec![], Vec::<Diagnostic>::new());
         for id in models {
             if let Some(Ok(compiled)) = self.compiled.get(id) {
                 let (row, found) = compiled.row(file, id, at);
@@ -181,6 +182,7 @@ impl Desk {
                 findings.extend(found);
             }
         }
+        let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
         Ok(Answer { load, views: answer::views(file), rows, findings })
     }
 }

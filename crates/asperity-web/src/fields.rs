@@ -213,6 +213,37 @@ mod tests {
     }
 
     #[test]
+    fn a_material_becomes_own_values_with_all_its_numbers_and_back() {
+        let text = edit(TEXT, &material(TEXT, 1, "copper-cold-worked")).unwrap();
+        assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
+        let own = edit(&text, &material(&text, 1, "")).unwrap();
+        let known = asperity_scene::materials()
+            .iter()
+            .find(|known| known.id == "copper-cold-worked")
+            .unwrap();
+        for (key, wanted) in [
+            ("youngs_modulus", Some(known.body.youngs_modulus)),
+            ("thermal_conductivity", known.body.thermal_conductivity),
+            ("electrical_resistivity", known.body.electrical_resistivity),
+        ] {
+            let found = &fields(&own)[&format!("body[1].{key}")];
+            assert_eq!(found.parse::<f64>().ok(), wanted, "{key}");
+        }
+        // Another material takes all of them away.
+        let again = edit(&own, &material(&own, 1, "copper-cold-worked")).unwrap();
+        assert_eq!(fields(&again), fields(&text));
+        assert!(material(TEXT, 1, "").is_empty());
+    }
+
+    #[test]
+    fn the_files_of_a_text_are_found_wherever_they_are_named() {
+        let text = "[surface]\nfiles = [\"a.x3p\", \"b.x3p\"]\n\
+                    counterface = { file = \"c.sur\" }\nheights = { file = \"d.csv\" }\n";
+        assert_eq!(files(text), ["a.x3p", "b.x3p", "c.sur", "d.csv"]);
+        assert!(files(TEXT).is_empty() && files("file = ").is_empty());
+    }
+
+    #[test]
     fn a_text_of_a_value_is_never_markup_of_the_file() {
         let sly = "1\nm2 = 7";
         let edited = edit(TEXT, &[change("surface.m0", Some(sly))]).unwrap();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Diagnostic, Diagnostics, Quantity};
+use asperity::{Diagnostics, Quantity};
 use serde::{Deserialize, Serialize};
 
 use crate::link::PageState;
@@ -153,7 +153,7 @@ pub(crate) struct Answer {
     pub(crate) views: Vec<View>,
     pub(crate) rows: Vec<AnswerRow>,
     /// Warnings of the answers.
-    pub(crate) findings: Vec<Diagnostic>,
+    pub(crate) findings: Diagnostics,
 }
 
 /// A load on the scene.

@@ -214,8 +214,8 @@ mod tests {
             let offset = file.scene.mean_plane_offset();
             let above = if plane == "asperity-mean" { offset } else { 0.0 };
             assert!((of("separation") + above - of("mean-gap")).abs() < 1e-15 && offset > 1e-8);
-            assert_eq!(points["separation"], of("separation"));
-            gaps.push(of("mean-gap"));
+            assert_eq!(points["separation"].to_bits(), of("separation").to_bits());
+            gaps.push(of("mean-gap").to_bits());
         }
         assert_eq!(gaps[0], gaps[1]);
     }

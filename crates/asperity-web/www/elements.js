@@ -102,14 +102,15 @@ class Elements {
       row.append(element("td", {}, button));
       return row;
     }));
-    // What several loads have in common is said once.
-    const loads = new Map();
-    for (const { load, notes } of this.solved) for (const { severity, message } of notes) {
-      const said = `${severity}: ${message}`;
-      loads.set(said, [...(loads.get(said) ?? []), load]);
+    // What several loads have in common is said once, for the lightest.
+    const said = new Map();
+    for (const { load, notes } of this.solved) for (const { code, severity, message } of notes) {
+      if (!said.has(code)) said.set(code, { text: `${severity}: ${message}`, also: [] });
+      else said.get(code).also.push(load);
     }
-    notes.hidden = loads.size === 0;
-    notes.replaceChildren(...[...loads].map(([said, at]) => element("li", {}, `${said} (${at.join(", ")})`)));
+    notes.hidden = said.size === 0;
+    notes.replaceChildren(...[...said.values()].map(({ text, also }) =>
+      element("li", {}, also.length > 0 ? `${text} (also at ${also.join(", ")})` : text)));
   }
 
   // The points of a quantity that boundary elements give.

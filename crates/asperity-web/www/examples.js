@@ -16,7 +16,7 @@ const FIRST = EXAMPLES[0][0];
 
 const TRIES = [
   ["How stiff is it when it is unloaded?", "Show the unloading stiffness", () => setView("unloading-stiffness")],
-  ["Press on one copper body instead: what yields, and how much more area touches?", "Second body of copper", () => edit([{ path: "body[2].material", value: "copper" }], 2)],
+  ["What does a body of copper change?", "Second body: copper", () => edit([{ path: "body[2].material", value: "copper-cold-worked" }], 2)],
   ["Do inclined asperities change the answer? Gao and AT take some seconds.", "Add Gao and AT", () => setModels([...state.models, ...["gao", "at"].filter((id) => !state.models.includes(id))])],
   ["Is the area that boundary elements find at this load that of the models?", "Solve this load", () => page.load && elements.solve([page.load.pascals])],
 ];
@@ -43,6 +43,5 @@ export const openExample = (name, kind = "example") => work("page", "example", a
   }
   Object.assign(state, { load: "", scan, random });
   $("try").hidden = name !== FIRST;
-  $("example").value = name;
   setScene(text, kind).then(() => page.shown?.scan && !page.shown.scan.refused && elements.solve([]));
 });

@@ -65,8 +65,13 @@ async function start() {
     return fail("This browser has no WebAssembly: use another browser, or the program asperity.");
   }
   editor(typed, typingEnds);
-  options($("example"), EXAMPLES);
-  $("example").addEventListener("change", () => openExample($("example").value));
+  options($("example"), [["", "open …"], ...EXAMPLES]);
+  $("example").addEventListener("change", () => {
+    const name = $("example").value;
+    // The same one can be opened again.
+    $("example").value = "";
+    if (name) openExample(name);
+  });
   $("view").addEventListener("change", () => setView($("view").value));
   readings($("curve"), $("reading"));
   tries();

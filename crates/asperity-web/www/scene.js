@@ -9,6 +9,9 @@ import { elements } from "./elements.js";
 import { scanReport } from "./scans.js";
 import { takeAway } from "./takeaway.js";
 
+// The place of the slider for a scene without a load.
+const USUAL = 0.6;
+
 // Another text of the scene; `kind` names what the user did, for the history.
 export function setScene(text, kind = "edit") {
   state.text = text;
@@ -67,7 +70,7 @@ async function showScene() {
   takeAway.models(shown.models, chosen());
   elements.allow(shown.scan);
   scanReport(Boolean(shown.scan));
-  await values(state.load ? { text: state.load } : { position: 0.6 });
+  await values(state.load ? { text: state.load } : { position: USUAL });
 }
 
 // Nothing of another scene stays on the page.
@@ -91,7 +94,10 @@ async function values(keys) {
     found = await ask(desks.quick, "answer", { models, load: keys });
   } catch (error) {
     if (error.field !== "load") throw error;
-    return blocks.refuseLoad(error.message);
+    if (page.load) return blocks.refuseLoad(error.message);
+    // A load that a link brought: the scene is shown at another.
+    await values({ position: USUAL });
+    return tell(error.message);
   }
   page.load = found.load;
   state.load = found.load.text;
@@ -103,6 +109,7 @@ async function values(keys) {
   await draw();
   const findings = await check(desks.quick, models);
   blocks.findings(findings);
+  blocks.addFindings(found.findings);
   form.mark(null, findings);
   takeAway.code();
   if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown, found.views));
@@ -136,7 +143,7 @@ async function slowValues(shown, views) {
   if (!current()) return page.rows.clear();
   work("page", "draw", draw);
   const findings = await check(desks.slow, models);
-  if (current() && state.load === load) blocks.addFindings(findings);
+  if (current() && state.load === load) blocks.addFindings([...found.findings, ...findings]);
 }
 
 export const redraw = () => work("page", "draw", draw);

@@ -90,7 +90,8 @@ export const takeAway = {
   code: () => work("page", "code", code),
   // The models of the scene; none for a scene with an error.
   models(all, ids) {
-    const allowed = all.filter(({ reason }) => !reason).map(({ id }) => [id, id]);
+    // Theories of the whole surface have no law of one asperity.
+    const allowed = all.filter(({ reason, whole }) => !reason && !whole).map(({ id }) => [id, id]);
     options($("export-model"), ids.map((id) => [id, id]));
     options($("law-model"), allowed, $("law-model").value || ids[0]);
     for (const id of ["save-csv", "save-svg", "save-png", "save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;

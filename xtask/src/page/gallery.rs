@@ -48,10 +48,10 @@ pub(super) fn write(folder: &Path) -> Result<()> {
         let links = links.trim_end();
         let number = figure.name.trim_start_matches("fig").split('-').next().unwrap_or_default();
         let number = number.trim_start_matches('0');
-        write!(
+        writeln!(
             sections,
             "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}</p>\
-             <img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></section>\n"
+             <img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></section>"
         )?;
     }
     let path = folder.join("gallery.html");

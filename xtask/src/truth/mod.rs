@@ -16,8 +16,8 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, bail};
 use asperity::bem::RandomSurface;
 use asperity::{
-    At, Compared, Contact, ContactError, ContactModel, Datum, Evidence, Model, Persson,
-    PerssonVariance, Quantity, Request, SeparationUnit,
+    At, Compared, Contact, ContactError, ContactModel, Datum, Evidence, EvidenceCase, Model,
+    Persson, PerssonVariance, Quantity, Request, SeparationUnit,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -45,10 +45,13 @@ pub fn kept_folder() -> PathBuf {
 ///
 /// # Errors
 /// A case that cannot be solved, a file that cannot be written.
-pub fn write(figures: &Path, solve_missing: bool) -> Result<Vec<PathBuf>> {
+pub fn write(figures: &Path, solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
     let path = evidence_file();
     let folder = path.parent().context("a folder")?;
-    let kept = Kept::in_folder(&kept_folder())?;
+    let mut kept = Kept::in_folder(&kept_folder())?;
+    if !anew {
+        kept = kept.with_rows(&Evidence::parse(&committed()?)?)?;
+    }
     if solve_missing {
         solve(&FULL, &kept)?;
     }
@@ -233,6 +236,19 @@ impl Bem {
             ],
         }
     }
+
+    /// Of a row of the table.
+    fn of_row(known: &EvidenceCase) -> Result<Self> {
+        let number = |quantity| {
+            let [mean, error] = [known.bem.value(quantity), known.bem.error(quantity)];
+            Ok([mean.context("a number of bem")?, error.context("an error of bem")?])
+        };
+        let numbers: Vec<[f64; 2]> =
+            Compared::ALL.into_iter().map(number).collect::<Result<_>>()?;
+        let (patches, plastic_share) = (known.patches as f64, known.plastic_share);
+        let numbers = numbers.try_into().map_err(|_| anyhow::anyhow!("four quantities"))?;
+        Ok(Self { surfaces: known.surfaces, patches, plastic_share, numbers })
+    }
 }
 
 /// The models on a scene.
@@ -350,7 +366,9 @@ pub fn evidence(scope: &Scope, kept: &Kept) -> Result<String> {
     let mut text = Text::new();
     for case in cases(scope)? {
         let seeds = kept.seeds(case.0, case.1, case.2);
-        if seeds.len() as u64 >= solved::LEAST_SEEDS.min(scope.most_seeds) {
+        if let Some(known) = kept.row(case.0, case.1, case.2) {
+            text.push(case, &Bem::of_row(known)?)?;
+        } else if seeds.len() as u64 >= solved::LEAST_SEEDS.min(scope.most_seeds) {
             text.push(case, &Bem::of_seeds(&seeds))?;
         }
     }
@@ -376,15 +394,7 @@ pub fn asked_anew(text: &str, scope: &Scope) -> Result<String> {
                 && alpha.is_ok_and(|alpha| (alpha / known.alpha - 1.0).abs() < 1e-3)
         };
         let case = all.iter().find(same).context("a case of another scope")?;
-        let number = |quantity| {
-            let [mean, error] = [known.bem.value(quantity), known.bem.error(quantity)];
-            Ok([mean.context("a number of bem")?, error.context("an error of bem")?])
-        };
-        let numbers: Vec<[f64; 2]> =
-            Compared::ALL.into_iter().map(number).collect::<Result<_>>()?;
-        let (patches, plastic_share) = (known.patches as f64, known.plastic_share);
-        let numbers = numbers.try_into().map_err(|_| anyhow::anyhow!("four quantities"))?;
-        anew.push(*case, &Bem { surfaces: known.surfaces, patches, plastic_share, numbers })?;
+        anew.push(*case, &Bem::of_row(known)?)?;
     }
     Ok(anew.text)
 }

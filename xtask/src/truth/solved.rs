@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail};
 use asperity::bem::{BemError, BoundaryElements, HeightMap, LoadCase, RandomSurface, Solution};
-use asperity::{Interface, Scene, Surface};
+use asperity::{Evidence, EvidenceCase, Interface, Scene, Surface};
 
 /// Pixels per shortest wave.
 pub const PIXELS_PER_WAVE: f64 = 8.0;
@@ -30,6 +30,8 @@ const MERGED: f64 = 0.05;
 pub const LEAST_SEEDS: u64 = 4;
 /// Most seeds of a case.
 pub const MOST_SEEDS: u64 = 16;
+/// Most seeds of a case under a light load, which costs little.
+pub const MOST_LIGHT_SEEDS: u64 = 64;
 /// Loads to this p/(E g) are solved with the highest pixels as unknowns.
 const LIGHT: f64 = 3e-4;
 /// Stiffnesses of first loading are differences between pressures this share to either side.
@@ -175,6 +177,8 @@ impl Contact {
 pub struct Kept {
     folder: PathBuf,
     most_seeds: u64,
+    /// Rows of an earlier table with the names of their families.
+    rows: Vec<(&'static str, EvidenceCase)>,
 }
 
 impl Kept {
@@ -184,7 +188,33 @@ impl Kept {
     /// A folder that cannot be made.
     pub fn in_folder(folder: &Path) -> Result<Self> {
         fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
-        Ok(Self { folder: folder.to_owned(), most_seeds: MOST_SEEDS })
+        Ok(Self { folder: folder.to_owned(), most_seeds: MOST_LIGHT_SEEDS, rows: vec![] })
+    }
+
+    /// Cases that this table holds count as solved.
+    ///
+    /// # Errors
+    /// A family without moments.
+    pub fn with_rows(mut self, table: &Evidence) -> Result<Self> {
+        for family in &FAMILIES {
+            let alpha = family.surface(family.pixels)?.moments().bandwidth();
+            let same = |case: &&EvidenceCase| {
+                equal(case.skewness, family.skewness)
+                    && equal(case.slope_ratio, family.slope_ratio)
+                    && (case.alpha / alpha - 1.0).abs() < 1e-3
+            };
+            self.rows.extend(table.cases().iter().filter(same).cloned().map(|c| (family.name, c)));
+        }
+        Ok(self)
+    }
+
+    /// The row of a case in the earlier table.
+    #[must_use]
+    pub fn row(&self, family: &Family, index: f64, load: f64) -> Option<&EvidenceCase> {
+        let same = |(name, case): &&(&str, EvidenceCase)| {
+            *name == family.name && equal(case.plasticity_index, index) && equal(case.load, load)
+        };
+        self.rows.iter().find(same).map(|(_, case)| case)
     }
 
     /// At most this many surfaces for a case.
@@ -213,17 +243,25 @@ impl Kept {
             let all = self.contacts(family, pixels, index, seed);
             all.into_iter().find(|contact| (contact.load / load - 1.0).abs() < 1e-9)
         };
-        (1..=self.most_seeds).map_while(of).collect()
+        (1..=self.most_for(load)).map_while(of).collect()
+    }
+
+    fn most_for(&self, load: f64) -> u64 {
+        let most = if load <= LIGHT { MOST_LIGHT_SEEDS } else { MOST_SEEDS };
+        most.min(self.most_seeds)
     }
 
     /// Whether no more seeds are needed.
     #[must_use]
     pub fn is_done(&self, family: &Family, index: f64, load: f64) -> bool {
+        if self.row(family, index, load).is_some() {
+            return true;
+        }
         let found = self.seeds(family, index, load);
         let patches: f64 = found.iter().map(|contact| contact.patches).sum();
         let count = found.len() as u64;
         let merged = found.iter().all(|contact| contact.area > MERGED);
-        count >= self.most_seeds
+        count >= self.most_for(load)
             || count >= LEAST_SEEDS && (merged || patches >= ENOUGH_PATCHES as f64)
     }
 
@@ -301,6 +339,11 @@ impl Kept {
         }
         Ok(())
     }
+}
+
+/// Numbers of the table are equal digit by digit.
+fn equal(a: f64, b: f64) -> bool {
+    a.total_cmp(&b).is_eq()
 }
 
 /// Whether a load is well below the hardness.

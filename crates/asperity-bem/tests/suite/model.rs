@@ -59,8 +59,8 @@ fn nothing_touches_far_away_and_what_it_cannot_give_is_named() {
     assert!(not_asked.starts_with("force was not requested"), "{not_asked}");
     let heavy = contact.evaluate(Quantity::Area, At::Pressure(UNIT)).unwrap_err().to_string();
     assert!(heavy.contains("less than the hardness"), "{heavy}");
-    let tangent = bem.compile(&scene(), &Request::new([Quantity::Tangent])).unwrap_err();
-    assert!(tangent.to_string().starts_with("BEM cannot give tangent (it gives force,"));
+    let contacts = bem.compile(&scene(), &Request::new([Quantity::Contacts])).unwrap_err();
+    assert!(contacts.to_string().starts_with("BEM cannot give contacts (it gives force,"));
     let mut soft = scene();
     soft.interface.equivalent_modulus = -1.0;
     let refused = bem.compile(&soft, &request).unwrap_err().to_string();
@@ -92,6 +92,40 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
         assert_eq!(Continuation::named(&one.to_string()), Some(one));
     }
     assert_eq!(Continuation::named("open"), None);
+}
+
+/// Stiffness and tangent are the slope of first loading, at pressures and at gaps.
+#[test]
+fn the_tangent_is_the_slope_of_loading() {
+    let bem = Bem::new(rough(64, 1), None, false);
+    let elements = bem.elements(&scene().interface).unwrap();
+    let solution = elements.solve(LoadCase::MeanPressure(0.02 * UNIT)).unwrap();
+    let slope = elements.loading_stiffness(&solution).unwrap() * NOMINAL;
+    let gap: At = Separation::metres(solution.mean_gap).from_surface_mean().into();
+    let far: At = Separation::metres(1.0).from_surface_mean().into();
+    for quantity in [Quantity::Tangent, Quantity::Stiffness] {
+        let request = Request::new([quantity]).at([At::Pressure(0.02 * UNIT)]);
+        let contact = bem.compile(&scene(), &request).unwrap();
+        let value = |at| contact.evaluate(quantity, at).unwrap().value();
+        close(value(At::Pressure(0.02 * UNIT)), slope, 1e-9);
+        close(value(gap), slope, 1e-3);
+        assert!(value(far) <= 0.0);
+    }
+}
+
+/// A body that fills the map is repeated unless a boundary is declared, with a note.
+#[test]
+fn a_sphere_that_is_repeated_has_a_note() {
+    let at = |i: usize| (i as f64 - 32.0) * 1e-6;
+    let heights = (0..65 * 65).map(|k| -(at(k / 65).powi(2) + at(k % 65).powi(2)) / 2e-3);
+    let map = asperity_bem::HeightMap::new(heights.collect(), [65, 65], [1e-6; 2]).unwrap();
+    let usual = Bem::new(map.clone(), None, true);
+    assert_eq!(usual.continuation(), Continuation::Periodic);
+    let note = usual.note().unwrap();
+    assert!(note.code == "repeated" && note.value > 30.0, "{note}");
+    for declared in Continuation::ALL {
+        assert_eq!(Bem::new(map.clone(), Some(declared), true).note(), None);
+    }
 }
 
 /// Stiffnesses and conductances of joints are multiples of the stiffness at fixed contact.

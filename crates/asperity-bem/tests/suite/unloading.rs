@@ -71,6 +71,79 @@ fn a_sphere() {
     }));
 }
 
+/// With free edges the approach is that to distant points, and the half-space under the map gives
+/// way by a part of it: under a circle by (2/π) asin(a/r) outside. The rest closes the mean gap.
+#[test]
+fn approaches_to_distant_points_close_the_gap_in_part() {
+    let (radius, load) = (1e-3, 2.0);
+    let contact = (3.0 * load * radius / (4.0 * MODULUS)).cbrt();
+    let n = 129;
+    for sides in [4.0, 8.0] {
+        let step = sides * contact / n as f64;
+        let from_axis = |k: usize| {
+            let at = |i: usize| (i as f64 - (n / 2) as f64) * step;
+            at(k / n).hypot(at(k % n))
+        };
+        let heights = (0..n * n).map(|k| -from_axis(k).powi(2) / (2.0 * radius));
+        let map = HeightMap::new(heights.collect(), [n, n], [step; 2]).unwrap();
+        let area = map.area();
+        let solver = BoundaryElements::new(map, MODULUS).unwrap().boundary(Boundary::Free);
+        let solution = solver.solve(LoadCase::Load(load)).unwrap();
+        let fixed = solver.fixed_contact(&solution).unwrap();
+        let deflection = |k: usize| match contact / from_axis(k) {
+            inside if inside >= 1.0 => 1.0,
+            outside => 2.0 / PI * outside.asin(),
+        };
+        let mean = (0..n * n).map(deflection).sum::<f64>() / (n * n) as f64;
+        close(fixed.mean_deflection, mean, 0.01);
+        // Of four radii the slope over the mean gap is more than twice that over the approach.
+        let exact = 2.0 * MODULUS * contact / (1.0 - mean);
+        close(fixed.stiffness * area / (1.0 - fixed.mean_deflection), exact, 0.03);
+        close(solver.loading_stiffness(&solution).unwrap() * area, exact, 0.03);
+    }
+    let rough = BoundaryElements::new(rough(128, 2), MODULUS).unwrap().boundary(Boundary::Free);
+    for share in [0.01, 0.1] {
+        let solution = rough.solve(LoadCase::MeanPressure(share * UNIT)).unwrap();
+        let fixed = rough.fixed_contact(&solution).unwrap();
+        let over_gap = fixed.stiffness / (1.0 - fixed.mean_deflection);
+        assert!(over_gap > 1.1 * fixed.stiffness);
+        close(rough.loading_stiffness(&solution).unwrap(), over_gap, 0.02);
+    }
+}
+
+/// The slope of first loading is that between other solutions; yielded contacts unload stiffer.
+#[test]
+fn slopes_of_loading_are_differences_of_solutions() {
+    let given = LoadCase::MeanPressure(0.05 * UNIT);
+    for hardness in [None, Some(0.2 * UNIT), Some(0.0501 * UNIT)] {
+        let solver = BoundaryElements::new(rough(128, 3), MODULUS).unwrap();
+        let solver = match hardness {
+            Some(hardness) => solver.hardness(hardness).unwrap(),
+            None => solver,
+        };
+        let solution = solver.solve(given).unwrap();
+        let found = solver.loading_stiffness(&solution).unwrap();
+        let fixed = solver.fixed_contact(&solution).unwrap().stiffness;
+        let gap = |share: f64| {
+            solver.solve(LoadCase::MeanPressure(share * 0.05 * UNIT)).unwrap().mean_gap
+        };
+        // Almost at the hardness no heavier load is carried.
+        let (heavier, lighter, within) = match hardness {
+            Some(hardness) if hardness < 0.051 * UNIT => (1.0, 0.95, 1e-4),
+            _ => (1.01, 0.99, 0.02),
+        };
+        let slope = (heavier - lighter) * 0.05 * UNIT / (gap(lighter) - gap(heavier));
+        close(found, slope, within);
+        match hardness {
+            None => close(found, fixed, 0.02),
+            Some(_) => assert!(found < 0.9 * fixed, "{found:e} {fixed:e}"),
+        }
+    }
+    let solver = BoundaryElements::new(rough(64, 1), MODULUS).unwrap();
+    let full = solver.solve(LoadCase::MeanPressure(3.0 * UNIT)).unwrap();
+    assert_eq!(solver.loading_stiffness(&full), Err(BemError::FullContact));
+}
+
 /// An elastic contact unloads as it loads: the slope of pressure over mean gap.
 #[test]
 fn an_elastic_contact_has_its_loading_slope() {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use asperity::bem::{Bem, Continuation, LoadCase};
 use asperity::{ContactModel, Diagnostics, Quantity, Request};
 use asperity_plot::{draw_map, map_png};
@@ -48,8 +48,9 @@ pub struct BemCommand {
     places: Places,
     #[command(flatten)]
     way: Way,
-    /// Add quantities of joints: unloading-stiffness, tangential-stiffness, thermal-conductance,
-    /// electrical-conductance (-per-area), or any other that follows from load and area
+    /// Add tangent (or stiffness, the same: the slope of first loading, by two more solutions),
+    /// quantities of joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
+    /// electrical-conductance, -per-area), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Add the results on every second pixel, to show their dependence on the grid
@@ -152,11 +153,14 @@ impl BemCommand {
             errors: vec![],
             found: Diagnostics::default(),
         };
+        // Before the hours of the whole grid.
+        let half_grid = self.refine.then(|| bem.half_grid()).transpose();
+        let half_grid = half_grid.context(REFINE)?;
         let keep = self.map.is_some() || self.picture.is_some();
         let mut whole = run.solve(&bem, keep)?;
-        let mut half = match self.refine && !interrupt::requested() {
-            true => Some(run.solve(&bem.half_grid()?, false)?),
-            false => None,
+        let mut half = match half_grid.filter(|_| !interrupt::requested()) {
+            Some(half) => Some(run.solve(&half, false)?),
+            None => None,
         };
         if interrupt::requested() {
             // Loads without a result are left out, not blank.
@@ -282,6 +286,10 @@ fn table(
     }
     table
 }
+
+/// Why a grid cannot be halved.
+const REFINE: &str =
+    "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
 
 const COLUMNS: [&str; 9] = [
     "load_N",

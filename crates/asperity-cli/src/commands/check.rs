@@ -53,7 +53,7 @@ pub struct Check {
 
 impl Check {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::read(&self.scene)?;
+        let scene = LoadedScene::open(&self.scene)?;
         let separation = |distance: Distance| {
             let unit = distance.unit(self.unit);
             let height_std = scene.file.scene.surface.asperity_height_std;
@@ -80,10 +80,9 @@ impl Check {
             Some(Err(refused)) => (scene.file.check(None)?, Some(refused)),
             None => (scene.file.check(None)?, None),
         };
+        let mut checked = checked;
+        checked.extend(scene.file.warnings.clone());
         if self.output.format == Format::Json {
-            let mut checked = checked.clone();
-            // Warnings about the file have codes to accept, too.
-            checked.extend(scene.file.warnings.clone());
             self.output.write_text(&(serde_json::to_string_pretty(&checked)? + "\n"))?;
         } else {
             let table = numbers(&checked);

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use asperity::joints::conductance::{Correlation, GapRoughness, gap_conductance};
-use asperity::{At, ContactError, ContactModel, Datum, Quantity, Request, SeparationUnit};
+use asperity::{At, ContactModel, Datum, Quantity, Request, SeparationUnit};
 use asperity_plot::{Axis, Curve, Scale};
 use clap::{ArgGroup, Args};
 
@@ -14,7 +14,7 @@ use crate::input::numbers::{
 };
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
-use crate::output::{once, plot, print_message};
+use crate::output::{once, plot, print_message, summary};
 use crate::scene::LoadedScene;
 
 const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
@@ -122,37 +122,50 @@ impl Conductance {
             ids.is_empty() && self.models.is_empty()
                 || self.models.contains(&Formula::Correlation(correlation.id()))
         };
+        let alone = self.models.len() == 1;
         let models = match (&ids[..], &self.models[..]) {
             ([], []) => vec![scene.reference(None)?],
             ([], _) => vec![],
-            (asked, _) => scene.models(asked, &[CONDUCTANCE])?,
+            (asked, _) => {
+                let mut models = vec![];
+                for id in &once(asked) {
+                    match scene.model(id) {
+                        Err(reason) if !alone => left_out(id, &scene, &reason),
+                        model => models.push(model?),
+                    }
+                }
+                models
+            }
         };
-        let alone = self.models.len() == 1;
-        for (id, model) in &models {
-            let context = || format!("{}: {id}", scene.name);
+        let mut answered = vec![];
+        for named @ (id, model) in &models {
             let request = Request::new([CONDUCTANCE]).at(places.iter().copied());
-            let compiled = match model.compile(contact, &request) {
-                Err(reason @ ContactError::Unsupported { .. }) if !alone => {
-                    print_message("warning", &format!("left out: {id}: {reason}"));
-                    continue;
-                }
-                compiled => compiled.with_context(context)?,
+            let rows = || -> Result<Vec<Vec<Cell>>> {
+                let compiled = model.compile(contact, &request)?;
+                let row = |at: &At| {
+                    let contacts = compiled.evaluate(CONDUCTANCE, *at)?.value();
+                    let mut row = row(id, at, None, Some(contacts), "");
+                    if let Some(gas) = self.gas {
+                        let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
+                        let gap = compiled.separation(*at)?.measured_in(unit, plane, contact)?;
+                        let jump = self.gas_parameter.unwrap_or(0.0);
+                        let found = gap_conductance(gas, gap.value.max(0.0), jump)?;
+                        row.extend([found, contacts + found].map(|h| Cell::Number(Some(h))));
+                    }
+                    Ok(row)
+                };
+                places.iter().map(row).collect()
             };
-            for at in &places {
-                let contacts = compiled.evaluate(CONDUCTANCE, *at).with_context(context)?.value();
-                let mut row = row(id, at, None, Some(contacts), "");
-                if let Some(gas) = self.gas {
-                    let (unit, plane) = (SeparationUnit::Metres, Datum::SurfaceMean);
-                    let gap = compiled.separation(*at)?.measured_in(unit, plane, contact);
-                    let gap = gap.with_context(context)?.value.max(0.0);
-                    let found = gap_conductance(gas, gap, self.gas_parameter.unwrap_or(0.0));
-                    let found = found.with_context(context)?;
-                    row.extend([found, contacts + found].map(|h| Cell::Number(Some(h))));
+            match rows() {
+                Ok(rows) => {
+                    table.rows.extend(rows);
+                    answered.push(named);
                 }
-                table.rows.push(row);
+                Err(reason) if !alone => left_out(id, &scene, &reason),
+                Err(reason) => return Err(reason.context(format!("{}: {id}", scene.name))),
             }
         }
-        scene.report_answers(&models.iter().collect::<Vec<_>>(), &places);
+        scene.report_answers(&answered, &places);
 
         'each: for correlation in Correlation::ALL.into_iter().filter(wanted) {
             let (id, range, mut outside) = (correlation.id(), correlation.range(), None);
@@ -210,6 +223,13 @@ impl Conductance {
         );
         self.output.write(&table, || picture(&table))
     }
+}
+
+/// Names a model without a conductance in this scene, and the reason.
+fn left_out(id: &str, scene: &LoadedScene, reason: &anyhow::Error) {
+    let reason = summary(reason);
+    let reason = reason.strip_prefix(&format!("{}: ", scene.name)).unwrap_or(&reason);
+    print_message("warning", &format!("left out: {id}: {reason}"));
 }
 
 /// The head of the conductance of the gas, or of contacts and gas together.

@@ -134,7 +134,7 @@ impl Export {
         if self.friction.is_some() {
             format.check_friction()?;
         }
-        let scene = LoadedScene::load(&self.scene)?;
+        let scene = LoadedScene::load_for(&self.scene, std::slice::from_ref(&self.model))?;
         let (id, model) = scene.model(&self.model)?;
         let contact = &scene.file.scene;
         if let Some(distances) = separation {

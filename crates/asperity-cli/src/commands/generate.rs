@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use asperity::bem::{HeightMap, RandomSurface};
+use asperity::bem::RandomSurface;
 use asperity_topography::Topography;
 use clap::Args;
 
 use crate::input::numbers::{all, length, number, positive_number};
+use crate::output::number::rounded;
 use crate::output::{self, contact_map, print_message};
 
 /// Make a random rough surface: Hurst exponent, cut-offs, lay, skewness; as a scan
@@ -67,7 +68,10 @@ pub struct Generate {
 
 impl Generate {
     pub fn run(self) -> Result<()> {
-        let map = self.map()?;
+        let surface = self.surface()?;
+        warn_of_slope((2.0 * surface.moments().m2).sqrt());
+        let [columns, rows] = self.size;
+        let map = surface.map([rows, columns])?;
         let shape = map.shape();
         if is_x3p(&self.output) {
             let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;
@@ -81,7 +85,7 @@ impl Generate {
         Ok(())
     }
 
-    fn map(&self) -> Result<HeightMap> {
+    fn surface(&self) -> Result<RandomSurface> {
         let Self { hurst, long, short, size: [columns, rows], pixel: [dx, dy], .. } = *self;
         let lengths = [long, self.roll_off.unwrap_or(long), short];
         let size = [columns as f64 * dx, rows as f64 * dy];
@@ -94,7 +98,18 @@ impl Generate {
         if let Some(skewness) = self.skewness {
             surface = surface.skewness(skewness)?;
         }
-        Ok(surface.map([rows, columns])?)
+        Ok(surface)
+    }
+}
+
+/// Warns of slopes for which no contact model is made.
+fn warn_of_slope(gradient: f64) {
+    if gradient > 1.0 {
+        let text = format!(
+            "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
+            rounded(gradient)
+        );
+        print_message("warning", &text);
     }
 }
 

@@ -105,6 +105,8 @@ fn tensions_are_loads_below_0() {
     assert!(both.contains("stable states have a positive tangent"), "{both}");
     let largest = bench.run("solve soft.toml --model jkr-separation --load -0.01").messages;
     assert!(!largest.contains("negative"), "{largest}");
+    let several = bench.run("curve soft.toml --model gw,persson --load -5").messages;
+    assert!(several.contains("warning: gw, persson carry no tension; use dmt"), "{several}");
     let refused = bench.run("solve soft.toml --model gw --load -5").messages;
     assert!(refused.contains("gw carries no tension") && !refused.contains("load is"), "{refused}");
     for load in ["-1N", "-1kN"] {

@@ -25,6 +25,19 @@ pub fn bench() -> Bench {
 }
 
 #[test]
+fn an_odd_grid_is_not_refined() {
+    let bench = Bench::new();
+    bench.write("scan.toml", SCAN);
+    let scan =
+        |rows: usize| (0..rows).map(|y| format!("{} 1 0 2 1 0\n", y % 3)).collect::<String>();
+    bench.write("scan.txt", &scan(7));
+    let run = bench.run("bem scan.toml --pressure 1e7 --refine");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    let how = "--refine needs an even number of rows and columns; crop the scan, or leave --refine out: rows is 7";
+    assert!(run.messages.contains(how), "{}", run.messages);
+}
+
+#[test]
 fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
     let bench = bench();
     let scan = bench.read("scan.txt");
@@ -176,6 +189,10 @@ fn impossible_loads_and_scenes_without_a_scan_are_reported() {
             "curve scan.toml --model bem --pressure 1e6 --quantity contacts",
             "BEM cannot give contacts",
         ),
+        (
+            "export scan.toml --model bem --as csv --pressure 1e6:1e7:4",
+            "BEM: a table with a bound of its error takes thousands of solutions; use the curve of",
+        ),
         ("bem nowhere.toml --pressure 1e6", "cannot be read"),
     ] {
         let run = bench.run(arguments);
@@ -222,6 +239,24 @@ fn bem_is_a_model_by_name() {
     assert_eq!(cells(&data, "model"), ["gw", "bem", "gw", "bem"]);
     assert!(deviations[0].abs() > 0.01 && deviations[1].abs() <= 0.0, "{data}");
     assert!(column(&data, "separation_m").iter().all(|separation| separation.abs() < 1e-5));
+}
+
+/// The slope of loading is the same in all commands.
+#[test]
+fn the_tangent_of_bem_is_the_stiffness_of_truth() {
+    let bench = bench();
+    let truth = bench.data("truth scan.toml --pressure 1e8 --model gw --format csv");
+    let truth = column(&truth, "stiffness_N_per_m")[0];
+    let curve = bench.data("curve scan.toml --model bem --pressure 1e8 --quantity tangent");
+    let bem = "bem scan.toml --pressure 1e8 --quantity tangent,stiffness --format csv";
+    let bem = bench.data(bem);
+    for tangent in [
+        column(&curve, "tangent_N_per_m")[0],
+        column(&bem, "tangent_N_per_m")[0],
+        column(&bem, "stiffness_N_per_m")[0],
+    ] {
+        assert!((tangent / truth - 1.0).abs() < 1e-4, "{tangent} {truth}");
+    }
 }
 
 #[cfg(unix)]

@@ -15,6 +15,13 @@ fn the_list_of_models_is_what_is_printed() {
     assert_eq!(ids("CMY"), "cmy");
     assert_eq!(ids("ke,gao,mikic"), "ke mikic");
     assert_eq!(ids("ke"), "ke");
+    // A model that lacks a property of the scene leaves the others.
+    assert_eq!(ids("dmt,ke,ghaednia,cmy"), "ke cmy");
+    let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt,ke");
+    let why = "warning: left out: dmt: work_of_adhesion is missing: DMT needs it";
+    assert!(run.messages.contains(why), "{}", run.messages);
+    let run = bench.run("conductance scene.toml --conductivity 50 --load 100 --model dmt");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
 }
 
 #[test]

@@ -17,7 +17,11 @@ fn models_are_compared_with_boundary_elements() {
         assert!((deviation - (areas[k] / truth - 1.0)).abs() < 1e-12);
     }
     let bem = bench.data("bem scan.toml --pressure 1e8,1e9 --format csv");
-    assert_eq!([areas[0], areas[3]][..], column(&bem, "area_fraction"));
+    // Solved in another order: the load of yielded contacts is the same to rounding.
+    let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+    let [light, heavy] = column(&bem, "area_fraction")[..] else { panic!("{bem}") };
+    same(areas[0], light);
+    same(areas[3], heavy);
     let curve = "curve scan.toml --pressure 1e8,1e9 --model ke --format csv";
     let curve = bench.data(&format!("{curve} --quantity area-fraction,tangent"));
     for (name, other) in
@@ -107,9 +111,8 @@ fn half_the_grid_stands_beside_it() {
     let run = bench.run(arguments);
     assert_eq!(cells(&run.out, "model"), ["bem", "bem-half-grid", "ke"], "{}", run.messages);
     let bem = bench.data("bem scan.toml --pressure 1e9 --refine --format csv");
-    assert_eq!(
-        column(&run.out, "area_fraction")[1..2],
-        column(&bem, "area_fraction_half_grid")[..]
-    );
+    let half = column(&run.out, "area_fraction")[1];
+    let of_bem = column(&bem, "area_fraction_half_grid")[0];
+    assert!((half / of_bem - 1.0).abs() < 1e-12, "{half} {of_bem}");
     assert!(column(&run.out, "stiffness_N_per_m")[1] > 0.0);
 }

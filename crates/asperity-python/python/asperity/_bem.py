@@ -142,10 +142,12 @@ def bem(
         is repeated as it is. So is another one if its edges match; if not, its periodic component
         is used, with a warning. ``BemContacts.boundary`` names the choice.
     quantities : sequence of str
-        Quantities of joints, by the names that models have: "unloading-stiffness",
+        By the names that models have: "tangent" (or "stiffness"), the slope of first loading
+        against the mean gap, and quantities of joints, "unloading-stiffness",
         "tangential-stiffness", "thermal-conductance", "electrical-conductance", the last two also
-        with "-per-area"; ``BemContacts.quantities`` has them. The contact pixels are held, so that
-        interaction and shapes of contacts are included.
+        with "-per-area"; ``BemContacts.quantities`` has them. In those of joints the contact pixels
+        are held, so that interaction and shapes of contacts are included; with a free boundary
+        their approach is that of distant points.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
     errors : "raise" or "mask"

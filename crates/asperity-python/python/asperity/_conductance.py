@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,8 +9,9 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import Rows, SceneLike, one_number, place
-from asperity._asperity import ContactWarning, in_si
+from asperity._asperity import in_si
 from asperity._scene import Floats
+from asperity._warn import warn
 
 
 @dataclass(frozen=True)
@@ -71,14 +71,14 @@ def correlated_conductance(
             f"{correlation}: plasticity_index is {foreign:.3g}: the correlation is for contacts with an "
             f"index {side}"
         )
-        warnings.warn(message, ContactWarning, stacklevel=2)
+        warn(message, 1)
     elif not holds.all():
         worst = relative[~holds].ravel()[0]
         message = (
             f"{correlation}: relative pressure is {worst:.4g}: the correlation holds from {first:g} to "
             f"{last:g}"
         )
-        warnings.warn(message, ContactWarning, stacklevel=2)
+        warn(message, 1)
     return Correlated(conductance, relative, holds)
 
 

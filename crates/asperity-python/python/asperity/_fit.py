@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,9 +12,10 @@ import numpy.typing as npt
 
 from asperity import _asperity
 from asperity._arguments import one_scene
-from asperity._asperity import ContactWarning, Engine, Scene, floats
+from asperity._asperity import Engine, Scene, floats
 from asperity._model import Model
 from asperity._scene import Floats
+from asperity._warn import warn
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ def fit(
         if not one.converged:
             said.append("the search did not converge: the values are the best that it found")
         for text in said:
-            warnings.warn(f"{one.model}: {text}", ContactWarning, stacklevel=2)
+            warn(f"{one.model}: {text}", 1)
     return Fits(fits, found["summary"])
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -23,7 +22,6 @@ from asperity._arguments import (
 )
 from asperity._asperity import (
     Contact,
-    ContactWarning,
     Engine,
     JointTable,
     Scene,
@@ -34,6 +32,7 @@ from asperity._asperity import (
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
 from asperity._scene import Floats, Options
+from asperity._warn import warn
 
 
 class Model(Engine):
@@ -140,7 +139,7 @@ class Model(Engine):
         checked = checked_errors(errors)
         columns, failures, found = rows.answer(self, names, rtol, "value", checked, checked=True)
         for message in found:
-            warnings.warn(message, ContactWarning, stacklevel=2)
+            warn(message, 1)
         name = self._source(*rows.files[:1])[1]
         return Curve(self, name, rows, rtol, separation_unit, columns, failures)
 
@@ -251,7 +250,7 @@ class Model(Engine):
         where = axis, one_number("closest" if axis not in LOADS else axis, number)
         joint = Unloading(self, scene, where, law, rtol, checked_unit(separation_unit))
         for message in _asperity.findings(self, Rows(scene, *where)):
-            warnings.warn(message, ContactWarning, stacklevel=2)
+            warn(message, 1)
         return joint
 
     def pull_off(

@@ -43,6 +43,5 @@ pub(crate) fn refused(error: ContactError) -> PyErr {
 
 /// Emits a `ContactWarning` at the line that calls the package, `above` frames of the package up.
 pub(crate) fn warn(py: Python<'_>, message: impl std::fmt::Display, above: usize) -> PyResult<()> {
-    let arguments = (message.to_string(), py.get_type::<ContactWarning>(), 1 + above);
-    py.import("warnings")?.call_method1("warn", arguments).map(drop)
+    py.import("asperity._warn")?.call_method1("warn", (message.to_string(), above)).map(drop)
 }

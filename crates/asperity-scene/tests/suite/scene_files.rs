@@ -97,6 +97,16 @@ fn every_way_gives_the_surface_of_the_library() {
     let iso = "[surface]\nsq = \"1 um\"\nspd = \"111 1/mm2\"\nspc = \"2.5 1/mm\"";
     let wanted = Surface::from_surface_std(1.0 / 2500.0, 1.11e8, 1e-6).unwrap();
     assert_eq!(read(&text("", INTERFACE, iso)).unwrap().scene.surface, wanted);
+    // The rms gradient of the same Gaussian surface: sqrt(2 m2), from spc and spd in closed form.
+    let pi = std::f64::consts::PI;
+    let m2 = 9.0 * pi * 2500f64.powi(2) / 64.0 / (6.0 * 3f64.sqrt() * pi * 1.11e8);
+    let gradient = iso.replace("spc = \"2.5 1/mm\"", &format!("sdq = {:e}", (2.0 * m2).sqrt()));
+    let found = read(&text("", INTERFACE, &gradient)).unwrap().scene.surface;
+    let off = |a: f64, b: f64| (a / b - 1.0).abs();
+    assert!(off(found.asperity_radius, wanted.asperity_radius) < 1e-12, "{found:?}");
+    // The constants of the variance of summits have seven digits.
+    assert!(off(found.asperity_height_std, wanted.asperity_height_std) < 1e-7, "{found:?}");
+    assert_eq!(found.asperity_density, 1.11e8);
     // Findings name the keys of the file.
     let found = read(&text("", INTERFACE, &iso.replace("\"1 um\"", "1.0"))).unwrap().findings();
     let (whole, keys) = (found[0].message(), "asperities from sq, spd, spc: ");
@@ -121,6 +131,9 @@ fn every_way_gives_the_surface_of_the_library() {
             "surface_height_std, mean_slope, asperity_density go together",
         ),
         (format!("{SURFACE}mean_slope = 0.1"), "asperity_density and surface_height_std with it"),
+        (format!("{iso}\nsdq = 0.1"), "surface.sdq and surface.spc"),
+        (format!("{SURFACE}sdq = 0.1"), "sq and spd with it"),
+        (gradient.replace("spd = \"111 1/mm2\"", ""), "sq, spd, spc go together"),
         (format!("{iso}\nmean_slope = 0.1"), "asperity_density and surface_height_std with it"),
         // Too little roughness for so many peaks.
         (iso.replace("1 um", "1 nm"), "sq (times spd/spc) is 4.44e-5"),

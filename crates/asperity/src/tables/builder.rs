@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use crate::bem::Bem;
 use crate::tables::contact_table::{ContactNode, ContactTable};
 use crate::tables::cubic;
 use crate::tables::error::TableError;
@@ -9,7 +10,8 @@ use crate::tables::error_bound::bounds;
 use crate::tables::format::Interpolation;
 use crate::tables::kinks::{kinks, pieces};
 use crate::{
-    At, Contact, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit, Tolerance, linspace,
+    At, Contact, ContactError, ContactModel, Datum, Quantity, Request, Scene, SeparationUnit,
+    Tolerance, linspace,
 };
 
 /// More nodes than this are not added to meet an error.
@@ -96,6 +98,12 @@ impl Builder {
         interpolation: Interpolation,
     ) -> Result<Self, TableError> {
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
+        if model.citation().id == Bem::ID {
+            return Err(TableError::Contact(ContactError::Refused {
+                model: model.name().into(),
+                reason: "a table with a bound of its error takes thousands of solutions; use the curve of pressure, tangent and separation at some loads".into(),
+            }));
+        }
         let contact = model.compile(scene, &request)?;
         Ok(Self {
             contact,

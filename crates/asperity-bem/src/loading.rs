@@ -1,0 +1,49 @@
+//! The slope of first loading.
+
+use std::ops::ControlFlow;
+
+use crate::solver::Run;
+use crate::{BemError, BoundaryElements, Solution};
+
+/// Share of the pressure to either side of it between which the slope is a difference: enough for
+/// some pixels to come into contact, each of which is a small step, and little for a gap that
+/// falls nearly with the logarithm of the pressure.
+const STEP: f64 = 0.05;
+
+impl BoundaryElements {
+    /// -dp/d(mean gap) of first loading \[Pa/m\], between pressures 5 % to either side of that of
+    /// `solution`, or from 5 % below it where the hardness does not carry more. Of a gap that falls
+    /// with the logarithm of the pressure the difference is 0.1 % off; near the hardness, and where
+    /// few pixels touch, it is a mean over that range.
+    ///
+    /// Elastic periodic contacts have the stiffness at
+    /// [fixed contact](BoundaryElements::fixed_contact), which exceeds this slope where the contact
+    /// yields; with a free boundary it counts from another distance.
+    ///
+    /// # Errors
+    /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
+    /// where every pixel touches, and those of [`solve`](Self::solve).
+    pub fn loading_stiffness(&self, solution: &Solution) -> Result<f64, BemError> {
+        let [rows, columns] = self.map().shape();
+        let found = solution.pressures.len();
+        if found != rows * columns {
+            return Err(BemError::Count { found, rows, columns });
+        }
+        if solution.pressures.iter().all(|pressure| *pressure > 0.0) {
+            return Err(BemError::FullContact);
+        }
+        let middle = solution.mean_pressure;
+        let heavier = (1.0 + STEP) * middle;
+        let heavier = if heavier < self.cap() { heavier } else { middle };
+        let lighter = (1.0 - STEP) * middle;
+        let mut run = Run::after(self, solution);
+        let mut gap = |pressure: f64| -> Result<f64, BemError> {
+            let fields = run.press(pressure, &mut |_, _| ControlFlow::Continue(()))?;
+            Ok(fields.gaps.iter().sum::<f64>() / found as f64)
+        };
+        let (less, more) = (gap(heavier)?, gap(lighter)?);
+        let slope = (heavier - lighter) / (more - less);
+        // The heavier load may close the last gap.
+        if slope.is_finite() && slope > 0.0 { Ok(slope) } else { Err(BemError::FullContact) }
+    }
+}
