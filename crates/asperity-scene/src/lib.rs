@@ -36,7 +36,7 @@ pub use error::{Place, SceneError};
 pub use fit::{Free, unit_of_free};
 pub use heights::write_heights;
 pub use inputs::{SceneInput, key_of_input};
-pub use materials::{Material, materials};
+pub use materials::{Material, materials, materials_like};
 pub use measurements::read_measurements;
 pub use mistaken::mistaken_unit;
 pub use models::LeftOut;
