@@ -132,9 +132,10 @@ impl Evidence {
         };
         let values: Vec<_> = Compared::ALL.into_iter().filter_map(estimate).collect();
         if values.is_empty() {
-            let reason =
-                "the solved surfaces near this one determine nothing within a factor of 1.5";
-            return Err(Self::none(reason.into()));
+            return Err(Self::none(match place.contacts {
+                few if few < FEWEST => format!("with {few:.0} contacts, surfaces scatter too much"),
+                _ => "no surface like this one was solved".into(),
+            }));
         }
         Ok(ExpectedContact {
             alpha: place.alpha,
