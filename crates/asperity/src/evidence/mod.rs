@@ -307,7 +307,7 @@ mod tests {
     fn the_solved_cases_are_listed() {
         let solved = Evidence::committed().unwrap().solved();
         let wanted =
-            "alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 1, 2, 4, p/(E g) from 0.00001 to 0.3";
+            "alpha 3.1, 7.5, 29.5, 76.9, elastic and psi 0.7, 1, 2, 4, 8, p/(E g) from 0.00001 to 0.3";
         assert_eq!(solved, wanted);
     }
 
