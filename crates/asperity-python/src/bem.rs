@@ -234,10 +234,12 @@ pub(crate) fn bem<'py>(
 type State = (Option<f64>, Option<f64>, Option<f64>);
 /// Pressure [Pa], a model's id, its numbers and their deviations from boundary elements.
 type Row = (f64, String, State, State);
-/// Rows, the nearest models, the reasons of missing models by id, the reasons of failed pressures
-/// by place, and the boundary.
+/// Sentences about the nearest models, and beside solved surfaces.
+type Sentences = (Option<String>, Vec<String>);
+/// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
+/// and the boundary.
 type Truths =
-    (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+    (Vec<Row>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
@@ -311,8 +313,9 @@ pub(crate) fn truth(
         all.map(row).collect()
     };
     let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
+    let sentences = (nearest, py.detach(|| scene.beside_table(&found)));
     let rows = found.iter().enumerate().flat_map(rows).collect();
-    Ok((rows, nearest, refused, failures, bem.continuation().name()))
+    Ok((rows, sentences, refused, failures, bem.continuation().name()))
 }
 
 /// Runs `work` on the threads of this process while this thread, which gets the signals, checks for

@@ -36,6 +36,8 @@ mod _asperity {
     #[pymodule_export]
     use crate::ask::contact::Contact;
     #[pymodule_export]
+    use crate::ask::corrected::corrected;
+    #[pymodule_export]
     use crate::ask::values::{answer, separations, shares};
     #[pymodule_export]
     use crate::bem::{bem, truth};

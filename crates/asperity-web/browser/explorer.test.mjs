@@ -191,6 +191,26 @@ test("values under the pointer come with the picture", async () => {
   assert.equal(await browser.run("return document.querySelectorAll('#curve .reading').length"), 121);
 });
 
+test("what to try beside the example does what it says, and an example can be opened again", async () => {
+  await change(["#example", "ground-steel"]);
+  assert.ok(await browser.run("return !document.getElementById('try').hidden"));
+  const press = async (k) => {
+    await browser.run("document.querySelectorAll('#tries button')[arguments[0]].click()", k);
+    await browser.until(SETTLED);
+    assert.deepEqual([await phase(), await text("message")], ["ready", ""]);
+  };
+  await press(0);
+  assert.equal(await value("view"), "unloading-stiffness");
+  await press(1);
+  assert.match(await value("scene"), /material = "copper/);
+  await press(3);
+  assert.equal(await browser.run("return document.querySelectorAll('#solved tbody tr').length"), 1);
+  await change(["#example", "ground-steel"]);
+  assert.doesNotMatch(await value("scene"), /copper/);
+  await change(["#example", "wheel-rail"]);
+  assert.ok(await browser.run("return document.getElementById('try').hidden"));
+});
+
 test("Gao and AT appear when they are ready, and the others are there before", async () => {
   await browser.run("for (const id of ['gao', 'at']) document.querySelector(`#models [value=${id}]`).click()");
   await browser.until("return document.querySelectorAll('#answers [data-model=ke]').length > 3", "quick models");

@@ -11,6 +11,8 @@ use crate::refusal::Refusal;
 const FIRST: f64 = 0.1;
 const LAST: f64 = 1000.0;
 const STEPS: u32 = 240;
+/// The least ratio of two interferences that both have a label.
+const ROOM: f64 = 2.2;
 
 /// The law of a model on the asperity of a scene.
 #[derive(Debug, Serialize)]
@@ -63,13 +65,15 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     let panel = |column: &str, label: &str| {
         let x = Axis::new("interference", "interference over critical interference").log();
         let mut panel = Panel::new(x, Axis::new(column, label).log());
-        panel.curves = vec![Curve::new(2, id, "")];
-        panel.verticals = inside.iter().map(|x| Mark::new(*x, &short(*x))).collect();
+        panel.curves = vec![Curve::new(0, id, "")];
+        panel.verticals = marks(&inside);
         panel
     };
     let panels = vec![panel("force_N", "force (N)"), panel("area_m2", "area (m²)")];
     let mut figure = Figure::new("", &[], panels);
     figure.columns = 2;
+    let mut kinks: Vec<String> = inside.iter().map(|x| short(*x)).collect();
+    kinks.dedup();
     let (citation, validity) = (model.citation(), model.validity());
     let to = validity.holds_to.map(|to| format!("holds to {} w_c", short(to)));
     let words = (!validity.valid_for.is_empty()).then(|| validity.valid_for.to_string());
@@ -77,10 +81,23 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     Ok(Law {
         svg: draw(&figure, &csv)?,
         source: format!("{}: {} ({})", model.name(), citation.authors, citation.year),
-        kinks: inside.iter().map(|x| short(*x)).collect(),
+        kinks,
         range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
         guide: guide(id),
     })
+}
+
+/// Lines at kinks, in order; those close behind another have no room for a label.
+fn marks(kinks: &[f64]) -> Vec<Mark> {
+    let mut labelled = 0.0;
+    let mark = |x: &f64| {
+        let room = *x > ROOM * labelled;
+        if room {
+            labelled = *x;
+        }
+        Mark::new(*x, &if room { short(*x) } else { String::new() })
+    };
+    kinks.iter().map(mark).collect()
 }
 
 #[cfg(test)]

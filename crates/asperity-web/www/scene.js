@@ -165,7 +165,7 @@ export function setModels(ids) {
 }
 
 export function setView(view) {
-  state.view = view;
+  state.view = $("view").value = view;
   note("view");
   redraw();
   writeLink();

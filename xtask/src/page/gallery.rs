@@ -15,6 +15,9 @@ use crate::folder::figures_folder;
 
 /// Where the figures go in the gallery's page.
 const PLACE: &str = "<!-- figures -->";
+/// What the explorer draws in place of a quantity of two of the papers.
+const OTHER_STIFFNESS: &str =
+    " (tangents; for Gao and AT the figure shows the papers' average of asperity stiffnesses)";
 /// The models of the paper that are drawn at once.
 const MODELS: &[&str] = &models::PAPER;
 
@@ -46,11 +49,12 @@ pub(super) fn write(folder: &Path) -> Result<()> {
             write!(links, "<a href=\"index.html#s={link}\">{label}</a> ")?;
         }
         let links = links.trim_end();
+        let other = if title.contains("stiffness") { OTHER_STIFFNESS } else { "" };
         let number = figure.name.trim_start_matches("fig").split('-').next().unwrap_or_default();
         let number = number.trim_start_matches('0');
         writeln!(
             sections,
-            "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}</p>\
+            "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}{other}</p>\
              <img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></section>"
         )?;
     }

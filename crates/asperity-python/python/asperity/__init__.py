@@ -49,6 +49,7 @@ from asperity._bem import (
 )
 from asperity._check import Check, Finding
 from asperity._conductance import Correlated, correlated_conductance, gap_conductance
+from asperity._corrected import CorrectedCurve
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._fit import Estimate, Fit, Fits, fit
@@ -72,6 +73,7 @@ __all__ = [
     "ContactTable",
     "ContactWarning",
     "Correlated",
+    "CorrectedCurve",
     "Curve",
     "Estimate",
     "Finding",

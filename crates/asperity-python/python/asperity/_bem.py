@@ -106,6 +106,9 @@ class TruthRows(list[TruthRow]):
 
     #: The models nearest to boundary elements, in a sentence; None if none was compared.
     nearest: str | None = None
+    #: How far the usual reference model is from boundary elements on this scan, and whether solved
+    #: surfaces would have said the same, a sentence for each quantity; or why they say nothing.
+    solved_surfaces: tuple[str, ...] = ()
     #: The reasons of models without a row or with blanks, by model.
     refused: Mapping[str, str] = MappingProxyType({})
     #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
@@ -120,7 +123,7 @@ class TruthRows(list[TruthRow]):
         widths = [max(map(len, column)) for column in zip(*table, strict=True)]
         cells = (zip(line, widths, strict=True) for line in table)
         lines = ["  ".join(f"{cell:<{width}}" for cell, width in line).rstrip() for line in cells]
-        return "\n".join([*lines, *([self.nearest] if self.nearest else [])])
+        return "\n".join([*lines, *([self.nearest] if self.nearest else []), *self.solved_surfaces])
 
 
 def _cell(value: Any) -> str:
@@ -351,7 +354,7 @@ def truth(
     None, with a warning, and so are all numbers of a model that needs more than the nominal area, or
     a pressure above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that
     the scene does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the
-    nearest models, and with ``refine`` the rows "bem-half-grid" show the effect of the grid. A
+    nearest models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and with ``refine`` the rows "bem-half-grid" show the effect of the grid. A
     pressure without a solution raises or, with ``errors="mask"``, has no rows and a reason in
     ``rows.failures``.
     """
@@ -363,7 +366,7 @@ def truth(
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
     mask = checked_errors(errors) == "mask"
-    found, nearest, refused, failures, used = _asperity.truth(
+    found, (nearest, beside), refused, failures, used = _asperity.truth(
         scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
     rows = TruthRows(
@@ -381,5 +384,5 @@ def truth(
         for at, model, state, deviation in found
     )
     rows.nearest, rows.refused, rows.failures = nearest, refused, failures
-    rows.boundary = used
+    rows.boundary, rows.solved_surfaces = used, tuple(beside)
     return rows
