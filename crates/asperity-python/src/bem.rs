@@ -20,13 +20,13 @@ use crate::scene::SceneFile;
 use crate::topography::Topography;
 
 /// The scan of a scene, or a topography with the two bodies and the form to remove.
-enum Scan<'a> {
+pub(crate) enum Scan<'a> {
     Scene(&'a asperity_scene::SceneFile),
     Topography(&'a Topography, asperity::Interface, Option<&'a str>),
 }
 
 impl<'a> Scan<'a> {
-    fn new(
+    pub(crate) fn new(
         surface: &'a Bound<'_, PyAny>,
         interface: Option<&Bound<'_, PyAny>>,
         level: Option<&'a str>,
@@ -52,7 +52,7 @@ impl<'a> Scan<'a> {
         Ok(Self::Topography(topography.get(), interface, level))
     }
 
-    fn bem(
+    pub(crate) fn bem(
         &self,
         py: Python<'_>,
         boundary: Option<&str>,
@@ -101,7 +101,7 @@ impl<'a> Scan<'a> {
     }
 
     /// The area of the loads: the nominal area of a scene, or that of a topography.
-    fn area(&self, bem: &Bem) -> f64 {
+    pub(crate) fn area(&self, bem: &Bem) -> f64 {
         match self {
             Self::Scene(file) => file.scene.nominal_area,
             Self::Topography(..) => bem.map().area(),
@@ -234,10 +234,12 @@ pub(crate) fn bem<'py>(
 type State = (Option<f64>, Option<f64>, Option<f64>);
 /// Pressure [Pa], a model's id, its numbers and their deviations from boundary elements.
 type Row = (f64, String, State, State);
-/// Rows, the nearest models, the reasons of missing models by id, the reasons of failed pressures
-/// by place, and the boundary.
+/// Sentences about the nearest models, and beside solved surfaces.
+type Sentences = (Option<String>, Vec<String>);
+/// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
+/// and the boundary.
 type Truths =
-    (Vec<Row>, Option<String>, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+    (Vec<Row>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
 
 /// Models of a scene compared with boundary elements on its scan.
 #[pyfunction]
@@ -311,8 +313,9 @@ pub(crate) fn truth(
         all.map(row).collect()
     };
     let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
+    let sentences = (nearest, py.detach(|| scene.beside_table(&found)));
     let rows = found.iter().enumerate().flat_map(rows).collect();
-    Ok((rows, nearest, refused, failures, bem.continuation().name()))
+    Ok((rows, sentences, refused, failures, bem.continuation().name()))
 }
 
 /// Runs `work` on the threads of this process while this thread, which gets the signals, checks for

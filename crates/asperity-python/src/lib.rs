@@ -12,6 +12,7 @@
 
 mod ask;
 mod bem;
+mod bem_unloading;
 mod check;
 mod conductance;
 mod contact_table;
@@ -35,9 +36,13 @@ mod _asperity {
     #[pymodule_export]
     use crate::ask::contact::Contact;
     #[pymodule_export]
+    use crate::ask::corrected::corrected;
+    #[pymodule_export]
     use crate::ask::values::{answer, separations, shares};
     #[pymodule_export]
     use crate::bem::{bem, truth};
+    #[pymodule_export]
+    use crate::bem_unloading::bem_unloading;
     #[pymodule_export]
     use crate::check::{check, findings, pull_off};
     #[pymodule_export]

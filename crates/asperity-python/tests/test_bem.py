@@ -305,3 +305,29 @@ def test_the_area_of_loads_is_stated() -> None:
     contacts = asperity.bem(topography, interface=interface, load=0.01)
     assert contacts.nominal_area == pytest.approx((64e-6) ** 2)
     assert contacts.load == pytest.approx(contacts.pressure * contacts.nominal_area)
+
+
+def test_a_yielded_scan_opens_along_its_own_path() -> None:
+    i = np.arange(64) * 2 * np.pi / 64
+    heights = 2e-8 * (np.cos(3 * i)[:, None] * np.cos(2 * i) + 0.4 * np.sin(5 * i + 1)[:, None])
+    solid = asperity.Interface(1e11, 0.3, hardness=1e9)
+    given: dict[str, Any] = {"interface": solid, "pixel_size": 1e-6, "boundary": "periodic"}
+    path = asperity.bem_unloading(heights, pressure="50 MPa", points=5, **given)
+    loaded = asperity.bem(heights, pressure=50e6, quantities=["unloading-stiffness"], **given)
+    assert loaded.plastic_fraction > 0
+    assert path.pressure[0] == pytest.approx(50e6, rel=1e-9)
+    assert path.stiffness[0] == pytest.approx(float(loaded.quantities["unloading_stiffness"]), rel=1e-9)
+    assert path.area_fraction[0] == pytest.approx(float(loaded.area_fraction), rel=1e-9)
+    assert (np.diff(path.pressure) < 0).all()
+    assert (np.diff(path.stiffness) < 0).all()
+    assert path.pressure[-1] <= 0
+    assert path.retreat[-1] == pytest.approx(path.last_contact)
+    # Energy is lost: at the gaps of the way back, loading needs more pressure.
+    middle = asperity.bem(heights, gap=path.mean_gap[1:3], **given)
+    assert (middle.pressure > path.pressure[1:3]).all()
+    again = asperity.bem_unloading(heights, load=path.load[0], retreat=path.retreat[1], **given)
+    assert again.pressure == pytest.approx(path.pressure[1], rel=1e-6)
+    with pytest.raises(TypeError, match="one greatest load was required"):
+        asperity.bem_unloading(heights, pressure=[1e6, 2e6], **given)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="retreat is -1"):
+        asperity.bem_unloading(heights, pressure=1e7, retreat=-1.0, **given)

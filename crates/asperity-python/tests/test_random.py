@@ -50,6 +50,36 @@ def test_advice_comes_with_evidence() -> None:
     none, near = both.evidence_at
     assert isinstance(none, str) and none.startswith("no boundary-element solution is close: less")
     assert isinstance(near, dict) and near == both.off and "persson-fudge" in near
-    assert [line[:11] for line in both.evidence.splitlines()] == ["no boundary", "boundary el"]
+    first, second, *others = both.evidence.splitlines()
+    assert first.startswith("no boundary") and " nearest to boundary elements in area " in second
+    assert others[0].startswith("KE ") and "the area" in others[0] and "; boundary" in others[0]
     light = asperity.recommend(scene, pressure=100.0, quantities=["area"])
     assert light.evidence.startswith("no boundary-element solution is close") and light.off == {}
+
+
+def test_corrected_values_have_an_interval_or_a_reason() -> None:
+    scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
+    loads = {"pressure": [1e7, 1e8], "quantities": ["area", "tangent"]}
+    ke, jg = (asperity.model(m).solve(scene, **loads, corrected=True) for m in ("ke", "jg"))
+    assert isinstance(ke, asperity.CorrectedCurve) and ke.model == "ke-random-corrected"
+    np.testing.assert_allclose(ke.area, jg.area, rtol=1e-6)
+    for quantity in ("area", "tangent"):
+        assert (ke.lower(quantity) < ke[quantity]).all()
+        assert (ke[quantity] < ke.upper(quantity)).all()
+    head = ke.to_csv().splitlines()[0]
+    assert head.endswith("area_lower,area_upper,tangent_lower,tangent_upper")
+    plain = asperity.model("ke").solve(scene, **loads)
+    assert not np.allclose(plain.area, ke.area, rtol=1e-3)
+    for asked, reason in (
+        ({"load": 1e9, "quantities": "area"}, "-corrected: no boundary-element solution is close"),
+        ({"load": 1e4, "quantities": "contacts"}, "contacts has no counterpart"),
+        ({"separation": 2.0}, "corrected=True needs load or pressure"),
+    ):
+        with pytest.raises(ValueError, match=reason):
+            asperity.model("ke").solve(scene, **asked, corrected=True)
+    some = asperity.model("ke").solve(
+        scene, pressure=[1e8, 1e12], quantities="area", corrected=True, errors="mask"
+    )
+    assert some.area.mask.tolist() == [False, True] and "p/(E g)" in some.failures[1]
+    with pytest.raises(TypeError, match="use lower and upper"):
+        ke.error("area")

@@ -3,8 +3,8 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    At, Check, ContactError, ContactModel, Diagnostic, Diagnostics, HeightDistribution, Model,
-    ProfileMoments, Recommendation, Request, Severity,
+    At, Check, ContactError, ContactModel, Diagnostic, Diagnostics, HeightDistribution,
+    ProfileMoments, Severity,
 };
 use asperity_topography::Statistics;
 
@@ -22,7 +22,7 @@ pub struct Measured {
 
 /// Ranges of skewness and kurtosis of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
-const KURTOSIS: [f64; 2] = [2.0, 5.0];
+pub(crate) const KURTOSIS: [f64; 2] = [2.0, 5.0];
 
 /// Fields of findings about the asperities.
 const ASPERITY_FIELDS: [&str; 6] = [
@@ -149,25 +149,6 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// [`recommend_among`](asperity::recommend_among) these models on the scene; a scan that
-    /// differs in kind from the solved surfaces has no evidence.
-    ///
-    /// # Errors
-    /// Those of [`recommend_among`](asperity::recommend_among).
-    pub fn recommend_among(
-        &self,
-        models: Vec<Model>,
-        request: &Request,
-        reference: &Model,
-        within: f64,
-    ) -> Result<Recommendation, ContactError> {
-        let advice = asperity::recommend_among(models, &self.scene, request, reference, within)?;
-        Ok(match self.measured.as_ref().and_then(unlike_solved) {
-            Some(reason) => advice.without_evidence(&reason),
-            None => advice,
-        })
-    }
-
     /// Unusual results of a model at these separations or loads; none if the scene has an error, of
     /// which they may be a consequence.
     #[must_use]
@@ -236,68 +217,4 @@ fn not_gaussian(statistics: &Statistics) -> Option<(&'static str, f64, [f64; 2])
     let Statistics { ssk, sku, .. } = *statistics;
     let shape = [("measured_skewness", ssk, SKEWNESS), ("measured_kurtosis", sku, KURTOSIS)];
     shape.into_iter().find(|(_, value, [from, to])| !(from..=to).contains(&value))
-}
-
-/// The reason why evidence from isotropic Gaussian surfaces does not apply to a scan.
-fn unlike_solved(Measured { statistics, .. }: &Measured) -> Option<String> {
-    let solved = "solved surfaces are Gaussian and isotropic; use `asperity truth`";
-    if let Some((field, value, _)) = not_gaussian(statistics) {
-        return Some(format!("{field} is {value:.3}, and {solved}"));
-    }
-    let found = statistics.warnings.iter().find(|warning| warning.code == "anisotropic")?;
-    Some(format!(
-        "the slopes along rows and columns have a ratio of {:.3}, and {solved}",
-        found.value
-    ))
-}
-
-#[cfg(test)]
-mod tests {
-    use asperity::Quantity;
-    use asperity_topography::Topography;
-
-    use super::*;
-
-    /// Waves in many directions, with slopes along columns smaller by the factor `lengthened`.
-    fn scan(lengthened: f64) -> Topography {
-        let waves: Vec<[f64; 3]> = (0..60)
-            .map(|k| {
-                let (turn, size) = (2.399_963 * f64::from(k), 0.05 + 0.3 * f64::from(k % 7) / 7.0);
-                [size * turn.cos(), size * turn.sin(), 5.1 * f64::from(k * k)]
-            })
-            .collect();
-        let height = |k: usize| {
-            let (x, y) = ((k % 128) as f64, (k / 128) as f64 / lengthened);
-            let wave = |[a, b, c]: &[f64; 3]| (a * x + b * y + c).cos();
-            1e-8 * waves.iter().map(wave).sum::<f64>()
-        };
-        Topography::new((0..128 * 128).map(height).collect(), 128, [1e-6; 2]).unwrap()
-    }
-
-    fn summary(scan: &Topography) -> Vec<String> {
-        let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
-        let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
-        file.scene.surface = statistics.surface().unwrap();
-        file.measured = Some(Measured { statistics, pixel_size: 1e-6 });
-        let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
-        let ke = file.model("ke").unwrap();
-        file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap().summary()
-    }
-
-    #[test]
-    fn scans_that_are_not_gaussian_or_not_isotropic_have_no_evidence() {
-        let plain = summary(&scan(1.0)).remove(0);
-        assert!(!plain.contains("asperity truth"), "{plain}");
-        let along = summary(&scan(6.0)).remove(0);
-        let wanted = "no boundary-element solution is close: the slopes along rows and columns have a ratio of ";
-        assert!(along.starts_with(wanted) && along.ends_with("use `asperity truth`"), "{along}");
-        let whole = scan(1.0);
-        let dug = |z: &f64| if *z < -8e-8 { 5.0 * z } else { *z };
-        let dug = whole.heights().iter().map(dug).collect();
-        let dug = summary(&Topography::new(dug, 128, [1e-6; 2]).unwrap()).remove(0);
-        assert!(
-            dug.starts_with("no boundary-element solution is close: measured_skewness is -"),
-            "{dug}"
-        );
-    }
 }

@@ -47,7 +47,9 @@ impl std::str::FromStr for Free {
         };
         let bounds = bounds.map(|bounds| match bounds.split_once(':') {
             Some((low, high)) => Ok([number(low)?, number(high)?]),
-            None => Err(format!("{bounds:?} are no bounds: write {name}=low:high")),
+            None => {
+                Err(format!("{bounds:?} are no bounds: write {name}=low:high, with decimal points"))
+            }
         });
         let bounds = bounds.transpose().map_err(|error| format!("{name}: {error}"))?;
         Ok(Self { name: name.into(), bounds })

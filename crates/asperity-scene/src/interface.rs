@@ -1,11 +1,11 @@
 //! `[interface]`, or the bodies from which it follows.
 
-use asperity::{Body, Interface, nearest_name};
+use asperity::{Body, Interface};
 use serde::Deserialize;
 
 use crate::SceneError;
 use crate::document::{Document, shorten};
-use crate::materials::{materials, named};
+use crate::materials::{named, suggestion};
 use crate::template::key;
 
 /// The keys of the bodies in contact.
@@ -48,12 +48,14 @@ impl BodyKeys {
                     let needed = "the material alone, or instead of it the numbers that `asperity materials` lists, changed as needed,";
                     return Err(document.conflict(&path("material"), &path(name), needed));
                 }
-                let ids = || materials().iter().map(|material| &*material.id);
-                named(id).map(|material| material.body).ok_or_else(|| SceneError::Value {
-                    at: document.place(&path("material")),
-                    found: format!("{:?}", shorten(id)),
-                    near: nearest_name(id, ids()).map(Into::into),
-                    needed: "a material of the list (asperity materials)".into(),
+                named(id).map(|material| material.body).ok_or_else(|| {
+                    let (near, needed) = suggestion(id);
+                    SceneError::Value {
+                        at: document.place(&path("material")),
+                        found: format!("{:?}", shorten(id)),
+                        near: near.map(Into::into),
+                        needed,
+                    }
                 })?
             }
             None => {

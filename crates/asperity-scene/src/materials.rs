@@ -2,11 +2,11 @@
 
 use std::sync::LazyLock;
 
-use asperity::Body;
+use asperity::{Body, nearest_name};
 use serde::Serialize;
 
 /// Where numbers were read, by the word of the list.
-const SOURCES: [(&str, &str); 16] = [
+const SOURCES: [(&str, &str); 17] = [
     ("aisi304", "AISI 304 data sheet, scribd.com/document/416534641"),
     (
         "callister",
@@ -22,6 +22,7 @@ const SOURCES: [(&str, &str); 16] = [
     ("incropera", "thermal properties of metals at 300 K, Incropera table A.1"),
     ("jaluria", "Jaluria, Design and Optimization of Thermal Systems, table B.5"),
     ("lucefin", "Lucefin Group, technical card 100Cr6"),
+    ("makeitfrom-si", "makeitfrom.com, optical silicon (Si)"),
     ("matweb-ti", "ASM data sheet Ti-6Al-4V annealed bar, asm.matweb.com MTP644"),
     ("mitchell", "Mitchell, An Introduction to Materials Engineering and Science, appendix 8"),
     ("polymers", "engineeringtoolbox.com, physical properties of polymers (Brinell hardness)"),
@@ -61,6 +62,39 @@ pub(crate) fn named(id: &str) -> Option<&'static Material> {
     materials().iter().find(|material| material.id == id)
 }
 
+/// The materials whose id or name contains a word, or else those of the nearest kind: `steel`,
+/// `aluminum`.
+#[must_use]
+pub fn materials_like(word: &str) -> Vec<&'static Material> {
+    let word = word.trim().to_lowercase();
+    let kind = |id: &'static str| id.split('-').next().unwrap_or(id);
+    let contains = |material: &Material| {
+        material.id.contains(&word) || material.name.to_lowercase().contains(&word)
+    };
+    let found: Vec<_> = materials().iter().filter(|material| contains(material)).collect();
+    if !found.is_empty() {
+        return found;
+    }
+    let first = word.split(['-', ' ']).next().unwrap_or_default();
+    let near = nearest_name(first, materials().iter().map(|material| kind(&material.id)));
+    let is_near = |material: &&'static Material| near == Some(kind(&material.id));
+    materials().iter().filter(is_near).collect()
+}
+
+/// The nearest id to an unknown one, and what was required: the materials of its kind where there
+/// are several.
+pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
+    let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
+    let like = materials_like(unknown);
+    let needed = match near {
+        Some(exact) if exact.contains('-') => None,
+        _ if like.is_empty() => None,
+        _ => Some(like.iter().map(|material| &*material.id).collect::<Vec<_>>().join(", ")),
+    };
+    let list = "a material of the list (asperity materials)".to_string();
+    (near, needed.map_or(list, |ids| format!("one of {ids}")))
+}
+
 fn material(record: &csv::StringRecord) -> Option<Material> {
     let number = |k: usize| record.get(k).and_then(|text| text.parse::<f64>().ok());
     let mut body = Body::elastic(number(2)?, number(3)?);
@@ -79,6 +113,23 @@ mod tests {
     use asperity::Interface;
 
     use super::*;
+
+    #[test]
+    fn words_find_the_materials_of_their_kind() {
+        let ids = |word| -> Vec<&str> {
+            materials_like(word).iter().map(|material| &*material.id).collect()
+        };
+        assert!(ids("steel").len() > 8 && ids("steel").contains(&"stainless-304"));
+        assert_eq!(ids("Aluminum 6061"), ids("aluminium"));
+        assert_eq!(ids("silicon"), ["silicon"]);
+        assert!(ids("unobtainium").is_empty());
+        assert_eq!(suggestion("steel-a63").0, Some("steel-a36"));
+        let (near, needed) = suggestion("aluminum");
+        assert_eq!(near, Some("aluminium"));
+        assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
+        assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
+        assert_eq!(suggestion("unobtainium").1, "a material of the list (asperity materials)");
+    }
 
     #[test]
     fn every_line_is_a_material_with_a_source_and_plausible_numbers() {

@@ -1,5 +1,6 @@
 // A browser over WebDriver, with nothing but node: chromium and chromedriver must be installed.
 import { spawn } from "node:child_process";
+import { request } from "node:http";
 import { createServer } from "node:net";
 
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -13,12 +14,24 @@ function freePort() {
   });
 }
 
+// A connection each: one that is kept is closed unseen while a test waits for the program.
+function ask(url, method, body) {
+  return new Promise((resolve, reject) => {
+    const asked = request(url, { method, agent: false }, async (answer) => {
+      const parts = [];
+      for await (const part of answer) parts.push(part);
+      resolve(Buffer.concat(parts).toString());
+    });
+    asked.on("error", reject);
+    asked.end(body && JSON.stringify(body));
+  });
+}
+
 export async function open({ width = 1280, height = 900, dark = false, downloads } = {}) {
   const port = await freePort();
   const driver = spawn("chromedriver", [`--port=${port}`], { stdio: "ignore" });
   const send = async (method, path, body) => {
-    const answer = await fetch(`http://127.0.0.1:${port}${path}`, { method, body: body && JSON.stringify(body) });
-    const { value } = await answer.json();
+    const { value } = JSON.parse(await ask(`http://127.0.0.1:${port}${path}`, method, body));
     if (value?.error) throw new Error(`${value.error}: ${value.message.slice(0, 400)}`);
     return value;
   };
@@ -33,9 +46,16 @@ export async function open({ width = 1280, height = 900, dark = false, downloads
   const { sessionId } = await send("POST", "/session", { capabilities: { alwaysMatch: wanted } });
   const call = (method, path, body) => send(method, `/session/${sessionId}${path}`, body);
   const run = (script, ...values) => call("POST", "/execute/sync", { script, args: values });
+  const cdp = (cmd, params) => call("POST", "/goog/cdp/execute", { cmd, params });
   return {
     call,
     run,
+    cdp,
+    // The value that a promise of the script gives.
+    later: (script, ...values) => call("POST", "/execute/async", {
+      script: `const done = arguments[arguments.length - 1]; (async (...values) => { ${script} })(...[...arguments].slice(0, -1)).then(done, (error) => done({ error: String(error) }))`,
+      args: values,
+    }),
     go: (url) => call("POST", "/url", { url }),
     async until(script, what = script, seconds = 120) {
       for (const end = Date.now() + 1000 * seconds; Date.now() < end; await pause(50)) {

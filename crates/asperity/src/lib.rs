@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod corrected;
 mod evidence;
 mod ranking;
 mod recommend;
@@ -32,9 +33,12 @@ pub use asperity_ke::KogutEtsion;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
-pub use evidence::{Compared, Deviation, Evidence, EvidenceCase, EvidenceRow, Expected, Nearest};
+pub use corrected::{Corrected, CorrectedRow, CorrectedValue};
+pub use evidence::{
+    Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, Ratio, SurfaceShape,
+};
 pub use recommend::{
-    Comparison, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
+    Comparison, Deviation, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
     usual_reference,
 };
 pub use registry::Model;
@@ -43,4 +47,4 @@ pub use tables::error::TableError;
 pub use tables::format::{Interpolation, TableFormat};
 pub use tables::interaction::ConductanceAgainst;
 pub use tables::units::UnitSystem;
-pub use truth::{ContactState, Truth, compare_with_bem, summary};
+pub use truth::{ContactState, Truth, beside_table, compare_with_bem, summary};

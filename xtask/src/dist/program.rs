@@ -47,14 +47,14 @@ pub fn write(build: Build, folder: &Path) -> Result<PathBuf> {
 /// Builds the program; a quick build is that of the tests.
 fn build_program(build: Build) -> Result<PathBuf> {
     let mut command = cargo();
-    command.args(["build", "--package", "asperity-cli"]);
-    let folder = match build {
-        Build::Quick => target_folder().join("debug"),
+    let (what, folder) = match build {
+        Build::Quick => (&["--workspace"][..], target_folder().join("debug")),
         Build::Release => {
-            command.args(["--profile", "program", "--target", TARGET]);
-            target_folder().join(TARGET).join("program")
+            let what = &["--package", "asperity-cli", "--profile", "program", "--target", TARGET];
+            (&what[..], target_folder().join(TARGET).join("program"))
         }
     };
+    command.args(["build", "--bin", "asperity"]).args(what);
     run(&mut command)?;
     Ok(folder.join("asperity"))
 }

@@ -5,7 +5,8 @@ use asperity::bem::RandomSurface;
 use asperity::{Compared, Evidence, EvidenceCase};
 use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
-use super::solved::{MOST_SEEDS, PIXELS_PER_WAVE};
+use super::family::PIXELS_PER_WAVE;
+use super::plan::MOST_LIGHT_SEEDS as MOST_SEEDS;
 use crate::figures::models::MARKERS;
 use crate::table::{Field, Table};
 

@@ -25,6 +25,8 @@ unloading-stiffness (2 E times the sum of the contact radii, larger where asperi
 yield) describes small vibrations, ultrasound and modal tests; tangential-stiffness
 describes shear without slip.
 Conductances are of the whole area, or with -per-area per nominal area.
+With --corrected the model is ke-corrected; quantities and loads without evidence are
+blank, and a message gives the reason. The interval holds nine of ten surfaces.
 Default: force, area and tangent (at loads without the force) at separations of
 0:4:401 in units of asperity_height_std.
 
@@ -33,7 +35,8 @@ Examples:
   asperity curve scene.toml --quantity mean-pressure --output curve.csv --plot curve.svg
   asperity curve scene.toml --model ke --load 1:1000:50:log --output loads.csv --plot loads.svg
   asperity curve scene.toml --model ke --load 1kN --quantity tangent,unloading-stiffness
-  asperity curve scene.toml --model jg --separation 1um,2um --errors"
+  asperity curve scene.toml --model jg --separation 1um,2um --errors
+  asperity curve scene.toml --model ke --pressure 1e6,1e7,1e8 --corrected"
 )]
 pub struct Curve {
     #[command(flatten)]
@@ -42,6 +45,10 @@ pub struct Curve {
     /// absolute error for logarithms and shares)
     #[arg(long)]
     errors: bool,
+    /// Divide by the ratio to boundary elements that is expected from solved surfaces, and add
+    /// columns <quantity>_lower and _upper with its interval; at loads only
+    #[arg(long, conflicts_with = "errors")]
+    corrected: bool,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -54,7 +61,10 @@ impl Curve {
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
         question.at_defaults = self.asked.is_nowhere();
-        let table = question.table(&models, self.errors)?;
+        let table = match self.corrected {
+            true => question.corrected(&models)?,
+            false => question.table(&models, self.errors)?,
+        };
         self.output
             .write(&table, || plot::svg(&table, &question.request, scene.file.separation_from))
     }

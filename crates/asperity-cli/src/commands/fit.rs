@@ -28,7 +28,8 @@ use crate::scene::{LoadedScene, NamedModel};
     after_help = "DATA is a csv with the columns of `asperity curve`: load_N, pressure_Pa or
 separation_m, and any of area_m2, area_fraction, tangent_N_per_m,
 unloading_stiffness_N_per_m (ultrasound, modal tests), thermal_conductance_W_per_K and so
-on, each with <column>_std if known. Cells may be empty. Without standard deviations the
+on, each with <column>_std if known. Cells may be empty. Numbers may have decimal commas
+where semicolons or tabs separate the columns. Without standard deviations the
 residuals are ln(fitted/measured). A separation beside a load is compared by the load at
 that separation, unless it has a standard deviation.
 
@@ -41,7 +42,8 @@ the scene; default bounds are a factor 30 either way.
 Columns: model, parameter, value, lower and upper (the 95 % interval; blank where the data
 do not fix that end within the bounds), unit, rms (relative) and bic. Models are ranked by
 BIC, lowest first. json also has correlation, condition, undetermined combinations,
-residuals and unreachable data.
+limits at which parameters stop, residuals and unreachable data. If no model describes the
+data, the exit code is 1, and a likely unit of a column is named.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
 Default model: ke (gw without a hardness).
 
@@ -259,7 +261,7 @@ fn table(ranking: &Ranking) -> Table {
 
 /// A wanted value: the column of the quantity, and the value in its unit.
 fn target(text: &str) -> Result<(String, f64), String> {
-    let example = "write <quantity>=<value>, for example area_fraction=2%";
+    let example = "write <quantity>=<value> with a decimal point, for example area_fraction=0.4%";
     let (name, value) = text.split_once('=').ok_or(example)?;
     let names = Quantity::ALL.into_iter().find(|quantity| quantity.column() == name.trim());
     let quantity = names.map_or_else(|| name.parse::<Quantity>(), Ok);

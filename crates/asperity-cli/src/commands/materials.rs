@@ -1,6 +1,6 @@
 //! `asperity materials`: the materials of scene files.
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use clap::Args;
 
 use crate::input::args::OutputArgs;
@@ -15,9 +15,12 @@ where no value was found. csv and json also hold the source of each material.
 
 Examples:
   asperity materials
+  asperity materials steel
   asperity materials --format csv --output materials.csv"
 )]
 pub struct Materials {
+    /// Only the materials with this word in their name, or the nearest ones
+    word: Option<String>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -39,7 +42,10 @@ impl Materials {
         // Sources are too wide for a terminal.
         let shown = COLUMNS.len() - usize::from(self.output.format == Format::Table);
         let mut table = Table::new(&COLUMNS[..shown]);
-        for material in asperity_scene::materials() {
+        let word = self.word.unwrap_or_default();
+        let found = asperity_scene::materials_like(&word);
+        ensure!(!found.is_empty(), "no material is like {word:?}: asperity materials lists all");
+        for material in found {
             let body = &material.body;
             let numbers = [
                 Some(body.youngs_modulus),

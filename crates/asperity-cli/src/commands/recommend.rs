@@ -39,14 +39,14 @@ force laws with fewer parts first, then older models first. The recommended mode
 first that is near enough to the reference and valid for the scene (an elastic model is
 not valid where yielding asperities carry more than 10 % of the load). Deviations are the largest over the separations or
 loads, relative to the reference (differences for logarithms and shares).
-Agreement with the reference is no proof of accuracy: columns .._off_bem have the
-deviation of a model from boundary elements in the nearest solved case (random surfaces of
-{solved}),
-the largest over the separations or loads that have one; .._spread is the standard error
-of the mean of such surfaces. Notes give the expected deviation of the reference and of the
-recommended model at the loads themselves, interpolated between solved surfaces, with an
-interval that holds nine of ten surfaces left out; they also give the deviations one by one, and where no solved case is near.
-`asperity truth` solves the scan of the scene itself.
+Agreement with the reference is no proof of accuracy: columns .._off_bem have the expected
+deviation of a model from boundary elements at the loads, interpolated between solved random
+surfaces ({solved}),
+the largest over the separations or loads that have one; .._spread is half the width of the
+interval that holds nine of ten surfaces. Notes name the nearest models, give the expected
+deviations of the reference and of the recommended model one by one, and say where no solved
+case is near. `asperity truth` solves the scan of the scene itself, and
+`asperity curve --corrected` divides by the expected ratios.
 Default: force and area (at loads the area) at separations of 0:4:401 in units of
 asperity_height_std.
 

@@ -35,6 +35,10 @@ pub struct Solve {
     /// Add a column <quantity>_error with a bound on the error of each quantity
     #[arg(long)]
     errors: bool,
+    /// Divide by the ratio to boundary elements that is expected from solved surfaces, and add
+    /// columns <quantity>_lower and _upper with its interval
+    #[arg(long, conflicts_with_all = ["errors", "all"])]
+    corrected: bool,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -46,6 +50,10 @@ impl Solve {
         let models = scene.models(&self.asked.models, &request.quantities)?;
         let mut question = Question::new(&scene, request);
         question.all = self.all;
-        self.output.write(&question.table(&models, self.errors)?)
+        let table = match self.corrected {
+            true => question.corrected(&models)?,
+            false => question.table(&models, self.errors)?,
+        };
+        self.output.write(&table)
     }
 }

@@ -121,6 +121,7 @@ impl TruthCommand {
         }
         by_reason(&missing).iter().for_each(|text| print_message("warning", text));
         print_message("note", &summary(&found));
+        scene.file.beside_table(&found).iter().for_each(|line| print_message("note", line));
         let mut table = table(&found, &half, area);
         table.head.push("boundary".into());
         table.rows.iter_mut().for_each(|row| row.push(bem.continuation().name().into()));

@@ -109,12 +109,16 @@ fn the_recommendation_reports_evidence_or_its_absence() {
     let arguments = "recommend scene.toml --model gw,ke,persson-fudge --quantity area --format csv";
     let run = bench.run(&format!("{arguments} --load 20000"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(
-        run.messages.contains("note: boundary elements on surfaces like this one"),
-        "{}",
-        run.messages
-    );
-    assert!(run.messages.contains("psi 4, p/(E g)"), "{}", run.messages);
+    let nearest = "note: nearest to boundary elements in area are ";
+    assert!(run.messages.contains(nearest), "{}", run.messages);
+    assert!(run.messages.contains(", psi 4.5; boundary elements on 16 "), "{}", run.messages);
+    // One statement of the area, from the same ratio as the column.
+    let lines: Vec<&str> = run
+        .messages
+        .lines()
+        .filter(|line| line.contains("KE ") && line.contains("the area"))
+        .collect();
+    assert_eq!(lines.len(), 1, "{lines:?}");
     let (head, rows) = csv(&run.out);
     let columns =
         ["area_off_bem", "area_off_bem_spread", "stiffness_off_bem", "stiffness_off_bem_spread"];
@@ -138,7 +142,7 @@ fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
         "{}",
         run.messages
     );
-    let printed = "note: boundary elements on surfaces like this one at 2 places from a load of 19000 N to a load of 20000 N, alpha";
+    let printed = "note: over these 2 places, nearest to boundary elements in area are ";
     assert!(run.messages.contains(printed), "{}", run.messages);
     // Every model in a note has a row.
     let ids = cells(&run.out, "model");

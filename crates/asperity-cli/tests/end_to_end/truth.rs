@@ -116,3 +116,28 @@ fn half_the_grid_stands_beside_it() {
     assert!((half / of_bem - 1.0).abs() < 1e-12, "{half} {of_bem}");
     assert!(column(&run.out, "stiffness_N_per_m")[1] > 0.0);
 }
+
+/// A scan with resolved waves, of this skewness.
+fn resolved(bench: &crate::bench::Bench, skewness: f64) {
+    let generate = "generate --long 20um --roll-off 16um --short 2um --size 256x256 --pixel 0.25um --gradient 0.1 --seed 3";
+    let run = bench.run(&format!("{generate} --skewness={skewness} --output made.npy"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let keys = "file = \"made.npy\"\nunit = \"m\"\npixel_size = 2.5e-7\nperiodic = true\n";
+    let interface =
+        "[interface]\nequivalent_modulus = 116e9\npoissons_ratio = 0.3\nhardness = 1e10\n";
+    bench.write("made.toml", &format!("nominal_area = 1e-9\n{interface}[surface]\n{keys}"));
+}
+
+#[test]
+fn the_solved_surfaces_agree_or_differ() {
+    let bench = bench();
+    for (skewness, shape) in [(0.0, "psi 1."), (-1.0, ", skewness -1")] {
+        resolved(&bench, skewness);
+        let run = bench.run("truth made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
+        let line = run.messages.lines().find(|line| line.contains("the area by"));
+        let line = line.unwrap_or_else(|| panic!("{}", run.messages));
+        assert!(line.starts_with("note: KE ") && line.contains(" on this scan; the "), "{line}");
+        assert!(line.contains("the solved surfaces ") && line.contains(shape), "{line}");
+        assert!(line.contains("; boundary elements on "), "{line}");
+    }
+}

@@ -86,6 +86,23 @@ fn one_value_and_one_parameter_answer_the_inverse_question() {
 }
 
 #[test]
+fn data_in_another_unit_are_not_described_and_the_unit_is_named() {
+    let mut columns = columns(&KogutEtsion, &LOADS, &[Quantity::Tangent]);
+    let scene = varied(&[2]);
+    let fitted = |columns: &[asperity_fit::DataColumn]| {
+        let data = data(columns);
+        Fit::new(&data, parameters(&[2], 1.5), &scene).unwrap().run(&KogutEtsion).unwrap()
+    };
+    let good = fitted(&columns);
+    assert_eq!((good.misfit, good.limits), (None, vec![]));
+    columns[0].1.iter_mut().flatten().for_each(|load| *load *= 1e-3);
+    let found = fitted(&columns);
+    let unit = "load_N = 1 looks like kN; 1 kN is 1000 N";
+    assert!(found.misfit.as_ref().is_some_and(|text| text.ends_with(unit)), "{found:?}");
+    assert_eq!(found.limits, ["asperity_height_std is at its lower bound of 5e-8"]);
+}
+
+#[test]
 fn models_are_ranked_by_their_misfit() {
     let quantities = [Quantity::Area, Quantity::Tangent];
     let data = data(&columns(&KogutEtsion, &LOADS, &quantities));

@@ -38,9 +38,18 @@ from asperity._asperity import (
     UnsupportedFormat,
     template,
 )
-from asperity._bem import BemContacts, TruthRow, TruthRows, bem, truth
+from asperity._bem import (
+    BemContacts,
+    BemUnloading,
+    TruthRow,
+    TruthRows,
+    bem,
+    bem_unloading,
+    truth,
+)
 from asperity._check import Check, Finding
 from asperity._conductance import Correlated, correlated_conductance, gap_conductance
+from asperity._corrected import CorrectedCurve
 from asperity._curve import Curve
 from asperity._export import ContactTable, export
 from asperity._fit import Estimate, Fit, Fits, fit
@@ -57,12 +66,14 @@ __all__ = [
     "Asperity",
     "AsperityLaws",
     "BemContacts",
+    "BemUnloading",
     "Body",
     "Check",
     "Contact",
     "ContactTable",
     "ContactWarning",
     "Correlated",
+    "CorrectedCurve",
     "Curve",
     "Estimate",
     "Finding",
@@ -90,6 +101,7 @@ __all__ = [
     "Unloading",
     "UnsupportedFormat",
     "bem",
+    "bem_unloading",
     "correlated_conductance",
     "export",
     "fit",

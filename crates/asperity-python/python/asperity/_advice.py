@@ -55,13 +55,14 @@ class Recommendation:
     deviations: dict[str, dict[str, float]]
     #: The reasons of models without values, by model.
     refused: dict[str, str]
-    #: Evidence from boundary elements on surfaces like this one: a line for each solved case near the
-    #: places, or the reason for none.
+    #: Evidence from boundary elements on solved surfaces: the nearest models, the expected deviations
+    #: of the reference and of the simplest model, and the reason for none.
     evidence: str
-    #: ``off`` place by place, or the reason for no evidence.
+    #: ``off`` place by place (24 of them if there are more), or the reason for no evidence.
     evidence_at: tuple[dict[str, dict[str, float | None]] | str, ...]
-    #: Relative deviations of models from boundary elements, and the scatter between surfaces: area,
-    #: area_spread, stiffness, stiffness_spread, by model; the largest of all places with evidence.
+    #: Expected relative deviations of models from boundary elements, and half the width of their
+    #: intervals: area, area_spread, stiffness, stiffness_spread, by model; the largest of all places
+    #: with evidence.
     off: dict[str, dict[str, float | None]]
     text: str = field(repr=False)
 
@@ -126,7 +127,7 @@ def recommend(
     models: Sequence[str] | None = None,
 ) -> Recommendation:
     """Deviations of models from a reference, the simplest model within a relative deviation, and the
-    deviations from boundary elements on surfaces like this one.
+    expected deviations from boundary elements, interpolated between solved surfaces.
 
     By default area and, at separations, force are compared; at a load the force is the same. The
     default reference is ke, or gw without a hardness; ``within`` is a share, 0.05 for 5 %;

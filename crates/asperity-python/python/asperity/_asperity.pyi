@@ -477,6 +477,9 @@ def shares(
 def plan(
     engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
 ) -> tuple[str, _Fields]: ...
+def corrected(
+    engine: Engine, rows: _Rows, names: Sequence[str], rtol: _Float
+) -> tuple[str, list[tuple[_Floats, _Floats, _Floats]], _Failures]: ...
 def recommend(
     reference: Engine,
     rows: _Rows,
@@ -507,6 +510,14 @@ def bem(
     str,
     float,
 ]: ...
+def bem_unloading(
+    scan: tuple[Topography | Scene, Interface | None, str | None],
+    given: tuple[str, _Float],
+    elastic: bool,
+    boundary: str | None,
+    retreats: Sequence[_Float] | None,
+    points: int,
+) -> tuple[dict[str, _Floats], float, str, float]: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],
@@ -515,7 +526,11 @@ def truth(
     models: Sequence[str] | None,
     refine_and_mask: tuple[bool, bool],
 ) -> tuple[
-    list[tuple[float, str, _State, _State]], str | None, dict[str, str], dict[int, str], str
+    list[tuple[float, str, _State, _State]],
+    tuple[str | None, list[str]],
+    dict[str, str],
+    dict[int, str],
+    str,
 ]: ...
 def fit(
     scene: Scene,

@@ -60,6 +60,33 @@ class BemContacts:
         return f"<asperity.BemContacts of shape {self.pressure.shape}>"
 
 
+@dataclass(frozen=True)
+class BemUnloading:
+    """The opening of a scan from its greatest load; made by ``bem_unloading``."""
+
+    #: Retreats from the greatest load [m].
+    retreat: Floats
+    #: Load on the nominal area [N].
+    load: Floats
+    #: Mean pressure [Pa].
+    pressure: Floats
+    #: Real over nominal area.
+    area_fraction: Floats
+    #: Mean gap from the mean plane of the first surface [m].
+    mean_gap: Floats
+    #: Stiffness of the contact held as it is [N/m].
+    stiffness: Floats
+    #: The retreat at which the last pixel parts [m].
+    last_contact: float
+    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
+    boundary: str
+    #: The area of the loads [m^2]: the nominal area of the scene or, without one, that of the scan.
+    nominal_area: float
+
+    def __repr__(self) -> str:
+        return f"<asperity.BemUnloading of {self.retreat.size} retreats>"
+
+
 class TruthRow(TypedDict):
     """One model at one pressure, compared with boundary elements."""
 
@@ -79,6 +106,9 @@ class TruthRows(list[TruthRow]):
 
     #: The models nearest to boundary elements, in a sentence; None if none was compared.
     nearest: str | None = None
+    #: How far the usual reference model is from boundary elements on this scan, and whether solved
+    #: surfaces would have said the same, a sentence for each quantity; or why they say nothing.
+    solved_surfaces: tuple[str, ...] = ()
     #: The reasons of models without a row or with blanks, by model.
     refused: Mapping[str, str] = MappingProxyType({})
     #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
@@ -93,7 +123,7 @@ class TruthRows(list[TruthRow]):
         widths = [max(map(len, column)) for column in zip(*table, strict=True)]
         cells = (zip(line, widths, strict=True) for line in table)
         lines = ["  ".join(f"{cell:<{width}}" for cell, width in line).rstrip() for line in cells]
-        return "\n".join([*lines, *([self.nearest] if self.nearest else [])])
+        return "\n".join([*lines, *([self.nearest] if self.nearest else []), *self.solved_surfaces])
 
 
 def _cell(value: Any) -> str:
@@ -164,19 +194,9 @@ def bem(
     >>> contacts.pressures.shape, contacts.area_fraction.round(3), contacts.patches
     ((2, 192, 192), array([0.021, 0.126]), array([72, 72]))
     """
-    given = {"pressure": in_si(pressure, "Pa"), "load": in_si(load, "N"), "gap": in_si(gap, "m")}
-    named = [(name, value) for name, value in given.items() if value is not None]
-    if len(named) != 1:
-        raise TypeError(f"{len(named)} of pressure, load and gap were given: exactly one was required")
-    ((name, value),) = named
-    values = _asperity.floats(value, name)
+    name, values = _given(pressure, load, gap)
     mask = checked_errors(errors) == "mask"
-    if isinstance(surface, Topography | Scene):
-        if pixel_size is not None:
-            raise TypeError("pixel_size was given beside a Topography or a Scene, which has its own")
-        scan = surface
-    else:
-        scan, level = _scan(surface, pixel_size), level or "none"
+    scan, level = _pressed(surface, pixel_size, level)
     numbers, kept, (rows, columns), failures, used, area = _asperity.bem(
         (scan, interface, level),
         name,
@@ -209,6 +229,94 @@ def bem(
         nominal_area=area,
         quantities=MappingProxyType(joints),
     )
+
+
+def bem_unloading(
+    surface: Topography | Scene | npt.ArrayLike,
+    *,
+    pressure: float | str | None = None,
+    load: float | str | None = None,
+    gap: float | str | None = None,
+    retreat: npt.ArrayLike | None = None,
+    points: int = 21,
+    interface: Interface | None = None,
+    pixel_size: float | str | tuple[float, float] | None = None,
+    level: str | None = None,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
+) -> BemUnloading:
+    """The contact of a scan as it opens from its greatest load, solved by boundary elements.
+
+    Yielding has flattened the surface; on the way back the contact shrinks elastically.
+
+    Parameters
+    ----------
+    pressure, load, gap : float or str
+        The greatest load, by one of them.
+    retreat : array_like
+        Retreats from there [m]; by default ``points`` of them to the end of contact.
+    points : int
+        The number of default retreats.
+    surface, interface, pixel_size, level, elastic, boundary
+        As in ``bem``.
+
+    Examples
+    --------
+    >>> import asperity, numpy as np
+    >>> wave = np.cos(2 * np.pi * 6 * np.arange(96) / 96)
+    >>> scan = asperity.Topography(1e-7 * wave * wave[:, None], dx=2e-6, unit="m", periodic=True)
+    >>> soft = asperity.Interface(116e9, 0.3, hardness=5e8)
+    >>> path = asperity.bem_unloading(scan, interface=soft, pressure=1e8, points=3)
+    >>> path.pressure[0] > path.pressure[1] > path.pressure[2]
+    np.True_
+    """
+    name, value = _given(pressure, load, gap)
+    if value.size != 1:
+        raise TypeError(f"{name} has {value.size} values: one greatest load was required")
+    if points < 2:
+        raise ValueError(f"points is {points}: at least 2 were required")
+    retreats = None if retreat is None else _asperity.floats(in_si(retreat, "m"), "retreat")
+    scan, level = _pressed(surface, pixel_size, level)
+    numbers, last_contact, used, area = _asperity.bem_unloading(
+        (scan, interface, level),
+        (name, float(value.ravel()[0])),
+        elastic,
+        boundary,
+        None if retreats is None else retreats.ravel().tolist(),
+        points,
+    )
+    shape = np.shape(numbers["retreat"]) if retreats is None else retreats.shape
+    return BemUnloading(
+        **{name: array.reshape(shape) for name, array in numbers.items()},
+        last_contact=last_contact,
+        boundary=used,
+        nominal_area=area,
+    )
+
+
+def _given(
+    pressure: npt.ArrayLike | None, load: npt.ArrayLike | None, gap: npt.ArrayLike | None
+) -> tuple[str, Floats]:
+    """The one of them that was given."""
+    given = {"pressure": in_si(pressure, "Pa"), "load": in_si(load, "N"), "gap": in_si(gap, "m")}
+    named = [(name, value) for name, value in given.items() if value is not None]
+    if len(named) != 1:
+        raise TypeError(f"{len(named)} of pressure, load and gap were given: exactly one was required")
+    ((name, value),) = named
+    return name, _asperity.floats(value, name)
+
+
+def _pressed(
+    surface: Topography | Scene | npt.ArrayLike,
+    pixel_size: float | str | tuple[float, float] | None,
+    level: str | None,
+) -> tuple[Topography | Scene, str | None]:
+    """The scan, and the form to remove."""
+    if isinstance(surface, Topography | Scene):
+        if pixel_size is not None:
+            raise TypeError("pixel_size was given beside a Topography or a Scene, which has its own")
+        return surface, level
+    return _scan(surface, pixel_size), level or "none"
 
 
 def _scan(heights: npt.ArrayLike, pixel_size: float | str | tuple[float, float] | None) -> Topography:
@@ -246,7 +354,7 @@ def truth(
     None, with a warning, and so are all numbers of a model that needs more than the nominal area, or
     a pressure above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that
     the scene does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the
-    nearest models, and with ``refine`` the rows "bem-half-grid" show the effect of the grid. A
+    nearest models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and with ``refine`` the rows "bem-half-grid" show the effect of the grid. A
     pressure without a solution raises or, with ``errors="mask"``, has no rows and a reason in
     ``rows.failures``.
     """
@@ -258,7 +366,7 @@ def truth(
         pressures = pressures / scene.nominal_area
     ids = None if models is None else list(models)
     mask = checked_errors(errors) == "mask"
-    found, nearest, refused, failures, used = _asperity.truth(
+    found, (nearest, beside), refused, failures, used = _asperity.truth(
         scene, pressures.tolist(), elastic, boundary, ids, (refine, mask)
     )
     rows = TruthRows(
@@ -276,5 +384,5 @@ def truth(
         for at, model, state, deviation in found
     )
     rows.nearest, rows.refused, rows.failures = nearest, refused, failures
-    rows.boundary = used
+    rows.boundary, rows.solved_surfaces = used, tuple(beside)
     return rows

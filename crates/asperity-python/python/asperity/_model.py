@@ -29,6 +29,7 @@ from asperity._asperity import (
     floats,
     in_si,
 )
+from asperity._corrected import CorrectedCurve
 from asperity._curve import Curve
 from asperity._laws import Laws, LawsOfAsperity
 from asperity._scene import Floats, Options
@@ -93,6 +94,7 @@ class Model(Engine):
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
         errors: str = "raise",
+        corrected: bool = False,
     ) -> Curve:
         """Quantities at separations, or under loads or pressures.
 
@@ -122,6 +124,10 @@ class Model(Engine):
         errors : "raise" or "mask"
             The treatment of a refused row, as with a load that no separation carries: it raises; or
             its values are masked, and ``Curve.failures`` has the reason.
+        corrected : bool
+            Divide by the ratio to boundary elements that is expected from solved surfaces, at loads
+            only; the result is a ``CorrectedCurve`` with ``lower`` and ``upper`` ends of intervals
+            that hold nine of ten surfaces. A row without evidence is refused.
 
         Examples
         --------
@@ -137,6 +143,8 @@ class Model(Engine):
         axis, numbers = place(separation, load, pressure, separation_unit)
         rows, names = Rows(scene, axis, numbers), quantity_names(quantities)
         checked = checked_errors(errors)
+        if corrected:
+            return CorrectedCurve.of(self, rows, rtol, separation_unit, names, checked)
         columns, failures, found = rows.answer(self, names, rtol, "value", checked, checked=True)
         for message in found:
             warn(message, 1)

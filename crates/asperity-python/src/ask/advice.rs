@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Comparison, ContactError, ContactModel, Nearest, Quantity, Request, Scene};
+use asperity::{Comparison, ContactModel, EvidenceAt, Quantity, Request, Scene};
 use asperity_scene::LeftOut;
 use pyo3::prelude::*;
 
@@ -97,15 +97,16 @@ pub(crate) fn recommend<'py>(
     let refused = |model: LeftOut| (model.id, vec![], Some(model.reason.to_string()), None);
     rows.extend(left_out.into_iter().map(refused));
     let ids = || advice.comparisons.iter().map(|comparison| comparison.model.id());
-    let place = |near: &Result<Nearest<'_>, ContactError>| match near {
+    let place = |place: &EvidenceAt| match &place.expected {
         Err(reason) => Ok((BTreeMap::new(), Some(reason.to_string()))),
-        Ok(near) => {
-            let off = ids().filter_map(|id| Some((id.to_string(), near.deviation(id)?)));
+        Ok(_) => {
+            let off = ids().filter_map(|id| Some((id.to_string(), place.deviation(id)?)));
             let off = off.map(|(id, off)| Ok((id, object(py, &off)?)));
             Ok((off.collect::<PyResult<_>>()?, None))
         }
     };
-    let places = advice.evidence.iter().map(|at| place(&at.nearest)).collect::<PyResult<_>>()?;
+    let places = advice.evidence.iter().map(place).collect::<PyResult<_>>()?;
     let simplest = advice.simplest.as_ref().map(|model| model.id().to_string());
-    Ok((advice.to_string(), simplest, advice.summary().join("\n"), places, rows))
+    let evidence = [advice.summary(), advice.expectations()].concat().join("\n");
+    Ok((advice.to_string(), simplest, evidence, places, rows))
 }

@@ -3,6 +3,7 @@
 pub(crate) mod advice;
 pub(crate) mod answer;
 pub(crate) mod contact;
+pub(crate) mod corrected;
 pub(crate) mod long;
 pub(crate) mod rows;
 pub(crate) mod values;

@@ -17,11 +17,11 @@ use crate::convert::axis::Axis;
 use crate::convert::error::value_error;
 use crate::model::engine::{Engine, quantities_of, tolerance};
 
-type Column<'py, T> = Bound<'py, PyArray1<T>>;
+pub(crate) type Column<'py, T> = Bound<'py, PyArray1<T>>;
 /// Rows that failed, with their exceptions, ascending.
-type Failures = Vec<(usize, Py<PyAny>)>;
+pub(crate) type Failures = Vec<(usize, Py<PyAny>)>;
 
-fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failures {
+pub(crate) fn failures(py: Python<'_>, failures: Vec<(usize, PyErr)>) -> Failures {
     let object = |(row, error): (usize, PyErr)| (row, error.into_value(py).into_any());
     failures.into_iter().map(object).collect()
 }

@@ -1,5 +1,7 @@
 //! Evaluates models on a scene, row by row; each warning is printed once.
 
+mod corrected;
+
 use std::mem::discriminant;
 
 use anyhow::{Context, Result, bail};
@@ -23,10 +25,9 @@ pub struct Question<'s> {
     pub all: bool,
     /// Whether the separations are the defaults of the command.
     pub at_defaults: bool,
-    warnings: Vec<String>,
     /// Ids of models without tension, where one is asked for.
     without_tension: Vec<String>,
-    /// Ids of models, and the quantities without a value with the reason.
+    /// Ids of models, and what has no value there with the reason.
     lacking: Vec<(String, String)>,
     /// Diagnostics of the results.
     found: Diagnostics,
@@ -47,7 +48,6 @@ impl<'s> Question<'s> {
             request,
             all: false,
             at_defaults: false,
-            warnings: vec![],
             without_tension: vec![],
             lacking: vec![],
             found: Diagnostics::default(),
@@ -127,20 +127,21 @@ impl<'s> Question<'s> {
         if self.request.at.iter().any(tension) && !adhesive {
             self.without_tension.push(id.clone());
         }
-        self.warnings.extend(reasons.into_iter().map(|(count, (partly, reason))| {
+        self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
             let hint = match reason {
                 ContactError::OutOfReach { load, .. } if load < 0.0 && id == "jkr" => {
                     "; jkr-separation, which describes opening, may carry more"
                 }
                 _ => "",
             };
-            match rows {
-                1 => format!("{id}: {reason}{hint}"),
+            let text = match rows {
+                1 => format!("{reason}{hint}"),
                 _ => {
                     let what = partly.map_or("value".into(), |quantity| quantity.to_string());
-                    format!("{id}: no {what} in {count} of {rows} rows, first: {reason}{hint}")
+                    format!("no {what} in {count} of {rows} rows, first: {reason}{hint}")
                 }
-            }
+            };
+            (id.clone(), text)
         }));
         Ok(())
     }
@@ -225,6 +226,7 @@ impl<'s> Question<'s> {
         let mut lacking: Vec<(&str, Vec<&str>)> = vec![];
         for (id, reason) in &self.lacking {
             match lacking.iter_mut().find(|(known, _)| known == reason) {
+                Some((_, ids)) if ids.contains(&id.as_str()) => {}
                 Some((_, ids)) => ids.push(id),
                 None => lacking.push((reason, vec![id])),
             }
@@ -239,7 +241,6 @@ impl<'s> Question<'s> {
                 format!("{} {verb} no tension; use dmt, jkr or jkr-separation", ids.join(", "));
             print_message("warning", &text);
         }
-        once(&self.warnings).iter().for_each(|text| print_message("warning", text));
         self.scene.report(self.found.clone());
         if !answered {
             bail!("{}: no row has a value", self.scene.name);

@@ -1,12 +1,15 @@
 //! Every model compared with boundary elements on the same scan.
 
+mod words;
+
 use std::ops::ControlFlow;
 
 use crate::bem::{Bem, BemError, LoadCase, Progress, Solution};
 use crate::{
     At, Check, Contact, ContactError, ContactModel, Datum, Diagnostic, Model, Quantity, Request,
-    Scene, SeparationUnit, ranking,
+    Scene, SeparationUnit,
 };
+pub use words::{beside_table, summary};
 
 /// Share of the pressure to either side of it between which the stiffness is a difference: enough
 /// for some pixels to come into contact, each of which is a small step, and little for a gap that
@@ -138,40 +141,6 @@ pub fn compare_with_bem(
         Ok(Truth { pressure, bem, rms_height, notes, models, refused, missing })
     };
     Ok(pressures.iter().zip(solved.chunks(3)).map(answer).collect())
-}
-
-/// Which models are nearest to boundary elements over these loads, in area and in stiffness, in one
-/// sentence. Loads that few pixels or patches carry do not count; on a grid too coarse for the
-/// shortest waves of the scan no model is ranked.
-#[must_use]
-pub fn summary(found: &[Truth]) -> String {
-    let noted =
-        |truth: &Truth, codes: &[&str]| truth.notes.iter().any(|note| codes.contains(&note.code));
-    if found.iter().any(|truth| noted(truth, &["short-waves"])) {
-        return "models are not ranked: the grid is too coarse for the shortest waves of the scan; filter the scan or measure it on smaller pixels".into();
-    }
-    let few = ["few-pixels", "few-patches"];
-    let resolved = || found.iter().filter(|truth| !noted(truth, &few));
-    let count = resolved().count();
-    if count == 0 {
-        return "models are not ranked: too few pixels or patches are in contact at every load; increase the load".into();
-    }
-    let models = found.first().map_or(&[][..], |first| &first.models);
-    let off = |id: &str| {
-        let of = |truth: &Truth| {
-            let state = truth.models.iter().find(|(model, _)| model.id() == id)?;
-            let off = truth.deviation(&state.1);
-            Some([off.area_fraction, off.stiffness])
-        };
-        resolved().map(|truth| of(truth).unwrap_or_default()).collect()
-    };
-    let nearest = ranking::nearest(models.iter().map(|(model, _)| model.id()), off);
-    match found.len() {
-        all if all == count => format!("over these loads, {nearest}"),
-        all => format!(
-            "over the loads with enough pixels and patches in contact ({count} of {all}), {nearest}"
-        ),
-    }
 }
 
 /// What is kept of a solution: no maps.

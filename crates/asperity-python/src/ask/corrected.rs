@@ -1,0 +1,72 @@
+//! Models divided by their expected ratio to boundary elements.
+
+use asperity::{ContactError, Corrected, CorrectedValue, Request};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+
+use crate::ask::rows::{Rows, View};
+use crate::ask::values::{Column, Failures, failures};
+use crate::model::engine::{Engine, quantities_of, tolerance};
+
+/// Value, lower and upper end of each quantity, row by row; NaN for what is refused.
+struct Found {
+    columns: Vec<[Vec<f64>; 3]>,
+    refused: Vec<(usize, ContactError)>,
+}
+
+/// The id of the corrected model; for each quantity values and ends of their intervals; and rows
+/// with a value refused.
+#[pyfunction]
+pub(crate) fn corrected<'py>(
+    py: Python<'py>,
+    engine: &Engine,
+    rows: Rows<'py>,
+    names: Vec<String>,
+    rtol: f64,
+) -> PyResult<(String, Vec<[Column<'py, f64>; 3]>, Failures)> {
+    let rows = &rows.view()?;
+    let model = engine.on_all(&rows.files)?;
+    let request = Request::new(quantities_of(&names)?).within(tolerance(rtol)?);
+    let found = py.detach(|| answer(&model, rows, &request));
+    let columns = found.columns.into_iter();
+    let columns = columns.map(|column| column.map(|numbers| PyArray1::from_vec(py, numbers)));
+    let refused = found.refused.into_iter();
+    let refused = refused.map(|(row, error)| (row, engine.raise(py, error))).collect();
+    let id = format!("{}-corrected", asperity::Described::id(&model));
+    Ok((id, columns.collect(), failures(py, refused)))
+}
+
+fn answer(model: &asperity::Model, rows: &View<'_>, request: &Request) -> Found {
+    let mut columns: Vec<[Vec<f64>; 3]> =
+        request.quantities.iter().map(|_| [const { vec![] }; 3]).collect();
+    let mut refused = vec![];
+    // Prepared once for neighbouring rows of a scene.
+    let mut prepared: Option<(usize, Result<Corrected, ContactError>)> = None;
+    for row in 0..rows.len() {
+        let place = rows.place(row);
+        let compiled = match prepared.take() {
+            Some((known, compiled)) if known == place => compiled,
+            _ => rows.file_of(row).and_then(|file| {
+                Corrected::new(model, &file.scene, file.surface_shape()?, request)
+            }),
+        };
+        let at = compiled.as_ref().map_err(Clone::clone).and_then(|found| found.at(rows.at(row)));
+        let mut reason = at.as_ref().err().cloned();
+        for (column, quantity) in columns.iter_mut().zip(&request.quantities) {
+            let found = at.as_ref().ok().map(|at| at.value(*quantity));
+            let numbers = match found {
+                Some(Ok(CorrectedValue { value, lower, upper, .. })) => [value, lower, upper],
+                Some(Err(error)) => {
+                    reason.get_or_insert(error);
+                    [f64::NAN; 3]
+                }
+                None => [f64::NAN; 3],
+            };
+            column.iter_mut().zip(numbers).for_each(|(column, number)| column.push(number));
+        }
+        refused.extend(reason.map(|reason| (row, reason)));
+        drop(at);
+        prepared = Some((place, compiled));
+    }
+    Found { columns, refused }
+}

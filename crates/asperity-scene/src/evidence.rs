@@ -1,0 +1,120 @@
+//! Evidence from boundary elements for a scene: its scan has a skewness and a lay.
+
+use asperity::{
+    ContactError, Evidence, Model, Recommendation, Request, SurfaceShape, Truth, beside_table,
+    recommend_among, usual_reference,
+};
+use asperity_topography::Statistics;
+
+use crate::check::KURTOSIS;
+use crate::{Measured, SceneFile};
+
+impl SceneFile {
+    /// [`recommend_among`](asperity::recommend_among) these models on the scene, with the skewness
+    /// and the lay of its scan; a scan that differs in kind from the solved surfaces has no
+    /// evidence.
+    ///
+    /// # Errors
+    /// Those of [`recommend_among`](asperity::recommend_among).
+    pub fn recommend_among(
+        &self,
+        models: Vec<Model>,
+        request: &Request,
+        reference: &Model,
+        within: f64,
+    ) -> Result<Recommendation, ContactError> {
+        let (shape, unlike) = match self.surface_shape() {
+            Ok(shape) => (shape, None),
+            Err(reason) => (None, Some(reason)),
+        };
+        let advice = recommend_among(models, &self.scene, shape, request, reference, within)?;
+        Ok(match unlike {
+            Some(reason) => advice.without_evidence(&reason),
+            None => advice,
+        })
+    }
+
+    /// The skewness and the ratio of slopes of the scan, for evidence from solved surfaces; `None`
+    /// without a scan.
+    ///
+    /// # Errors
+    /// [`ContactError::Refused`] with the reason why no solved surface is like the scan.
+    pub fn surface_shape(&self) -> Result<Option<SurfaceShape>, ContactError> {
+        let Some(Measured { statistics, .. }) = &self.measured else { return Ok(None) };
+        let Statistics { ssk, sku, .. } = *statistics;
+        // Solved surfaces are skewed by an exponential of Gaussian heights.
+        let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
+        if !(from..=to).contains(&sku) {
+            return Err(Evidence::none(format!(
+                "measured_kurtosis is {sku:.3}, and solved surfaces with a skewness of {ssk:.1} have at most {to:.1}; use `asperity truth`"
+            )));
+        }
+        let along = statistics.moments.along_rows[0];
+        let across = statistics.moments.along_columns.map_or(along, |[m2, _]| m2);
+        Ok(Some(SurfaceShape::new(ssk, [along, across].map(f64::sqrt))))
+    }
+
+    /// [`beside_table`] for the usual reference model: how far it is from boundary elements on the
+    /// scan of the scene, and whether solved surfaces would have said the same. Empty if the scene
+    /// does not allow that model.
+    #[must_use]
+    pub fn beside_table(&self, found: &[Truth]) -> Vec<String> {
+        let Ok(model) = self.model(usual_reference(&self.scene)) else { return vec![] };
+        match self.surface_shape() {
+            Ok(shape) => beside_table(found, &self.scene, shape, &model).unwrap_or_default(),
+            Err(reason) => vec![reason.to_string()],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::{At, Quantity};
+    use asperity_topography::Topography;
+
+    use super::*;
+
+    /// Waves in many directions, with slopes along columns smaller by the factor `lengthened`.
+    fn scan(lengthened: f64) -> Topography {
+        let waves: Vec<[f64; 3]> = (0..60)
+            .map(|k| {
+                let (turn, size) = (2.399_963 * f64::from(k), 0.05 + 0.3 * f64::from(k % 7) / 7.0);
+                [size * turn.cos(), size * turn.sin(), 5.1 * f64::from(k * k)]
+            })
+            .collect();
+        let height = |k: usize| {
+            let (x, y) = ((k % 128) as f64, (k / 128) as f64 / lengthened);
+            let wave = |[a, b, c]: &[f64; 3]| (a * x + b * y + c).cos();
+            1e-8 * waves.iter().map(wave).sum::<f64>()
+        };
+        Topography::new((0..128 * 128).map(height).collect(), 128, [1e-6; 2]).unwrap()
+    }
+
+    fn summary(scan: &Topography) -> Vec<String> {
+        let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
+        let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
+        file.scene.surface = statistics.surface().unwrap();
+        file.measured = Some(Measured { statistics, pixel_size: 1e-6 });
+        let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
+        let ke = file.model("ke").unwrap();
+        file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap().summary()
+    }
+
+    #[test]
+    fn scans_are_compared_with_solved_surfaces_of_their_skewness_and_lay() {
+        let basis = |summary: Vec<String>| summary.join("; ");
+        let plain = basis(summary(&scan(1.0)));
+        assert!(plain.contains("boundary elements on") && !plain.contains("slopes"), "{plain}");
+        let lay = basis(summary(&scan(3.0)));
+        assert!(lay.contains(", slopes 3:1; boundary elements on"), "{lay}");
+        let long = basis(summary(&scan(12.0)));
+        let wanted = "no boundary-element solution is close: the ratio of slopes = 12.0; solved";
+        assert!(long.starts_with(wanted), "{long}");
+        let whole = scan(1.0);
+        let dug = |z: &f64| if *z < -8e-8 { 5.0 * z } else { *z };
+        let dug = whole.heights().iter().map(dug).collect();
+        let dug = basis(summary(&Topography::new(dug, 128, [1e-6; 2]).unwrap()));
+        let wanted = "no boundary-element solution is close: measured_kurtosis is ";
+        assert!(dug.starts_with(wanted) && dug.ends_with("use `asperity truth`"), "{dug}");
+    }
+}

@@ -1,0 +1,268 @@
+//! Models divided by their expected ratio to boundary elements.
+
+use crate::evidence::compile;
+use crate::{
+    At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
+    Quantity, Request, Scene, Separation, SeparationUnit, SurfaceShape,
+};
+
+/// A model on a scene, corrected by what boundary elements gave on solved surfaces: a value over
+/// its expected ratio, with the interval of that ratio, which holds nine of ten surfaces. Where
+/// there is no evidence, there is no value.
+///
+/// Every corrected model has nearly the same values: those that boundary elements are expected to
+/// give.
+///
+/// ```
+/// use asperity::{At, Corrected, Interface, Model, ProfileMoments, Quantity, Request, Scene, Surface};
+///
+/// let surface = Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4: 3e8 })?;
+/// let scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
+/// let request = Request::new([Quantity::Area]).at_loads([1e3]);
+/// let ke: Model = "ke".parse()?;
+/// let corrected = Corrected::new(&ke, &scene, None, &request)?;
+/// let area = corrected.at(At::Load(1e3))?.value(Quantity::Area)?;
+/// assert_eq!(corrected.id(), "ke-corrected");
+/// assert!(area.lower < area.value && area.value < area.upper);
+/// // Separations are no loads.
+/// assert!(corrected.at(At::from(2.0)).is_err());
+/// # Ok::<(), asperity::ContactError>(())
+/// ```
+#[derive(Debug)]
+pub struct Corrected {
+    id: String,
+    contact: Box<dyn Contact>,
+    /// Counts contacts, if the model can.
+    counted: Option<Box<dyn Contact>>,
+    /// Quantities that the model does not have, and why.
+    lacking: Vec<(Quantity, ContactError)>,
+    shape: Option<SurfaceShape>,
+}
+
+/// A corrected value and an interval that holds nine of ten surfaces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct CorrectedValue {
+    /// The value of the model over its expected ratio.
+    pub value: f64,
+    /// Ends of the interval.
+    pub lower: f64,
+    /// Ends of the interval.
+    pub upper: f64,
+}
+
+/// A corrected model at one load.
+#[derive(Debug)]
+pub struct CorrectedRow<'c> {
+    of: &'c Corrected,
+    at: At,
+    expected: ExpectedContact,
+}
+
+impl Corrected {
+    /// The model on a scene whose surface has this shape; without one, it is taken as isotropic and
+    /// must have Gaussian heights.
+    ///
+    /// A quantity that the model does not have is refused in every row, the others are answered.
+    ///
+    /// # Errors
+    /// Those of the model, if it has none of the quantities.
+    pub fn new(
+        model: &Model,
+        scene: &Scene,
+        shape: Option<SurfaceShape>,
+        request: &Request,
+    ) -> Result<Self, ContactError> {
+        let mut lacking = vec![];
+        let contact = match compile(model, scene, request) {
+            Ok(contact) => contact,
+            Err(whole) => {
+                let asked = |quantity| Request::new([quantity]).within(request.tolerance);
+                let refusal = |q: &Quantity| model.compile(scene, &asked(*q)).err();
+                let all = request.quantities.iter();
+                lacking = all.filter_map(|q| Some((*q, refusal(q)?))).collect();
+                let others = request.quantities.iter().copied();
+                let others = others.filter(|q| !lacking.iter().any(|(lacks, _)| lacks == q));
+                let others: Vec<Quantity> = others.collect();
+                if others.is_empty() {
+                    return Err(whole);
+                }
+                let others = Request::new(others).within(request.tolerance);
+                compile(model, scene, &others.at(request.at.iter().copied()))?
+            }
+        };
+        let counted = model.compile(scene, &Request::new([Quantity::Contacts])).ok();
+        Ok(Self { id: format!("{}-corrected", model.id()), contact, counted, lacking, shape })
+    }
+
+    /// The id of the model with `-corrected`.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// The answers at a load.
+    ///
+    /// # Errors
+    /// [`ContactError::Refused`] at a separation, since models are compared under equal loads, and
+    /// where there is no evidence, with the property of the scene outside the solved range.
+    pub fn at(&self, at: impl Into<At>) -> Result<CorrectedRow<'_>, ContactError> {
+        let at = at.into();
+        let pressure = at.pressure(self.contact.scene()).ok_or_else(|| {
+            self.refused("models are compared with boundary elements at equal loads; give a load or a pressure".into())
+        })?;
+        let contacts = |contact: &Box<dyn Contact>| contact.evaluate(Quantity::Contacts, at).ok();
+        let contacts = self.counted.as_ref().and_then(contacts).map(|found| found.value());
+        let expected =
+            Evidence::committed()?.expected(self.contact.scene(), self.shape, pressure, contacts);
+        let expected = expected.map_err(|reason| match reason {
+            // With the name of the model in front, as other refusals.
+            ContactError::Refused { .. } => self.refused(reason.to_string()),
+            other => other,
+        })?;
+        Ok(CorrectedRow { of: self, at, expected })
+    }
+
+    fn refused(&self, reason: String) -> ContactError {
+        ContactError::Refused { model: self.id.clone(), reason }
+    }
+}
+
+impl CorrectedRow<'_> {
+    /// What stands behind the correction: `alpha 8, psi 2; boundary elements on 16 surfaces`.
+    #[must_use]
+    pub fn basis(&self) -> String {
+        self.expected.basis()
+    }
+
+    /// A quantity.
+    ///
+    /// # Errors
+    /// [`ContactError::Refused`] for a quantity that is not compared with boundary elements, or
+    /// that the solved surfaces do not determine here; errors of the model.
+    pub fn value(&self, quantity: Quantity) -> Result<CorrectedValue, ContactError> {
+        let contact = &*self.of.contact;
+        if let Some((_, lacks)) = self.of.lacking.iter().find(|(lacks, _)| *lacks == quantity) {
+            return Err(lacks.clone());
+        }
+        let value = contact.evaluate(quantity, self.at)?.value();
+        if matches!(quantity, Quantity::Force | Quantity::Pressure) {
+            // Loads are given.
+            return Ok(CorrectedValue { value, lower: value, upper: value });
+        }
+        let Some((compared, power)) = Compared::behind(quantity) else {
+            let reason = format!(
+                "{quantity} has no counterpart in boundary elements; corrected are areas, mean-pressure, tangent, unloading-stiffness, tangential-stiffness and conductances"
+            );
+            return Err(self.of.refused(reason));
+        };
+        let here = compared.of_contact(contact, self.expected.pressure)?;
+        let ratio = self.expected.ratio(compared, here).ok_or_else(|| {
+            let reason = format!("the solved surfaces do not determine the {quantity} here");
+            self.of.refused(reason)
+        })?;
+        let of = |ratio: f64| value / ratio.powf(power);
+        let ends = [of(ratio.low), of(ratio.high)];
+        let [lower, upper] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        Ok(CorrectedValue { value: of(ratio.ratio), lower, upper })
+    }
+
+    /// The separation of the model less the expected difference of mean gaps, in metres and from
+    /// the same plane.
+    ///
+    /// # Errors
+    /// Those of [`value`](Self::value).
+    pub fn separation(&self) -> Result<Separation, ContactError> {
+        let contact = &*self.of.contact;
+        let gap = Compared::MeanGap.of_contact(contact, self.expected.pressure)?;
+        let ratio = self.expected.ratio(Compared::MeanGap, gap).ok_or_else(|| {
+            self.of.refused("the solved surfaces do not determine the mean gap here".into())
+        })?;
+        let separation = contact.separation(self.at)?;
+        let metres =
+            separation.measured_in(SeparationUnit::Metres, separation.from, contact.scene())?;
+        let value = metres.value - ratio.ratio * self.expected.rms_height;
+        Ok(Separation { value, ..metres })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Interface, ProfileMoments, Surface};
+
+    const ASKED: [Quantity; 4] =
+        [Quantity::Area, Quantity::MeanPressure, Quantity::Tangent, Quantity::ContactRadiusSum];
+
+    fn scene(m4: f64) -> Scene {
+        let surface =
+            Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4 }).unwrap();
+        Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4)
+    }
+
+    fn corrected(id: &str, scene: &Scene) -> Corrected {
+        Corrected::new(&id.parse().unwrap(), scene, None, &Request::new(ASKED)).unwrap()
+    }
+
+    #[test]
+    fn every_corrected_model_gives_what_boundary_elements_are_expected_to() {
+        let scene = scene(3e8);
+        // From p/(E g) = 1e-6, below all solved loads, on.
+        for load in [1.0, 1e3, 3e4] {
+            let values = |id: &str| {
+                let corrected = corrected(id, &scene);
+                let row = corrected.at(At::Load(load)).unwrap();
+                ASKED[..3].iter().map(|q| row.value(*q).unwrap()).collect::<Vec<_>>()
+            };
+            let (ke, jg) = (values("ke"), values("jg"));
+            for (ke, jg) in ke.iter().zip(&jg) {
+                // Below the solved loads ratios are kept, and models differ a little.
+                let within = if load > 10.0 { 1e-6 } else { 0.05 };
+                assert!((ke.value / jg.value - 1.0).abs() < within, "{load} {ke:?} {jg:?}");
+                assert!(ke.lower < ke.value && ke.value < ke.upper, "{ke:?}");
+            }
+            let area_times_pressure = ke[0].value * ke[1].value;
+            assert!((area_times_pressure / load - 1.0).abs() < 1e-9, "{area_times_pressure}");
+        }
+        let pressure = 1e3 / scene.nominal_area;
+        let expected =
+            Evidence::committed().unwrap().expected(&scene, None, pressure, None).unwrap();
+        let ke = corrected("ke", &scene);
+        let area = ke.at(At::Load(1e3)).unwrap().value(Quantity::Area).unwrap();
+        let wanted = expected.estimate(Compared::Area).unwrap().value * scene.nominal_area;
+        assert!((area.value / wanted - 1.0).abs() < 1e-9, "{area:?} {wanted}");
+        let separation = ke.at(At::Load(1e3)).unwrap().separation().unwrap();
+        let gap = expected.estimate(Compared::MeanGap).unwrap().value;
+        let mean =
+            separation.measured_in(SeparationUnit::Metres, crate::Datum::SurfaceMean, &scene);
+        assert!((mean.unwrap().value / gap - 1.0).abs() < 1e-9, "{separation:?} {gap}");
+    }
+
+    #[test]
+    fn nothing_is_left_uncorrected() {
+        let scene = scene(3e8);
+        let ke: Model = "ke".parse().unwrap();
+        let asked = Request::new([Quantity::Contacts, Quantity::Force]);
+        let ke = Corrected::new(&ke, &scene, None, &asked).unwrap();
+        let row = ke.at(At::Load(1e3)).unwrap();
+        assert_eq!(row.value(Quantity::Force).unwrap().value.round(), 1e3);
+        let refused = row.value(Quantity::Contacts).unwrap_err().to_string();
+        assert!(
+            refused.starts_with("ke-corrected: contacts has no counterpart in boundary elements"),
+            "{refused}"
+        );
+        // Inclined contacts have no radii.
+        let mut inclined = self::scene(3e8);
+        inclined.interface.equivalent_shear_modulus = Some(41e9);
+        let asked = Request::new([Quantity::UnloadingStiffness, Quantity::Area]);
+        let gao = Corrected::new(&"gao".parse().unwrap(), &inclined, None, &asked).unwrap();
+        let row = gao.at(At::Load(1e3)).unwrap();
+        assert!(row.value(Quantity::Area).is_ok());
+        assert!(row.value(Quantity::UnloadingStiffness).is_err());
+        let refused = ke.at(At::from(2.0)).unwrap_err().to_string();
+        assert!(refused.starts_with("ke-corrected: models are compared"), "{refused}");
+        let broad = corrected("ke", &self::scene(3e11));
+        let refused = broad.at(At::Load(1e3)).unwrap_err().to_string();
+        assert!(refused.contains("ke-corrected: no boundary-element solution is close: alpha"));
+    }
+}

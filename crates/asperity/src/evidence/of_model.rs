@@ -1,0 +1,65 @@
+//! The compared quantities of a model.
+
+use crate::evidence::case::Compared;
+use crate::{
+    At, Contact, ContactError, ContactModel, Datum, Model, Quantity, Request, Scene, SeparationUnit,
+};
+
+impl Compared {
+    /// The value of a model at a mean pressure \[Pa\]: area over the nominal one, stiffness \[N/m\],
+    /// mean gap \[m\].
+    ///
+    /// # Errors
+    /// Those of the contact, which must be compiled for the area, the tangent and the unloading
+    /// stiffness.
+    pub fn of_contact(self, contact: &dyn Contact, pressure: f64) -> Result<f64, ContactError> {
+        let at = At::Pressure(pressure);
+        let value = |quantity| contact.evaluate(quantity, at).map(|found| found.value());
+        match self {
+            Self::Area => value(Quantity::Area).map(|area| area / contact.scene().nominal_area),
+            Self::Stiffness => value(Quantity::Tangent),
+            Self::UnloadingStiffness => value(Quantity::UnloadingStiffness),
+            Self::MeanGap => {
+                let separation = contact.separation(at)?;
+                let (metres, mean) = (SeparationUnit::Metres, Datum::SurfaceMean);
+                Ok(separation.measured_in(metres, mean, contact.scene())?.value)
+            }
+        }
+    }
+
+    /// The compared quantity to which a quantity at a load is proportional, with the sign of the
+    /// power: the mean pressure falls as the area grows.
+    #[must_use]
+    pub fn behind(quantity: Quantity) -> Option<(Self, f64)> {
+        match quantity {
+            Quantity::Area | Quantity::AreaFraction => Some((Self::Area, 1.0)),
+            Quantity::MeanPressure => Some((Self::Area, -1.0)),
+            Quantity::Tangent => Some((Self::Stiffness, 1.0)),
+            Quantity::UnloadingStiffness
+            | Quantity::ContactRadiusSum
+            | Quantity::TangentialStiffness
+            | Quantity::ThermalConductance
+            | Quantity::ElectricalConductance
+            | Quantity::ThermalConductancePerArea
+            | Quantity::ElectricalConductancePerArea => Some((Self::UnloadingStiffness, 1.0)),
+            _ => None,
+        }
+    }
+}
+
+/// A model compiled for a request and, as far as it has them, for the compared quantities.
+pub(crate) fn compile(
+    model: &Model,
+    scene: &Scene,
+    request: &Request,
+) -> Result<Box<dyn Contact>, ContactError> {
+    let compared = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
+    let with = |others: &[Quantity]| {
+        let mut all = request.quantities.clone();
+        all.extend(others.iter().filter(|quantity| !request.quantities.contains(quantity)));
+        let places = request.at.iter().copied();
+        model.compile(scene, &Request::new(all).within(request.tolerance).at(places))
+    };
+    // Some have no contact radii or no gap.
+    [3, 2, 1].iter().find_map(|k| with(&compared[..*k]).ok()).map_or_else(|| with(&[]), Ok)
+}

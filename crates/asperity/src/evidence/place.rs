@@ -1,0 +1,217 @@
+//! Where a scene under a load lies among the solved cases.
+
+use serde::Serialize;
+
+use crate::evidence::case::EvidenceCase;
+use crate::evidence::{Evidence, NONE};
+use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface};
+
+/// Scenes farther than this factor beyond the solved range have no evidence.
+const BEYOND: f64 = 1.5;
+/// Skewnesses farther than this beyond the solved ones have no evidence.
+const BEYOND_SKEWNESS: f64 = 0.2;
+/// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
+const CONTACTS_PER_PATCH: f64 = 2.0;
+/// Ratios of slopes up to this one count as isotropic, and skewnesses up to the next as Gaussian.
+const ISOTROPIC: f64 = 1.25;
+const GAUSSIAN: f64 = 0.2;
+
+/// What advice needs to know of a surface and a [`Scene`] does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct SurfaceShape {
+    /// Ssk: skewness of the heights.
+    pub skewness: f64,
+    /// Rms slope across the lay over that along it, at least 1.
+    pub slope_ratio: f64,
+}
+
+impl Default for SurfaceShape {
+    /// Isotropic and Gaussian.
+    fn default() -> Self {
+        Self { skewness: 0.0, slope_ratio: 1.0 }
+    }
+}
+
+impl SurfaceShape {
+    /// The shape with this skewness, and rms slopes in two directions, in either order.
+    #[must_use]
+    pub fn new(skewness: f64, slopes: [f64; 2]) -> Self {
+        let ratio = slopes[0] / slopes[1];
+        Self { skewness, slope_ratio: ratio.max(ratio.recip()) }
+    }
+
+    /// The same, with what is nearly isotropic or Gaussian taken as such: a single surface of a
+    /// Gaussian family has a skewness, too.
+    fn rounded(self) -> Self {
+        Self {
+            skewness: if self.skewness.abs() < GAUSSIAN { 0.0 } else { self.skewness },
+            slope_ratio: if self.slope_ratio < ISOTROPIC { 1.0 } else { self.slope_ratio },
+        }
+    }
+}
+
+/// A surface, a material and a load in the coordinates of the table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    /// m₀ m₄/m₂².
+    pub(crate) alpha: f64,
+    pub(crate) shape: SurfaceShape,
+    /// ψ; 0 without a hardness.
+    pub(crate) index: f64,
+    /// E g/H; 0 without a hardness. It decides how much yields: ψ holds the bandwidth, too.
+    pub(crate) strain: f64,
+    /// p/(E g).
+    pub(crate) load: f64,
+    /// Contacts of a surface; infinite if unknown, as on a surface of many.
+    pub(crate) contacts: f64,
+    /// Surfaces whose mean is expected.
+    pub(crate) surfaces: f64,
+}
+
+impl Place {
+    /// The place of a scene at a mean pressure \[Pa\]; without a shape its heights must be Gaussian.
+    pub(crate) fn of_scene(
+        scene: &Scene,
+        shape: Option<SurfaceShape>,
+        pressure: f64,
+    ) -> Result<Self, ContactError> {
+        if shape.is_none() && !matches!(scene.heights, HeightDistribution::Gaussian) {
+            let reason = "the heights are not Gaussian, and the skewness of the surface is unknown";
+            return Err(Evidence::none(reason.into()));
+        }
+        if scene.adhesion_parameter().is_some_and(|theta| theta < Scene::HIDES_ADHESION) {
+            let reason = "the surfaces adhere, the solved surfaces do not";
+            return Err(Evidence::none(reason.into()));
+        }
+        let asperity = scene.asperity()?;
+        let moments = scene.surface.moments();
+        let unit = asperity.equivalent_modulus * gradient(&moments);
+        let index = asperity.hardness.map(|_| scene.plasticity_index()).transpose()?;
+        Ok(Self {
+            alpha: moments.bandwidth(),
+            shape: shape.unwrap_or_default().rounded(),
+            index: index.unwrap_or(0.0),
+            strain: asperity.hardness.map_or(0.0, |hardness| unit / hardness),
+            load: crate::positive("pressure", pressure)? / unit,
+            contacts: f64::INFINITY,
+            surfaces: 1.0,
+        })
+    }
+
+    /// The place of a solved case.
+    pub(crate) fn of_case(case: &EvidenceCase) -> Result<Self, ContactError> {
+        let EvidenceCase { alpha, skewness, slope_ratio, plasticity_index: index, .. } = *case;
+        let surfaces = case.surfaces.max(1) as f64;
+        let contacts = CONTACTS_PER_PATCH * case.patches.max(1) as f64 / surfaces;
+        let shape = SurfaceShape { skewness, slope_ratio };
+        let (strain, load) = (strain(alpha, index)?, case.load);
+        Ok(Self { alpha, shape, index, strain, load, contacts, surfaces })
+    }
+
+    pub(crate) fn same_family(&self, other: &Self) -> bool {
+        self.alpha.total_cmp(&other.alpha).is_eq() && self.shape == other.shape
+    }
+
+    /// Pressure over hardness.
+    fn of_hardness(&self) -> f64 {
+        self.load * self.strain
+    }
+}
+
+impl Evidence {
+    /// Refuses a place outside the solved cases, with the property and its range.
+    pub(crate) fn check(&self, place: &Place) -> Result<(), ContactError> {
+        let outside = |field: &str, value: f64, [low, high]: [f64; 2]| {
+            (value > 0.0 && !(low / BEYOND..=high * BEYOND).contains(&value)).then(|| {
+                let plain = |x: f64| match x {
+                    small if small < 0.1 => format!("{small:.1e}"),
+                    usual => format!("{usual:.1}"),
+                };
+                let solved = match low > 0.0 {
+                    true => format!("solved range {} to {}", plain(low), plain(high)),
+                    false => format!("solved up to {}", plain(high)),
+                };
+                Self::none(format!("{field} = {}; {solved}", plain(value)))
+            })
+        };
+        let range = |of: fn(&Place) -> f64| {
+            let known = self.places.iter().map(of);
+            known.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+        };
+        let up_to = |high: f64| [0.0, high];
+        let [_, index] = range(|place| place.index);
+        let [_, hardness] = range(Place::of_hardness);
+        let [_, load] = range(|place| place.load);
+        let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
+            // Smaller indices are nearly elastic, and lighter loads have constant ratios.
+            .or_else(|| outside("plasticity_index", place.index, up_to(index)))
+            .or_else(|| outside("p/(E g)", place.load, up_to(load)))
+            .or_else(|| outside("p/H", place.of_hardness(), up_to(hardness)))
+            .or_else(|| {
+                let ratio = place.shape.slope_ratio;
+                outside("the ratio of slopes", ratio, range(|place| place.shape.slope_ratio))
+            });
+        let [low, high] = range(|place| place.shape.skewness);
+        let skewness = place.shape.skewness;
+        let solved = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
+        match found {
+            Some(refused) => Err(refused),
+            None if solved.contains(&skewness) => Ok(()),
+            None => {
+                let found = format!("skewness = {skewness:.1}; solved range {low} to {high}");
+                Err(Self::none(found))
+            }
+        }
+    }
+
+    /// The error for a scene without evidence, for this reason.
+    #[must_use]
+    pub fn none(reason: String) -> ContactError {
+        ContactError::Refused { model: NONE.into(), reason }
+    }
+}
+
+/// g, the root mean square gradient.
+pub(crate) fn gradient(moments: &ProfileMoments) -> f64 {
+    (2.0 * moments.m2).sqrt()
+}
+
+/// E g/H of a solved surface: its material has ν = 0.3, on which ψ depends through S.
+fn strain(alpha: f64, index: f64) -> Result<f64, ContactError> {
+    if index <= 0.0 {
+        return Ok(0.0);
+    }
+    let (m2, modulus, hardness) = (1e-4, 1e11, 1e9);
+    let moments = ProfileMoments { m0: 1e-12, m2, m4: alpha * m2 * m2 / 1e-12 };
+    let mut scene =
+        Scene::new(Interface::elastic(modulus, 0.3), Surface::from_moments(&moments)?, 1e-6);
+    scene.interface.hardness = Some(hardness);
+    // ψ is inversely proportional to the hardness.
+    Ok(modulus * gradient(&moments) / hardness * index / scene.plasticity_index()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_strain_of_a_case_is_that_of_its_scene() {
+        // ψ = (2E/(π S H)) √(σ_z/R) with S = 0.577, σ_z² = (1 - 0.8968/α) m₀, R = (3/8) √(π/m₄).
+        for (alpha, index) in [(3.117f64, 4.0), (29.51, 2.0)] {
+            let ratio = 8.0 / (3.0 * std::f64::consts::PI.sqrt()) * (alpha - 0.8968).sqrt();
+            let wanted = index * std::f64::consts::PI * 0.577 / (2.0 * ratio.sqrt()) * 2f64.sqrt();
+            let found = strain(alpha, index).unwrap();
+            assert!((found / wanted - 1.0).abs() < 1e-4, "{found} {wanted}");
+        }
+        assert_eq!(strain(3.0, 0.0), Ok(0.0));
+    }
+
+    #[test]
+    fn nearly_isotropic_and_nearly_gaussian_count_as_such() {
+        let shape = SurfaceShape::new(0.15, [0.1, 0.11]);
+        assert_eq!(shape.rounded(), SurfaceShape::default());
+        let ground = SurfaceShape::new(-0.7, [0.05, 0.2]);
+        assert_eq!(ground.rounded(), SurfaceShape { skewness: -0.7, slope_ratio: 4.0 });
+    }
+}

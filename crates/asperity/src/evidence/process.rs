@@ -1,0 +1,132 @@
+//! Gaussian-process regression on the solved cases (Rasmussen & Williams 2006, algorithm 2.1
+//! \[recalled\]): a smooth surface through scattered means, with the standard deviation of what it
+//! does not know.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use crate::evidence::place::Place;
+
+/// Standard deviation of the constant.
+const CONSTANT: f64 = 2.0;
+/// Lengths over which results change: ln p/(E g), ln α, share at the hardness, skewness, ln of the
+/// ratio of slopes. Those that are most likely, given the table, are longer for α (13 to 21) and
+/// between 1.3 and 5.6 for the load.
+const LENGTHS: [f64; 5] = [3.0, 4.0, 0.8, 1.2, 2.0];
+/// Standard deviations per unit of skewness, and of the logarithm of the ratio of slopes.
+const PER_SKEWNESS: f64 = 0.6;
+const PER_SLOPES: f64 = 0.15;
+/// Standard deviation between families: spectra of one bandwidth differ.
+const FAMILY: f64 = 0.02;
+/// Standard deviation of a single row.
+const ROW: f64 = 0.005;
+
+/// Where A E g/p passes from elastic contact, 2.4, to fully plastic contact, E g/H.
+pub(crate) const ELASTIC: f64 = 2.4;
+
+/// A place as coordinates of the kernel.
+type Input = [f64; 5];
+
+/// A value at a place of the table with its standard error.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Known {
+    pub(crate) place: Place,
+    pub(crate) value: f64,
+    pub(crate) error: f64,
+}
+
+/// The smooth surface.
+#[derive(Debug, Clone)]
+pub(crate) struct Process {
+    /// Standard deviation of the change with load, bandwidth and hardness.
+    amplitude: f64,
+    inputs: Vec<Input>,
+    factor: Cholesky<f64, Dyn>,
+    weights: DVector<f64>,
+}
+
+impl Process {
+    /// The surface through these values; `None` if there are none.
+    pub(crate) fn through(known: &[Known], amplitude: f64) -> Option<Self> {
+        let inputs: Vec<Input> = known.iter().map(|known| input(&known.place)).collect();
+        let covariance = DMatrix::from_fn(known.len(), known.len(), |i, j| {
+            covariance(&inputs[i], &inputs[j], amplitude) + noise(&known[i], &known[j], i == j)
+        });
+        let values = DVector::from_iterator(known.len(), known.iter().map(|known| known.value));
+        let factor = Cholesky::new(covariance).filter(|_| !known.is_empty())?;
+        let weights = factor.solve(&values);
+        Some(Self { amplitude, inputs, factor, weights })
+    }
+
+    /// The value at a place and its standard deviation.
+    pub(crate) fn at(&self, place: &Place) -> [f64; 2] {
+        let here = input(place);
+        let of = |input: &Input| covariance(&here, input, self.amplitude);
+        let shared = DVector::from_iterator(self.inputs.len(), self.inputs.iter().map(of));
+        let value = shared.dot(&self.weights);
+        let explained = self.factor.l_dirty().solve_lower_triangular(&shared);
+        let prior = of(&here) + FAMILY * FAMILY;
+        // The factor has a positive diagonal, so that there is a solution.
+        let variance = explained.map_or(prior, |part| prior - part.norm_squared());
+        [value, variance.max(FAMILY * FAMILY).sqrt()]
+    }
+}
+
+fn input(place: &Place) -> Input {
+    // From 0, elastic, to 1, fully plastic.
+    let plastic = (place.strain / ELASTIC).powi(4);
+    let plastic = plastic / (1.0 + plastic);
+    [place.load.ln(), place.alpha.ln(), plastic, place.shape.skewness, place.shape.slope_ratio.ln()]
+}
+
+/// Isotropic Gaussian surfaces change with load, bandwidth and hardness; the effect of a skewness
+/// or a lay adds to that, in proportion to it for small ones.
+fn covariance(a: &Input, b: &Input, amplitude: f64) -> f64 {
+    let near = |k: usize| (-0.5 * ((a[k] - b[k]) / LENGTHS[k]).powi(2)).exp();
+    let effect = |k: usize, unit: f64| unit * unit * a[k] * b[k] * near(k);
+    let parts = [amplitude * amplitude * near(1), effect(3, PER_SKEWNESS), effect(4, PER_SLOPES)];
+    CONSTANT * CONSTANT + near(0) * near(2) * parts.iter().sum::<f64>()
+}
+
+/// The same surfaces stand behind all materials of a family, and partly behind its next loads.
+fn noise(a: &Known, b: &Known, same: bool) -> f64 {
+    if !a.place.same_family(&b.place) {
+        return 0.0;
+    }
+    let shared = a.error * b.error * (-(a.place.load / b.place.load).ln().abs()).exp();
+    let row = if same { ROW * ROW } else { 0.0 };
+    FAMILY * FAMILY + shared + row
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SurfaceShape;
+
+    fn known(alpha: f64, load: f64, value: f64) -> Known {
+        let shape = SurfaceShape::default();
+        let (contacts, surfaces) = (100.0, 4.0);
+        let place = Place { alpha, shape, index: 0.0, strain: 0.0, load, contacts, surfaces };
+        Known { place, value, error: 0.01 }
+    }
+
+    #[test]
+    fn a_plane_is_met_between_its_points_and_unknown_far_away() {
+        let plane = |alpha: f64, load: f64| 0.9 + 0.1 * alpha.ln() - 0.05 * load.ln();
+        let loads = [1e-4, 1e-3, 1e-2, 1e-1];
+        let all: Vec<Known> = [3.0, 10.0, 30.0]
+            .into_iter()
+            .flat_map(|alpha| loads.map(|load| known(alpha, load, plane(alpha, load))))
+            .collect();
+        let process = Process::through(&all, 0.5).unwrap();
+        let [value, deviation] = process.at(&known(17.0, 3e-3, 0.0).place);
+        assert!((value - plane(17.0, 3e-3)).abs() < 0.01, "{value}");
+        assert!((0.02..0.04).contains(&deviation), "{deviation}");
+        let [_, far] = process.at(&known(3000.0, 3e-3, 0.0).place);
+        assert!(far > 3.0 * deviation, "{far}");
+        let mut skewed = known(17.0, 3e-3, 0.0).place;
+        skewed.shape.skewness = -1.0;
+        let [same, unknown] = process.at(&skewed);
+        assert!((same - value).abs() < 1e-9 && unknown > 0.55, "{unknown}");
+        assert!(Process::through(&[], 0.5).is_none());
+    }
+}

@@ -1,0 +1,178 @@
+//! The committed table, and what follows from it.
+
+use super::*;
+use crate::{HeightDistribution, Interface, ProfileMoments, Scene, Surface};
+
+fn scene(alpha: f64, index: f64) -> Scene {
+    let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: alpha * 1e4 };
+    let surface = Surface::from_moments(&moments).unwrap();
+    let mut scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-6);
+    if index > 0.0 {
+        scene.interface.hardness = Some(1e9);
+        let hardness = 1e9 * scene.plasticity_index().unwrap() / index;
+        scene.interface.hardness = Some(hardness);
+    }
+    scene
+}
+
+/// E g of these scenes \[Pa\].
+fn unit() -> f64 {
+    1e11 * 2e-4f64.sqrt()
+}
+
+#[test]
+fn the_committed_table_is_complete() {
+    let evidence = Evidence::committed().unwrap();
+    for case in evidence.cases() {
+        let [low, high] = case.bem.area_span.unwrap();
+        let area = case.bem.area_fraction.unwrap();
+        assert!(low <= area && area <= high && high < 1.0, "{case:?}");
+        assert!(case.surfaces >= 4 && (0.0..=1.0).contains(&case.plastic_share), "{case:?}");
+        let gw = case.models.iter().find(|(id, _)| id == "gw");
+        assert!(gw.is_some_and(|(_, gw)| gw.area_fraction.is_some()), "{case:?}");
+    }
+    assert!(Evidence::CSV.len() < 150_000, "{}", Evidence::CSV.len());
+}
+
+/// Other texts repeat the line of `solved`.
+#[test]
+fn the_solved_cases_are_listed() {
+    let solved = Evidence::committed().unwrap().solved();
+    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, elastic and psi "), "{solved}");
+    assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
+}
+
+/// A model without evidence may stand: the table knows nothing of models.
+#[test]
+fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
+    let evidence = Evidence::committed().unwrap();
+    let cut = |line: &str| {
+        let own: Vec<&str> = line.split(',').take(Evidence::COLUMNS.len()).collect();
+        own.join(",")
+    };
+    let bare: Vec<String> = Evidence::CSV.lines().map(cut).collect();
+    let bare = Evidence::parse(&bare.join("\n")).unwrap();
+    for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(7) {
+        let scene = scene(case.alpha, case.plasticity_index);
+        let shape = SurfaceShape { skewness: 0.0, slope_ratio: case.slope_ratio };
+        let pressure = case.load * unit();
+        let found = evidence.expected(&scene, Some(shape), pressure, None).unwrap();
+        let area = found.estimate(Compared::Area).unwrap();
+        let solved = case.bem.area_fraction.unwrap();
+        // The smooth surface passes light loads within their standard errors of up to 6 %.
+        assert!((area.value / solved - 1.0).abs() < 0.07, "{case:?} {area:?}");
+        assert!(area.low < solved && solved < area.high, "{case:?} {area:?}");
+        // Stiffnesses do not depend on the gradient of the solved surfaces.
+        let unit = unit() * scene.nominal_area / 1e-6;
+        let solved = case.bem.stiffness.unwrap() / Evidence::GRADIENT * unit;
+        let stiffness = found.estimate(Compared::Stiffness).unwrap();
+        assert!((stiffness.value / solved).ln().abs() < 0.5, "{case:?} {stiffness:?} {solved}");
+        assert_eq!(bare.expected(&scene, Some(shape), pressure, None).unwrap(), found);
+    }
+}
+
+#[test]
+fn outside_there_is_no_evidence() {
+    let evidence = Evidence::committed().unwrap();
+    let refused = |alpha: f64, index: f64, load: f64| {
+        let found = evidence.expected(&scene(alpha, index), None, load * unit(), None);
+        found.unwrap_err().to_string()
+    };
+    for (found, field) in [
+        (refused(1.6, 2.0, 0.01), "alpha (m0 m4/m2^2) = 1.6; solved range 3.1 to 76.9"),
+        (refused(200.0, 2.0, 0.01), "alpha (m0 m4/m2^2) = 200.0; solved range 3.1 to 76.9"),
+        (refused(8.0, 40.0, 0.01), "plasticity_index = 40.0; solved up to"),
+        (refused(8.0, 2.0, 0.7), "p/(E g) = 0.7; solved up to"),
+        (refused(3.2, 5.5, 0.3), "p/H = "),
+    ] {
+        assert!(found.starts_with(&format!("{NONE}: {field}")), "{found}");
+    }
+    // Ratios are constant under loads below all solved ones.
+    let light = evidence.expected(&scene(8.0, 2.0), None, 1e-7 * unit(), None).unwrap();
+    assert!(light.extrapolated && (light.pressure / (1e-5 * unit()) - 1.0).abs() < 1e-9);
+    let mut exponential = scene(8.0, 2.0);
+    exponential.heights = HeightDistribution::Exponential;
+    let found = evidence.expected(&exponential, None, 0.01 * unit(), None).unwrap_err();
+    assert!(found.to_string().contains("not Gaussian"), "{found}");
+    // With a shape from a scan there is.
+    let shape = SurfaceShape { skewness: -0.9, slope_ratio: 1.0 };
+    let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap();
+    assert!(found.basis().contains(", psi 2, skewness -0.9; boundary"), "{}", found.basis());
+    let shape = SurfaceShape { skewness: -4.0, slope_ratio: 1.0 };
+    let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap_err();
+    assert!(found.to_string().contains("skewness = -4.0; solved range -2 to 1"), "{found}");
+}
+
+#[test]
+fn few_contacts_widen_the_interval() {
+    let evidence = Evidence::committed().unwrap();
+    let width = |contacts: Option<f64>| {
+        let found = evidence.expected(&scene(8.0, 2.0), None, 0.01 * unit(), contacts).unwrap();
+        let area = found.estimate(Compared::Area).unwrap();
+        area.high / area.low - 1.0
+    };
+    let many = width(None);
+    assert!(many < 0.12 && (width(Some(1e9)) - many).abs() < 1e-6, "{many}");
+    assert!(width(Some(10.0)) > 2.0 * many, "{}", width(Some(10.0)));
+}
+
+/// Leaves out each family of surfaces in turn: the interval that the others give holds its ratios.
+#[test]
+fn families_left_out_lie_in_their_interval() {
+    let evidence = Evidence::committed().unwrap();
+    let mut families: Vec<Place> = vec![];
+    for place in &evidence.places {
+        if !families.iter().any(|family| family.same_family(place)) {
+            families.push(*place);
+        }
+    }
+    let [mut rows, mut answered, mut inside] = [0.0; 3];
+    let mut halves: Vec<f64> = vec![];
+    for family in &families {
+        let other = |(_, place): &(&EvidenceCase, &Place)| !place.same_family(family);
+        let cases = evidence.cases.iter().zip(&evidence.places).filter(other);
+        let others = Evidence::of_cases(cases.map(|(case, _)| case.clone()).collect()).unwrap();
+        let [mut here, mut inside_here] = [0.0; 2];
+        for (case, place) in evidence.cases.iter().zip(&evidence.places) {
+            if !place.same_family(family) {
+                continue;
+            }
+            // Each model that has a value is a row: its ratio lies inside where boundary elements do.
+            for quantity in Compared::ALL.into_iter().filter(|q| *q != Compared::MeanGap) {
+                let value = |(_, row): &&(String, EvidenceRow)| row.value(quantity).is_some();
+                let models = case.models.iter().filter(value).count() as f64;
+                rows += models;
+                let Some([middle, low, high]) = others.interval(quantity, place) else { continue };
+                let unit = if quantity == Compared::Area { 1.0 } else { Evidence::GRADIENT };
+                let solved = case.bem.value(quantity).unwrap() / unit;
+                here += models;
+                if (low..=high).contains(&solved) {
+                    inside_here += models;
+                }
+                halves.extend(vec![0.5 * (middle / low - middle / high); models as usize]);
+            }
+        }
+        println!("alpha {}, {:?}: {inside_here} of {here}", family.alpha, family.shape);
+        answered += here;
+        inside += inside_here;
+    }
+    halves.sort_by(f64::total_cmp);
+    let (covered, share, half) = (inside / answered, answered / rows, halves[halves.len() / 2]);
+    println!("covered {covered:.3}, answered {share:.3}, half-width {half:.3}");
+    assert!((0.85..=0.97).contains(&covered), "{covered}");
+    assert!(share >= 0.6, "{share}");
+    assert!(half <= 0.15, "{half}");
+}
+
+#[test]
+fn a_ratio_compares_a_model_with_the_estimate() {
+    let (scene, pressure) = (scene(8.0, 2.0), 0.01 * unit());
+    let found = Evidence::committed().unwrap().expected(&scene, None, pressure, None).unwrap();
+    let area = found.estimate(Compared::Area).unwrap();
+    let ratio = found.ratio(Compared::Area, 0.9 * area.value).unwrap();
+    assert!((ratio.ratio - 0.9).abs() < 1e-12 && ratio.low < 0.9 && ratio.high > 0.9);
+    assert!(found.ratio(Compared::Area, f64::NAN).is_none());
+    let gap = found.estimate(Compared::MeanGap).unwrap();
+    let ratio = found.ratio(Compared::MeanGap, gap.value + 0.1 * found.rms_height).unwrap();
+    assert!((ratio.ratio - 0.1).abs() < 1e-12, "{ratio:?}");
+}

@@ -1,0 +1,48 @@
+//! Models compared with each other.
+
+use crate::{
+    At, Check, Contact, ContactError, ContactModel, Diagnostic, Evaluation, Model, Quantity,
+    Request, Scene, Severity,
+};
+
+/// The values of one quantity.
+pub(super) type Column = Vec<Evaluation>;
+
+/// The columns of a request.
+pub(super) fn answers(
+    contact: &dyn Contact,
+    request: &Request,
+) -> Result<Vec<Column>, ContactError> {
+    let column = |quantity: &Quantity| {
+        request.at.iter().map(|at| contact.evaluate(*quantity, *at)).collect()
+    };
+    request.quantities.iter().map(column).collect()
+}
+
+/// The largest deviation from the reference for each quantity; infinite if one is not a number.
+pub(super) fn largest_deviations(
+    request: &Request,
+    found: &[Column],
+    wanted: &[Column],
+) -> Vec<(Quantity, f64)> {
+    let largest = |quantity: Quantity, found: &Column, wanted: &Column| {
+        let deviations = found.iter().zip(wanted).map(|(a, b)| a.deviation(b, quantity));
+        deviations.fold(0.0, |most: f64, d| most.max(d.map_or(f64::INFINITY, f64::abs)))
+    };
+    let columns = request.quantities.iter().zip(found.iter().zip(wanted));
+    columns.map(|(quantity, (a, b))| (*quantity, largest(*quantity, a, b))).collect()
+}
+
+/// The finding that makes a model invalid at these separations or loads.
+pub(super) fn outside(model: &Model, scene: &Scene, places: &[At]) -> Option<Diagnostic> {
+    let found = Check::answers(model, scene, places).into_iter();
+    found.filter(|finding| finding.severity < Severity::Note).find(Diagnostic::is_of_model)
+}
+
+/// Parts of the law of an asperity; 0 for a model without one.
+pub(super) fn regimes(model: &Model, scene: &Scene, request: &Request) -> usize {
+    let law = |model: &dyn crate::AsperityModel| {
+        model.force(&scene.asperity().ok()?, request.tolerance).ok()
+    };
+    model.equal().asperity_model().and_then(law).map_or(0, |law| law.parts.len())
+}

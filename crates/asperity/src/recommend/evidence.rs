@@ -1,0 +1,158 @@
+//! The evidence at the separations and loads of a request.
+
+use serde::Serialize;
+
+use crate::{
+    At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
+    Quantity, Ratio, Request, SurfaceShape,
+};
+
+/// Most separations and loads that are compared with boundary elements.
+const MOST: usize = 24;
+
+/// Evidence for a separation or load.
+#[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
+pub struct EvidenceAt {
+    /// The separation or load.
+    pub at: At,
+    /// What boundary elements are expected to give, or why that is not known.
+    pub expected: Result<ExpectedContact, ContactError>,
+    /// Every model that has a value, relative to it.
+    pub ratios: Vec<Expectation>,
+}
+
+/// The expected ratio of a quantity of a model to boundary elements.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Expectation {
+    /// The id of the model.
+    pub model: String,
+    /// The quantity.
+    pub quantity: Compared,
+    /// The ratio and its interval.
+    pub ratio: Ratio,
+}
+
+/// Deviation of a model from boundary elements, relative to them.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
+pub struct Deviation {
+    /// Of the real area.
+    pub area: Option<f64>,
+    /// Half the width of its interval.
+    pub area_spread: Option<f64>,
+    /// Of the stiffness of first loading.
+    pub stiffness: Option<f64>,
+    /// Half the width of its interval.
+    pub stiffness_spread: Option<f64>,
+}
+
+impl EvidenceAt {
+    /// The ratio of a quantity of a model, if it is known.
+    #[must_use]
+    pub fn ratio(&self, id: &str, quantity: Compared) -> Option<Ratio> {
+        let wanted = |found: &&Expectation| found.model == id && found.quantity == quantity;
+        self.ratios.iter().find(wanted).map(|found| found.ratio)
+    }
+
+    /// The deviation of a model; `None` if nothing of it is known here.
+    #[must_use]
+    pub fn deviation(&self, id: &str) -> Option<Deviation> {
+        Deviation::of([Compared::Area, Compared::Stiffness].map(|q| self.ratio(id, q)))
+    }
+
+    /// Compares a model at this place.
+    pub(super) fn add(&mut self, model: &Model, contact: &dyn Contact, quantities: &[Compared]) {
+        let Ok(expected) = &self.expected else { return };
+        for &quantity in quantities {
+            let known = self.ratio(model.id(), quantity).is_some();
+            let value = quantity.of_contact(contact, expected.pressure).ok();
+            let ratio = value.and_then(|value| expected.ratio(quantity, value));
+            if let Some(ratio) = ratio.filter(|_| !known) {
+                self.ratios.push(Expectation { model: model.id().into(), quantity, ratio });
+            }
+        }
+    }
+}
+
+impl Deviation {
+    /// From the ratios of area and stiffness.
+    fn of([area, stiffness]: [Option<Ratio>; 2]) -> Option<Self> {
+        let off = |ratio: Option<Ratio>| ratio.map(|ratio| ratio.ratio - 1.0);
+        let spread = |ratio: Option<Ratio>| ratio.map(|ratio| ratio.half_width());
+        area.or(stiffness).map(|_| Self {
+            area: off(area),
+            area_spread: spread(area),
+            stiffness: off(stiffness),
+            stiffness_spread: spread(stiffness),
+        })
+    }
+
+    /// The largest deviations of a model at these places, each quantity separately.
+    pub(super) fn worst(places: &[EvidenceAt], id: &str) -> Option<Self> {
+        let worst = |quantity| {
+            let ratios = places.iter().filter_map(|place| place.ratio(id, quantity));
+            ratios
+                .max_by(|a, b| a.deviation(quantity).abs().total_cmp(&b.deviation(quantity).abs()))
+        };
+        Self::of([Compared::Area, Compared::Stiffness].map(worst))
+    }
+}
+
+/// The evidence at the places of a request, and the reference relative to it. At separations, the
+/// pressure is that of the reference, which also counts the contacts.
+pub(crate) fn evidence_of(
+    reference: &Model,
+    contact: &dyn Contact,
+    shape: Option<SurfaceShape>,
+    request: &Request,
+) -> Result<Vec<EvidenceAt>, ContactError> {
+    let scene = contact.scene();
+    let of_reference = |quantity| {
+        let asked = Request::new([quantity]).within(request.tolerance);
+        reference.compile(scene, &asked.at(request.at.iter().copied()))
+    };
+    let pressed = of_reference(Quantity::Pressure)?;
+    let counted = of_reference(Quantity::Contacts).ok();
+    let expected = |at: At| {
+        let contacts = counted.as_ref().and_then(|c| c.evaluate(Quantity::Contacts, at).ok());
+        let contacts = contacts.map(|contacts| contacts.value());
+        if let Some(contacts) = contacts.filter(|contacts| *contacts < 1.0) {
+            let reason = format!("less than one asperity touches ({contacts:.1e})");
+            return Err(Evidence::none(reason));
+        }
+        let pressure = match at.pressure(scene) {
+            Some(pressure) => pressure,
+            None => pressed.evaluate(Quantity::Pressure, at)?.value(),
+        };
+        Evidence::committed()?.expected(scene, shape, pressure, contacts)
+    };
+    let place = |&at: &At| {
+        let mut place = EvidenceAt { at, expected: expected(at), ratios: vec![] };
+        place.add(reference, contact, &Compared::ALL);
+        place
+    };
+    Ok(thinned(&request.at).into_iter().map(place).collect())
+}
+
+/// At most [`MOST`] of these places, from the first to the last.
+fn thinned(places: &[At]) -> Vec<&At> {
+    let last = places.len().saturating_sub(1);
+    let kept = |k: usize| places.get(k * last / (MOST - 1));
+    if last < MOST { places.iter().collect() } else { (0..MOST).filter_map(kept).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_places_are_thinned_from_end_to_end() {
+        let places: Vec<At> = (0..401).map(|k| At::from(0.01 * f64::from(k))).collect();
+        let some = thinned(&places);
+        assert_eq!((some.len(), some[0], some[23]), (MOST, &places[0], &places[400]));
+        assert_eq!(thinned(&places[..24]).len(), 24);
+        assert_eq!(thinned(&places[..1]), [&places[0]]);
+    }
+}

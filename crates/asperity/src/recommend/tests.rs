@@ -1,0 +1,137 @@
+//! Recommendations of models, with their evidence.
+
+use super::*;
+use crate::Evidence;
+use crate::{At, Interface, Surface, linspace};
+
+fn advice(plasticity_index: f64, within: f64) -> Recommendation {
+    let interface = Interface::new(116e9, 0.31, 1.12e9);
+    let surface = Surface::from_plasticity_index(plasticity_index, 0.04, 1e-6, &interface).unwrap();
+    let scene = Scene::new(interface, surface, 3e-5);
+    let request = Request::new([Quantity::Force, Quantity::Area]).at(linspace(0.0, 3.0, 7));
+    recommend(&scene, &request, &"ke".parse().unwrap(), within).unwrap()
+}
+
+#[test]
+fn the_simplest_model_that_is_near_enough_is_named() {
+    let simplest = |advice: &Recommendation| advice.simplest.as_ref().unwrap().id().to_string();
+    assert_eq!(simplest(&advice(0.3, 0.05)), "gw");
+    assert_eq!(simplest(&advice(6.0, 1e-6)), "ke");
+    // At psi = 6 two-part laws are off by more than 1 %, three-part ones by more than 5 %.
+    let rough = advice(6.0, 0.05);
+    assert!(!["gw", "ceb", "af"].contains(&&*simplest(&rough)), "{rough}");
+}
+
+#[test]
+fn the_error_of_a_model_stands_beside_it() {
+    let rough = advice(6.0, 0.05);
+    let text = rough.to_string();
+    assert!(text.contains("Gao          equivalent_shear_modulus is missing"), "{text}");
+    assert!(text.contains("KE           force 0 % area 0 %"), "{text}");
+    // β = 0.04 is α = 4; at d = 0 half of the surface would touch.
+    assert!(text.contains("nearest to boundary elements in area are "), "{text}");
+    let off = rough.comparisons.iter().find(|c| c.model.id() == "ke").unwrap().off.unwrap();
+    assert!(off.area.is_some_and(|off| off.abs() < 1.0) && off.stiffness.is_some(), "{off:?}");
+}
+
+#[test]
+fn no_model_is_the_simplest_where_it_does_not_hold() {
+    let interface = Interface::new(116e9, 0.31, 1.12e9);
+    let surface = Surface::from_plasticity_index(0.8, 0.04, 1e-6, &interface).unwrap();
+    let scene = Scene::new(interface, surface, 3e-5);
+    let request = Request::new([Quantity::Force]).at([0.0]);
+    // Yielding asperities carry a third of the load, and the deviation is only a few per cent.
+    let ask = |reference: &str, models: &[&str]| {
+        let models = models.iter().map(|id| id.parse().unwrap()).collect();
+        recommend_among(models, &scene, None, &request, &reference.parse().unwrap(), 0.3).unwrap()
+    };
+    let advice = ask("ke", &["gw", "ke", "zmc"]);
+    let gw = &advice.comparisons[0];
+    assert!(gw.model.id() == "gw" && gw.largest() < 0.3, "{advice}");
+    assert_eq!(gw.outside.as_ref().map(|finding| finding.code), Some("yields"));
+    assert_eq!(advice.simplest.as_ref().map(|m| m.id()), Some("zmc"), "{advice}");
+    assert!(advice.to_string().contains("; not valid: yielding_share 0."), "{advice}");
+    assert_eq!(ask("ke", &["gw"]).simplest.map(|m| m.id().to_string()).as_deref(), Some("ke"));
+    let none = ask("gw", &["gw"]);
+    assert!(none.simplest.is_none());
+    assert!(none.to_string().starts_with("no valid model is within 30 % of GW"));
+}
+
+#[test]
+fn each_load_has_its_own_evidence_and_the_models_named_were_compared() {
+    let interface = Interface::new(116e9, 0.31, 1.12e9);
+    let surface = Surface::from_plasticity_index(2.0, 0.04, 1e-6, &interface).unwrap();
+    let scene = Scene::new(interface, surface, 3e-5);
+    let unit = 116e9 * surface.rms_slope();
+    let pressures = [1e-14, 2e-14, 1e-2, 1.05e-2, 1e-1].map(|p| At::Pressure(p * unit));
+    let request = Request::new([Quantity::Area]).at(pressures);
+    let ke: Model = "ke".parse().unwrap();
+    let models = vec![ke.clone(), "jg".parse().unwrap()];
+    let advice = recommend_among(models, &scene, None, &request, &ke, 0.1).unwrap();
+    let there: Vec<bool> = advice.evidence.iter().map(|place| place.expected.is_ok()).collect();
+    assert_eq!(there, [false, false, true, true, true]);
+    let summary = advice.summary();
+    assert_eq!(summary.len(), 2, "{summary:?}");
+    let apart = "no boundary-element solution is close at 2 places from a pressure of ";
+    assert!(summary[0].starts_with(apart), "{summary:?}");
+    let nearest = "over these 3 places, nearest to boundary elements in area are ";
+    assert!(summary[1].starts_with(nearest), "{summary:?}");
+    let (_, named) = summary[1].split_once("in area are ").unwrap();
+    assert!(named.contains("ke (") && named.contains("jg ("), "{named}");
+    assert!(!named.contains("random") && !named.contains("persson"), "{named}");
+    // One statement for a quantity and a model.
+    let lines = advice.expectations();
+    let of_area = |line: &&String| line.starts_with("KE ") && line.contains("the area");
+    assert_eq!(lines.iter().filter(of_area).count(), 1, "{lines:?}");
+    assert!(
+        lines[0].contains(" at 3 places (alpha 4.8, psi 2; boundary elements on "),
+        "{lines:?}"
+    );
+    assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_some()));
+}
+
+#[test]
+fn a_surface_unlike_the_solved_ones_has_no_evidence() {
+    let known = advice(2.0, 0.05);
+    assert!(known.evidence.iter().any(|place| place.expected.is_ok()), "{known}");
+    let without = known
+        .clone()
+        .without_evidence(&Evidence::none("the heights have a kurtosis of 175".into()));
+    assert_eq!(
+        without.summary(),
+        ["no boundary-element solution is close: the heights have a kurtosis of 175"]
+    );
+    assert!(without.comparisons.iter().all(|found| found.off.is_none()));
+    let ids = |all: &Recommendation| all.simplest.as_ref().map(|m| m.id().to_string());
+    assert_eq!(ids(&without), ids(&known));
+}
+
+#[test]
+fn scenes_outside_the_solved_range_have_no_evidence() {
+    let interface = Interface::new(116e9, 0.31, 1.12e9);
+    let surface = Surface::from_plasticity_index(30.0, 0.04, 1e-6, &interface).unwrap();
+    let scene = Scene::new(interface, surface, 3e-5);
+    let request = Request::new([Quantity::Area]).at_loads([100.0]);
+    let advice = recommend(&scene, &request, &"ke".parse().unwrap(), 0.1).unwrap();
+    let summary = advice.summary().remove(0);
+    assert!(
+        summary.starts_with(
+            "no boundary-element solution is close: plasticity_index = 30.0; solved up to 4.0"
+        ),
+        "{summary}"
+    );
+    assert!(advice.comparisons.iter().all(|comparison| comparison.off.is_none()));
+    let far = Request::new([Quantity::Force]).at([2.0, 30.0]);
+    let summary = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
+    let apart = "no boundary-element solution is close at a separation of 2 asperity_height_std: plasticity_index";
+    assert!(summary.starts_with(apart), "{summary}");
+    let far = Request::new([Quantity::Force]).at([30.0]);
+    let summary = recommend(&scene, &far, &"ke".parse().unwrap(), 0.1).unwrap().summary().remove(0);
+    assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
+    let light = Request::new([Quantity::Force]).at_loads([1e-9]);
+    let light = recommend(&scene, &light, &"ke".parse().unwrap(), 0.1).unwrap();
+    let summary = light.summary().remove(0);
+    assert!(summary.contains("is close: less than one asperity touches"), "{summary}");
+    let refused = recommend(&scene, &request, &"ke".parse().unwrap(), 5.0).unwrap_err();
+    assert!(refused.to_string().starts_with("within is 5.0: a share above 0"), "{refused}");
+}

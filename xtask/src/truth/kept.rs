@@ -1,0 +1,166 @@
+//! Solved contacts, kept by surface, material and load.
+//!
+//! Numbers are dimensionless: areas over the nominal one, gaps over Sq, stiffnesses -dp/d(gap)
+//! Sq/E.
+
+use std::fs;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use asperity::{Evidence, EvidenceCase};
+
+use super::family::{FAMILIES, Family, equal};
+use super::plan::Case;
+
+/// Patches behind a row, if the most seeds give as many.
+const ENOUGH_PATCHES: f64 = 200.0;
+/// Above this share of the area patches merge, and their number tells nothing.
+const MERGED: f64 = 0.05;
+/// Number of seeds behind every row.
+pub const LEAST_SEEDS: u64 = 4;
+
+/// The contact of one surface under one load.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Contact {
+    /// p/(E g).
+    pub load: f64,
+    /// Real over nominal area.
+    pub area: f64,
+    /// Share of the surface at the hardness.
+    pub plastic_area: f64,
+    /// Mean gap with plastic pixels counted as 0.
+    pub gap: f64,
+    /// Of first loading.
+    pub stiffness: f64,
+    /// At the start of unloading.
+    pub unloading_stiffness: f64,
+    /// Patches of at least 12 pixels.
+    pub patches: f64,
+    /// Pixels in contact.
+    pub pixels: f64,
+}
+
+const HEAD: &str = "load,area,plastic_area,gap,stiffness,unloading_stiffness,patches,pixels";
+
+impl Contact {
+    fn line(&self) -> String {
+        let Self { load, area, plastic_area, gap, stiffness, .. } = self;
+        let Self { unloading_stiffness, patches, pixels, .. } = self;
+        format!(
+            "{load:e},{area:.8e},{plastic_area:.8e},{gap:.8e},{stiffness:.8e},{unloading_stiffness:.8e},{patches},{pixels}"
+        )
+    }
+
+    fn parse(line: &str) -> Option<Self> {
+        let numbers: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
+        match numbers.ok()?[..] {
+            [load, area, plastic_area, gap, stiffness, unloading_stiffness, patches, pixels] => {
+                let solid = Self { load, area, plastic_area, gap, stiffness, ..Self::default() };
+                Some(Self { unloading_stiffness, patches, pixels, ..solid })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Cases in a folder: a file for a surface and a material, a line for a load.
+#[derive(Debug, Clone, Default)]
+pub struct Kept {
+    folder: PathBuf,
+    /// Rows of an earlier table with the names of their families.
+    rows: Vec<(&'static str, EvidenceCase)>,
+}
+
+impl Kept {
+    /// Cases in this folder, which is made.
+    ///
+    /// # Errors
+    /// A folder that cannot be made.
+    pub fn in_folder(folder: &Path) -> Result<Self> {
+        fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+        Ok(Self { folder: folder.to_owned(), rows: vec![] })
+    }
+
+    /// Cases that this table holds count as solved.
+    ///
+    /// # Errors
+    /// A family without moments.
+    pub fn with_rows(mut self, table: &Evidence) -> Result<Self> {
+        for family in &FAMILIES {
+            let alpha = family.surface(family.pixels)?.moments().bandwidth();
+            let same = |case: &&EvidenceCase| {
+                equal(case.skewness, family.skewness)
+                    && equal(case.slope_ratio, family.slope_ratio)
+                    && (case.alpha / alpha - 1.0).abs() < 1e-3
+            };
+            self.rows.extend(table.cases().iter().filter(same).cloned().map(|c| (family.name, c)));
+        }
+        Ok(self)
+    }
+
+    /// The row of a case in the earlier table.
+    #[must_use]
+    pub fn row(&self, case: &Case) -> Option<&EvidenceCase> {
+        let same = |(name, row): &&(&str, EvidenceCase)| {
+            *name == case.family.name
+                && equal(row.plasticity_index, case.index)
+                && equal(row.load, case.load)
+        };
+        self.rows.iter().find(same).map(|(_, row)| row)
+    }
+
+    fn path(&self, family: &Family, pixels: usize, index: f64, seed: u64) -> PathBuf {
+        self.folder.join(format!("{}-{pixels}-psi{index}-seed{seed}.csv", family.name))
+    }
+
+    /// The contacts of a surface and a material that are kept.
+    #[must_use]
+    pub fn contacts(&self, family: &Family, pixels: usize, index: f64, seed: u64) -> Vec<Contact> {
+        let text = fs::read_to_string(self.path(family, pixels, index, seed)).unwrap_or_default();
+        text.lines().filter_map(Contact::parse).collect()
+    }
+
+    /// The contacts of seeds 1, 2, ... under a load, as far as they are kept.
+    #[must_use]
+    pub fn seeds(&self, case: &Case) -> Vec<Contact> {
+        let pixels = case.family.pixels_for(case.load);
+        let of = |seed| {
+            let all = self.contacts(&case.family, pixels, case.index, seed);
+            all.into_iter().find(|contact| (contact.load / case.load - 1.0).abs() < 1e-9)
+        };
+        (1..=case.most_seeds).map_while(of).collect()
+    }
+
+    /// Whether no more seeds are needed.
+    #[must_use]
+    pub fn is_done(&self, case: &Case) -> bool {
+        if self.row(case).is_some() {
+            return true;
+        }
+        let found = self.seeds(case);
+        let patches: f64 = found.iter().map(|contact| contact.patches).sum();
+        let count = found.len() as u64;
+        let merged = found.iter().all(|contact| contact.area > MERGED);
+        count >= case.most_seeds || count >= LEAST_SEEDS && (merged || patches >= ENOUGH_PATCHES)
+    }
+
+    /// Adds contacts of a surface and a material.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn add(
+        &self,
+        family: &Family,
+        pixels: usize,
+        index: f64,
+        seed: u64,
+        all: &[Contact],
+    ) -> Result<()> {
+        let path = self.path(family, pixels, index, seed);
+        let mut text = fs::read_to_string(&path).unwrap_or_else(|_| format!("{HEAD}\n"));
+        all.iter().for_each(|contact| text += &format!("{}\n", contact.line()));
+        let mut file = fs::File::create(&path).with_context(|| path.display().to_string())?;
+        Ok(file.write_all(text.as_bytes())?)
+    }
+}

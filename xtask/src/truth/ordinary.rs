@@ -1,0 +1,126 @@
+//! Scenes that engineers have, solved on surfaces of their own bandwidth, plasticity index and load.
+//!
+//! They are not in the table: they show what its advice is worth between solved families.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use asperity::{
+    At, Body, Compared, ContactModel, Evidence, Interface, Model, Quantity, Request, Scene, Surface,
+};
+
+use super::family::{FAMILIES, Family, GRADIENT, MODULUS, scene};
+use super::kept::Kept;
+use super::plan::Case;
+use super::rows::Bem;
+use super::solve::solve_family;
+
+/// The models that are compared.
+const SHOWN: [&str; 5] = ["gw", "zmc", "ke", "jg", "persson-fudge"];
+/// Surfaces of a case.
+const SEEDS: u64 = 8;
+/// Steps of the bisection of the waves of a bandwidth.
+const STEPS: usize = 24;
+
+/// A scene and its mean pressures \[Pa\].
+type Ordinary = (&'static str, Scene, Vec<f64>);
+
+/// Machined metals as in the papers and the examples, under 0.1 to 10 MPa; a wheel on a rail.
+fn scenes() -> Result<Vec<Ordinary>> {
+    let steel = Body::new(210e9, 0.3, 2e9);
+    let aluminium = Body::yielding(69e9, 0.33, 275e6);
+    let rail = Interface::between(&Body::new(210e9, 0.3, 2.75e9), &Body::new(210e9, 0.3, 2.45e9))?;
+    let template =
+        Scene::new(Interface::between(&steel, &steel)?, Surface::new(2e-4, 2e8, 1e-6), 1e-4);
+    let bolt = Interface::between(&aluminium, &steel)?;
+    let bolt = Scene::new(bolt, Surface::new(6e-5, 3e8, 2e-6), 6.1e-4);
+    let rail = Scene::new(rail, Surface::new(3e-5, 1.53e9, 9e-7), 1.2e-4);
+    let decades = || vec![1e5, 1e6, 1e7];
+    let wheel = vec![1200.0 / rail.nominal_area];
+    Ok(vec![
+        ("steel on steel (template)", template, decades()),
+        ("bolted aluminium on steel", bolt, decades()),
+        ("wheel on rail, 1200 N", rail, wheel),
+    ])
+}
+
+/// A family of this bandwidth: waves from the roll-off on.
+fn family(alpha: f64) -> Result<Family> {
+    let of = |waves: f64| Family { name: "", waves: [waves; 2], pixels: 512, ..FAMILIES[1] };
+    let (mut broad, mut narrow) = (2.0f64, 40.0f64);
+    for _ in 0..STEPS {
+        let middle = (broad * narrow).sqrt();
+        let found = of(middle).surface(1024)?.moments().bandwidth();
+        if found > alpha { broad = middle } else { narrow = middle }
+    }
+    Ok(of((broad * narrow).sqrt()))
+}
+
+/// Solves the scenes that are not kept in this folder, and returns the table of them.
+///
+/// # Errors
+/// A case that cannot be solved, a model that fails.
+pub fn table(folder: &Path) -> Result<String> {
+    let evidence = Evidence::committed()?;
+    let heads: Vec<String> = SHOWN.iter().map(|id| format!("`{id}`")).collect();
+    let mut out = format!(
+        "| scene | α | ψ | MPa | p/(E g) | area, % | yielded, % | {} | `ke` by the table |\n",
+        heads.join(" | ")
+    );
+    writeln!(out, "|---|{}", "---:|".repeat(7 + SHOWN.len()))?;
+    for (name, actual, pressures) in scenes()? {
+        let moments = actual.surface.moments();
+        let asperity = actual.asperity()?;
+        let unit = asperity.equivalent_modulus * (2.0 * moments.m2).sqrt();
+        let family = family(moments.bandwidth())?;
+        // The hardness over E g, on the surface that is solved.
+        let hardness = asperity.hardness.context("a hardness")? / unit * MODULUS * GRADIENT;
+        let one = scene(&family.surface(family.pixels)?, 1.0)?.interface.hardness;
+        let index = one.context("a hardness")? / hardness;
+        let cases =
+            pressures.iter().map(|p| Case { family, index, load: p / unit, most_seeds: SEEDS });
+        let cases: Vec<Case> = cases.collect();
+        let kept = Kept::in_folder(&folder.join(name.split(' ').collect::<Vec<_>>().join("-")))?;
+        solve_family(&cases, &kept, |surface| {
+            eprintln!("{name}: {surface}");
+            Ok(())
+        })?;
+        for (case, pressure) in cases.iter().zip(&pressures) {
+            let bem = Bem::of_seeds(&kept.seeds(case));
+            let [area, error] = bem.numbers[0];
+            let at = At::Pressure(*pressure);
+            let request = Request::new([Quantity::AreaFraction]).at([at]);
+            let off = |id: &str| -> Result<String> {
+                let contact = id.parse::<Model>()?.compile(&actual, &request)?;
+                let found = contact.evaluate(Quantity::AreaFraction, at)?.value();
+                Ok(format!("{:+.0}", 100.0 * (found / area - 1.0)))
+            };
+            let off: Vec<String> = SHOWN.iter().map(|id| off(id)).collect::<Result<_>>()?;
+            let expected = evidence.expected(&actual, *pressure, "ke", Compared::Area);
+            let expected = match expected {
+                Ok(Some(found)) => {
+                    format!(
+                        "{:+.0} to {:+.0}",
+                        100.0 * (found.low - 1.0),
+                        100.0 * (found.high - 1.0)
+                    )
+                }
+                _ => "–".into(),
+            };
+            writeln!(
+                out,
+                "| {name} | {:.1} | {:.1} | {} | {:.1e} | {:.3} ± {:.3} | {:.0} | {} | {expected} |",
+                moments.bandwidth(),
+                actual.plasticity_index()?,
+                pressure / 1e6,
+                case.load,
+                100.0 * area,
+                100.0 * error,
+                100.0 * bem.plastic_share,
+                off.join(" | ")
+            )?;
+        }
+    }
+    Ok(out)
+}
