@@ -220,12 +220,12 @@ test("Gao and AT appear when they are ready, and the others are there before", a
 });
 
 // A fresh page in which a script runs before all others.
-async function opened(script, check) {
+async function opened(script, check, phase = "failed", hash = "") {
   const other = await open();
   try {
     await other.call("POST", "/goog/cdp/execute", { cmd: "Page.addScriptToEvaluateOnNewDocument", params: { source: script } });
-    await other.go(site.url);
-    await other.until("return document.documentElement.dataset.state === 'failed'", "failed");
+    await other.go(site.url + hash);
+    await other.until(`return document.documentElement.dataset.state === '${phase}'`, phase);
     await check(other);
   } finally {
     await other.close();
@@ -244,6 +244,23 @@ test("a worker that dies is started anew twice, then the page says so and keeps 
     assert.equal(await other.run("return document.getElementById('scene').value"), "# mine");
   });
 });
+
+test("a worker that dies while it is asked is started anew, and the answer follows", () => {
+  const script = "window.workers = []; const Real = Worker; window.Worker = class extends Real { constructor(...given) { super(...given); window.workers.push(this); } };";
+  return opened(script, async (other) => {
+    const before = await other.run("return window.workers.length");
+    await other.run(`const load = document.getElementById("load"); load.value = "77 N"; load.dispatchEvent(new Event("change", { bubbles: true }));
+      window.workers[0].onmessage({ data: { id: 0, died: "unreachable" } })`);
+    await other.until("return document.documentElement.dataset.state === 'ready' && document.getElementById('load').dataset.newtons === '77'", "the answer");
+    assert.equal(await other.run("return window.workers.length"), before + 1);
+    assert.ok((await other.run("return document.querySelectorAll('#answers [data-value]').length")) > 10);
+    assert.equal(await other.run("return document.getElementById('message').textContent"), "");
+  }, "ready");
+});
+
+test("a link of another version has a message, and the page opens", () => opened("", async (other) => {
+  assert.match(await other.run("return document.getElementById('message').textContent"), /the link has version 2 and this page reads version 1/);
+}, "ready", `#s=${Buffer.from('{"version":2,"world":[]}').toString("base64url")}`));
 
 test("without WebAssembly the page says what to do", () => opened("delete window.WebAssembly;", async (other) => {
   assert.match(await other.run("return document.getElementById('message').textContent"), /no WebAssembly: use another browser/);

@@ -90,6 +90,16 @@ test("a worker is started when it is asked, and a text that kills it is not give
   assert.deepEqual(made[3].calls.map((text) => JSON.parse(text).call), ["show", "answer"]);
 });
 
+test("a worker that dies before it is asked is shown the text again", async () => {
+  const { made, start } = workers();
+  const desk = new Desk(new Map(), start);
+  await desk.ask("good", "answer");
+  const answer = desk.ask("good", "curve");
+  desk.died("unreachable");
+  await answer;
+  assert.deepEqual(made[1].calls.map((text) => JSON.parse(text).call), ["show", "curve"]);
+});
+
 test("a worker that never starts is given up after two restarts", async () => {
   let count = 0;
   const start = () => {

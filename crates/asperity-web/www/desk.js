@@ -81,7 +81,9 @@ export class Desk {
       answer = await this.call("random", { keys: given.keys });
     } else {
       await this.call("admit", { name, size: given.file.size });
-      const bytes = await given.file.arrayBuffer();
+      const bytes = await given.file.arrayBuffer().catch((error) => {
+        throw new Refusal({ message: `${name} could not be read (${error.message}): choose it again`, field: "surface.file" });
+      });
       answer = await this.send("hand", { name, bytes }, undefined, [bytes]);
     }
     this.held.set(answer.name, given);
@@ -119,16 +121,22 @@ export class Desk {
     }
   }
 
+  // Shows a text to a worker that lives on when it has been shown.
+  async ready(text) {
+    await this.show(text);
+    if (this.text !== text) throw new Refusal({ message: "the calculation was started anew: try again", died: true });
+  }
+
   // Asks about the scene of a text.
   ask(text, call, keys = {}) {
     return this.sure(async () => {
-      await this.show(text);
+      await this.ready(text);
       return this.call(call, keys);
     });
   }
 
   async press(text, pressures, happened) {
-    await this.show(text);
+    await this.sure(() => this.ready(text));
     const answer = await this.send("press", { pressures: new Float64Array(pressures) }, happened);
     this.deaths = 0;
     return answer;
@@ -136,7 +144,7 @@ export class Desk {
 
   // The bytes of a file of the scene.
   async file(text, name) {
-    await this.show(text);
+    await this.sure(() => this.ready(text));
     return this.send("file", { name });
   }
 }

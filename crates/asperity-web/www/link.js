@@ -24,6 +24,8 @@ export const writeLink = () => work("page", "link", async () => {
   try {
     const hash = `#s=${await desks.quick.call("link", { state: { scene: text, models, load, view, scan, random } })}`;
     if (hash === location.hash) return;
+    // The link beside the button is no longer that of the page.
+    $("link").hidden = true;
     const again = kind === null || kind === "open" || (kind === last && ONE_ENTRY.includes(kind));
     history[again ? "replaceState" : "pushState"](null, "", hash);
     written = hash;
