@@ -65,7 +65,7 @@ pub fn table(folder: &Path) -> Result<String> {
     let evidence = Evidence::committed()?;
     let heads: Vec<String> = SHOWN.iter().map(|id| format!("`{id}`")).collect();
     let mut out = format!(
-        "| scene | α | ψ | MPa | p/(E g) | area, % | yielded, % | {} | `ke` by the table |\n",
+        "| scene | α | ψ | MPa | p/(E g) | area, % | yielded, % | {} | area by the table, % |\n",
         heads.join(" | ")
     );
     writeln!(out, "|---|{}", "---:|".repeat(7 + SHOWN.len()))?;
@@ -97,17 +97,11 @@ pub fn table(folder: &Path) -> Result<String> {
                 Ok(format!("{:+.0}", 100.0 * (found / area - 1.0)))
             };
             let off: Vec<String> = SHOWN.iter().map(|id| off(id)).collect::<Result<_>>()?;
-            let expected = evidence.expected(&actual, *pressure, "ke", Compared::Area);
-            let expected = match expected {
-                Ok(Some(found)) => {
-                    format!(
-                        "{:+.0} to {:+.0}",
-                        100.0 * (found.low - 1.0),
-                        100.0 * (found.high - 1.0)
-                    )
-                }
-                _ => "–".into(),
-            };
+            let expected = evidence.expected(&actual, None, *pressure, None).ok();
+            let expected = expected.and_then(|found| found.estimate(Compared::Area));
+            let expected = expected.map_or("–".into(), |found| {
+                format!("{:.3} to {:.3}", 100.0 * found.low, 100.0 * found.high)
+            });
             writeln!(
                 out,
                 "| {name} | {:.1} | {:.1} | {} | {:.1e} | {:.3} ± {:.3} | {:.0} | {} | {expected} |",
