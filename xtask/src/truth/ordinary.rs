@@ -45,6 +45,12 @@ fn scenes() -> Result<Vec<Ordinary>> {
     ])
 }
 
+/// A share in per cent with three digits.
+fn percent(share: f64) -> String {
+    let three: f64 = format!("{:.2e}", 100.0 * share).parse().unwrap_or(100.0 * share);
+    three.to_string()
+}
+
 /// A family of this bandwidth: waves from the roll-off on.
 fn family(alpha: f64) -> Result<Family> {
     let of = |waves: f64| Family { name: "", waves: [waves; 2], pixels: 512, ..FAMILIES[1] };
@@ -100,17 +106,17 @@ pub fn table(folder: &Path) -> Result<String> {
             let expected = evidence.expected(&actual, None, *pressure, None).ok();
             let expected = expected.and_then(|found| found.estimate(Compared::Area));
             let expected = expected.map_or("–".into(), |found| {
-                format!("{:.3} to {:.3}", 100.0 * found.low, 100.0 * found.high)
+                format!("{} to {}", percent(found.low), percent(found.high))
             });
             writeln!(
                 out,
-                "| {name} | {:.1} | {:.1} | {} | {:.1e} | {:.3} ± {:.3} | {:.0} | {} | {expected} |",
+                "| {name} | {:.1} | {:.1} | {} | {:.1e} | {} ± {:.1} % | {:.0} | {} | {expected} |",
                 moments.bandwidth(),
                 actual.plasticity_index()?,
                 pressure / 1e6,
                 case.load,
-                100.0 * area,
-                100.0 * error,
+                percent(area),
+                100.0 * error / area,
                 100.0 * bem.plastic_share,
                 off.join(" | ")
             )?;
