@@ -59,27 +59,31 @@ def test_advice_comes_with_evidence() -> None:
 
 def test_corrected_values_have_an_interval_or_a_reason() -> None:
     scene = asperity.Scene.from_toml(EXAMPLES / "ground-steel.toml")
-    loads = {"pressure": [1e7, 1e8], "quantities": ["area", "tangent"]}
-    ke, jg = (asperity.model(m).solve(scene, **loads, corrected=True) for m in ("ke", "jg"))
+    pressures, asked = [1e7, 1e8], ["area", "tangent"]
+    ke, jg = (
+        asperity.model(model).solve(scene, pressure=pressures, quantities=asked, corrected=True)
+        for model in ("ke", "jg")
+    )
     assert isinstance(ke, asperity.CorrectedCurve) and ke.model == "ke-random-corrected"
     np.testing.assert_allclose(ke.area, jg.area, rtol=1e-6)
-    for quantity in ("area", "tangent"):
+    for quantity in asked:
         assert (ke.lower(quantity) < ke[quantity]).all()
         assert (ke[quantity] < ke.upper(quantity)).all()
     head = ke.to_csv().splitlines()[0]
     assert head.endswith("area_lower,area_upper,tangent_lower,tangent_upper")
-    plain = asperity.model("ke").solve(scene, **loads)
+    plain = asperity.model("ke").solve(scene, pressure=pressures, quantities=asked)
     assert not np.allclose(plain.area, ke.area, rtol=1e-3)
-    for asked, reason in (
-        ({"load": 1e9, "quantities": "area"}, "-corrected: no boundary-element solution is close"),
-        ({"load": 1e4, "quantities": "contacts"}, "contacts has no counterpart"),
-        ({"separation": 2.0}, "corrected=True needs load or pressure"),
-    ):
-        with pytest.raises(ValueError, match=reason):
-            asperity.model("ke").solve(scene, **asked, corrected=True)
-    some = asperity.model("ke").solve(
+    model = asperity.model("ke")
+    with pytest.raises(ValueError, match="-corrected: no boundary-element solution is close"):
+        model.solve(scene, load=1e9, quantities="area", corrected=True)
+    with pytest.raises(ValueError, match="contacts has no counterpart"):
+        model.solve(scene, load=1e4, quantities="contacts", corrected=True)
+    with pytest.raises(ValueError, match="corrected=True needs load or pressure"):
+        model.solve(scene, 2.0, corrected=True)
+    some = model.solve(
         scene, pressure=[1e8, 1e12], quantities="area", corrected=True, errors="mask"
     )
-    assert some.area.mask.tolist() == [False, True] and "p/(E g)" in some.failures[1]
+    assert np.ma.getmaskarray(some.area).tolist() == [False, True]
+    assert "p/(E g)" in some.failures[1]
     with pytest.raises(TypeError, match="use lower and upper"):
         ke.error("area")

@@ -12,14 +12,19 @@ const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature
 /// Builds `asperity.js` and `asperity_bg.wasm` into a folder.
 pub(super) fn write(root: &Path, folder: &Path) -> Result<()> {
     let tools = root.join("target").join("page-tools");
-    let build = ["--config", SIMD, "build", "--quiet", "--package", "asperity-web", "--lib"];
-    run(cargo(root, &tools).args(build).args(["--profile", "page", "--target", TARGET]))?;
-    let module = tools.join(TARGET).join("page").join("asperity_web.wasm");
-    // Of the same version as the crate wasm-bindgen, so that nothing has to be installed.
+    // Of the same version as the crate wasm-bindgen, so that nothing has to be installed. Built
+    // beside the module, whose last steps have one thread.
     let pack = root.join("crates/asperity-web/pack/Cargo.toml");
-    let pack = pack.as_os_str();
-    let run_pack = ["run", "--quiet", "--release", "--manifest-path"];
-    run(cargo(root, &tools).args(run_pack).arg(pack).arg("--").arg(module).arg(folder))
+    let build_pack = ["build", "--quiet", "--release", "--manifest-path"];
+    let mut packer = cargo(root, &tools).args(build_pack).arg(pack).spawn().context("cargo")?;
+    let build = ["--config", SIMD, "build", "--quiet", "--package", "asperity-web", "--lib"];
+    let built =
+        run(cargo(root, &tools).args(build).args(["--profile", "page", "--target", TARGET]));
+    let packs = packer.wait().context("cargo")?;
+    built?;
+    ensure!(packs.success(), "the build of crates/asperity-web/pack failed: {packs}");
+    let module = tools.join(TARGET).join("page").join("asperity_web.wasm");
+    run(Command::new(tools.join("release/asperity-web-pack")).arg(module).arg(folder))
 }
 
 fn cargo(root: &Path, target: &Path) -> Command {
@@ -29,7 +34,7 @@ fn cargo(root: &Path, target: &Path) -> Command {
 }
 
 fn run(command: &mut Command) -> Result<()> {
-    let status = command.status().context("cargo")?;
+    let status = command.status().with_context(|| format!("{command:?}"))?;
     ensure!(
         status.success(),
         "{command:?} failed: {status}; `rustup target add {TARGET}` installs the target"

@@ -39,14 +39,15 @@ impl Question<'_> {
             }
             let rows = self.request.at.len();
             let id = corrected.id();
-            self.warnings.extend(reasons.into_iter().map(|(count, (partly, reason))| {
+            self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
                 let text = reason.to_string();
                 let reason = text.strip_prefix(&format!("{id}: ")).unwrap_or(&text);
                 let what = partly.map_or("value".into(), |quantity| quantity.to_string());
-                match rows {
-                    1 => format!("{id}: no {what}: {reason}"),
-                    _ => format!("{id}: no {what} in {count} of {rows} rows, first: {reason}"),
-                }
+                let text = match rows {
+                    1 => format!("no {what}: {reason}"),
+                    _ => format!("no {what} in {count} of {rows} rows, first: {reason}"),
+                };
+                (id.to_string(), text)
             }));
         }
         self.finish(answered)?;
