@@ -1,4 +1,5 @@
-//! Scenes that engineers have, solved on surfaces of their own bandwidth, plasticity index and load.
+//! Scenes that engineers have, solved on surfaces of their own bandwidth, plasticity index and
+//! load.
 //!
 //! They are not in the table: they show what its advice is worth between solved families.
 
