@@ -138,7 +138,7 @@ fn families_left_out_lie_in_their_interval() {
             if !place.same_family(family) {
                 continue;
             }
-            // Each model that has a value is a row: its ratio lies inside where boundary elements do.
+            // Each model with a value is a row: its ratio is inside where boundary elements are.
             for quantity in Compared::ALL.into_iter().filter(|q| *q != Compared::MeanGap) {
                 let value = |(_, row): &&(String, EvidenceRow)| row.value(quantity).is_some();
                 let models = case.models.iter().filter(value).count() as f64;
