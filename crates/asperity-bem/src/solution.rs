@@ -20,9 +20,9 @@ pub struct Solution {
     /// Real area of contact over the area of the map, corrected for the staircase edge of pixels:
     /// the counted share less (π - 1 + ln 2)/24 of a pixel for every edge of the contact
     /// (Yastrebov and others 2017 \[recalled\], the constant \[seen in tamaas\]). The constant
-    /// holds for elastic contacts, whose pressure falls to 0 at the edge; with a hardness H the area
-    /// is at least F/H, the least that can carry the load F: within 2 % of finer grids at 8 pixels
-    /// per shortest wave. \[derived\]
+    /// holds for elastic contacts, whose pressure falls to 0 at the edge; with a hardness H the
+    /// area is at least F/H, the least that can carry the load F: within 2 % of finer grids at 8
+    /// pixels per shortest wave. \[derived\]
     pub area: f64,
     /// Share of the pixels that carry pressure.
     pub pixel_area: f64,

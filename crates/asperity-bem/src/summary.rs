@@ -23,8 +23,8 @@ pub struct ContactSummary {
     /// Stiffness at [fixed contact](BoundaryElements::fixed_contact) \[Pa/m\]; `None` if no
     /// quantity needs it.
     pub stiffness: Option<Result<f64, BemError>>,
-    /// [Slope of first loading](BoundaryElements::loading_stiffness) \[Pa/m\]; `None` if no quantity
-    /// needs it.
+    /// [Slope of first loading](BoundaryElements::loading_stiffness) \[Pa/m\]; `None` if no
+    /// quantity needs it.
     pub loading_stiffness: Option<Result<f64, BemError>>,
 }
 

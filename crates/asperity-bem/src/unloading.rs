@@ -34,8 +34,8 @@ impl BoundaryElements {
     /// The stiffness of `solution` at fixed contact: pixels that touch, elastic or plastic, respond
     /// elastically and follow an even approach, K p = 1 on them.
     ///
-    /// For elastic periodic contacts it is the slope of load over mean gap. For yielded ones it is the slope
-    /// at the start of unloading, which exceeds that of loading. By Barber's analogy the
+    /// For elastic periodic contacts it is the slope of load over mean gap. For yielded ones it is
+    /// the slope at the start of unloading, which exceeds that of loading. By Barber's analogy the
     /// constriction conductance of the same contacts is k_s/E times the stiffness. \[derived\]
     ///
     /// # Errors

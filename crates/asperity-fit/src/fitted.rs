@@ -31,7 +31,7 @@ pub struct Fitted {
     pub undetermined: Vec<String>,
     /// Measured values that cannot be reached, each with the reason.
     pub unreachable: Vec<String>,
-    /// Bounds, and ends of the range in which scene and model have values, at which parameters stop.
+    /// Bounds, and ends of the range with values of scene and model, at which parameters stop.
     pub limits: Vec<String>,
     /// If no values within the bounds describe the data (an rms above 1): by how much, and the unit
     /// that explains it.

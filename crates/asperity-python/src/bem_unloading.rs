@@ -15,8 +15,8 @@ use crate::convert::error::{refused, value_error, warn};
 /// of loads.
 type Path<'py> = (Bound<'py, PyDict>, f64, &'static str, f64);
 
-/// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: to the
-/// end of contact in `points` steps, or those given.
+/// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those
+/// given, or `points` of them to the end of contact.
 #[pyfunction]
 pub(crate) fn bem_unloading<'py>(
     scan: (Bound<'py, PyAny>, Option<Bound<'py, PyAny>>, Option<String>),

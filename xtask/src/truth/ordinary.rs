@@ -1,4 +1,5 @@
-//! Scenes that engineers have, solved on surfaces of their own bandwidth, plasticity index and load.
+//! Scenes that engineers have, solved on surfaces of their own bandwidth, plasticity index and
+//! load.
 //!
 //! They are not in the table: they show what its advice is worth between solved families.
 
@@ -43,6 +44,12 @@ fn scenes() -> Result<Vec<Ordinary>> {
         ("bolted aluminium on steel", bolt, decades()),
         ("wheel on rail, 1200 N", rail, wheel),
     ])
+}
+
+/// A share in per cent with three digits.
+fn percent(share: f64) -> String {
+    let three: f64 = format!("{:.2e}", 100.0 * share).parse().unwrap_or(100.0 * share);
+    three.to_string()
 }
 
 /// A family of this bandwidth: waves from the roll-off on.
@@ -100,17 +107,17 @@ pub fn table(folder: &Path) -> Result<String> {
             let expected = evidence.expected(&actual, None, *pressure, None).ok();
             let expected = expected.and_then(|found| found.estimate(Compared::Area));
             let expected = expected.map_or("–".into(), |found| {
-                format!("{:.3} to {:.3}", 100.0 * found.low, 100.0 * found.high)
+                format!("{} to {}", percent(found.low), percent(found.high))
             });
             writeln!(
                 out,
-                "| {name} | {:.1} | {:.1} | {} | {:.1e} | {:.3} ± {:.3} | {:.0} | {} | {expected} |",
+                "| {name} | {:.1} | {:.1} | {} | {:.1e} | {} ± {:.1} % | {:.0} | {} | {expected} |",
                 moments.bandwidth(),
                 actual.plasticity_index()?,
                 pressure / 1e6,
                 case.load,
-                100.0 * area,
-                100.0 * error,
+                percent(area),
+                100.0 * error / area,
                 100.0 * bem.plastic_share,
                 off.join(" | ")
             )?;

@@ -132,7 +132,7 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
         let (label, range) = match shown {
             Shown::Area => ("area/BEM", (0.4, 1.6)),
             Shown::Stiffness => ("stiffness/BEM", (0.0, 1.6)),
-            Shown::Unloading => ("unloading stiffness/BEM", (0.0, 1.6)),
+            Shown::Unloading => ("unloading stiffness/BEM", (0.0, 2.0)),
         };
         let mut panel = Panel::new(x, Axis::new("model_over_bem", label).range(range.0, range.1));
         panel.title = (*case).into();
@@ -152,7 +152,7 @@ pub fn style(csv: &str, shown: Shown) -> Result<Figure> {
             "Stiffness -dp/d(mean gap) in first loading (of boundary elements with a hardness from pressures 5 % to either side)",
         ),
         Shown::Unloading => (
-            "Unloading stiffness and conductance of the models over those of boundary elements",
+            "Unloading stiffness and conductance: models over boundary elements",
             "Stiffness at the start of unloading, of boundary elements at fixed contact (conductances have the same ratio)",
         ),
     };

@@ -14,7 +14,7 @@ use asperity::{
 use super::family::{FAMILIES, Family, GRADIENT, MODULUS, equal, scene};
 
 /// The models that are compared.
-const SHOWN: [&str; 6] = ["ceb", "zmc", "ke", "jg", "ke-random", "jg-random"];
+const SHOWN: [&str; 4] = ["ceb", "zmc", "ke", "jg"];
 /// Shares of the force at which something and not all yields.
 const SHARES: std::ops::RangeInclusive<f64> = 0.02..=0.98;
 /// Steps of a bisection of the logarithm of ψ, to 1e-4.

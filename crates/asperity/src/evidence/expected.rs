@@ -34,7 +34,7 @@ pub struct ExpectedContact {
     pub plasticity_index: f64,
     /// Skewness and lay.
     pub shape: SurfaceShape,
-    /// Mean pressure \[Pa\] at which models are compared: the lightest one solved where `extrapolated`.
+    /// Mean pressure \[Pa\] at which models are compared: the lightest solved where `extrapolated`.
     pub pressure: f64,
     /// Whether the load is below all solved ones, where ratios are taken as constant.
     pub extrapolated: bool,

@@ -6,7 +6,7 @@ use crate::{
 };
 
 impl Compared {
-    /// The value of a model at a mean pressure \[Pa\]: area over the nominal one, stiffness \[N/m\],
+    /// The value of a model at a mean pressure \[Pa\]: area over nominal area, stiffness \[N/m\],
     /// mean gap \[m\].
     ///
     /// # Errors

@@ -70,7 +70,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// The place of a scene at a mean pressure \[Pa\]; without a shape its heights must be Gaussian.
+    /// The place of a scene at a mean pressure \[Pa\]; without a shape heights must be Gaussian.
     pub(crate) fn of_scene(
         scene: &Scene,
         shape: Option<SurfaceShape>,
