@@ -12,9 +12,9 @@ const CODES: &str = "\
     estimators-disagree few-asperities few-contacts few-patches few-pixels filled fit-misses \
     gaussian-moments heights-integral heights-std hurst-exponent inverted level mask negative \
     negative-angle-density no-asperities no-contact no-hardness no-second-estimator not-gaussian \
-    not-monotone open-seam outliers periodic-part resampled roughness-parameter seam short-waves \
-    slope sticks summits-follow-sampling tabor undeclared-kink underflow unit unusual-size \
-    yields";
+    not-monotone open-seam outliers periodic-part repeated resampled roughness-parameter seam \
+    short-waves slope sticks summits-follow-sampling tabor undeclared-kink underflow unit \
+    unusual-size yields";
 
 /// Refuses a code that no warning and no note has.
 pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), SceneError> {

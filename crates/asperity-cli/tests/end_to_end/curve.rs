@@ -361,8 +361,8 @@ fn corrected_models_have_intervals_and_reasons_for_blanks() {
     assert!(value[2].is_empty() && value[5].is_empty(), "{}", run.out);
     assert!(cells(&run.out, "contacts").iter().all(|cell| cell.is_empty()), "{}", run.out);
     for printed in [
-        "warning: ke-corrected: no contacts in 2 of 3 rows, first: contacts has no counterpart in boundary elements",
-        "warning: ke-corrected: no value in 1 of 3 rows, first: no boundary-element solution is close: p/(E g) = ",
+        "warning: ke-corrected, jg-corrected: no contacts in 2 of 3 rows, first: contacts has no counterpart in boundary elements",
+        "warning: ke-corrected, jg-corrected: no value in 1 of 3 rows, first: no boundary-element solution is close: p/(E g) = ",
     ] {
         assert!(run.messages.contains(printed), "{}", run.messages);
     }
