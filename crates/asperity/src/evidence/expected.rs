@@ -91,13 +91,13 @@ impl Evidence {
     /// let surface = Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4: 3e8 })?;
     /// let mut scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
     /// let found = Evidence::committed()?.expected(&scene, None, 2e8, None)?;
-    /// let area = found.estimate(Compared::Area).ok_or(asperity::ContactError::Empty)?;
+    /// let area = found.estimate(Compared::Area).ok_or("no estimate")?;
     /// assert!(area.low < area.value && area.value < area.high && area.high < 1.3 * area.low);
     /// // No surface of so large a bandwidth was solved.
     /// scene.surface = Surface::from_moments(&ProfileMoments { m0: 1e-11, m2: 2.5e-3, m4: 1e9 })?;
     /// let refused = Evidence::committed()?.expected(&scene, None, 2e8, None);
     /// assert!(refused.unwrap_err().to_string().contains("alpha"));
-    /// # Ok::<(), asperity::ContactError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
