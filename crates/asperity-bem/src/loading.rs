@@ -12,12 +12,11 @@ const STEP: f64 = 0.05;
 
 impl BoundaryElements {
     /// The mean pressures \[Pa\] between which the slope of first loading at `middle` is a
-    /// difference: 5 % to either side of it, or from 5 % below it where the hardness does not carry
-    /// more.
+    /// difference: 5 % to either side of it, or half of what is left to the hardness.
     #[must_use]
     pub fn pressures_around(&self, middle: f64) -> [f64; 2] {
-        let heavier = (1.0 + STEP) * middle;
-        [(1.0 - STEP) * middle, if heavier < self.cap() { heavier } else { middle }]
+        let step = STEP.min(0.5 * (self.cap() / middle - 1.0));
+        [(1.0 - step) * middle, (1.0 + step) * middle]
     }
 
     /// The number of pixels of a solution of this map.
@@ -28,9 +27,9 @@ impl BoundaryElements {
     }
 
     /// -dp/d(mean gap) of first loading \[Pa/m\], between pressures 5 % to either side of that of
-    /// `solution`, or from 5 % below it where the hardness does not carry more. Of a gap that falls
-    /// with the logarithm of the pressure the difference is 0.1 % off; near the hardness, and where
-    /// few pixels touch, it is a mean over that range.
+    /// `solution`, or nearer where the hardness carries less. Of a gap that falls with the logarithm
+    /// of the pressure the difference is 0.1 % off; where few pixels touch it is a mean over that
+    /// range.
     ///
     /// Elastic periodic contacts have the stiffness at
     /// [fixed contact](BoundaryElements::fixed_contact), which exceeds this slope where the contact

@@ -7,7 +7,7 @@ use crate::evidence::{Evidence, NONE};
 use crate::{ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface};
 
 /// Scenes farther than this factor beyond the solved range have no evidence.
-const BEYOND: f64 = 1.5;
+const BEYOND: f64 = 1.15;
 /// Skewnesses farther than this beyond the solved ones have no evidence.
 const BEYOND_SKEWNESS: f64 = 0.2;
 /// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
@@ -114,7 +114,7 @@ impl Place {
     }
 
     /// Pressure over hardness.
-    fn of_hardness(&self) -> f64 {
+    pub(crate) fn of_hardness(&self) -> f64 {
         self.load * self.strain
     }
 }
@@ -140,7 +140,12 @@ impl Evidence {
             known.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
         };
         let up_to = |high: f64| [0.0, high];
-        let [_, index] = range(|place| place.index);
+        // Of skewed surfaces and those with a lay, fewer materials are solved.
+        let like = |other: &&Place| {
+            (place.shape.skewness == 0.0 || other.shape.skewness != 0.0)
+                && (place.shape.slope_ratio <= 1.0 || other.shape.slope_ratio > 1.0)
+        };
+        let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
         let [_, hardness] = range(Place::of_hardness);
         let [_, load] = range(|place| place.load);
         let found = outside("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha))
