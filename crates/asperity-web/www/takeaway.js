@@ -49,11 +49,12 @@ function advise() {
   $("advice").replaceChildren(element("li", {}, "Comparing the models takes some seconds."));
   work("slow", "advice", async () => {
     const { text } = page;
+    const { load } = state;
     const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys() }).catch((error) => {
       $("advice").replaceChildren();
       throw error;
     });
-    if (text === page.text) $("advice").replaceChildren(...summary.map((line) => element("li", {}, line)));
+    if (text === page.text && load === state.load) $("advice").replaceChildren(...summary.map((line) => element("li", {}, line)));
   });
 }
 
