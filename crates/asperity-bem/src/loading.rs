@@ -11,6 +11,22 @@ use crate::{BemError, BoundaryElements, Solution};
 const STEP: f64 = 0.05;
 
 impl BoundaryElements {
+    /// The mean pressures \[Pa\] between which the slope of first loading at `middle` is a
+    /// difference: 5 % to either side of it, or from 5 % below it where the hardness does not carry
+    /// more.
+    #[must_use]
+    pub fn pressures_around(&self, middle: f64) -> [f64; 2] {
+        let heavier = (1.0 + STEP) * middle;
+        [(1.0 - STEP) * middle, if heavier < self.cap() { heavier } else { middle }]
+    }
+
+    /// The number of pixels of a solution of this map.
+    pub(crate) fn pixels_of(&self, solution: &Solution) -> Result<usize, BemError> {
+        let ([rows, columns], found) = (self.map().shape(), solution.pressures.len());
+        let fits = found == rows * columns && solution.gaps.len() == found;
+        if fits { Ok(found) } else { Err(BemError::Count { found, rows, columns }) }
+    }
+
     /// -dp/d(mean gap) of first loading \[Pa/m\], between pressures 5 % to either side of that of
     /// `solution`, or from 5 % below it where the hardness does not carry more. Of a gap that falls
     /// with the logarithm of the pressure the difference is 0.1 % off; near the hardness, and where
@@ -24,18 +40,11 @@ impl BoundaryElements {
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
     /// where every pixel touches, and those of [`solve`](Self::solve).
     pub fn loading_stiffness(&self, solution: &Solution) -> Result<f64, BemError> {
-        let [rows, columns] = self.map().shape();
-        let found = solution.pressures.len();
-        if found != rows * columns {
-            return Err(BemError::Count { found, rows, columns });
-        }
+        let found = self.pixels_of(solution)?;
         if solution.pressures.iter().all(|pressure| *pressure > 0.0) {
             return Err(BemError::FullContact);
         }
-        let middle = solution.mean_pressure;
-        let heavier = (1.0 + STEP) * middle;
-        let heavier = if heavier < self.cap() { heavier } else { middle };
-        let lighter = (1.0 - STEP) * middle;
+        let [lighter, heavier] = self.pressures_around(solution.mean_pressure);
         let mut run = Run::after(self, solution);
         let mut gap = |pressure: f64| -> Result<f64, BemError> {
             let fields = run.press(pressure, &mut |_, _| ControlFlow::Continue(()))?;

@@ -42,11 +42,7 @@ impl BoundaryElements {
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
     /// where every pixel of a periodic map touches, [`BemError::NotConverged`].
     pub fn fixed_contact(&self, solution: &Solution) -> Result<FixedContact, BemError> {
-        let [rows, columns] = self.map().shape();
-        let found = solution.pressures.len();
-        if found != rows * columns {
-            return Err(BemError::Count { found, rows, columns });
-        }
+        let found = self.pixels_of(solution)?;
         let mut space = HalfSpace::new(self.map(), self.modulus(), self.boundary_condition());
         let contact: Vec<f64> = solution.pressures.iter().map(|p| number(*p > 0.0)).collect();
         inside(|| {
@@ -71,6 +67,7 @@ impl BoundaryElements {
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size.
     pub fn flattened_by(&self, solution: &Solution) -> Result<Self, BemError> {
+        self.pixels_of(solution)?;
         let depths = solution.gaps.iter().zip(&solution.pressures);
         let cap = self.cap();
         let depths = depths.map(|(gap, pressure)| if *pressure < cap { 0.0 } else { gap.min(0.0) });

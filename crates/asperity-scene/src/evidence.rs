@@ -46,7 +46,8 @@ impl SceneFile {
         let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
         if !(from..=to).contains(&sku) {
             return Err(Evidence::none(format!(
-                "measured_kurtosis is {sku:.3}, and solved surfaces with a skewness of {ssk:.1} have at most {to:.1}; use `asperity truth`"
+                "measured_kurtosis is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity truth`",
+                (10.0 * ssk).round() / 10.0 + 0.0
             )));
         }
         let along = statistics.moments.along_rows[0];
@@ -61,7 +62,9 @@ impl SceneFile {
     pub fn beside_table(&self, found: &[Truth]) -> Vec<String> {
         let Ok(model) = self.model(usual_reference(&self.scene)) else { return vec![] };
         match self.surface_shape() {
-            Ok(shape) => beside_table(found, &self.scene, shape, &model).unwrap_or_default(),
+            Ok(shape) => beside_table(found, &self.scene, shape, &model).unwrap_or_else(|reason| {
+                vec![format!("the solved surfaces were not compared: {reason}")]
+            }),
             Err(reason) => vec![reason.to_string()],
         }
     }

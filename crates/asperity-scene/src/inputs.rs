@@ -139,7 +139,7 @@ impl SceneFile {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
         let reason = match name {
             "m0" | "m2" | "m4" => "; m0, m2 and m4 need a surface that is given by them",
-            "sq" | "spd" | "spc" => {
+            "sq" | "spd" | "spc" | "sdq" => {
                 "; sq, spd and spc need a surface that is given by them (with sdq, vary surface_height_std, mean_slope and asperity_density)"
             }
             "surface_height_std" => "; surface_height_std needs a surface that is given by it",

@@ -29,6 +29,12 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
         |line: Option<usize>, reason: String| SceneError::Syntax { at: place(line, "CSV"), reason };
     let head = reader.headers().map_err(|error| syntax(None, error.to_string()))?.clone();
     let number = |text: &str| number(text, delimiter);
+    let cells = || {
+        text.lines()
+            .filter(|line| !line.starts_with('#'))
+            .flat_map(|l| l.split(char::from(delimiter)))
+    };
+    let decimal_commas = cells().any(|cell| cell.contains(',') && number(cell.trim()).is_some());
     if head.iter().all(|name| number(name).is_some()) {
         let found = head.iter().collect::<Vec<_>>().join(",");
         let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
@@ -56,6 +62,10 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<Vec<DataColumn>, Scen
                         models.push(model.into());
                     }
                     None
+                }
+                given if decimal_commas && given.contains('.') => {
+                    let needed = "a number without a point, as other cells have decimal commas";
+                    return Err(SceneError::value(place(line, name), shorten(given), needed));
                 }
                 given => Some(number(given).ok_or_else(|| {
                     SceneError::value(place(line, name), shorten(given), "a number, or nothing")
@@ -123,7 +133,7 @@ mod tests {
         let wanted = wanted.map(|(name, values)| (name.to_string(), values.to_vec()));
         for text in [
             "# made by hand\nload_N;area_m2\n1500,5;2e-9\n3;\n",
-            "load_N; area_m2\r\n1500.5; 0,2e-8\r\n3,0;\r\n",
+            "load_N; area_m2\r\n1500,5; 0,2e-8\r\n3,0;\r\n",
             "load_N\tarea_m2\n1500,5\t2,0E-9\n3\t\n",
         ] {
             assert_eq!(read(text).unwrap(), wanted, "{text:?}");
@@ -132,6 +142,9 @@ mod tests {
             let refused = read(text).unwrap_err();
             assert!(refused.contains("a number, or nothing was required"), "{refused}");
         }
+        // 1.500 may be 1500 there.
+        let refused = read("load_N;area_m2\n1.500;2,0e-9\n").unwrap_err();
+        assert!(refused.contains("a number without a point"), "{refused}");
         let refused = read("load_N,area_m2\n1,5,2,0e-9\n").unwrap_err();
         assert!(refused.ends_with("where semicolons or tabs separate the columns"), "{refused}");
     }

@@ -201,7 +201,7 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
             return format!("{text:?} is not a number in {si}: write {same}, which is the same");
         }
         if let Some(same) = with_decimal_point(text) {
-            return format!("{text:?} has a decimal comma: write {same}");
+            return format!("{text:?} has a decimal comma; write {same}");
         }
         let (_, example, names) = units;
         let near = nearest_hint(in_other_case(text, units));

@@ -6,7 +6,7 @@ use crate::quantity::scale;
 /// ignored characters.
 pub(crate) fn area(text: &str, lengths: &[(&str, i32)], areas: &[(&str, i32)]) -> Option<f64> {
     let (first, second) = text.split_once(['x', 'X', '\u{d7}', '*'])?;
-    let number = |text: &str| scale(text, 0);
+    let number = |text: &str| scale(text, 0).filter(|side| *side > 0.0);
     let of = |text: &str, units: &[(&str, i32)]| {
         let found = |(unit, power): &(&str, i32)| Some((number(text.strip_suffix(unit)?)?, *power));
         units.iter().find_map(found)
@@ -42,8 +42,15 @@ mod tests {
         ] {
             assert_eq!(quantity(text, "m^2"), Ok(meant), "{text}");
         }
-        for text in ["10 x 10", "x 10 mm", "10 mm x 10", "10mm x 2 mm2", "2 x 3 x 4 mm", "3 x 2 N"]
-        {
+        for text in [
+            "10 x 10",
+            "x 10 mm",
+            "10 mm x 10",
+            "10mm x 2 mm2",
+            "2 x 3 x 4 mm",
+            "3 x 2 N",
+            "-1mm x -1mm",
+        ] {
             assert!(quantity(text, "m^2").is_err(), "{text}");
         }
         // No product elsewhere, and never 1010.

@@ -212,7 +212,11 @@ fn numbers(
         return Ok(None);
     }
     let needed = |key: &str, value: Option<f64>| {
-        value.ok_or_else(|| document.missing(&at(key), format!("{together} go together")))
+        let how = match way {
+            ISO => "sq and spd go with spc or sdq".into(),
+            _ => format!("{together} go together"),
+        };
+        value.ok_or_else(|| document.missing(&at(key), how))
     };
     let std = || needed(STD, keys.asperity_height_std.or(measured_std));
     let refused = document.refused(section);

@@ -1,5 +1,6 @@
 //! Models divided by their expected ratio to boundary elements.
 
+use crate::bem::Bem;
 use crate::evidence::compile;
 use crate::{
     At, Compared, Contact, ContactError, ContactModel, Described, Evidence, ExpectedContact, Model,
@@ -66,13 +67,23 @@ impl Corrected {
     /// A quantity that the model does not have is refused in every row, the others are answered.
     ///
     /// # Errors
-    /// Those of the model, if it has none of the quantities.
+    /// Those of the model, if it has none of the quantities; [`ContactError::Refused`] for boundary
+    /// elements themselves, and for `ghaednia`, as the solved surfaces do not harden.
     pub fn new(
         model: &Model,
         scene: &Scene,
         shape: Option<SurfaceShape>,
         request: &Request,
     ) -> Result<Self, ContactError> {
+        let id = format!("{}-corrected", model.id());
+        let unlike = match model.id() {
+            Bem::ID => Some("boundary elements are the reference; solve without correction"),
+            "ghaednia" => Some("the solved surfaces do not harden; solve without correction"),
+            _ => None,
+        };
+        if let Some(reason) = unlike {
+            return Err(ContactError::Refused { model: id, reason: reason.into() });
+        }
         let mut lacking = vec![];
         let contact = match compile(model, scene, request) {
             Ok(contact) => contact,
@@ -91,8 +102,10 @@ impl Corrected {
                 compile(model, scene, &others.at(request.at.iter().copied()))?
             }
         };
-        let counted = model.compile(scene, &Request::new([Quantity::Contacts])).ok();
-        Ok(Self { id: format!("{}-corrected", model.id()), contact, counted, lacking, shape })
+        // With the force law, which finds the separation of a load.
+        let counts = Request::new([Quantity::Contacts]).at([At::Pressure(1.0)]);
+        let counted = model.compile(scene, &counts).ok();
+        Ok(Self { id, contact, counted, lacking, shape })
     }
 
     /// The id of the model with `-corrected`.
@@ -130,6 +143,12 @@ impl Corrected {
 }
 
 impl CorrectedRow<'_> {
+    /// Whether the load is below all solved ones, where ratios are taken as constant.
+    #[must_use]
+    pub fn is_extrapolated(&self) -> bool {
+        self.expected.extrapolated
+    }
+
     /// What stands behind the correction: `alpha 8, psi 2; boundary elements on 16 surfaces`.
     #[must_use]
     pub fn basis(&self) -> String {
@@ -159,7 +178,7 @@ impl CorrectedRow<'_> {
         };
         let here = compared.of_contact(contact, self.expected.pressure)?;
         let ratio = self.expected.ratio(compared, here).ok_or_else(|| {
-            let reason = format!("the solved surfaces do not determine the {quantity} here");
+            let reason = format!("the solved surfaces do not determine the {quantity} here: its interval would exceed a factor of 1.5");
             self.of.refused(reason)
         })?;
         let of = |ratio: f64| value / ratio.powf(power);
@@ -177,7 +196,7 @@ impl CorrectedRow<'_> {
         let contact = &*self.of.contact;
         let gap = Compared::MeanGap.of_contact(contact, self.expected.pressure)?;
         let ratio = self.expected.ratio(Compared::MeanGap, gap).ok_or_else(|| {
-            self.of.refused("the solved surfaces do not determine the mean gap here".into())
+            self.of.refused("the solved surfaces do not determine the mean gap here: its interval would exceed a factor of 1.5".into())
         })?;
         let separation = contact.separation(self.at)?;
         let metres =
@@ -237,6 +256,29 @@ mod tests {
         let mean =
             separation.measured_in(SeparationUnit::Metres, crate::Datum::SurfaceMean, &scene);
         assert!((mean.unwrap().value / gap - 1.0).abs() < 1e-9, "{separation:?} {gap}");
+    }
+
+    #[test]
+    fn few_contacts_scatter() {
+        let scene = scene(3e8);
+        let ke = corrected("ke", &scene);
+        let width = |load: f64| {
+            let area = ke.at(At::Load(load)).unwrap().value(Quantity::Area).unwrap();
+            area.upper / area.lower
+        };
+        assert!(width(0.3) > 1.3 * width(1e3), "{} {}", width(0.3), width(1e3));
+        let refused = ke.at(At::Load(1e-9)).unwrap_err().to_string();
+        assert!(refused.contains("less than one asperity touches"), "{refused}");
+    }
+
+    #[test]
+    fn references_and_hardening_are_not_corrected() {
+        let refused = |id: &str| {
+            let model: Model = id.parse().unwrap();
+            let refused = Corrected::new(&model, &scene(3e8), None, &Request::new(ASKED));
+            refused.unwrap_err().to_string()
+        };
+        assert!(refused("ghaednia").contains("do not harden"), "{}", refused("ghaednia"));
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! Models divided by their expected ratio to boundary elements, with the interval.
 
-use anyhow::{Context, Result, bail};
-use asperity::{At, ContactError, Corrected, CorrectedValue, SeparationUnit};
+use anyhow::{Result, bail};
+use asperity::{At, ContactError, Corrected, CorrectedRow, CorrectedValue, SeparationUnit};
 
 use crate::ask::{Lacking, Question, column_beside, count};
-use crate::output::progress;
 use crate::output::table::{Cell, Table};
+use crate::output::{print_message, progress};
 use crate::scene::NamedModel;
 
 /// A quantity and the ends of its interval.
@@ -30,24 +30,43 @@ impl Question<'_> {
             let (scene, shape) = (&self.scene.file.scene, self.scene.file.surface_shape());
             let compiled =
                 shape.and_then(|shape| Corrected::new(model, scene, shape, &self.request));
-            let corrected = compiled.with_context(|| format!("{}: {id}", self.scene.name))?;
-            let mut reasons = vec![];
+            let id = format!("{id}-corrected");
+            let without_id = |reason: ContactError| {
+                let text = reason.to_string();
+                text.strip_prefix(&format!("{id}: ")).map_or(text.clone(), Into::into)
+            };
+            let corrected = match compiled {
+                Ok(corrected) => corrected,
+                Err(reason) => {
+                    self.lacking.push((id.clone(), without_id(reason)));
+                    continue;
+                }
+            };
+            let (mut reasons, mut lighter) = (vec![], vec![]);
             for &at in &self.request.at {
-                let (cells, any) = self.corrected_row(&corrected, at, &mut reasons);
+                let row = corrected.at(at);
+                let extrapolated = row.iter().filter(|row| row.is_extrapolated());
+                lighter.extend(extrapolated.map(CorrectedRow::basis));
+                let (cells, any) = self.corrected_row(&corrected, at, &row, &mut reasons);
                 answered |= any;
                 table.rows.push(cells);
             }
             let rows = self.request.at.len();
-            let id = corrected.id();
+            if let Some(basis) = lighter.first() {
+                let count = lighter.len();
+                let text = format!(
+                    "{id}: {count} of {rows} loads are below the lightest solved one, whose ratios are used ({basis})"
+                );
+                print_message("note", &text);
+            }
             self.lacking.extend(reasons.into_iter().map(|(count, (partly, reason))| {
-                let text = reason.to_string();
-                let reason = text.strip_prefix(&format!("{id}: ")).unwrap_or(&text);
+                let reason = without_id(reason);
                 let what = partly.map_or("value".into(), |quantity| quantity.to_string());
                 let text = match rows {
                     1 => format!("no {what}: {reason}"),
                     _ => format!("no {what} in {count} of {rows} rows, first: {reason}"),
                 };
-                (id.to_string(), text)
+                (id.clone(), text)
             }));
         }
         self.finish(answered)?;
@@ -59,11 +78,11 @@ impl Question<'_> {
         &self,
         corrected: &Corrected,
         at: At,
+        row: &Result<CorrectedRow<'_>, ContactError>,
         reasons: &mut Vec<(usize, Lacking<ContactError>)>,
     ) -> (Vec<Cell>, bool) {
         let (scene, from) = (&self.scene.file.scene, self.scene.file.separation_from);
-        let row = corrected.at(at);
-        if let Err(reason) = &row {
+        if let Err(reason) = row {
             count(reasons, (None, reason));
         }
         let row = row.as_ref().ok();

@@ -43,7 +43,7 @@ Columns: model, parameter, value, lower and upper (the 95 % interval; blank wher
 do not fix that end within the bounds), unit, rms (relative) and bic. Models are ranked by
 BIC, lowest first. json also has correlation, condition, undetermined combinations,
 limits at which parameters stop, residuals and unreachable data. If no model describes the
-data, the exit code is 1, and a likely unit of a column is named.
+data, the exit code is 1, and the unit that explains them, if there is one, is named.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
 Default model: ke (gw without a hardness).
 
@@ -273,7 +273,8 @@ fn target(text: &str) -> Result<(String, f64), String> {
     };
     let number = number?;
     if quantity == Quantity::AreaFraction && number > 1.0 {
-        let how = if value.contains('%') { "" } else { "; 2 % is written 2%" };
+        let percent = number <= 100.0 && !value.contains('%');
+        let how = if percent { format!("; {value} % is written {value}%") } else { String::new() };
         return Err(format!("{value} is above 1, and an area fraction is at most 1{how}"));
     }
     Ok((quantity.column(), number))

@@ -44,7 +44,7 @@ impl Materials {
         let mut table = Table::new(&COLUMNS[..shown]);
         let word = self.word.unwrap_or_default();
         let found = asperity_scene::materials_like(&word);
-        ensure!(!found.is_empty(), "no material is like {word:?}: asperity materials lists all");
+        ensure!(!found.is_empty(), "no material is like {word:?}; `asperity materials` lists all");
         for material in found {
             let body = &material.body;
             let numbers = [

@@ -37,8 +37,9 @@ fn help() -> String {
 contacts, random asperities, no asperities (Persson), inclined contacts; among these,
 force laws with fewer parts first, then older models first. The recommended model is the
 first that is near enough to the reference and valid for the scene (an elastic model is
-not valid where yielding asperities carry more than 10 % of the load). Deviations are the largest over the separations or
-loads, relative to the reference (differences for logarithms and shares).
+not valid where yielding asperities carry more than 10 % of the load). Deviations are the
+largest over the separations or loads, relative to the reference (differences for
+logarithms and shares).
 Agreement with the reference is no proof of accuracy: columns .._off_bem have the expected
 deviation of a model from boundary elements at the loads, interpolated between solved random
 surfaces ({solved}),

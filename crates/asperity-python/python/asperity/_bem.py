@@ -273,8 +273,8 @@ def bem_unloading(
     name, value = _given(pressure, load, gap)
     if value.size != 1:
         raise TypeError(f"{name} has {value.size} values: one greatest load was required")
-    if points < 2:
-        raise ValueError(f"points is {points}: at least 2 were required")
+    if not 2 <= points <= 100_000:
+        raise ValueError(f"points is {points}: 2 to 100000 were required")
     retreats = None if retreat is None else _asperity.floats(in_si(retreat, "m"), "retreat")
     scan, level = _pressed(surface, pixel_size, level)
     numbers, last_contact, used, area = _asperity.bem_unloading(
@@ -354,8 +354,8 @@ def truth(
     None, with a warning, and so are all numbers of a model that needs more than the nominal area, or
     a pressure above 1.5 times the hardness. ``rows.refused`` has the reasons, also for models that
     the scene does not allow. ``pandas.DataFrame(rows)`` makes a table, ``rows.nearest`` names the
-    nearest models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and with ``refine`` the rows "bem-half-grid" show the effect of the grid. A
-    pressure without a solution raises or, with ``errors="mask"``, has no rows and a reason in
+    nearest models, ``rows.solved_surfaces`` says whether the table behind ``recommend`` agrees, and
+    with ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without a solution raises or, with ``errors="mask"``, has no rows and a reason in
     ``rows.failures``.
     """
     if (pressure is None) == (load is None):

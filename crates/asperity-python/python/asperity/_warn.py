@@ -8,10 +8,10 @@ import warnings
 
 from asperity._asperity import ContactWarning
 
-#: Numbers in a message: one cause has others at every load.
-_NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
-#: File, line and message without numbers of what was said under these filters.
-_said: set[tuple[str, int, str]] = set()
+#: Numbers in a message, not the digits of names: one cause has others at every load.
+_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d+)?(e[-+]?\d+)?")
+#: File, line and message without numbers of messages shown under these filters.
+_shown: set[tuple[str, int, str]] = set()
 _filters: list[object] = []
 _snapshot: list[object] = []
 
@@ -28,9 +28,9 @@ def warn(message: str, above: int) -> None:
     if _once(message, module, place[1]):
         _forget()
         cause = *place, _NUMBER.sub("#", message)
-        if cause in _said:
+        if cause in _shown:
             return
-        _said.add(cause)
+        _shown.add(cause)
     warnings.warn(message, ContactWarning, stacklevel=above + 2)
 
 
@@ -47,5 +47,5 @@ def _forget() -> None:
     """Begins anew under other filters, as Python does."""
     global _filters, _snapshot
     if warnings.filters is not _filters or warnings.filters != _snapshot:
-        _said.clear()
+        _shown.clear()
         _filters, _snapshot = warnings.filters, list(warnings.filters)  # type: ignore[assignment]

@@ -14,6 +14,9 @@ struct Found {
     refused: Vec<(usize, ContactError)>,
 }
 
+/// Id, columns with the ends of their intervals, and refused rows.
+type Answer<'py> = (String, Vec<[Column<'py, f64>; 3]>, Failures);
+
 /// The id of the corrected model; for each quantity values and ends of their intervals; and rows
 /// with a value refused.
 #[pyfunction]
@@ -23,7 +26,7 @@ pub(crate) fn corrected<'py>(
     rows: Rows<'py>,
     names: Vec<String>,
     rtol: f64,
-) -> PyResult<(String, Vec<[Column<'py, f64>; 3]>, Failures)> {
+) -> PyResult<Answer<'py>> {
     let rows = &rows.view()?;
     let model = engine.on_all(&rows.files)?;
     let request = Request::new(quantities_of(&names)?).within(tolerance(rtol)?);

@@ -218,7 +218,7 @@ fn impossible_pairs_are_refused() {
         ),
         (
             format!("{m}[surface.counterface]\nsq = 1e-6\nspd = 2e8"),
-            "surface.counterface.spc is missing: sq, spd, spc go together",
+            "surface.counterface.spc is missing: sq and spd go with spc or sdq",
         ),
         (
             format!("{m}[surface.counterface]\nm0 = 1\nfiles = [\"a.txt\"]"),

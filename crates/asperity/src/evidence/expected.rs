@@ -14,7 +14,7 @@ use crate::{ContactError, Scene};
 
 /// Half width of an interval that holds nine of ten values, in standard deviations.
 const COVERAGE: f64 = 1.645;
-/// Half width in logarithms beyond which nothing is said: a factor of 1.5.
+/// Largest half width of an interval, in logarithms (a factor of 1.5); wider ones are not given.
 const WIDEST: f64 = 0.4;
 /// Relative scatter of a surface, times the square root of the number of its contacts: of areas,
 /// and of all others (0.25 to 0.46 and 0.5 to 1.0 on five surfaces each at α of 2.8 to 45).
@@ -112,7 +112,10 @@ impl Evidence {
         contacts: Option<f64>,
     ) -> Result<ExpectedContact, ContactError> {
         let mut place = Place::of_scene(scene, shape, pressure)?;
-        place.contacts = contacts.unwrap_or(f64::INFINITY).max(1.0);
+        if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
+            return Err(Self::none(format!("less than one asperity touches ({few:.1e})")));
+        }
+        place.contacts = contacts.unwrap_or(f64::INFINITY);
         self.check(&place)?;
         let moments = scene.surface.moments();
         let unit = scene.asperity()?.equivalent_modulus * gradient(&moments);
@@ -133,7 +136,9 @@ impl Evidence {
         let values: Vec<_> = Compared::ALL.into_iter().filter_map(estimate).collect();
         if values.is_empty() {
             return Err(Self::none(match place.contacts {
-                few if few < FEWEST => format!("with {few:.0} contacts, surfaces scatter too much"),
+                few if few < FEWEST => {
+                    format!("with {few:.1} contacts, the scatter between surfaces is too large")
+                }
                 _ => "no surface like this one was solved".into(),
             }));
         }

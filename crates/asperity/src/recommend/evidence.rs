@@ -118,10 +118,6 @@ pub(crate) fn evidence_of(
     let expected = |at: At| {
         let contacts = counted.as_ref().and_then(|c| c.evaluate(Quantity::Contacts, at).ok());
         let contacts = contacts.map(|contacts| contacts.value());
-        if let Some(contacts) = contacts.filter(|contacts| *contacts < 1.0) {
-            let reason = format!("less than one asperity touches ({contacts:.1e})");
-            return Err(Evidence::none(reason));
-        }
         let pressure = match at.pressure(scene) {
             Some(pressure) => pressure,
             None => pressed.evaluate(Quantity::Pressure, at)?.value(),

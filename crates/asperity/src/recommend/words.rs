@@ -139,7 +139,10 @@ impl fmt::Display for Recommendation {
                     }
                     if let Some((area, spread)) = off.and_then(|o| o.area.zip(o.area_spread)) {
                         let [area, spread] = [area, spread].map(|x| 100.0 * x);
-                        write!(f, ", area off boundary elements {area:+.0} +- {spread:.0} %")?;
+                        write!(
+                            f,
+                            ", area {area:+.0} % relative to boundary elements (half interval {spread:.0} %)"
+                        )?;
                     }
                     if let Some(outside) = outside {
                         write!(f, "; not valid: {} {}", outside.field, outside.value)?;

@@ -11,11 +11,6 @@ use crate::{
 };
 pub use words::{beside_table, summary};
 
-/// Share of the pressure to either side of it between which the stiffness is a difference: enough
-/// for some pixels to come into contact, each of which is a small step, and little for a gap that
-/// falls nearly with the logarithm of the pressure.
-const STEP: f64 = 0.05;
-
 /// A contact of a scan by boundary elements, and by every model.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -99,7 +94,10 @@ pub fn compare_with_bem(
 ) -> Result<Vec<Result<Truth, BemError>>, ContactError> {
     crate::positive("nominal_area", scene.nominal_area)?;
     let elements = bem.elements(&scene.interface)?;
-    let around = |p: &f64| [1.0 - STEP, 1.0, 1.0 + STEP].map(|k| LoadCase::MeanPressure(k * p));
+    let around = |p: &f64| {
+        let [lighter, heavier] = elements.pressures_around(*p);
+        [lighter, *p, heavier].map(LoadCase::MeanPressure)
+    };
     let given: Vec<LoadCase> = pressures.iter().flat_map(around).collect();
     let mut solved: Vec<Result<Kept, BemError>> =
         given.iter().map(|_| Err(BemError::Cancelled)).collect();
@@ -113,7 +111,8 @@ pub fn compare_with_bem(
     let answer = |(pressure, around): (&f64, &[Result<Kept, BemError>])| {
         let here = around[1].clone()?;
         let gaps = around[0].as_ref().ok().zip(around[2].as_ref().ok());
-        let force = 2.0 * STEP * pressure * scene.nominal_area;
+        let [lighter, heavier] = elements.pressures_around(*pressure);
+        let force = (heavier - lighter) * scene.nominal_area;
         let bem = ContactState {
             area_fraction: Some(here.area),
             mean_gap: Some(here.gap),
