@@ -7,9 +7,10 @@ use serde::Serialize;
 
 use crate::refusal::Refusal;
 
-/// Interferences over the critical one of the drawn law.
-const FIRST: f64 = 0.1;
-const LAST: f64 = 1000.0;
+/// Drawn interferences over the critical one.
+const OVER_CRITICAL: [f64; 2] = [0.1, 1000.0];
+/// Drawn interferences over σ_z, for bodies that never yield.
+const OVER_STD: [f64; 2] = [1e-3, 10.0];
 const STEPS: u32 = 240;
 /// The least ratio of two interferences that both have a label.
 const ROOM: f64 = 2.2;
@@ -20,8 +21,10 @@ pub(crate) struct Law {
     pub(crate) svg: String,
     /// Name and source of the model.
     pub(crate) source: String,
-    /// The interferences over the critical one at which the law has a kink or a jump.
+    /// The drawn interferences at which the law has a kink or a jump, on `axis`.
     pub(crate) kinks: Vec<String>,
+    /// Label of the interferences: `interference over σ_z`.
+    pub(crate) axis: &'static str,
     /// What the law holds for.
     pub(crate) range: String,
     /// The page of the guide with its equations.
@@ -39,32 +42,40 @@ fn guide(id: &str) -> String {
     format!("guide/{chapter}.html")
 }
 
-/// Force and area of one asperity of the scene by a model, against the interference.
+/// Force and area of one asperity of the scene by a model, against the interference over the
+/// critical one or, without hardness, over σ_z.
 pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
     let model = file.model(id)?;
     let Some(asperity_model) = model.asperity_model() else {
-        return Err(Refusal::new(format!("{} describes the whole surface", model.name())));
+        return Err(Refusal::new(format!("{} has no law of a single asperity", model.name())));
     };
     let asperity = file.scene.asperity()?;
-    let critical = asperity.critical_interference()?;
+    let (unit, axis, [first, last]) = match asperity.hardness {
+        Some(_) => (
+            asperity.critical_interference()?,
+            "interference over critical interference",
+            OVER_CRITICAL,
+        ),
+        None => (file.scene.surface.asperity_height_std, "interference over σ_z", OVER_STD),
+    };
     let tolerance = Tolerance::default();
     let force = asperity_model.force(&asperity, tolerance)?;
     let area = asperity_model.area(&asperity, tolerance)?;
     let kinks: Vec<f64> =
-        force.kinks().into_iter().map(|x| x * force.interference_unit / critical).collect();
+        force.kinks().into_iter().map(|x| x * force.interference_unit / unit).collect();
     let mut at: Vec<f64> =
-        (0..=STEPS).map(|k| FIRST * (LAST / FIRST).powf(f64::from(k) / f64::from(STEPS))).collect();
-    let inside: Vec<f64> = kinks.into_iter().filter(|x| (FIRST..LAST).contains(x)).collect();
+        (0..=STEPS).map(|k| first * (last / first).powf(f64::from(k) / f64::from(STEPS))).collect();
+    let inside: Vec<f64> = kinks.into_iter().filter(|x| (first..last).contains(x)).collect();
     at.extend(inside.iter().flat_map(|x| [x * (1.0 - 1e-9), *x]));
     at.sort_by(f64::total_cmp);
     let mut csv = "curve,interference,force_N,area_m2\n".to_string();
     for x in at {
-        let (f, a) = (force.value(x * critical)?, area.value(x * critical)?);
+        let (f, a) = (force.value(x * unit)?, area.value(x * unit)?);
         csv += &format!("{id},{x},{f},{a}\n");
     }
-    let panel = |column: &str, label: &str| {
-        let x = Axis::new("interference", "interference over critical interference").log();
-        let mut panel = Panel::new(x, Axis::new(column, label).log());
+    let panel = |column: &str, name: &str| {
+        let x = Axis::new("interference", axis).log();
+        let mut panel = Panel::new(x, Axis::new(column, name).log());
         panel.curves = vec![Curve::new(0, id, "")];
         panel.verticals = marks(&inside);
         panel
@@ -82,6 +93,7 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Law, Refusal> {
         svg: draw(&figure, &csv)?,
         source: format!("{}: {} ({})", model.name(), citation.authors, citation.year),
         kinks,
+        axis,
         range: words.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
         guide: guide(id),
     })
@@ -119,11 +131,28 @@ mod tests {
             (&["1", "6", "110"].map(String::from)[..], "guide/ke.html")
         );
         assert!(found.source.contains("(2002)"), "{}", found.source);
-        assert!(law(&file(), "persson").unwrap_err().message.contains("whole surface"));
+        assert!(
+            law(&file(), "persson").unwrap_err().message.contains("no law of a single asperity")
+        );
+        let error = law(&file(), "ke-random").unwrap_err();
+        assert_eq!(error.message, "KE random has no law of a single asperity");
         for (id, page) in
             [("jg-cosine", "jg"), ("ke-random", "random"), ("jkr-separation", "adhesion")]
         {
             assert_eq!(guide(id), format!("guide/{page}.html"));
         }
+    }
+
+    #[test]
+    fn laws_of_bodies_without_hardness_are_drawn_against_the_height_std() {
+        let text = include_str!("../../asperity-scene/examples/elastomer-on-glass.toml");
+        let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
+        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        for id in ["gw", "dmt", "jkr"] {
+            let found = law(&file, id).unwrap();
+            assert!(found.svg.contains("interference over σ"), "{id}");
+            assert!(!found.svg.contains("critical"), "{id}");
+        }
+        assert!(law(&file, "ke").unwrap_err().message.contains("hardness"));
     }
 }

@@ -19,6 +19,8 @@ const WAYS: [(&str, &[&str]); 5] = [
     ("index", &["plasticity_index", "roughness_parameter", "asperity_height_std"]),
     ("asperities", &["asperity_radius", "asperity_density", "asperity_height_std"]),
 ];
+/// Keys that replace one key of a way.
+const ALTERNATIVES: [&str; 2] = ["sdq", "mean_slope"];
 /// Keys that say how a file of a kind is read.
 const OF_FILES: [&str; 3] = ["unit", "pixel_size", "channel"];
 /// Other keys of a scan alone, or of a surface that it replaces.
@@ -108,7 +110,8 @@ fn known(way: &str) -> Result<(&'static str, &'static [&'static str]), Refusal> 
 }
 
 fn removals(kept: &[&str]) -> Vec<Change> {
-    let all = WAYS.into_iter().flat_map(|(_, keys)| keys).copied().chain(OF_SCANS).chain(OF_FILES);
+    let all = WAYS.into_iter().flat_map(|(_, keys)| keys).copied();
+    let all = all.chain(ALTERNATIVES).chain(OF_SCANS).chain(OF_FILES);
     let removed = all.filter(|key| !kept.contains(key));
     removed.map(|key| Change { path: format!("surface.{key}"), value: None }).collect()
 }
@@ -151,6 +154,29 @@ mod tests {
         assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
         assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
         assert!(changes("scan", &file).is_err() && changes("x", &file).is_err());
+    }
+
+    #[test]
+    fn a_surface_given_by_its_slope_can_be_described_otherwise() {
+        let folder = Path::new(".");
+        let template = asperity_scene::template();
+        let (head, _) = template.split_once("\n[surface]").unwrap();
+        for surface in [
+            "sq = 1.1e-6\nspd = 2e8\nsdq = 0.058",
+            "surface_height_std = 1.1e-6\nasperity_density = 2e8\nmean_slope = 0.03",
+        ] {
+            let text = format!("{head}\n[surface]\n{surface}\n");
+            let file = asperity_scene::parse(&text, folder).unwrap();
+            for (name, _) in &WAYS[1..] {
+                let edited = edit(&text, &changes(name, &file).unwrap()).unwrap();
+                assert_eq!(way(&fields(&edited)), *name);
+                let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
+                let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
+                assert!((ratio - 1.0).abs() < 5e-5, "{surface}, {name}: {ratio}");
+            }
+            let scan = fields(&with_scan(&text, "a.x3p").unwrap());
+            assert!(!scan.contains_key("surface.sdq") && !scan.contains_key("surface.mean_slope"));
+        }
     }
 
     #[test]

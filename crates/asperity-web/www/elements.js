@@ -102,7 +102,7 @@ class Elements {
       row.append(element("td", {}, button));
       return row;
     }));
-    // What several loads have in common is said once, for the lightest.
+    // What several loads have in common is shown once, for the lightest.
     const said = new Map();
     for (const { load, notes } of this.solved) for (const { code, severity, message } of notes) {
       if (!said.has(code)) said.set(code, { text: `${severity}: ${message}`, also: [] });

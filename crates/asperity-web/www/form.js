@@ -34,17 +34,21 @@ const WAYS = {
   scan: [
     ["file", "File", "scan.x3p"],
     ["unit", "Unit of the heights", "um"],
-    ["pixel_size", "Pixel size", "1.5"],
-    ["estimator", "Estimator", ["moments", "summits"]],
-    ["level", "Form removed", ["plane", "quadratic", "mean", "none"]],
-    ["filter", "Long cut-off", "0.8 mm"],
-    ["smooth", "Short cut-off", "2 um"],
+    ["pixel_size", "Pixel size", "1.5 um"],
     ["periodic", "Periodic", ["true", "false"]],
-    ["fill_missing", "Fill missing points", ["true", "false"]],
-    ["despike", "Replace outliers", ["true", "false"]],
   ],
 };
 const EVERY = [["heights", "Heights", "gaussian"], ["asperities", "Asperities", ["equal", "random"]]];
+// Rarely set for a scan.
+const MORE = [
+  ["estimator", "Estimator", ["moments", "summits"]],
+  ["level", "Form removed", ["plane", "quadratic", "mean", "none"]],
+  ["filter", "Long cut-off", "0.8 mm"],
+  ["smooth", "Short cut-off", "2 um"],
+  ["fill_missing", "Fill missing points", ["true", "false"]],
+  ["despike", "Replace outliers", ["true", "false"]],
+  ...EVERY,
+];
 
 // A labelled field of a path; a list of choices makes a select.
 export function field(path, label, hint, edit) {
@@ -102,15 +106,18 @@ export function fill(shown, edit, materials) {
       if (!rigid) bodies.append(body(2, edit, materials));
     }
     bodies.append(field("nominal_area", "Nominal area", "1 cm2", edit));
-    const keys = [...WAYS[way], ...EVERY];
-    $("surface-fields").replaceChildren(...keys.map(([key, label, hint]) => field(`surface.${key}`, label, hint, edit)));
+    const ofSurface = ([key, label, hint]) => field(`surface.${key}`, label, hint, edit);
+    const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...MORE.map(ofSurface))] : EVERY.map(ofSurface);
+    $("surface-fields").replaceChildren(...WAYS[way].map(ofSurface), ...rest);
     const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
     if (again && typed) {
       again.value = value;
       typing.add(again);
     }
+    if (again?.closest("#more")) $("more").open = true;
     again?.focus();
   }
+  if (way === "scan" && MORE.some(([key]) => `surface.${key}` in fields)) $("more").open = true;
   $("way").value = way;
   for (const input of document.querySelectorAll("[data-path]")) {
     put(input, fields[input.dataset.path] ?? "");
@@ -139,6 +146,7 @@ export function mark(error, findings) {
     note.hidden = !text;
     note.textContent = text ?? "";
     note.classList.toggle("wrong", severity === "error");
+    if (text && input.closest("#more")) $("more").open = true;
     if (severity === "error") input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
   }

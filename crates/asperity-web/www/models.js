@@ -29,8 +29,8 @@ async function card(desk, text, { id, name }) {
   const box = element("section", { id, data: { model: id } }, element("h2", {}, name), about, figure);
   $("laws").append(box);
   try {
-    const { svg, source, kinks, range, guide } = await desk.ask(text, "law", { model: id });
-    const words = [`${source}.`, range && `Range: ${range}.`, kinks.length > 0 && `Kinks or jumps at ${kinks.join(", ")} times the critical interference.`];
+    const { svg, source, kinks, axis, range, guide } = await desk.ask(text, "law", { model: id });
+    const words = [`${source}.`, range && `Range: ${range}.`, kinks.length > 0 && `Kinks or jumps at ${kinks.join(", ")} (${axis}).`];
     about.replaceChildren(`${words.filter(Boolean).join(" ")} `, element("a", { href: guide }, "Equations, range and source"));
     picture(figure, svg, `force and area of one asperity by ${name} against the interference`);
   } catch (error) {

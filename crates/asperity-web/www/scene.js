@@ -100,6 +100,7 @@ async function values(keys) {
     return tell(error.message);
   }
   page.load = found.load;
+  if (state.load !== found.load.text) takeAway.dropAdvice();
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();

@@ -10,7 +10,7 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 // What a link restores. The load is typed, with its unit.
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null };
 
-// What the desks said: the scene as read from a text, the load on it, values and rows of models.
+// Answers of the desks: the scene as read from a text, the load on it, values and rows of models.
 export const page = { opened: false, typing: false, failure: "", materials: [], text: "", shown: null, load: null, values: new Map(), head: "", rows: new Map() };
 
 // The page and its quick models, slow models, and boundary elements each have a lane.
@@ -25,7 +25,7 @@ export function report() {
   $("status").textContent = phase === "failed" && page.shown?.error ? "the scene has an error" : words[phase];
 }
 
-// Runs a piece of work in a lane; an error is told.
+// Runs a piece of work in a lane; an error is shown.
 export function work(lane, kind, piece) {
   return turns.add(lane, kind, piece).catch((error) => tell(error.message));
 }

@@ -49,11 +49,12 @@ function advise() {
   $("advice").replaceChildren(element("li", {}, "Comparing the models takes some seconds."));
   work("slow", "advice", async () => {
     const { text } = page;
+    const { load } = state;
     const { summary } = await desks.slow.ask(text, "advise", { load: loadKeys() }).catch((error) => {
       $("advice").replaceChildren();
       throw error;
     });
-    if (text === page.text) $("advice").replaceChildren(...summary.map((line) => element("li", {}, line)));
+    if (text === page.text && load === state.load) $("advice").replaceChildren(...summary.map((line) => element("li", {}, line)));
   });
 }
 
@@ -86,6 +87,8 @@ export const takeAway = {
     $("law").addEventListener("toggle", law);
     $("law-model").addEventListener("change", law);
   },
+  // Advice holds for one load.
+  dropAdvice: () => $("advice").replaceChildren(),
   // The code of the present load.
   code: () => work("page", "code", code),
   // The models of the scene; none for a scene with an error.
@@ -95,7 +98,7 @@ export const takeAway = {
     options($("export-model"), ids.map((id) => [id, id]));
     options($("law-model"), allowed, $("law-model").value || ids[0]);
     for (const id of ["save-csv", "save-svg", "save-png", "save-table", "advise", "law-model"]) $(id).disabled = ids.length === 0;
-    $("advice").replaceChildren();
+    takeAway.dropAdvice();
     if (ids.length === 0) {
       noPicture($("law-picture"));
       $("law-source").replaceChildren();

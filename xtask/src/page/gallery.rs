@@ -22,7 +22,7 @@ const OTHER_STIFFNESS: &str =
 const MODELS: &[&str] = &models::PAPER;
 
 /// A scene of a figure: what its link says, the scene, the models and the quantity.
-struct Opened {
+struct LinkedScene {
     label: String,
     scene: Scene,
     models: &'static [&'static str],
@@ -73,8 +73,8 @@ fn escaped(text: &str) -> String {
 }
 
 /// The scenes of a figure; none for a figure that is not the curve of a scene.
-fn scenes(figure: &str) -> Result<Vec<Opened>> {
-    let of = |label: String, scene, models, view| Opened { label, scene, models, view };
+fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
+    let of = |label: String, scene, models, view| LinkedScene { label, scene, models, view };
     let kind = figure.split_once('-').map_or("", |(_, kind)| kind);
     // Loads lie on the explorer's axis, against which the force is the separation.
     let view = match kind.split('-').next() {
@@ -101,7 +101,7 @@ fn scenes(figure: &str) -> Result<Vec<Opened>> {
 }
 
 /// The state of the explorer behind `#s=`.
-fn link(opened: &Opened) -> Result<String> {
+fn link(opened: &LinkedScene) -> Result<String> {
     let scene = SceneFile::from(opened.scene.clone()).to_toml(&[])?;
     let state = json!({
         "scene": scene, "models": opened.models, "load": "", "view": opened.view, "scan": null,

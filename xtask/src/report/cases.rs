@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 
 use super::ours::Laws;
 use super::outcome::{Failure, Outcome};
-use super::problem::{Asked, Problem, law_behind, tightest};
+use super::problem::{ContactState, Problem, law_behind, tightest};
 use crate::folder::figures_folder;
 
 /// The family of the ordinary scenes.
@@ -65,7 +65,7 @@ impl Case {
         let within = |[low, high]: [f64; 2], x: f64| (low..=high).contains(&x);
         self.family != ORDINARY
             && !self.problem.exponential()
-            && within(HARD_GRID.0, self.problem.asked.separation)
+            && within(HARD_GRID.0, self.problem.contact_state.separation)
             && within(HARD_GRID.1, self.critical)
     }
 }
@@ -159,18 +159,18 @@ fn case(laws: &Laws, row: Row, scene: Scene, model: Model, quantity: Quantity) -
     let Row { family, case: name, value, ln_value, separation_over_sigma: separation, .. } = row;
     let family = if family.is_empty() { ORDINARY.into() } else { family };
     let tolerance = tightest(&model);
-    let asked = Asked { model, quantity, scene, separation };
-    let compiled = laws.scene(&asked, tolerance)?;
-    let Asked { model, scene, .. } = &asked;
+    let contact_state = ContactState { model, quantity, scene, separation };
+    let compiled = laws.scene(&contact_state, tolerance)?;
+    let ContactState { model, scene, .. } = &contact_state;
     let law = Arc::new(law_behind(model, quantity, &scene.asperity()?, tolerance)?);
     let evaluation = compiled.evaluate(quantity, separation)?;
-    let problem = Arc::new(Problem { asked, law });
+    let problem = Arc::new(Problem { contact_state, law });
     let scaled = if ln_value.is_empty() {
         value * (-problem.ln_scale()).exp()
     } else {
         value.signum() * over_scale(&ln_value, &problem)?
     };
-    let critical = problem.asked.scene.asperity()?.critical_interference()? / problem.std();
+    let critical = problem.contact_state.scene.asperity()?.critical_interference()? / problem.std();
     Ok(Case { family, name, problem, value, scaled, size: evaluation.size, critical })
 }
 
@@ -181,7 +181,7 @@ fn over_scale(ln_value: &str, problem: &Problem) -> Result<f64> {
     let (whole, fraction) = digits.split_once('.').context("a logarithm with a point")?;
     let whole = sign * whole.parse::<f64>()?;
     let fraction = sign * format!("0.{fraction}").parse::<f64>()?;
-    let s = problem.asked.separation.max(0.0);
+    let s = problem.contact_state.separation.max(0.0);
     let (high, low) = if problem.exponential() {
         (s, 0.0)
     } else {

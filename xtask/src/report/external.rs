@@ -125,7 +125,12 @@ impl External {
 fn write_problem(out: &mut String, problem: &Problem) -> Result<()> {
     let flag = |flag: bool| u8::from(flag);
     let (slope, exponential) = (flag(problem.slope()), flag(problem.exponential()));
-    write!(out, "{:e} {slope} {exponential} {:e}", problem.asked.separation, problem.scale())?;
+    write!(
+        out,
+        "{:e} {slope} {exponential} {:e}",
+        problem.contact_state.separation,
+        problem.scale()
+    )?;
     let breaks = problem.breaks();
     write!(out, " {}", breaks.len())?;
     breaks.iter().try_for_each(|t| write!(out, " {t:e}"))?;

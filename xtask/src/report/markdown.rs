@@ -20,8 +20,9 @@ scipy and gsl integrate the laws that are sums of powers. Every method samples t
 fn entry<'a>(rows: &'a [Row], pair: (&str, &str), method: &str) -> Option<&'a Row> {
     let own =
         |row: &&Row| (row.model.as_str(), row.quantity.as_str()) == pair && row.method == method;
-    let asked = |row: &&Row| row.asked().is_some_and(|asked| asked >= 0.99 * HARD_TOLERANCE);
-    rows.iter().filter(own).rfind(asked).or(rows.iter().rfind(own))
+    let loose =
+        |row: &&Row| row.requested().is_some_and(|tolerance| tolerance >= 0.99 * HARD_TOLERANCE);
+    rows.iter().filter(own).rfind(loose).or(rows.iter().rfind(own))
 }
 
 /// The Markdown.

@@ -14,7 +14,7 @@ use asperity_quadrature::{AnyScale, QuadratureError};
 use super::effort::Effort;
 use super::outcome::{Failure, Job, Outcome};
 use super::points::{SEPARATIONS, scenes};
-use super::problem::{Asked, Problem, is_slope, law_behind};
+use super::problem::{ContactState, Problem, is_slope, law_behind};
 
 /// Compiled scenes and rules, by everything they depend on.
 #[derive(Debug, Default)]
@@ -47,8 +47,8 @@ impl Laws {
     ///
     /// # Errors
     /// Those of [`asperity::ContactModel::compile`], as below.
-    pub fn scene(&self, asked: &Asked, tolerance: f64) -> Result<Arc<dyn Contact>> {
-        let Asked { model, quantity, scene, .. } = asked;
+    pub fn scene(&self, contact_state: &ContactState, tolerance: f64) -> Result<Arc<dyn Contact>> {
+        let ContactState { model, quantity, scene, .. } = contact_state;
         let law_of = |quantity| if is_slope(model, quantity) { Quantity::Force } else { quantity };
         let law = law_of(*quantity);
         let key = format!("{model} {law} {tolerance:e} {:?}", scene.asperity()?);
@@ -65,8 +65,8 @@ impl Laws {
     ///
     /// # Errors
     /// When the model refuses the asperity.
-    pub fn rules(&self, asked: &Asked, tolerance: f64) -> Result<Arc<AnyScale>> {
-        let Asked { model, quantity, scene, .. } = asked;
+    pub fn rules(&self, contact_state: &ContactState, tolerance: f64) -> Result<Arc<AnyScale>> {
+        let ContactState { model, quantity, scene, .. } = contact_state;
         let key = format!("{model} {quantity} {tolerance:e} {:?}", scene.asperity()?);
         find_or(&self.rules, key, || {
             let law = law_behind(model, *quantity, &scene.asperity()?, tolerance)?;
@@ -80,20 +80,21 @@ impl Laws {
 /// # Errors
 /// When the model refuses the scene, as all below.
 pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
-    let (quantity, separation) = (problem.asked.quantity, problem.asked.separation);
-    let compiled = laws.scene(&problem.asked, tolerance)?;
+    let (quantity, separation) = (problem.contact_state.quantity, problem.contact_state.separation);
+    let compiled = laws.scene(&problem.contact_state, tolerance)?;
     Ok(Box::new(move || outcome(compiled.evaluate(quantity, separation))))
 }
 
 /// A value on a scene that is not compiled, as in sweeps.
 pub fn rule(laws: &Laws, problem: &Arc<Problem>, tolerance: f64) -> Result<Job> {
-    let asked = &problem.asked;
-    if !matches!(asked.scene.heights, HeightDistribution::Gaussian) {
+    let contact_state = &problem.contact_state;
+    if !matches!(contact_state.scene.heights, HeightDistribution::Gaussian) {
         return compiled(laws, problem, tolerance);
     }
-    let (rules, scale, s) = (laws.rules(asked, tolerance)?, problem.scale(), asked.separation);
-    let slope = is_slope(&asked.model, asked.quantity);
-    let mut factor = asked.scene.asperities() * problem.law.value_unit;
+    let (rules, scale, s) =
+        (laws.rules(contact_state, tolerance)?, problem.scale(), contact_state.separation);
+    let slope = is_slope(&contact_state.model, contact_state.quantity);
+    let mut factor = contact_state.scene.asperities() * problem.law.value_unit;
     if slope {
         factor /= problem.std();
     }
@@ -112,18 +113,18 @@ fn outcome(found: Result<asperity::Evaluation, ContactError>) -> Result<Outcome,
 
 /// Terms of a value; exponential heights have one integral for all separations.
 pub fn compiled_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
-    let quantity = problem.asked.quantity;
+    let quantity = problem.contact_state.quantity;
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
-    let compiled = laws.scene(&problem.asked, tolerance)?;
-    let plan = compiled.plan(&request.at([problem.asked.separation]))?;
+    let compiled = laws.scene(&problem.contact_state, tolerance)?;
+    let plan = compiled.plan(&request.at([problem.contact_state.separation]))?;
     let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
     Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
 }
 
 /// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
 pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
-    let separation = problem.asked.separation;
-    let rules = laws.rules(&problem.asked, tolerance)?;
+    let separation = problem.contact_state.separation;
+    let rules = laws.rules(&problem.contact_state, tolerance)?;
     match rules.terms(separation, problem.scale())? {
         0 => {
             let before = rules.evaluations();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use anyhow::Result;
 use asperity::{Model, Quantity, Scene, Surface};
 
-use super::problem::{Asked, Problem, law_behind, tightest};
+use super::problem::{ContactState, Problem, law_behind, tightest};
 use crate::figures::models::{NOMINAL_AREA, interface};
 
 /// w_c/σ_z at which times are taken.
@@ -36,8 +36,8 @@ pub fn points(model: &Model, quantity: Quantity) -> Result<Vec<Arc<Problem>>> {
     let point = |k: usize| {
         let scene = scenes[k / SEPARATIONS.len()].clone();
         let separation = SEPARATIONS[k % SEPARATIONS.len()];
-        let asked = Asked { model: model.clone(), quantity, scene, separation };
-        Arc::new(Problem { asked, law: law.clone() })
+        let contact_state = ContactState { model: model.clone(), quantity, scene, separation };
+        Arc::new(Problem { contact_state, law: law.clone() })
     };
     // 23 and 56 have no common factor, so every point occurs once.
     Ok((0..count).map(|k| point(k * 23 % count)).collect())
@@ -51,10 +51,10 @@ mod tests {
     #[test]
     fn the_points_are_the_whole_grid_each_once() -> Result<()> {
         let points = points(&"jg".parse()?, Quantity::Force)?;
-        let critical = points[0].asked.scene.asperity()?.critical_interference()?;
+        let critical = points[0].contact_state.scene.asperity()?.critical_interference()?;
         let mut seen: Vec<String> = points
             .iter()
-            .map(|p| format!("{:.1e} {}", critical / p.std(), p.asked.separation))
+            .map(|p| format!("{:.1e} {}", critical / p.std(), p.contact_state.separation))
             .collect();
         seen.sort();
         seen.dedup();

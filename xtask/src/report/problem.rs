@@ -15,7 +15,7 @@ const CUT: f64 = 46.0;
 
 /// A model's quantity in a scene at one separation.
 #[derive(Debug, Clone)]
-pub struct Asked {
+pub struct ContactState {
     /// The model.
     pub model: Model,
     /// The quantity.
@@ -30,7 +30,7 @@ pub struct Asked {
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// Model, quantity, scene and separation.
-    pub asked: Asked,
+    pub contact_state: ContactState,
     /// The law behind the quantity; that of the force for a tangent.
     pub law: Arc<Law>,
 }
@@ -76,19 +76,19 @@ impl Problem {
     /// σ_z \[m\].
     #[must_use]
     pub fn std(&self) -> f64 {
-        self.asked.scene.surface.asperity_height_std
+        self.contact_state.scene.surface.asperity_height_std
     }
 
     /// Whether the integrand has the factor of a slope.
     #[must_use]
     pub fn slope(&self) -> bool {
-        is_slope(&self.asked.model, self.asked.quantity)
+        is_slope(&self.contact_state.model, self.contact_state.quantity)
     }
 
     /// Whether heights are exponential; otherwise they are Gaussian.
     #[must_use]
     pub fn exponential(&self) -> bool {
-        matches!(self.asked.scene.heights, HeightDistribution::Exponential)
+        matches!(self.contact_state.scene.heights, HeightDistribution::Exponential)
     }
 
     /// The law over its unit at x = w over the interference unit: the parts of one sign, or all.
@@ -114,7 +114,7 @@ impl Problem {
     /// and, below d = 0, the peak of the density between.
     #[must_use]
     pub fn breaks(&self) -> Vec<f64> {
-        let s = self.asked.separation;
+        let s = self.contact_state.separation;
         let (low, high) = match (self.exponential(), s >= 0.0) {
             (false, _) => ((-s - (2.0 * CUT).sqrt()).max(0.0), reach(s)),
             (true, true) => (0.0, CUT),
@@ -132,7 +132,7 @@ impl Problem {
     /// slope.
     #[must_use]
     pub fn weight(&self, t: f64) -> f64 {
-        let s = self.asked.separation;
+        let s = self.contact_state.separation;
         if self.exponential() {
             return (-(t + s.min(0.0))).exp();
         }
@@ -145,7 +145,7 @@ impl Problem {
     #[must_use]
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();
-        let interference = z - self.asked.separation * std;
+        let interference = z - self.contact_state.separation * std;
         if interference <= 0.0 {
             return 0.0;
         }
@@ -162,7 +162,7 @@ impl Problem {
     /// Lower end of the plain integral \[m\].
     #[must_use]
     pub fn plain_start(&self) -> f64 {
-        let start = self.asked.separation * self.std();
+        let start = self.contact_state.separation * self.std();
         if self.exponential() { start.max(0.0) } else { start }
     }
 
@@ -170,19 +170,20 @@ impl Problem {
     /// lowest asperity, and the law's value there is subtracted from the slope.
     #[must_use]
     pub fn in_units(&self, integral: f64) -> f64 {
-        let lowest = if self.slope() && self.exponential() && self.asked.separation < 0.0 {
-            self.law_at(-self.asked.separation / self.scale(), None)
+        let lowest = if self.slope() && self.exponential() && self.contact_state.separation < 0.0 {
+            self.law_at(-self.contact_state.separation / self.scale(), None)
         } else {
             0.0
         };
         let per_height = if self.slope() { self.std() } else { 1.0 };
-        self.asked.scene.asperities() * self.law.value_unit * (integral - lowest) / per_height
+        self.contact_state.scene.asperities() * self.law.value_unit * (integral - lowest)
+            / per_height
     }
 
     /// Logarithm of the scale, -max(s,0)²/2 or -max(s,0).
     #[must_use]
     pub fn ln_scale(&self) -> f64 {
-        let s = self.asked.separation.max(0.0);
+        let s = self.contact_state.separation.max(0.0);
         if self.exponential() { -s } else { -0.5 * s * s }
     }
 }

@@ -15,7 +15,7 @@ use super::methods::{HARD_TOLERANCE, METHODS, Setting};
 use super::ours::{self, Laws};
 use super::outcome::{Failure, Job};
 use super::points::points;
-use super::problem::{Asked, Problem, is_slope};
+use super::problem::{ContactState, Problem, is_slope};
 use super::scope::Scope;
 
 /// The worst of some errors: the largest, or a failure.
@@ -71,7 +71,7 @@ impl Row {
 
     /// The tolerance as a number.
     #[must_use]
-    pub fn asked(&self) -> Option<f64> {
+    pub fn requested(&self) -> Option<f64> {
         self.tolerance.parse().ok()
     }
 }
@@ -124,8 +124,8 @@ impl Run<'_> {
         let slope = |quantity: Quantity| is_slope(model, quantity);
         let same = |other: Quantity| other == *quantity || slope(*quantity) && slope(other);
         let wanted = |case: &&Case| {
-            let asked = &case.problem.asked;
-            case.on_hard_grid() && asked.model.id() == model.id() && same(asked.quantity)
+            let state = &case.problem.contact_state;
+            case.on_hard_grid() && state.model.id() == model.id() && same(state.quantity)
         };
         self.cases.iter().filter(wanted).collect()
     }
@@ -175,7 +175,7 @@ impl Run<'_> {
 
     /// The rows of another library, for the laws that it can integrate.
     fn external(&self, library: &External, pairs: &[(Model, Quantity)]) -> Result<Vec<Row>> {
-        let (mut asked, mut tasks) = (vec![], vec![]);
+        let (mut requests, mut tasks) = (vec![], vec![]);
         for pair in pairs {
             let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
             for tolerance in self.scope.tolerances(&pair.0) {
@@ -183,13 +183,13 @@ impl Run<'_> {
                     let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
                     let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
                     tasks.extend(timed.chain(errors));
-                    asked.push((pair, tolerance, points.len(), grid.clone()));
+                    requests.push((pair, tolerance, points.len(), grid.clone()));
                 }
             }
         }
         let mut answers = library.run(&tasks)?.into_iter();
         let mut rows = vec![];
-        for (pair, tolerance, count, grid) in asked {
+        for (pair, tolerance, count, grid) in requests {
             let timed: Vec<_> = answers.by_ref().take(count).collect();
             let time = timed.iter().map(|answer| answer.ns).sum::<f64>() / count as f64;
             let counts = timed.iter().filter_map(|answer| answer.found.ok()?.evaluations);
@@ -230,7 +230,7 @@ impl Run<'_> {
         let mut csv = csv::Writer::from_writer(vec![]);
         csv.write_record(BEFORE.into_iter().chain(columns.iter().map(|column| column.0)))?;
         for (k, case) in self.cases.iter().enumerate() {
-            let Asked { model, quantity, scene, separation } = &case.problem.asked;
+            let ContactState { model, quantity, scene, separation } = &case.problem.contact_state;
             let (quantity, separation) = (quantity.to_string(), separation.to_string());
             let cells = [
                 &case.family,

@@ -2,13 +2,13 @@
 
 use anyhow::Result;
 use asperity::bem::RandomSurface;
-use asperity::{Interface, Scene, Surface};
+use asperity::{Evidence, Interface, Scene, Surface};
 
 /// Pixels per shortest wave.
 pub const PIXELS_PER_WAVE: f64 = 8.0;
 /// Root mean square gradient. E g is the unit of pressures, so that neither E nor g changes a
 /// result.
-pub const GRADIENT: f64 = 0.05;
+pub const GRADIENT: f64 = Evidence::GRADIENT;
 /// E \[Pa\].
 pub const MODULUS: f64 = 1e11;
 const POISSON: f64 = 0.3;

@@ -59,7 +59,7 @@ pub fn write(figures: &Path, solve_missing: bool, anew: bool) -> Result<Vec<Path
         solve(&FULL, &kept)?;
     }
     let mut paths = save(folder, [("truth.csv".to_owned(), evidence(&FULL, &kept)?)])?;
-    paths.extend(draw(figures)?);
+    paths.extend(draw(figures, solve_missing)?);
     Ok(paths)
 }
 
@@ -103,9 +103,9 @@ pub fn small() -> Result<String> {
 pub fn update_models(figures: &Path) -> Result<Vec<PathBuf>> {
     let path = evidence_file();
     let folder = path.parent().context("a folder")?;
-    let text = asked_anew(&committed()?)?;
+    let text = with_new_models(&committed()?)?;
     let mut paths = save(folder, [("truth.csv".to_owned(), text)])?;
-    paths.extend(draw(figures)?);
+    paths.extend(draw(figures, false)?);
     Ok(paths)
 }
 
@@ -113,7 +113,7 @@ pub fn update_models(figures: &Path) -> Result<Vec<PathBuf>> {
 ///
 /// # Errors
 /// A text that is not evidence, a model that fails.
-pub fn asked_anew(text: &str) -> Result<String> {
+pub fn with_new_models(text: &str) -> Result<String> {
     evidence(&FULL, &Kept::default().with_rows(&Evidence::parse(text)?)?)
 }
 
@@ -122,7 +122,9 @@ fn committed() -> Result<String> {
     std::fs::read_to_string(&path).with_context(|| path.display().to_string())
 }
 
-fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
+/// Draws the committed evidence. The table of ordinary scenes stays as it is if their solutions are
+/// not kept and none may be solved.
+fn draw(figures: &Path, solve_missing: bool) -> Result<Vec<PathBuf>> {
     let text = committed()?;
     let mut drawn = vec![("truth.md".to_owned(), markdown(&text)?)];
     for shown in Shown::ALL {
@@ -133,12 +135,12 @@ fn draw(figures: &Path) -> Result<Vec<PathBuf>> {
             (format!("{}.svg", shown.name()), svg),
         ]);
     }
-    let ordinary = ordinary::table(&kept_folder().join("ordinary"))?;
+    let ordinary = ordinary::table(&text, &kept_folder().join("ordinary"), solve_missing)?;
     drawn.extend([
         ("truth-shapes.md".to_owned(), feeding::table(&text)?),
         ("truth-yielded.md".to_owned(), yielded::table(&text)?),
-        ("truth-ordinary.md".to_owned(), ordinary),
     ]);
+    drawn.extend(ordinary.map(|table| ("truth-ordinary.md".to_owned(), table)));
     save(figures, drawn)
 }
 

@@ -64,12 +64,32 @@ fn family(alpha: f64) -> Result<Family> {
     Ok(of((broad * narrow).sqrt()))
 }
 
-/// Solves the scenes that are not kept in this folder, and returns the table of them.
+/// The cases of a scene, in the order of its pressures.
+fn cases(actual: &Scene, pressures: &[f64]) -> Result<Vec<Case>> {
+    let moments = actual.surface.moments();
+    let asperity = actual.asperity()?;
+    let unit = asperity.equivalent_modulus * (2.0 * moments.m2).sqrt();
+    let family = family(moments.bandwidth())?;
+    // The hardness over E g, on the surface that is solved.
+    let hardness = asperity.hardness.context("a hardness")? / unit * MODULUS * GRADIENT;
+    let one = scene(&family.surface(family.pixels)?, 1.0)?.interface.hardness;
+    let index = one.context("a hardness")? / hardness;
+    let case = |p: &f64| Case { family, index, load: p / unit, most_seeds: SEEDS };
+    Ok(pressures.iter().map(case).collect())
+}
+
+/// The contacts of a scene that are kept in this folder.
+fn kept(folder: &Path, name: &str) -> Result<Kept> {
+    Kept::in_folder(&folder.join(name.split(' ').collect::<Vec<_>>().join("-")))
+}
+
+/// The table of the scenes beside the evidence of a text. Cases that this folder does not hold are
+/// solved; if none may be solved and one is not kept, there is no table.
 ///
 /// # Errors
-/// A case that cannot be solved, a model that fails.
-pub fn table(folder: &Path) -> Result<String> {
-    let evidence = Evidence::committed()?;
+/// A text that is not evidence, a case that cannot be solved, a model that fails.
+pub fn table(text: &str, folder: &Path, solve_missing: bool) -> Result<Option<String>> {
+    let evidence = Evidence::parse(text)?;
     let heads: Vec<String> = SHOWN.iter().map(|id| format!("`{id}`")).collect();
     let mut out = format!(
         "| scene | α | ψ | MPa | p/(E g) | area, % | yielded, % | {} | area by the table, % |\n",
@@ -77,22 +97,15 @@ pub fn table(folder: &Path) -> Result<String> {
     );
     writeln!(out, "|---|{}", "---:|".repeat(7 + SHOWN.len()))?;
     for (name, actual, pressures) in scenes()? {
-        let moments = actual.surface.moments();
-        let asperity = actual.asperity()?;
-        let unit = asperity.equivalent_modulus * (2.0 * moments.m2).sqrt();
-        let family = family(moments.bandwidth())?;
-        // The hardness over E g, on the surface that is solved.
-        let hardness = asperity.hardness.context("a hardness")? / unit * MODULUS * GRADIENT;
-        let one = scene(&family.surface(family.pixels)?, 1.0)?.interface.hardness;
-        let index = one.context("a hardness")? / hardness;
-        let cases =
-            pressures.iter().map(|p| Case { family, index, load: p / unit, most_seeds: SEEDS });
-        let cases: Vec<Case> = cases.collect();
-        let kept = Kept::in_folder(&folder.join(name.split(' ').collect::<Vec<_>>().join("-")))?;
-        solve_family(&cases, &kept, |surface| {
-            eprintln!("{name}: {surface}");
-            Ok(())
-        })?;
+        let (cases, kept) = (cases(&actual, &pressures)?, kept(folder, name)?);
+        if solve_missing {
+            solve_family(&cases, &kept, |surface| {
+                eprintln!("{name}: {surface}");
+                Ok(())
+            })?;
+        } else if !cases.iter().all(|case| kept.is_done(case)) {
+            return Ok(None);
+        }
         for (case, pressure) in cases.iter().zip(&pressures) {
             let bem = Bem::of_seeds(&kept.seeds(case));
             let [area, error] = bem.numbers[0];
@@ -112,7 +125,7 @@ pub fn table(folder: &Path) -> Result<String> {
             writeln!(
                 out,
                 "| {name} | {:.1} | {:.1} | {} | {:.1e} | {} ± {:.1} % | {:.0} | {} | {expected} |",
-                moments.bandwidth(),
+                actual.surface.moments().bandwidth(),
                 actual.plasticity_index()?,
                 pressure / 1e6,
                 case.load,
@@ -123,5 +136,38 @@ pub fn table(folder: &Path) -> Result<String> {
             )?;
         }
     }
-    Ok(out)
+    Ok(Some(out))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::kept::Contact;
+    use super::*;
+
+    #[test]
+    fn kept_cases_are_shown_beside_the_given_evidence_and_others_are_not_solved() -> Result<()> {
+        let folder = tempfile::tempdir()?;
+        assert!(table(Evidence::CSV, folder.path(), false)?.is_none());
+        for (name, actual, pressures) in scenes()? {
+            let kept = kept(folder.path(), name)?;
+            for case in cases(&actual, &pressures)? {
+                let Case { family, index, load, .. } = case;
+                let contact = Contact { load, area: 1e-3, ..Contact::default() };
+                for seed in 1..=SEEDS {
+                    kept.add(&family, family.pixels_for(load), index, seed, &[contact])?;
+                }
+            }
+        }
+        let found = table(Evidence::CSV, folder.path(), false)?.context("a table")?;
+        assert_eq!(found.matches("| 0.1 ± 0.0 % |").count(), 7, "{found}");
+        assert_eq!(found.matches(" to ").count(), 4, "{found}");
+        // Elastic solutions say nothing of these scenes, which yield.
+        let mut lines = Evidence::CSV.lines();
+        let head = lines.next();
+        let elastic = lines.filter(|line| line.split(',').nth(3) == Some("0"));
+        let text: Vec<&str> = head.into_iter().chain(elastic).collect();
+        let other = table(&text.join("\n"), folder.path(), false)?.context("a table")?;
+        assert!(!other.contains(" to "), "{other}");
+        Ok(())
+    }
 }

@@ -60,13 +60,13 @@ impl Bem {
 }
 
 /// The models on a scene.
-struct Asked {
+struct ModelContacts {
     models: Vec<Option<Box<dyn Contact>>>,
     /// Sq \[m\].
     sq: f64,
 }
 
-impl Asked {
+impl ModelContacts {
     /// All models; `None` for those that the scene does not allow. Larger surfaces of a family have
     /// the same moments within some per cent, and models the same ratios within one.
     fn new(family: &Family, index: f64) -> Result<Self> {
@@ -131,7 +131,7 @@ fn written(number: f64) -> String {
 /// Rows of evidence, case by case.
 struct Text {
     text: String,
-    asked: Option<((&'static str, u64), Asked)>,
+    contacts: Option<((&'static str, u64), ModelContacts)>,
 }
 
 impl Text {
@@ -142,15 +142,15 @@ impl Text {
             head.push(id.clone());
             head.extend(["stiffness", "unloading", "gap"].map(|what| format!("{id}_{what}")));
         }
-        Self { text: head.join(",") + "\n", asked: None }
+        Self { text: head.join(",") + "\n", contacts: None }
     }
 
     fn push(&mut self, case: &Case, bem: &Bem) -> Result<()> {
         let Case { family, index, load, .. } = *case;
         let key = (family.name, index.to_bits());
-        let asked = match self.asked.take() {
-            Some((known, asked)) if known == key => asked,
-            _ => Asked::new(&family, index)?,
+        let contacts = match self.contacts.take() {
+            Some((known, contacts)) if known == key => contacts,
+            _ => ModelContacts::new(&family, index)?,
         };
         let alpha = family.surface(family.pixels)?.moments().bandwidth();
         let mut row: Vec<String> =
@@ -160,9 +160,9 @@ impl Text {
         for [mean, error] in bem.numbers {
             row.extend([short(mean), shorter(error)]);
         }
-        for contact in &asked.models {
+        for contact in &contacts.models {
             let found = match contact {
-                Some(contact) => asked.numbers(contact.as_ref(), load)?,
+                Some(contact) => contacts.numbers(contact.as_ref(), load)?,
                 None => [None; 4],
             };
             for ((quantity, found), [bem, _]) in Compared::ALL.iter().zip(found).zip(bem.numbers) {
@@ -171,7 +171,7 @@ impl Text {
             }
         }
         self.text += &(row.join(",") + "\n");
-        self.asked = Some((key, asked));
+        self.contacts = Some((key, contacts));
         Ok(())
     }
 }
