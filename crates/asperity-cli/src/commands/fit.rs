@@ -43,7 +43,8 @@ Columns: model, parameter, value, lower and upper (the 95 % interval; blank wher
 do not fix that end within the bounds), unit, rms (relative) and bic. Models are ranked by
 BIC, lowest first. json also has correlation, condition, undetermined combinations,
 limits at which parameters stop, residuals and unreachable data. If no model describes the
-data, the exit code is 1, and the unit that explains them, if there is one, is named.
+data, or none reaches the target, the exit code is 1; the unit that explains the data, if
+there is one, is named.
 With --target instead of DATA, the scene in which a quantity has a value at one load.
 Default model: ke (gw without a hardness).
 
@@ -51,7 +52,7 @@ Examples:
   asperity curve scene.toml --model ke --pressure 1e5:1e7:8:log --quantity area,unloading-stiffness --output data.csv
   asperity fit scene.toml data.csv --free asperity_height_std=0.1um:5um,hardness --model ke,jg
   asperity fit scene.toml data.csv --free asperity_height_std,series_compliance --plot fit.svg
-  asperity fit scene.toml --free asperity_height_std --target area_fraction=2% --pressure 5MPa"
+  asperity fit scene.toml --free asperity_height_std --target area_fraction=0.4% --pressure 5MPa"
 )]
 pub struct FitCommand {
     /// Scene file; `asperity init` writes an example
@@ -113,6 +114,9 @@ impl FitCommand {
             [first, ..] if ranking.models.iter().all(|one| one.misfit.is_some()) => {
                 let reason = first.misfit.as_deref().unwrap_or_default();
                 bail!("{}: {}: {reason}", scene.name, first.model)
+            }
+            all if !self.target.is_empty() && all.iter().all(|one| !one.unreachable.is_empty()) => {
+                bail!("{}: no model reaches the target; the values are the nearest", scene.name)
             }
             _ => Ok(()),
         }

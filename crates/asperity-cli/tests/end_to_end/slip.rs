@@ -120,7 +120,10 @@ fn cycles_of_forces_are_those_of_their_amplitudes_and_what_exceeds_friction_slid
     assert!((column_of(&run.out, "loss_J")[4].unwrap() / loss - 1.0).abs() < 1e-11);
     let stiffness = column_of(&run.out, "secant_stiffness_N_per_m")[4].unwrap();
     assert!((stiffness * amplitude / 10.0 - 1.0).abs() < 1e-14);
-    // One force at one preload gives the loop.
+    // One force at one preload gives the loop, whose ends are at the amplitude.
+    for force in ["5", "12", "13.5"] {
+        bench.data(&format!("{arguments} --load 100 --tangential-force {force}"));
+    }
     let one = bench.data(&format!("{arguments} --load 1kN --tangential-force 10 --points 3"));
     let back = column(&one, "back_N");
     assert!((back[2] / 10.0 - 1.0).abs() < 1e-11 && (back[0] / -10.0 - 1.0).abs() < 1e-11);

@@ -72,5 +72,27 @@ impl Request {
 #[must_use]
 pub fn linspace(first: f64, last: f64, count: usize) -> Vec<f64> {
     let steps = count.saturating_sub(1).max(1) as f64;
-    (0..count).map(|k| first + (last - first) * k as f64 / steps).collect()
+    let at = |k: usize| match k {
+        // Rounding would take some ends beyond.
+        end if end > 0 && end + 1 == count => last,
+        _ => first + (last - first) * k as f64 / steps,
+    };
+    (0..count).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::linspace;
+
+    #[test]
+    fn no_number_lies_beyond_the_ends() {
+        for last in [1.486_116_574_882_939e-8, 0.1, 1.0 / 3.0, 7e22] {
+            for count in [2, 3, 51, 101, 1001] {
+                let all = linspace(-last, last, count);
+                assert!(all.iter().all(|x| x.abs() <= last), "{last} {count}");
+                assert_eq!((all.len(), all[0], all[count - 1]), (count, -last, last));
+            }
+        }
+        assert_eq!(linspace(1.0, 2.0, 1), [1.0]);
+    }
 }
