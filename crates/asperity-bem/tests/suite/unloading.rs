@@ -127,9 +127,9 @@ fn slopes_of_loading_are_differences_of_solutions() {
         let gap = |share: f64| {
             solver.solve(LoadCase::MeanPressure(share * 0.05 * UNIT)).unwrap().mean_gap
         };
-        // Almost at the hardness no heavier load is carried.
+        // Almost at the hardness little more is carried.
         let (heavier, lighter, within) = match hardness {
-            Some(hardness) if hardness < 0.051 * UNIT => (1.0, 0.95, 1e-4),
+            Some(hardness) if hardness < 0.051 * UNIT => (1.001, 0.999, 1e-3),
             _ => (1.01, 0.99, 0.02),
         };
         let slope = (heavier - lighter) * 0.05 * UNIT / (gap(lighter) - gap(heavier));
