@@ -27,9 +27,9 @@ impl BoundaryElements {
     }
 
     /// -dp/d(mean gap) of first loading \[Pa/m\], between pressures 5 % to either side of that of
-    /// `solution`, or nearer where the hardness carries less. Of a gap that falls with the logarithm
-    /// of the pressure the difference is 0.1 % off; where few pixels touch it is a mean over that
-    /// range.
+    /// `solution`, or nearer where the hardness carries less. Of a gap that falls with the
+    /// logarithm of the pressure the difference is 0.1 % off; where few pixels touch it is a mean
+    /// over that range.
     ///
     /// Elastic periodic contacts have the stiffness at
     /// [fixed contact](BoundaryElements::fixed_contact), which exceeds this slope where the contact

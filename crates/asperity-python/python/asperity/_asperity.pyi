@@ -58,6 +58,8 @@ __all__ = [
     "svg",
     "template",
     "truth",
+    "bem_unloading",
+    "corrected",
 ]
 
 _Floats: TypeAlias = npt.NDArray[np.float64]

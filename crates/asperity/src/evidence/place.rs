@@ -141,10 +141,8 @@ impl Evidence {
         };
         let up_to = |high: f64| [0.0, high];
         // Of skewed surfaces and those with a lay, fewer materials are solved.
-        let like = |other: &&Place| {
-            (place.shape.skewness == 0.0 || other.shape.skewness != 0.0)
-                && (place.shape.slope_ratio <= 1.0 || other.shape.slope_ratio > 1.0)
-        };
+        let plain = |place: &Place| place.shape == SurfaceShape::default();
+        let like = |other: &&Place| plain(place) || !plain(other);
         let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
         let [_, hardness] = range(Place::of_hardness);
         let [_, load] = range(|place| place.load);
