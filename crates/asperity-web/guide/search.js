@@ -4,11 +4,11 @@ const MOST = 20;
 const place = document.getElementById("search");
 const query = document.getElementById("query");
 const found = document.getElementById("found");
-let entries;
+let index;
 
 const plain = (text) => text.toLowerCase();
 
-function matches(words) {
+function matches(entries, words) {
   const rank = ({ page, heading }) => {
     const [title, text] = [plain(page), plain(heading)];
     if (!words.every((word) => title.includes(word) || text.includes(word))) return 0;
@@ -40,15 +40,24 @@ function message(text) {
   return row;
 }
 
+async function read() {
+  return (await fetch("search.json")).json();
+}
+
 async function search() {
-  const words = plain(query.value).split(/\s+/).filter(Boolean);
+  const asked = query.value;
+  const words = plain(asked).split(/\s+/).filter(Boolean);
+  let entries;
   try {
-    entries ??= await (await fetch("search.json")).json();
+    entries = await (index ??= read());
   } catch {
+    index = undefined;
     found.replaceChildren(message("the index search.json cannot be read; use the contents"));
     return;
   }
-  const rows = words.length > 0 ? matches(words).map(item) : [];
+  // Typed on while the index was read: the later search answers.
+  if (asked !== query.value) return;
+  const rows = words.length > 0 ? matches(entries, words).map(item) : [];
   found.replaceChildren(...(words.length > 0 && rows.length === 0 ? [message("no title or heading has these words")] : rows));
 }
 
