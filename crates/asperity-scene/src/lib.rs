@@ -30,7 +30,7 @@ mod template;
 mod write;
 
 pub use check::Measured;
-pub use decimal_comma::with_decimal_point;
+pub use decimal_comma::{comma_readings, with_decimal_point};
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};
 pub use fit::{Free, unit_of_free};

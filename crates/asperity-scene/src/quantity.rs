@@ -6,7 +6,7 @@ use std::ops::Range;
 use asperity::nearest_hint;
 use toml::de::{DeTable, DeValue};
 
-use crate::decimal_comma::with_decimal_point;
+use crate::decimal_comma::{comma_readings, may_be_thousands};
 use crate::sides;
 use crate::template::key;
 
@@ -132,10 +132,13 @@ fn collect(
                     let path = format!("{section}{dot}{name}");
                     let Some(number) = read(given, units) else {
                         let ((si, example, _), known) = (units, list(units.2));
-                        let with_point = with_decimal_point(given);
+                        let with_point = comma_readings(given);
                         let needed = match (converted(given, si), with_point) {
                             (Some(same), _) => {
                                 format!("a known unit, as in \"{same}\", which is the same,")
+                            }
+                            (_, Some(both)) if may_be_thousands(given) => {
+                                format!("a number without a comma, {both},")
                             }
                             (_, Some(same)) => format!("a decimal point, as in \"{same}\","),
                             _ => format!(
@@ -200,8 +203,9 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
             let same = same.replace(' ', "");
             return format!("{text:?} is not a number in {si}: write {same}, which is the same");
         }
-        if let Some(same) = with_decimal_point(text) {
-            return format!("{text:?} has a decimal comma; write {same}");
+        if let Some(same) = comma_readings(text) {
+            let comma = if may_be_thousands(text) { "comma" } else { "decimal comma" };
+            return format!("{text:?} has a {comma}; write {same}");
         }
         let (_, example, names) = units;
         let near = nearest_hint(in_other_case(text, units));

@@ -113,6 +113,9 @@ class Elements {
       element("li", {}, also.length > 0 ? `${text} (also at ${also.join(", ")})` : text)));
   }
 
+  // What was solved at a pressure.
+  at = (pascals) => this.solved.find(({ pressure }) => pressure === pascals);
+
   // The points of a quantity that boundary elements give.
   points(view) {
     return this.solved.filter(({ points }) => points[view] !== undefined).map(({ pressure, points }) => [pressure, points[view]]);

@@ -5,7 +5,7 @@ import { answer, change, redraw, setScene, setView, typed, typingEnds } from "./
 import { note, openLink, rest, writeLink } from "./link.js";
 import { editor, write } from "./editor.js";
 import { elements } from "./elements.js";
-import { EXAMPLES, exampleText, openExample, tries } from "./examples.js";
+import { EXAMPLES, exampleText, openExample } from "./examples.js";
 import { scans } from "./scans.js";
 import { takeAway } from "./takeaway.js";
 
@@ -74,7 +74,6 @@ async function start() {
   });
   $("view").addEventListener("change", () => setView($("view").value));
   readings($("curve"), $("reading"));
-  tries();
   loads();
   surfaces();
   boundaryElements();
