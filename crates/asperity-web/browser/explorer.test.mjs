@@ -184,7 +184,7 @@ test("values under the pointer come with the picture", async () => {
 });
 
 test("what to try beside the example does what it says, and an example can be opened again", async () => {
-  await page.change(["#example", "ground-steel"]);
+  await page.change(["#example", "made-here"]);
   assert.ok(await page.run("return !document.getElementById('try').hidden"));
   const press = async (k) => {
     await page.run("document.querySelectorAll('#tries button')[arguments[0]].click()", k);
@@ -197,7 +197,7 @@ test("what to try beside the example does what it says, and an example can be op
   assert.match(await page.value("scene"), /material = "copper/);
   await press(3);
   assert.equal(await page.run("return document.querySelectorAll('#solved tbody tr').length"), 1);
-  await page.change(["#example", "ground-steel"]);
+  await page.change(["#example", "made-here"]);
   assert.doesNotMatch(await page.value("scene"), /copper/);
   await page.change(["#example", "wheel-rail"]);
   assert.ok(await page.run("return document.getElementById('try').hidden"));

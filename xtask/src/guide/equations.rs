@@ -37,11 +37,18 @@ fn table(lines: &[&str]) -> String {
             let end = row.get(k + 1).map_or(usize::MAX, |(next, _)| *next);
             let span = starts.range(start..&end).count();
             let span = if span > 1 { format!(" colspan=\"{span}\"") } else { String::new() };
-            let _ = write!(html, "<td{span}>{}</td>", formula(text));
+            let words = if is_words(text) { " class=\"words\"" } else { "" };
+            let _ = write!(html, "<td{span}{words}>{}</td>", formula(text));
         }
         html += "</tr>\n";
     }
     html + "</table>\n"
+}
+
+/// Whether a part is words about a symbol, which may take several lines.
+fn is_words(text: &str) -> bool {
+    let long = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() > 3;
+    text.split(' ').filter(long).count() > 1
 }
 
 /// The parts of a line between two or more spaces, with the places of their first letters.
@@ -68,17 +75,27 @@ fn segments(line: &str) -> Vec<(usize, String)> {
 
 /// A formula as html: `w^(3/2)` raised, `w_c` lowered, and minus signs as wide as plus signs.
 fn formula(text: &str) -> String {
-    let minus = text.replace(" - ", " − ").replace("(-", "(−").replace("[-", "[−");
-    let minus = match minus.strip_prefix('-') {
-        Some(rest) => format!("−{rest}"),
-        None => minus,
-    };
     // Names of code stay as they are.
-    let parts = minus.split('`').enumerate().map(|(k, part)| match k % 2 {
-        0 => letters(part),
+    let parts = text.split('`').enumerate().map(|(k, part)| match k % 2 {
+        0 => letters(&minus(part)),
         _ => format!("<code>{}</code>", escape(part)),
     });
     parts.collect()
+}
+
+/// A text with hyphens only within words: a minus follows no word of several letters.
+fn minus(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let in_word = |k: usize| {
+        let of = |back: usize| k.checked_sub(back).and_then(|at| letters.get(at));
+        let is_letter = |c: Option<&char>| c.is_some_and(|c| c.is_alphabetic());
+        is_letter(of(1)) && is_letter(of(2))
+    };
+    let wide = letters.iter().enumerate().map(|(k, c)| match c {
+        '-' if !in_word(k) => '−',
+        c => *c,
+    });
+    wide.collect()
 }
 
 /// Text as html, with `σ_z` and `x^1.5` as people read them. Longer names with `_` are not changed.
@@ -98,7 +115,7 @@ pub fn letters(text: &str) -> String {
         };
         match tag.and_then(|tag| Some((tag, moved(after, tag)?))) {
             Some((tag, (inner, used))) => {
-                let inner = letters(&inner.replace('-', "−"));
+                let inner = letters(&minus(inner));
                 let _ = write!(html, "<{tag}>{inner}</{tag}>");
                 rest = &after[used..];
                 before = [None, Some('\'')];
@@ -129,12 +146,14 @@ fn moved<'t>(text: &'t str, tag: &str) -> Option<(&'t str, usize)> {
         return end.map(|(end, _)| (&text[1..end], end + 1));
     }
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    let sign = usize::from(text.starts_with('-') && tag == "sup");
+    let minus = if tag == "sup" { text.find(|c| c != '-' && c != '−') } else { None };
+    let sign = minus.unwrap_or_default();
     let start = text[sign..].chars().next()?;
     let length: usize = if start.is_ascii_digit() {
         text[sign..].chars().take_while(|c| is_number(*c)).count()
     } else if tag == "sup" {
-        usize::from(start.is_ascii_alphabetic())
+        return (start.is_ascii_alphabetic() || start == '∞')
+            .then(|| (&text[..sign + start.len_utf8()], sign + start.len_utf8()));
     } else {
         text[sign..].chars().take_while(char::is_ascii_alphanumeric).count()
     };
@@ -154,13 +173,15 @@ mod tests {
             ("1.03 x^1.425 < w_c.", "1.03 x<sup>1.425</sup> &lt; w<sub>c</sub>."),
             ("F_{3/2}(t), w_c' = 10^-5", "F<sub>3/2</sub>(t), w<sub>c</sub>' = 10<sup>−5</sup>"),
             ("(x/1.9)^B", "(x/1.9)<sup>B</sup>"),
+            ("∫ₜ^∞ (s-t)^n", "∫ₜ<sup>∞</sup> (s-t)<sup>n</sup>"),
             ("x^((a-1)/2) y", "x<sup>(a−1)/2</sup> y"),
             ("nominal_area, at-additive, a ^ b", "nominal_area, at-additive, a ^ b"),
             ("π R w_c S H", "π R w<sub>c</sub> S H"),
         ] {
             assert_eq!(letters(text), html);
         }
-        assert_eq!(formula("-dF/dd - `a_b`"), "−dF/dd − <code>a_b</code>");
+        assert_eq!(formula("-dF/dd - `a-b`"), "−dF/dd − <code>a-b</code>");
+        assert_eq!(formula("elastic-plastic (y-1)"), "elastic-plastic (y−1)");
     }
 
     #[test]
