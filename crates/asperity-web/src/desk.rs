@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::{self, Compiled};
-use crate::message::{Answer, AnswerRow, LoadKeys, Message, Shown};
+use crate::message::{Answer, AnswerRow, LoadKeys, LoadShown, Message, Shown};
 use crate::press::{Event, press};
 use crate::refusal::Refusal;
 use crate::{
@@ -189,7 +189,7 @@ impl Desk {
                 findings.extend(found);
             }
         }
-        if let Some(reason) = refused(&rows) {
+        if let Some(reason) = refused(&rows, &load) {
             return Err(Refusal::at("load", reason));
         }
         let findings = file.accepted(findings.into_iter().collect()).at_least(Severity::Warning);
@@ -199,10 +199,17 @@ impl Desk {
 }
 
 /// Why no model has a value; `None` if one has.
-fn refused(rows: &[AnswerRow]) -> Option<String> {
+fn refused(rows: &[AnswerRow], load: &LoadShown) -> Option<String> {
     let all: Option<Vec<_>> =
         rows.iter().map(|row| Some((&row.model, row.reason.as_ref()?))).collect();
     let all = all.filter(|all| !all.is_empty())?;
+    if load.newtons < 0.0 {
+        let ids: Vec<&str> = all.iter().map(|(model, _)| model.as_str()).collect();
+        let (text, ids) = (&load.text, ids.join(", "));
+        return Some(format!(
+            "load is {text}: {ids} carry no tension; use dmt, jkr or jkr-separation, which need the work_of_adhesion"
+        ));
+    }
     let mut said = Vec::<String>::new();
     for (model, reason) in &all {
         let same = |other: &(&String, &String)| other.1 == *reason;

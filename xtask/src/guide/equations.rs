@@ -51,19 +51,22 @@ fn is_words(text: &str) -> bool {
     text.split(' ').filter(long).count() > 1
 }
 
-/// The parts of a line between two or more spaces, with the places of their first letters.
+/// The parts of a line between two or more spaces, with the places of their first letters; what
+/// follows a comma belongs to the part before.
 fn segments(line: &str) -> Vec<(usize, String)> {
     let (mut found, mut spaces) = (Vec::<(usize, String)>::new(), 2);
     for (at, letter) in line.chars().enumerate() {
+        let goes_on = found.last().is_some_and(|(_, text)| text.ends_with(','));
         match letter {
             ' ' => spaces += 1,
-            _ if spaces > 1 => {
+            _ if spaces > 1 && !goes_on => {
                 found.push((at, letter.to_string()));
                 spaces = 0;
             }
             _ => {
                 if let Some((_, text)) = found.last_mut() {
-                    text.extend(std::iter::repeat_n(' ', spaces));
+                    let wide = if spaces > 1 { "\u{2003}" } else { " " };
+                    text.push_str(if spaces > 0 { wide } else { "" });
                     text.push(letter);
                 }
                 spaces = 0;
@@ -191,6 +194,7 @@ mod tests {
         assert_eq!(html.matches("<table").count(), 2);
         assert!(html.contains("<tr><td>x ≤ 1</td><td>x<sup>1.5</sup></td><td>x</td></tr>"));
         assert!(html.contains("<tr><td colspan=\"2\">x &gt; 1</td><td>2x</td></tr>"), "{html}");
+        assert_eq!(segments("F = x,   A = y    area")[0], (0, "F = x,\u{2003}A = y".into()));
         assert!(!is_equations("x    2   3\nforce  -16.6  -15.5\n"));
     }
 }
