@@ -183,6 +183,20 @@ test("values under the pointer come with the picture", async () => {
   assert.equal(await page.run("return document.querySelectorAll('#curve .reading').length"), 121);
 });
 
+test("pressures of the contact map are shown under the pointer", async () => {
+  await page.change(["#example", "made-here"]);
+  await page.browser.until("return document.querySelector('#contact image')", "a map");
+  await page.browser.until(SETTLED);
+  const said = await page.run(`const box = document.querySelector("#contact image").getBoundingClientRect();
+    const at = (x, y) => {
+      document.getElementById("contact").dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + x * box.width, clientY: box.top + y * box.height }));
+      return document.getElementById("contact-reading").textContent;
+    };
+    return [at(0.001, 0.999), ...Array.from({ length: 4096 }, (_, k) => at(((k % 64) + 0.5) / 64, (Math.floor(k / 64) + 0.5) / 64))]`);
+  assert.match(said[0], /^x 1\.562 µm, y 198\.4 µm: /);
+  assert.ok(said.some((text) => /: no contact$/.test(text)) && said.some((text) => /: at most 7 GPa$/.test(text)), said[1]);
+});
+
 test("what to try beside the example does what it says, and an example can be opened again", async () => {
   await page.change(["#example", "made-here"]);
   assert.ok(await page.run("return !document.getElementById('try').hidden"));

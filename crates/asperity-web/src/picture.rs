@@ -209,7 +209,7 @@ pub(crate) fn contact(
 
 /// The largest of every `step` x `step` values, so that no contact disappears, and their number in
 /// a row.
-fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
+pub(crate) fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
     if step <= 1 {
         return (values.to_vec(), columns);
     }

@@ -9,6 +9,7 @@ use asperity_scene::SceneFile;
 use serde::Serialize;
 
 use crate::answer::cell;
+use crate::map_readings::MapReadings;
 use crate::message::{AnswerCell, SEPARATION, ScanShown};
 use crate::picture;
 use crate::random::MOST_PIXELS;
@@ -36,6 +37,8 @@ pub(crate) enum Event {
         /// Values beside the curves, by view.
         points: BTreeMap<String, f64>,
         svg: String,
+        /// The pressures of the picture.
+        readings: MapReadings,
         notes: Vec<Diagnostic>,
     },
     /// A load has no solution.
@@ -82,9 +85,10 @@ pub(crate) fn press(
             Ok(solution) => match picture::contact(&bem, &solution, hardness) {
                 Err(error) => Event::Failed { index, message: error.message },
                 Ok(svg) => {
+                    let map = (svg, MapReadings::of(&bem, &solution));
                     let pressure = pressures.get(index).copied().unwrap_or(solution.mean_pressure);
                     let stiffnesses = stiffnesses(&elements, &solution, file);
-                    Event::solved(index, pressure, file, svg, (solution, stiffnesses))
+                    Event::solved(index, pressure, file, map, (solution, stiffnesses))
                 }
             },
         });
@@ -121,7 +125,7 @@ impl Event {
         index: usize,
         pressure: f64,
         file: &SceneFile,
-        svg: String,
+        (svg, readings): (String, MapReadings),
         (solution, stiffnesses): (Solution, [Result<f64, String>; 2]),
     ) -> Self {
         // From the plane of the models' separations, so that both are in one picture.
@@ -174,6 +178,7 @@ impl Event {
             cells,
             points,
             svg,
+            readings,
             notes: solution.notes,
         }
     }
@@ -209,7 +214,13 @@ mod tests {
                     assert!(text.starts_with("load ") && !text.contains("NaN"), "{text}");
                     iterations += usize::from(count == 2);
                 }
-                Event::Solved { pressure, svg, cells, head, points, .. } => {
+                Event::Solved { pressure, svg, cells, head, points, readings, .. } => {
+                    let said = serde_json::to_value(readings).unwrap();
+                    let [x, values] = ["x", "values"].map(|key| said[key].as_array().unwrap());
+                    assert_eq!((x.len(), values.len()), (64, 64 * 64));
+                    let touching = values.iter().filter(|value| *value != "no contact").count();
+                    assert!(touching > 0 && touching < values.len(), "{touching}");
+                    assert_eq!(x[0], "500 nm");
                     assert!(svg.contains("white: no contact") && cells.len() == head.len());
                     areas.push((pressure, points["area-fraction"]));
                 }
@@ -254,7 +265,7 @@ mod tests {
         let (file, events) = pressed(asperity_scene::template(), &[2e8, 1.9e8, 2.1e8]);
         let solved = |wanted: f64, name: &str| {
             events.iter().find_map(|event| match event {
-                Event::Solved { pressure, cells, .. } if *pressure == wanted => {
+                Event::Solved { pressure, cells, .. } if (pressure / wanted - 1.0).abs() < 1e-9 => {
                     let cell = cells.iter().find(|cell| cell.quantity == name)?;
                     cell.digits.as_deref()?.parse::<f64>().ok()
                 }

@@ -12,18 +12,17 @@ mod pasted {
     }
 }
 
-fn call(desk: &mut Desk, message: Value) -> Value {
-    serde_json::from_str(&desk.call(&message.to_string())).unwrap()
-}
-
 #[test]
 fn the_code_to_paste_runs_beside_its_scene() {
     let mut desk = Desk::default();
+    let mut call = |message: Value| -> Value {
+        serde_json::from_str(&desk.call(&message.to_string())).unwrap()
+    };
     let scene = asperity_scene::template();
-    let shown = call(&mut desk, json!({ "call": "show", "text": scene }));
+    let shown = call(json!({ "call": "show", "text": scene }));
     assert!(shown["ok"]["error"].is_null(), "{shown}");
     let load = json!({ "text": "123 N" });
-    let code = call(&mut desk, json!({ "call": "code", "models": ["gw", "ke"], "load": load }));
+    let code = call(json!({ "call": "code", "models": ["gw", "ke"], "load": load }));
     assert_eq!(code["ok"]["rust"], include_str!("pasted/program.rs"), "{}", code["ok"]["rust"]);
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("scene.toml"), scene).unwrap();

@@ -43,6 +43,7 @@ function surfaces() {
 
 function boundaryElements() {
   elements.changed = redraw;
+  elements.readings();
   $("solve").addEventListener("click", () => elements.solve([]));
   $("solve-load").addEventListener("click", () => page.load && elements.solve([page.load.pascals]));
   $("stop").addEventListener("click", () => elements.stop());

@@ -102,11 +102,8 @@ pub fn sections(text: &str) -> Vec<String> {
             Event::End(TagEnd::Heading(_) | TagEnd::CodeBlock) => skipped -= 1,
             Event::Text(part) | Event::Code(part) if skipped == 0 => found[last] += &part,
             // Words of two blocks or cells are apart.
-            Event::SoftBreak | Event::HardBreak | Event::End(_) => {
-                if !found[last].ends_with(' ') && !matches!(event, Event::End(TagEnd::Link)) {
-                    found[last].push(' ');
-                }
-            }
+            Event::End(TagEnd::Link | TagEnd::Emphasis | TagEnd::Strong | TagEnd::Image) => {}
+            Event::SoftBreak | Event::HardBreak | Event::End(_) => found[last].push(' '),
             _ => {}
         }
     }
