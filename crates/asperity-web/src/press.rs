@@ -15,6 +15,7 @@ use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
 use crate::shown::shown;
+use crate::span::Span;
 
 /// The stiffnesses of the models that a solved contact has too: the slope of first loading, from
 /// two more solutions, and that of unloading, with the contact held.
@@ -56,7 +57,8 @@ pub(crate) fn scan(file: &SceneFile) -> Option<ScanShown> {
         )
     });
     let refused = refused.or_else(|| file.bem(None, false).err().map(|error| error.to_string()));
-    Some(ScanShown { rows, columns, refused })
+    let pressures = Span::of(&file.scene).solved();
+    Some(ScanShown { rows, columns, refused, pressures })
 }
 
 /// Solves the contact of a scene's scan at mean pressures, the heaviest first.
