@@ -5,8 +5,7 @@ use toml::de::Error;
 
 use crate::SceneError;
 use crate::document::{Document, shorten};
-use crate::quantity::joined;
-use crate::template::key;
+use crate::template::{joined, key};
 
 impl Document<'_> {
     /// Converts an error of serde: the place, the value found and a similar name.

@@ -3,6 +3,7 @@
 pub mod ambiguous;
 pub mod args;
 pub mod distances;
+pub mod list_notes;
 pub mod numbers;
 
 use std::sync::OnceLock;

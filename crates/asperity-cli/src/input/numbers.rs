@@ -6,7 +6,7 @@ use asperity::joints::coefficient_of_friction;
 use asperity::{linspace, shortest_digits};
 use asperity_scene::with_decimal_point;
 
-use crate::input::ambiguous::refuse_decimal_comma;
+use crate::input::ambiguous::{one_value_only, refuse_one_number};
 
 /// The largest number of values in one range.
 const MOST: usize = 1_000_000;
@@ -113,7 +113,7 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
         false => text.split(',').collect(),
     };
     if !text.contains(':') {
-        refuse_decimal_comma(text)?;
+        refuse_one_number(text)?;
     }
     let plain = |part: &&&str| part.trim().parse::<f64>().is_ok_and(|value| value != 0.0);
     let has_unit = |part: &&str| part.trim().parse::<f64>().is_err() && number(part).is_ok();
@@ -182,7 +182,7 @@ pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     match value.map_err(|error| match si {
         "N" if is("Pa") => format!("{text} is a pressure; use --pressure {text}"),
         "Pa" if is("N") => format!("{text} is a load; use --load {text}"),
-        _ => error,
+        _ => one_value_only(text).unwrap_or(error),
     })? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
@@ -201,10 +201,9 @@ pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("{text} is not finite")),
-        Err(_) => Err(match with_decimal_point(text) {
-            Some(same) => format!("{text:?} has a decimal comma; write {same}"),
-            None => format!("{text:?} is not a number such as 2, -0.5 or 1e-6"),
-        }),
+        Err(_) => Err(one_value_only(text)
+            .or_else(|| asperity_scene::notation_hint(text).map(|hint| format!("{text:?} {hint}")))
+            .unwrap_or_else(|| format!("{text:?} is not a number such as 2, -0.5 or 1e-6"))),
     }
 }
 
