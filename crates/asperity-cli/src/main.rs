@@ -38,11 +38,17 @@ struct Cli {
 
 fn main() -> ExitCode {
     input::set_program(Cli::command());
-    let arguments = Cli::command().get_matches_from(with_negative_numbers(std::env::args_os()));
+    let program = Cli::command();
+    let arguments = with_negative_numbers(std::env::args_os());
+    let arguments = program.clone().get_matches_from(arguments);
     let Cli { command, quiet } =
         Cli::from_arg_matches(&arguments).unwrap_or_else(|error| error.exit());
     output::set_quiet(quiet);
-    arguments.subcommand().iter().for_each(|(_, given)| input::list_notes::note_lists(given));
+    if let Some((name, given)) = arguments.subcommand()
+        && let Some(used) = program.find_subcommand(name)
+    {
+        input::list_notes::note_lists(used, given);
+    }
     match command.run() {
         Ok(()) if output::has_error() => ExitCode::FAILURE,
         Ok(()) => ExitCode::SUCCESS,

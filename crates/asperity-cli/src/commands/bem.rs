@@ -155,7 +155,10 @@ impl BemCommand {
         };
         // Before the hours of the whole grid.
         let half_grid = self.refine.then(|| bem.half_grid()).transpose();
-        let half_grid = half_grid.context(REFINE)?;
+        let half_grid = half_grid.context(match bem.continuation() {
+            Continuation::Periodic => REFINE_PERIODIC,
+            _ => REFINE,
+        })?;
         let keep = self.map.is_some() || self.picture.is_some();
         let mut whole = run.solve(&bem, keep)?;
         let mut half = match half_grid.filter(|_| !interrupt::requested()) {
@@ -290,6 +293,9 @@ fn table(
 /// Why a grid cannot be halved.
 const REFINE: &str =
     "--refine needs an even number of rows and columns; crop the scan, or leave --refine out";
+
+/// The same for a scan whose crop would not be periodic.
+const REFINE_PERIODIC: &str = "--refine needs an even number of rows and columns; resample the period to such a grid (a crop is not periodic), or leave --refine out";
 
 const COLUMNS: [&str; 9] = [
     "load_N",

@@ -10,8 +10,8 @@ use crate::output::{once, plot};
 
 pub const CONDUCTANCE: Quantity = Quantity::ThermalConductancePerArea;
 
-/// The looks of correlations where they do not hold: grey, and unlike each other.
-const GREY: [usize; 2] = [9, 29];
+/// The looks of correlations where they do not hold: grey, with dashes and markers of their own.
+const GREY: [usize; 2] = [9, 59];
 
 /// The head of the conductance of the gas, or of contacts and gas together.
 pub fn column(part: &str) -> String {
@@ -42,7 +42,9 @@ pub fn picture(table: &Table, scene: &Scene) -> Result<String> {
         curve.every_point = few;
         Some(curve)
     };
-    let curves: Vec<Curve> = once(&names).iter().filter_map(curve).collect();
+    let mut curves: Vec<Curve> = once(&names).iter().filter_map(curve).collect();
+    // Below the others, which they may cover.
+    curves.sort_by_key(|curve| !GREY.contains(&curve.look));
     let (contacts, total) = (CONDUCTANCE.column(), column("total"));
     let columns = [
         (&*contacts, "conductance of the contacts (W/(m² K))"),

@@ -61,7 +61,7 @@ pub struct FitCommand {
     /// Measurements, a csv
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
-    /// Free parameters, each with bounds if these are given
+    /// Free parameters, at least one, each with bounds if these are given
     #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',')]
     free: Vec<Free>,
     /// Models by id, as listed by `asperity models` [default: ke; gw without a hardness]

@@ -10,7 +10,7 @@ use clap::builder::RangedU64ValueParser;
 use crate::input::args::{Closed, DrawnArgs, tolerance};
 use crate::input::numbers::{Numbers, all, friction, length, load};
 use crate::joints::{amplitude_at, given_preload, preload};
-use crate::output::number::rounded;
+use crate::output::number::{rounded, within};
 use crate::output::plot;
 use crate::output::print_message;
 use crate::output::table::{Cell, Table};
@@ -114,6 +114,11 @@ impl Slip {
         }
     }
 
+    /// A result with the digits of the tolerance.
+    pub(super) fn digits(&self, x: f64) -> f64 {
+        within(x, self.tolerance)
+    }
+
     pub(super) fn joint(
         &self,
         scene: &LoadedScene,
@@ -160,7 +165,7 @@ impl Slip {
                 first(&factor)?,
             ];
             let mut row = vec![Cell::from(id)];
-            row.extend(numbers.map(Cell::Number));
+            row.extend(numbers.map(|number| Cell::Number(number.map(|x| self.digits(x)))));
             table.rows.push(row);
         }
         print_message(
@@ -248,16 +253,15 @@ impl Slip {
         let (joint, slip) = self.joint(scene, model, place)?;
         let [load, pressure, separation] = preload(scene, place, &joint)?;
         let (force, loss) = (slip.force(amplitude)?, slip.loss(amplitude)?);
-        Ok([
-            load,
-            pressure,
-            separation,
+        let results = [
             force.value(),
             force.value() / amplitude,
             loss.value(),
             slip.loss_factor(amplitude)?,
             slip.shift_at(SLIDING)?,
-        ])
+        ];
+        let [force, stiffness, loss, factor, sliding] = results.map(|x| self.digits(x));
+        Ok([load, pressure, separation, force, stiffness, loss, factor, sliding])
     }
 }
 

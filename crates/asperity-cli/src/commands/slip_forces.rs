@@ -31,8 +31,9 @@ impl Slip {
             let mut refused = vec![];
             for force in forces {
                 let found = joint.as_ref().map_err(|error| anyhow!(error.clone()));
-                let found = found
-                    .and_then(|(joint, slip)| under(preload(scene, *place, joint)?, slip, *force));
+                let found = found.and_then(|(joint, slip)| {
+                    self.under(preload(scene, *place, joint)?, slip, *force)
+                });
                 let numbers = found.map(|numbers| numbers.map(Some)).unwrap_or_else(|error| {
                     refused.push(error.to_string());
                     let [load, pressure, separation] = given_preload(scene, *place);
@@ -57,25 +58,24 @@ impl Slip {
         }
         self.output.write(&table, || forces_picture(&table))
     }
-}
 
-/// Load, pressure, separation and the results of a cycle of this tangential force.
-fn under(
-    [load, pressure, separation]: [f64; 3],
-    slip: &PartialSlip,
-    force: f64,
-) -> Result<[f64; 8]> {
-    let amplitude = amplitude_at(slip, force)?;
-    Ok([
-        load,
-        pressure,
-        separation,
-        force,
-        amplitude,
-        force / amplitude,
-        slip.loss(amplitude)?.value(),
-        slip.loss_factor(amplitude)?,
-    ])
+    /// Load, pressure, separation and the results of a cycle of this tangential force.
+    fn under(
+        &self,
+        [load, pressure, separation]: [f64; 3],
+        slip: &PartialSlip,
+        force: f64,
+    ) -> Result<[f64; 8]> {
+        let amplitude = amplitude_at(slip, force)?;
+        let results = [
+            amplitude,
+            force / amplitude,
+            slip.loss(amplitude)?.value(),
+            slip.loss_factor(amplitude)?,
+        ];
+        let [amplitude, stiffness, loss, factor] = results.map(|x| self.digits(x));
+        Ok([load, pressure, separation, force, amplitude, stiffness, loss, factor])
+    }
 }
 
 /// The plot of cycles against their amplitudes of force, a curve for each preload.

@@ -31,9 +31,13 @@ fn an_odd_grid_is_not_refined() {
     let scan =
         |rows: usize| (0..rows).map(|y| format!("{} 1 0 2 1 0\n", y % 3)).collect::<String>();
     bench.write("scan.txt", &scan(7));
-    let run = bench.run("bem scan.toml --pressure 1e7 --refine");
+    let run = bench.run("bem scan.toml --pressure 1e7 --refine --boundary free");
     assert_eq!(run.code, Some(1), "{}", run.messages);
     let how = "--refine needs an even number of rows and columns; crop the scan, or leave --refine out: rows is 7";
+    assert!(run.messages.contains(how), "{}", run.messages);
+    let run = bench.run("bem scan.toml --pressure 1e7 --refine --boundary periodic");
+    assert_eq!(run.code, Some(1), "{}", run.messages);
+    let how = "resample the period to such a grid (a crop is not periodic), or leave --refine out";
     assert!(run.messages.contains(how), "{}", run.messages);
 }
 

@@ -160,3 +160,37 @@ fn corrected_models_have_intervals_and_reasons_for_blanks() {
     let solved = bench.data("solve scene.toml --model ke --load 100 --corrected --quantity area");
     assert_eq!(cells(&solved, "model"), ["ke-corrected"]);
 }
+
+#[test]
+fn two_values_that_may_be_one_decimal_have_a_note() {
+    let bench = Bench::new();
+    let run = bench.run("curve scene.toml --model ke --pressure 1e6,2,5 --separation-unit m");
+    assert_eq!(run.code, Some(2), "{}", run.messages);
+    for (given, note) in [
+        (
+            "--pressure 1,5",
+            Some("--pressure 1,5 is read as two values, 1 and 5; a decimal is written 1.5"),
+        ),
+        ("--separation 1,2", Some("--separation 1,2 is read as two values, 1 and 2; a decimal is")),
+        ("--load 10,100", None),
+        ("--load 1.0,5", None),
+        ("--load 1,5,9", None),
+    ] {
+        let run = bench.run(&format!("curve scene.toml --model ke {given}"));
+        assert_eq!(run.code, Some(0), "{}", run.messages);
+        match note {
+            Some(note) => assert!(run.messages.contains(note), "{}", run.messages),
+            None => assert!(!run.messages.contains("is read as"), "{}", run.messages),
+        }
+    }
+    for (given, how) in [
+        ("--pressure 1,000,000", "1,000,000 has thousands separators; write 1000000 or 1e6"),
+        ("--pressure 1,000", "1,000 is 1.000 or 1000; write one of the two"),
+    ] {
+        let run = bench.run(&format!("curve scene.toml --model ke {given}"));
+        assert!(run.code == Some(2) && run.messages.contains(how), "{}", run.messages);
+    }
+    let run = bench.run("slip scene.toml --friction 0.3 --load 100 --amplitude 1,5um");
+    let one = "\"1,5um\" has a decimal comma; write 1.5um, as two values are not possible here";
+    assert!(run.code == Some(2) && run.messages.contains(one), "{}", run.messages);
+}

@@ -15,6 +15,11 @@ fn bad_data_are_refused_with_their_row_and_column() {
         ),
         ("load,area_m2\n1,1\n", "column \"load\" is not known (the nearest is \"load_N\")"),
         (
+            "load_kN,area_m2\n1,1e-9\n",
+            "column \"load_kN\" is in kN: give load_N, in N, 1000 times as large",
+        ),
+        ("load_N,area_m2\n1,5,3e-8\n", "decimal commas are read where semicolons or tabs"),
+        (
             "area_m2\n1e-9\n",
             "the data have no load or separation: a column load_N, pressure_Pa or separation_m was",
         ),
@@ -112,6 +117,14 @@ fn bad_parameters_are_refused_by_name() {
     }
     let run = bench.run("fit scene.toml none.csv --free hardness");
     assert!(run.code == Some(1) && run.messages.contains("none.csv: the data cannot be read"));
+    std::fs::write(bench.path("table.xlsx"), b"PK\x03\x04\x14\x00\x06\x00").unwrap();
+    let run = bench.run("fit scene.toml table.xlsx --free hardness");
+    let binary = "table.xlsx: the data cannot be read: the file is binary, or a text that is not";
+    assert!(run.code == Some(1) && run.messages.contains(binary), "{}", run.messages);
+    let run = bench.run("fit scene.toml data.csv");
+    let keys = "--free is missing; name the numbers to fit, for example --free asperity_height_std (of scene.toml: equivalent_modulus, poissons_ratio, hardness,";
+    assert!(run.messages.contains(keys), "{}", run.messages);
+    assert!(run.messages.contains("separation_offset, series_compliance"), "{}", run.messages);
     for usage in [
         "data.csv",
         "data.csv --free hardness=1N:2N",
