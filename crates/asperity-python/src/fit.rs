@@ -6,7 +6,7 @@ use asperity::fit::{Data, DataColumn, FitError, Fitted, rank};
 use asperity_scene::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
-use crate::bem::{continue_unless, run_interruptible};
+use crate::ask::long::{continue_unless, run_interruptible};
 use crate::convert::error::{value_error, warn};
 use crate::convert::objects::object;
 use crate::model::engine::Engine;

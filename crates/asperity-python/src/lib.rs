@@ -4,15 +4,14 @@
 //! meanwhile: a model written in Python acquires it on the thread that builds its rules.
 //!
 //! ```text
-//! convert → records → scene → ask, joints, contact_table, check
+//! convert → records → scene → ask, joints, contact_table, check, fit
 //!                     model ↗
-//! scene, topography → bem → fit
+//! ask, scene, topography → bem
 //! topography → glance, reading
 //! ```
 
 mod ask;
 mod bem;
-mod bem_unloading;
 mod check;
 mod conductance;
 mod contact_table;
@@ -40,9 +39,11 @@ mod _asperity {
     #[pymodule_export]
     use crate::ask::values::{answer, separations, shares};
     #[pymodule_export]
-    use crate::bem::{bem, truth};
+    use crate::bem::contacts::bem;
     #[pymodule_export]
-    use crate::bem_unloading::bem_unloading;
+    use crate::bem::truth::truth;
+    #[pymodule_export]
+    use crate::bem::unloading::bem_unloading;
     #[pymodule_export]
     use crate::check::{check, findings, pull_off};
     #[pymodule_export]

@@ -38,15 +38,8 @@ from asperity._asperity import (
     UnsupportedFormat,
     template,
 )
-from asperity._bem import (
-    BemContacts,
-    BemUnloading,
-    TruthRow,
-    TruthRows,
-    bem,
-    bem_unloading,
-    truth,
-)
+from asperity._bem import BemContacts, bem
+from asperity._bem_unloading import BemUnloading, bem_unloading
 from asperity._check import Check, Finding
 from asperity._conductance import Correlated, correlated_conductance, gap_conductance
 from asperity._corrected import CorrectedCurve
@@ -59,6 +52,7 @@ from asperity._model import Model, model, models
 from asperity._scene import Scenes
 from asperity._surfaces import Picture, random_surface, read, topography
 from asperity._sweep import Sensitivity, Space, SweepResult, read_sweep, sweep
+from asperity._truth import TruthRow, TruthRows, truth
 
 __version__ = _version("asperity")
 

@@ -1,9 +1,12 @@
 //! Long loops without the interpreter: on all cores, in order, and interruptible by Ctrl-C.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -11,7 +14,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::convert::error::value_error;
 
 /// Approximate time between two checks for signals.
-pub(crate) const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
+const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
 /// Most rows in memory between two checks for signals.
 const MOST_ROWS: usize = 1 << 18;
 
@@ -92,4 +95,45 @@ pub(crate) fn run_stretches<S: Send>(
         }
         Ok(true)
     })
+}
+
+/// Runs `work` on the threads of this process while this thread, which gets the signals, checks for
+/// them; a signal sets the flag that stops `work`.
+pub(crate) fn run_interruptible<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> T + Send,
+) -> PyResult<T> {
+    let (stop, threads) = (AtomicBool::new(false), pool(None)?);
+    let run = |done: Sender<T>| {
+        // The receiver waits until the work ends.
+        let _ = done.send(threads.install(|| work(&stop)));
+    };
+    let wait = |answer: Receiver<T>| {
+        let mut raised = None;
+        loop {
+            match answer.recv_timeout(SIGNAL_INTERVAL) {
+                Ok(answer) => return raised.map_or(Ok(answer), Err),
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(PyRuntimeError::new_err("the solver has panicked"));
+                }
+                Err(RecvTimeoutError::Timeout) if raised.is_none() => {
+                    raised = Python::attach(|py| py.check_signals()).err();
+                    stop.store(raised.is_some(), Ordering::Relaxed);
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    };
+    py.detach(|| {
+        std::thread::scope(|scope| {
+            let (done, answer) = channel();
+            scope.spawn(|| run(done));
+            wait(answer)
+        })
+    })
+}
+
+/// Continues until the flag is set.
+pub(crate) fn continue_unless(stop: &AtomicBool) -> ControlFlow<()> {
+    if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }

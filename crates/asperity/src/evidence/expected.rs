@@ -173,24 +173,24 @@ impl Evidence {
 
     /// The dimensionless value of a quantity and its interval.
     pub(crate) fn interval(&self, quantity: Compared, place: &Place) -> Option<[f64; 3]> {
-        let (_, process) = self.processes.iter().find(|(known, _)| *known == quantity)?;
-        let [middle, deviation] = process.at(place);
+        let [middle, deviation] = self.process(quantity)?.at(place);
         let half = COVERAGE * deviation.hypot(sample(quantity, place));
         (half <= WIDEST).then_some(
             [middle, middle - half, middle + half].map(|x| of_logarithm(quantity, place, x)),
         )
     }
 
-    /// The surfaces through the cases of a table.
-    pub(crate) fn processes(&self) -> Vec<(Compared, Process)> {
-        let process = |quantity: Compared| -> Option<_> {
+    /// The surface through the cases of a table.
+    fn process(&self, quantity: Compared) -> Option<&Process> {
+        let index = Compared::ALL.iter().position(|known| *known == quantity)?;
+        let through = || {
             let known = |(place, case): (&Place, _)| known(quantity, place, case);
             let all: Vec<Known> = self.places.iter().zip(&self.cases).filter_map(known).collect();
             // On new surfaces areas are 3 % off, stiffnesses 6 to 12 %.
             let spread = if quantity == Compared::Area { [0.3, 0.015] } else { [0.6, 0.03] };
-            Some((quantity, Process::through(&all, spread)?))
+            Process::through(&all, spread)
         };
-        Compared::ALL.into_iter().filter_map(process).collect()
+        self.processes.get(index)?.get_or_init(through).as_ref()
     }
 
     fn surfaces_near(&self, place: &Place) -> usize {

@@ -35,7 +35,8 @@ pub struct Evidence {
     cases: Vec<EvidenceCase>,
     /// Of the cases, in their order.
     places: Vec<Place>,
-    processes: Vec<(Compared, Process)>,
+    /// Through the cases, one for each of [`Compared::ALL`], made at first use.
+    processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
 }
 
 impl Evidence {
@@ -77,9 +78,7 @@ impl Evidence {
 
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
         let places = cases.iter().map(Place::of_case).collect::<Result<_, _>>()?;
-        let mut evidence = Self { cases, places, processes: vec![] };
-        evidence.processes = evidence.processes();
-        Ok(evidence)
+        Ok(Self { cases, places, processes: Default::default() })
     }
 
     /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic

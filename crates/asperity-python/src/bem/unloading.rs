@@ -2,13 +2,14 @@
 
 use std::sync::atomic::Ordering;
 
-use asperity::bem::{BemError, LoadCase};
+use asperity::bem::BemError;
 use asperity::linspace;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::bem::{Scan, continue_unless, run_interruptible};
+use super::scan::{Scan, load_case};
+use crate::ask::long::{continue_unless, run_interruptible};
 use crate::convert::error::{refused, value_error, warn};
 
 /// Numbers of the contacts by name, the retreat at which contact ends, the boundary, and the area
@@ -32,11 +33,7 @@ pub(crate) fn bem_unloading<'py>(
     bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
     let elements = bem.elements(&interface).map_err(refused)?;
     let area = scan.area(&bem);
-    let greatest = match given {
-        ("gap", gap) => LoadCase::MeanGap(gap),
-        ("load", load) => LoadCase::MeanPressure(load / area),
-        (_, pressure) => LoadCase::MeanPressure(pressure),
-    };
+    let greatest = load_case(given.0, given.1, area);
     let (retreats, end, found) = run_interruptible(py, |stop| -> Result<_, BemError> {
         let path = elements.unloading_from(greatest)?;
         let end = path.last_contact();

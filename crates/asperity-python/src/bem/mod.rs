@@ -1,0 +1,6 @@
+//! Boundary elements on a scan, and models compared with them.
+
+pub(crate) mod contacts;
+mod scan;
+pub(crate) mod truth;
+pub(crate) mod unloading;

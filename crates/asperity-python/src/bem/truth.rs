@@ -1,0 +1,100 @@
+//! Models of a scene compared with boundary elements on its scan.
+
+use std::collections::BTreeMap;
+
+use asperity::bem::{Bem, BemError};
+use asperity::{ContactState, Described, Diagnostics, Model, Truth};
+use pyo3::prelude::*;
+
+use super::scan::Scan;
+use crate::ask::long::{continue_unless, run_interruptible};
+use crate::convert::error::{refused, value_error, warn};
+use crate::scene::SceneFile;
+
+/// Area fraction, mean gap [m] and stiffness [N/m].
+type State = (Option<f64>, Option<f64>, Option<f64>);
+/// Pressure [Pa], a model's id, its numbers and their deviations from boundary elements.
+type Row = (f64, String, State, State);
+/// Sentences about the nearest models, and beside solved surfaces.
+type Sentences = (Option<String>, Vec<String>);
+/// Rows, sentences, the reasons of missing models by id, the reasons of failed pressures by place,
+/// and the boundary.
+type Truths =
+    (Vec<Row>, Sentences, BTreeMap<String, String>, BTreeMap<usize, String>, &'static str);
+
+/// Models of a scene compared with boundary elements on its scan.
+#[pyfunction]
+pub(crate) fn truth(
+    py: Python<'_>,
+    scene: &SceneFile,
+    pressures: Vec<f64>,
+    elastic: bool,
+    boundary: Option<&str>,
+    models: Option<Vec<String>>,
+    refine_and_mask: (bool, bool),
+) -> PyResult<Truths> {
+    let (refine, mask) = refine_and_mask;
+    let scene = &*scene.0;
+    let (bem, _) = Scan::Scene(scene).bem(py, boundary, elastic)?;
+    bem.note().map_or(Ok(()), |note| warn(py, &note, 1))?;
+    let (models, left_out) = match models {
+        None => scene.models_beside_bem(),
+        Some(ids) => {
+            let all = ids.iter().map(|id| scene.model(id));
+            (all.collect::<Result<_, _>>().map_err(value_error)?, vec![])
+        }
+    };
+    let mut failures = BTreeMap::new();
+    let mut solved = |bem: &Bem, models: &[Model]| -> PyResult<Vec<Option<Truth>>> {
+        let found = run_interruptible(py, |stop| {
+            asperity::compare_with_bem(&scene.scene, bem, &pressures, models, |_| {
+                continue_unless(stop)
+            })
+        })?;
+        let found = found.map_err(refused)?.into_iter().enumerate();
+        let kept = |(k, one): (usize, Result<Truth, BemError>)| match one {
+            Err(error) if !mask => Err(value_error(error)),
+            Err(error) => {
+                failures.entry(k).or_insert(error.to_string());
+                Ok(None)
+            }
+            Ok(one) => Ok(Some(one)),
+        };
+        found.map(kept).collect()
+    };
+    let found = solved(&bem, &models)?;
+    let half = match refine {
+        true => solved(&bem.half_grid().map_err(value_error)?, &[])?,
+        false => vec![None; found.len()],
+    };
+    let (found, half): (Vec<Truth>, Vec<_>) =
+        found.into_iter().zip(half).filter_map(|(found, half)| Some((found?, half))).unzip();
+    let of_truth = |truth: &Truth| {
+        let refused = truth.refused.iter().map(|(_, why)| why.clone());
+        truth.notes.iter().cloned().chain(refused).collect::<Vec<_>>()
+    };
+    let notes: Diagnostics = found.iter().flat_map(of_truth).collect();
+    notes.by_cause().iter().try_for_each(|note| warn(py, note, 1))?;
+    let mut refused: BTreeMap<String, String> =
+        left_out.into_iter().map(|model| (model.id, model.reason.to_string())).collect();
+    for (model, why) in found.iter().flat_map(|truth| &truth.missing) {
+        if !refused.contains_key(model.id()) {
+            warn(py, format!("{model}: {why}"), 1)?;
+            refused.insert(model.id().into(), why.to_string());
+        }
+    }
+    let state = |s: ContactState| (s.area_fraction, s.mean_gap, s.stiffness);
+    let rows = |(k, truth): (usize, &Truth)| -> Vec<Row> {
+        let models = truth.models.iter().map(|(model, numbers)| (model.id(), numbers));
+        let half = half[k].as_ref().map(|half| ("bem-half-grid", &half.bem));
+        let all = std::iter::once(("bem", &truth.bem)).chain(half).chain(models);
+        let row = |(id, numbers): (&str, &ContactState)| {
+            (truth.pressure, id.into(), state(*numbers), state(truth.deviation(numbers)))
+        };
+        all.map(row).collect()
+    };
+    let nearest = (!models.is_empty() && !found.is_empty()).then(|| asperity::summary(&found));
+    let sentences = (nearest, py.detach(|| scene.beside_table(&found)));
+    let rows = found.iter().enumerate().flat_map(rows).collect();
+    Ok((rows, sentences, refused, failures, bem.continuation().name()))
+}
