@@ -11,7 +11,8 @@ use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
 use crate::input::args::{OutputArgs, is_png, npy_file, svg_or_png_file};
-use crate::input::numbers::{Numbers, all, length, load, pressure};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{length, load, pressure};
 use crate::interrupt;
 use crate::output::contact_map;
 use crate::output::number::rounded;

@@ -10,9 +10,8 @@ use clap::{ArgGroup, Args};
 
 use super::conductance_picture::{CONDUCTANCE, column, picture};
 use crate::input::args::{DrawnArgs, model_id};
-use crate::input::numbers::{
-    Numbers, all, length, load, of_unit, positive, positive_number, pressure,
-};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{length, load, of_unit, positive, positive_number, pressure};
 use crate::output::number::rounded;
 use crate::output::table::{Cell, Table};
 use crate::output::{once, print_message, summary};

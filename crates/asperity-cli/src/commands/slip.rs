@@ -8,7 +8,8 @@ use clap::Args;
 use clap::builder::RangedU64ValueParser;
 
 use crate::input::args::{Closed, DrawnArgs, tolerance};
-use crate::input::numbers::{Numbers, all, friction, length, load};
+use crate::input::lists::{Numbers, all};
+use crate::input::numbers::{friction, length, load};
 use crate::joints::{amplitude_at, given_preload, preload};
 use crate::output::number::{rounded, within};
 use crate::output::plot;

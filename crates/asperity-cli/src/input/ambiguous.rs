@@ -46,7 +46,8 @@ pub fn may_be_decimal(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::numbers::{all, load, number};
+    use crate::input::lists::all;
+    use crate::input::numbers::{load, number};
 
     #[test]
     fn decimal_commas_are_refused_with_both_readings() {

@@ -4,7 +4,7 @@ use clap::{ArgMatches, Command};
 
 use crate::input::ambiguous::may_be_decimal;
 use crate::input::distances::{Distance, Distances};
-use crate::input::numbers::Numbers;
+use crate::input::lists::Numbers;
 use crate::output::print_message;
 
 /// Says of each list of two values that may be one decimal how it was read.
