@@ -61,6 +61,13 @@ pub(crate) fn likely_angle(sdq: f64) -> Option<Diagnostic> {
     })
 }
 
+/// The rms gradient that a text states in per cent or degrees.
+pub(crate) fn gradient(text: &str) -> Option<f64> {
+    let number = |end: &str| text.trim().strip_suffix(end)?.trim().parse::<f64>().ok();
+    let angle = || number("deg").or_else(|| number("\u{b0}")).map(|deg| deg.to_radians().tan());
+    number("%").map(|percent| 0.01 * percent).or_else(angle).filter(|found| found.is_finite())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -70,5 +77,13 @@ mod tests {
         let text = "sdq is 12, an rms gradient of more than 45 degrees: 12 looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
         assert_eq!(likely_angle(12.0).unwrap().to_string(), text);
         assert_eq!((likely_angle(0.4), likely_angle(200.0)), (None, None));
+    }
+
+    #[test]
+    fn texts_with_per_cent_or_degrees_are_gradients() {
+        for (text, wanted) in [("6 %", 0.06), ("12deg", 0.2126), ("45\u{b0}", 1.0)] {
+            assert!((gradient(text).unwrap() - wanted).abs() < 5e-5, "{text}");
+        }
+        assert!(gradient("6").is_none() && gradient("6 um").is_none() && gradient("%").is_none());
     }
 }

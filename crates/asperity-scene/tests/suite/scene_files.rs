@@ -121,6 +121,8 @@ fn every_way_gives_the_surface_of_the_library() {
     };
     let hint = "12 looks like degrees or per cent; 12 deg is 0.2126, 12 % is 0.12";
     assert!(message(&angle("12", "1 um")).contains(hint));
+    let found = message(&angle("\"12 %\"", "1 um"));
+    assert!(found.contains("sdq is \"12 %\" (the nearest is \"0.12\"): a number"), "{found}");
     let warned = read(&angle("12", "1 mm")).unwrap().warnings;
     assert!(warned.iter().any(|one| one.to_string().contains(hint)), "{warned:?}");
     for (surface, wanted) in [
