@@ -111,10 +111,10 @@ def test_steps_of_a_periodic_map_are_pressed() -> None:
                 assert found.pressures is not None and found.boundary == "periodic"
                 assert found.area_fraction_pixels == 0.5
                 assert found.pressures.max() == pytest.approx(largest, rel=1e-6)
-    with pytest.warns(asperity.ContactWarning, match="edges of the scan do not match") as said:
+    with pytest.warns(asperity.ContactWarning, match="edges of the scan do not match") as recorded:
         part = asperity.bem(saw, pixel_size=1 / 64, interface=elastic, pressure=5e6)
     assert part.boundary == "periodic-part"
-    assert sum("edges" in str(warning.message) for warning in said) == 1
+    assert sum("edges" in str(warning.message) for warning in recorded) == 1
     with warnings.catch_warnings(record=True) as declared:
         warnings.simplefilter("always")
         for boundary in get_args(asperity._bem.Boundary):

@@ -226,15 +226,15 @@ def test_a_loop_over_loads_warns_once_for_each_cause() -> None:
 
     shown = []
     for action in ("default", "always"):
-        with warnings.catch_warnings(record=True) as said:
+        with warnings.catch_warnings(record=True) as recorded:
             warnings.simplefilter(action)
             loop()
-        shown.append([str(one.message) for one in said])
+        shown.append([str(one.message) for one in recorded])
     first, every = shown
     assert len(every) == 4 * len(first) > 0, shown
     assert first == every[: len(first)]
     # Anew in another context, as Python's own.
-    with warnings.catch_warnings(record=True) as said:
+    with warnings.catch_warnings(record=True) as recorded:
         warnings.simplefilter("default")
         loop()
-    assert [str(one.message) for one in said] == first
+    assert [str(one.message) for one in recorded] == first

@@ -35,7 +35,7 @@ pub fn write(build: Build, folder: &Path) -> Result<PathBuf> {
     write_licences(&package.join("licenses"))?;
     let profile = match build {
         Build::Release => "release",
-        Build::Quick => "dev",
+        Build::Quick => "quick",
     };
     let path = std::env::var("PATH").unwrap_or_default();
     run(Command::new(tools.join("bin/maturin"))

@@ -163,14 +163,14 @@ def fit(
     fits = tuple(_fit(one, scene) for one in found["models"])
     for one in fits:
         if one.misfit is not None:
-            said = [*one.unreachable, one.misfit]
+            messages = [*one.unreachable, one.misfit]
         else:
             # The nearest value to an unreachable one is given with its place.
             limits = () if one.unreachable else one.limits
-            said = [*one.unreachable, *one.undetermined, *limits]
+            messages = [*one.unreachable, *one.undetermined, *limits]
         if not one.converged:
-            said.append("the search did not converge: the values are the best that it found")
-        for text in said:
+            messages.append("the search did not converge: the values are the best that it found")
+        for text in messages:
             warn(f"{one.model}: {text}", 1)
     return Fits(fits, found["summary"])
 

@@ -19,14 +19,14 @@ _snapshot: list[object] = []
 def warn(message: str, above: int) -> None:
     """Emits a ``ContactWarning`` at the line ``above`` frames above the caller.
 
-    Python shows a message once for a line that runs often, unless its filters say otherwise. So does
-    this for messages that differ in their numbers only, as those of a loop over loads.
+    Python shows a message once for a line that runs often, unless its filters say otherwise. Messages
+    that differ only in their numbers, as those of a loop over loads, count as one message here.
     """
     frame = sys._getframe(above + 1)
     module = frame.f_globals.get("__name__") or "<unknown>"
     place = frame.f_code.co_filename, frame.f_lineno
     if _once(message, module, place[1]):
-        _forget()
+        _clear_if_changed()
         cause = *place, _NUMBER.sub("#", message)
         if cause in _shown:
             return
@@ -43,8 +43,8 @@ def _once(message: str, module: str, line: int) -> bool:
     return True
 
 
-def _forget() -> None:
-    """Begins anew under other filters, as Python does."""
+def _clear_if_changed() -> None:
+    """Clears what was shown when the filters have changed, as Python does."""
     global _filters, _snapshot
     if warnings.filters is not _filters or warnings.filters != _snapshot:
         _shown.clear()
